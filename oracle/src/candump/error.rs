@@ -1,0 +1,139 @@
+//! What can go wrong: a line that is no frame, and a log that cannot be read any further.
+
+use std::fmt;
+use std::io;
+
+/// Where and why a line could not be read; its number is the reader's to know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Flaw {
+    /// Offset in the line, in bytes.
+    pub(super) at: usize,
+    /// What should have stood there.
+    pub(super) expected: &'static str,
+}
+
+/// A line that is no frame. It has been passed over; the next line is read as if it were not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineError {
+    /// Number of the line in the log; the first is 1.
+    pub line: u64,
+    /// Where the line stops being readable, in bytes; the first is 1.
+    pub column: usize,
+    /// What was found there.
+    pub found: Excerpt,
+    /// What should have stood there.
+    pub expected: &'static str,
+}
+
+impl LineError {
+    #[cold]
+    pub(super) fn new(line: u64, text: &[u8], flaw: Flaw) -> Self {
+        let found = Excerpt::new(text.get(flaw.at..).unwrap_or_default());
+        Self { line, column: flaw.at + 1, found, expected: flaw.expected }
+    }
+}
+
+impl fmt::Display for LineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { line, column, found, expected } = self;
+        write!(f, "line {line}, column {column}: found {found}, expected {expected}")
+    }
+}
+
+impl std::error::Error for LineError {}
+
+/// The first bytes of what was found, short enough for a message.
+///
+/// It prints as quoted ASCII with everything else escaped, so that rubbish in a log cannot reach a terminal.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Excerpt {
+    bytes: [u8; Self::LIMIT],
+    len: u8,
+    cut: bool,
+}
+
+impl Excerpt {
+    const LIMIT: usize = 24;
+
+    fn new(text: &[u8]) -> Self {
+        let mut excerpt = Self { bytes: [0; Self::LIMIT], len: 0, cut: text.len() > Self::LIMIT };
+        for (place, byte) in excerpt.bytes.iter_mut().zip(text) {
+            *place = *byte;
+            excerpt.len += 1;
+        }
+        excerpt
+    }
+
+    /// The bytes as they stand in the log; empty if the line ended.
+    pub fn as_bytes(&self) -> &[u8] {
+        self.bytes.get(..usize::from(self.len)).unwrap_or_default()
+    }
+}
+
+impl fmt::Display for Excerpt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.len == 0 {
+            return f.write_str("the end of the line");
+        }
+        write!(f, "\"{}\"{}", self.as_bytes().escape_ascii(), if self.cut { "..." } else { "" })
+    }
+}
+
+impl fmt::Debug for Excerpt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// The source of the log failed. Every complete line before the failure has been handed out.
+#[derive(Debug)]
+pub struct ReadError {
+    /// Number of the last line that was read completely; 0 if there was none.
+    pub line: u64,
+    /// The failure itself.
+    pub source: io::Error,
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot read on after line {}: {}", self.line, self.source)
+    }
+}
+
+impl std::error::Error for ReadError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.source)
+    }
+}
+
+impl From<ReadError> for io::Error {
+    fn from(error: ReadError) -> Self {
+        Self::new(error.source.kind(), error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_excerpt_is_short_and_printable() {
+        let cases: [(&[u8], &str); 4] = [
+            (b"", "the end of the line"),
+            (b"52x#", r#""52x#""#),
+            (b"\x1b[2J\0\xff\"", r#""\x1b[2J\x00\xff\"""#),
+            (b"0123456789abcdefghijklmnopqrstuvwxyz", r#""0123456789abcdefghijklmn"..."#),
+        ];
+        for (text, printed) in cases {
+            assert_eq!(Excerpt::new(text).to_string(), printed);
+        }
+    }
+
+    #[test]
+    fn a_read_error_keeps_its_line_and_kind() {
+        let error = ReadError { line: 7, source: io::ErrorKind::TimedOut.into() };
+        let error = io::Error::from(error);
+        assert_eq!(error.kind(), io::ErrorKind::TimedOut);
+        assert_eq!(error.to_string(), "cannot read on after line 7: timed out");
+    }
+}

@@ -1,0 +1,158 @@
+//! Streaming: finds the lines, counts them, and never holds more than a buffer of them.
+
+use std::io::{self, Read};
+use std::ops::Range;
+
+use memchr::memchr;
+
+use super::MAX_LINE;
+use super::error::{Flaw, LineError, ReadError};
+use super::line;
+use super::record::{MAX_DATA, Record};
+
+const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
+const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
+
+/// Large enough that system calls do not count, small enough to stay in the processor's cache.
+const BUFFER: usize = 128 * 1024;
+const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to fit, with room to read more");
+
+/// What a log has in store: a frame, or a line that is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry<'a> {
+    /// A line that was read.
+    Frame(Record<'a>),
+    /// A line that was passed over.
+    Broken(LineError),
+}
+
+/// Reads a log line by line.
+///
+/// It has a buffer of its own, so `source` needs none. A line is handed out as soon as the source has given
+/// it, so that a pipe from a running `candump -L` is followed live.
+#[derive(Debug)]
+pub struct Reader<R> {
+    source: R,
+    buffer: Box<[u8]>,
+    /// What of the buffer has been read from the source and not yet handed out.
+    pending: Range<usize>,
+    /// Whether `pending` starts inside a line that has been reported as too long.
+    inside_long_line: bool,
+    /// Number of the last line handed out.
+    line: u64,
+    /// Data of the last record handed out.
+    data: Box<[u8; MAX_DATA]>,
+}
+
+impl<R: Read> Reader<R> {
+    /// Starts at the first line of `source`.
+    pub fn new(source: R) -> Self {
+        Self {
+            source,
+            buffer: vec![0; BUFFER].into_boxed_slice(),
+            pending: 0..0,
+            inside_long_line: false,
+            line: 0,
+            data: Box::new([0; MAX_DATA]),
+        }
+    }
+
+    /// Number of the last line that was read, blank ones included; 0 before the first.
+    pub fn line(&self) -> u64 {
+        self.line
+    }
+
+    /// Bytes of memory that the reader holds, whatever the log.
+    #[cfg(test)]
+    pub(super) fn capacity(&self) -> usize {
+        self.buffer.len() + self.data.len()
+    }
+
+    /// The next line that is not blank; `None` at the end of the log.
+    ///
+    /// # Errors
+    ///
+    /// Fails when the source does, after every complete line that it gave. A broken line is no failure of
+    /// the reader but an [`Entry::Broken`].
+    pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
+        let Some(span) = self.next_line()? else { return Ok(None) };
+        let text = self.buffer.get(span).unwrap_or_default();
+        let parsed = if text.len() > MAX_LINE {
+            Err(Flaw { at: 0, expected: SHORTER })
+        } else {
+            line::parse(self.line, text, &mut self.data)
+        };
+        Ok(Some(match parsed {
+            Ok(record) => Entry::Frame(record),
+            Err(flaw) => Entry::Broken(LineError::new(self.line, text, flaw)),
+        }))
+    }
+
+    /// Where in the buffer the next line stands that is not blank. Of a line longer than [`MAX_LINE`] it is
+    /// the beginning, of more than that length.
+    #[inline]
+    fn next_line(&mut self) -> Result<Option<Range<usize>>, ReadError> {
+        let mut searched = 0;
+        loop {
+            let pending = self.buffer.get(self.pending.clone()).unwrap_or_default();
+            if let Some(found) = memchr(b'\n', pending.get(searched..).unwrap_or_default()) {
+                let end = self.pending.start + searched + found;
+                let span = self.pending.start..end;
+                self.pending.start = end + 1;
+                searched = 0;
+                if self.inside_long_line {
+                    self.inside_long_line = false;
+                } else if self.begin_line(&span) {
+                    return Ok(Some(span));
+                }
+                continue;
+            }
+            searched = pending.len();
+            let too_long = searched > MAX_LINE;
+            if self.inside_long_line || too_long {
+                let span = self.pending.clone();
+                self.pending = 0..0;
+                searched = 0;
+                if !self.inside_long_line {
+                    self.inside_long_line = true;
+                    self.line += 1;
+                    return Ok(Some(span));
+                }
+            }
+            if self.fill()? == 0 {
+                let span = self.pending.clone();
+                self.pending = 0..0;
+                let last = !span.is_empty() && self.begin_line(&span);
+                return Ok(last.then_some(span));
+            }
+        }
+    }
+
+    /// Counts a line, and tells whether it holds anything.
+    #[inline]
+    fn begin_line(&mut self, span: &Range<usize>) -> bool {
+        self.line += 1;
+        !line::is_blank(self.buffer.get(span.clone()).unwrap_or_default())
+    }
+
+    /// Reads on, behind what is pending; 0 bytes at the end of the source.
+    #[cold]
+    fn fill(&mut self) -> Result<usize, ReadError> {
+        if self.pending.start > 0 {
+            self.buffer.copy_within(self.pending.clone(), 0);
+            self.pending = 0..self.pending.len();
+        }
+        let room = self.buffer.get_mut(self.pending.end..).unwrap_or_default();
+        loop {
+            match self.source.read(room) {
+                Ok(count) => {
+                    let count = count.min(room.len());
+                    self.pending.end += count;
+                    return Ok(count);
+                }
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(source) => return Err(ReadError { line: self.line, source }),
+            }
+        }
+    }
+}

@@ -1,0 +1,274 @@
+//! The reader as its users see it: whole logs, rubbish, failing sources, and the way there and back.
+
+use std::io::{self, Read};
+
+use super::*;
+
+/// What stays of an entry when the reader moves on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Seen {
+    Frame { line: u64, time_ns: i64, interface: String, kind: FrameKind, id: u32, data: Vec<u8> },
+    Broken(LineError),
+}
+
+impl Seen {
+    fn line(&self) -> u64 {
+        match self {
+            Self::Frame { line, .. } => *line,
+            Self::Broken(error) => error.line,
+        }
+    }
+}
+
+fn read_all(source: impl Read) -> (Vec<Seen>, Option<ReadError>) {
+    let mut reader = Reader::new(source);
+    let mut seen = Vec::new();
+    loop {
+        match reader.next_record() {
+            Ok(Some(Entry::Frame(record))) => seen.push(Seen::Frame {
+                line: record.line,
+                time_ns: record.time_ns,
+                interface: record.interface.to_owned(),
+                kind: record.kind,
+                id: record.id,
+                data: record.data.to_vec(),
+            }),
+            Ok(Some(Entry::Broken(error))) => seen.push(Seen::Broken(error)),
+            Ok(None) => return (seen, None),
+            Err(error) => return (seen, Some(error)),
+        }
+    }
+}
+
+fn read(text: &[u8]) -> Vec<Seen> {
+    let (seen, error) = read_all(text);
+    assert!(error.is_none());
+    seen
+}
+
+/// `Ok` with its line number for each frame, `Err` for each broken line.
+fn outline(seen: &[Seen]) -> Vec<Result<u64, u64>> {
+    seen.iter()
+        .map(|entry| if matches!(entry, Seen::Frame { .. }) { Ok(entry.line()) } else { Err(entry.line()) })
+        .collect()
+}
+
+/// A small generator of pseudo-random numbers (xorshift64*), so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        (self.next() >> 33) as usize % bound
+    }
+
+    fn bytes(&mut self, len: usize) -> Vec<u8> {
+        (0..len).map(|_| self.next().to_be_bytes()[0]).collect()
+    }
+
+    /// Bytes that a log is made of, so that rubbish comes close to being a frame.
+    fn near_miss(&mut self, len: usize) -> Vec<u8> {
+        const ALPHABET: &[u8] = b"()... 0123456789abcdefABCDEF##RT_:vcan\r\t\n\0";
+        (0..len).map(|_| ALPHABET[self.below(ALPHABET.len())]).collect()
+    }
+}
+
+/// A source that gives a few bytes at a time, and is interrupted in between.
+struct Trickle<'a>(&'a [u8], Random);
+
+impl Read for Trickle<'_> {
+    fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
+        let count = 1 + self.1.below(30);
+        if count == 7 {
+            return Err(io::ErrorKind::Interrupted.into());
+        }
+        let count = count.min(room.len());
+        self.0.read(&mut room[..count])
+    }
+}
+
+const GOOD: &[u8] = b"(1.000000) vcan0 520#0001";
+
+#[test]
+fn recorded_logs_are_read_to_the_last_line() {
+    for (name, frames) in [("mission.log", 33_940), ("finished-while-moving.log", 32_535)] {
+        let path = format!("{}/../tests/logs/{name}", env!("CARGO_MANIFEST_DIR"));
+        let log = std::fs::read(path).expect("the recorded log is part of the project");
+        let seen = read(&log);
+        assert_eq!(seen.len(), frames, "{name}");
+        // Written again they are the same log, byte for byte.
+        let mut again = Vec::new();
+        for entry in &seen {
+            let Seen::Frame { time_ns, interface, id, data, .. } = entry else {
+                panic!("{name}: {entry:?}");
+            };
+            write_frame(&mut again, *time_ns, interface, *id, data).expect("writing to memory");
+        }
+        assert!(again == log, "{name}");
+    }
+}
+
+#[test]
+fn blank_lines_and_carriage_returns_are_no_errors_and_count() {
+    let log = b"\r\n\n(1.000000) vcan0 520#0001\r\n \t\n(1.000000) vcan0 520#0001";
+    assert_eq!(outline(&read(log)), [Ok(3), Ok(5)]);
+    assert_eq!(read(b""), []);
+    assert_eq!(read(b"\n\r\n  "), []);
+}
+
+#[test]
+fn a_last_line_counts_without_its_line_feed_if_it_is_whole() {
+    let whole = b"(1.000000) vcan0 520#0001";
+    for len in 1..=whole.len() {
+        let frame = len == whole.len() || whole[..len].ends_with(b"#") || whole[..len].ends_with(b"#00");
+        let expected = if len > 18 && frame { Ok(1) } else { Err(1) };
+        assert_eq!(outline(&read(&whole[..len])), [expected], "{}", whole[..len].escape_ascii());
+    }
+}
+
+#[test]
+fn several_interfaces_and_sorts_of_frame_share_a_log() {
+    let log = b"(1.0) can0 520#00\n(1.1)  vcan12 20000004#00\n(1.2) can0 123##100\n(1.3) can1 00000123#R\n";
+    let seen: Vec<_> = read(log)
+        .into_iter()
+        .map(|entry| match entry {
+            Seen::Frame { interface, kind, .. } => (interface, kind),
+            Seen::Broken(error) => panic!("{error}"),
+        })
+        .collect();
+    let expected = [
+        ("can0", FrameKind::Standard),
+        ("vcan12", FrameKind::Error),
+        ("can0", FrameKind::Fd { extended: false, flags: 1 }),
+        ("can1", FrameKind::Remote { extended: true, len: 0 }),
+    ];
+    assert_eq!(seen, expected.map(|(interface, kind)| (interface.to_owned(), kind)));
+}
+
+#[test]
+fn a_broken_line_says_where_what_and_why_and_costs_only_itself() {
+    let broken: [(&[u8], &str); 6] = [
+        (b"vcan0  520   [8]  00 00", r#"line 2, column 1: found "vcan0  520   [8]  00 00", expected a time such as (1436509052.249713)"#),
+        (b"(1.000000) vcan0 52x#00\r", r#"line 2, column 20: found "x#00\r", expected a hexadecimal digit of the identifier"#),
+        (b"(1.000000) vcan0 520#000", r#"line 2, column 25: found the end of the line, expected the second hexadecimal digit of a data byte"#),
+        (b"\0\0\0", r#"line 2, column 1: found "\x00\x00\x00", expected a time such as (1436509052.249713)"#),
+        (b"(1.000000) vcan0 520#00 00", r#"line 2, column 25: found "00", expected the end of the line, or R (received) or T (sent)"#),
+        (b"(99999999999.0) vcan0 520#00", r#"line 2, column 1: found "(99999999999.0) vcan0 52"..., expected a time before the year 2262, which is what 64 bits of nanoseconds can hold"#),
+    ];
+    for (line, message) in broken {
+        let seen = read(&[GOOD, line, GOOD].join(&b'\n'));
+        assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)]);
+        let Seen::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+        assert_eq!(error.to_string(), message);
+    }
+}
+
+#[test]
+fn an_endless_line_is_one_broken_line() {
+    for len in [MAX_LINE - 1, MAX_LINE, MAX_LINE + 1, 127 * 1024, 128 * 1024, 129 * 1024, 3_000_000] {
+        let long = vec![b'7'; len];
+        let log = [GOOD, &long, GOOD].join(&b'\n');
+        let trickled = read_all(Trickle(&log, Random(len as u64))).0;
+        for seen in [read(&log), trickled] {
+            assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)], "{len}");
+            let Seen::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+            assert_eq!(error.expected.contains("8192"), len > MAX_LINE, "{len}: {error}");
+            assert_eq!(error.found.to_string(), r#""777777777777777777777777"..."#);
+        }
+        assert_eq!(outline(&read(&long)), [Err(1)]);
+    }
+}
+
+#[test]
+fn an_endless_source_without_line_feeds_takes_no_memory() {
+    let mut reader = Reader::new(io::repeat(0).take(1 << 28).chain(&b"\n(1.0) vcan0 520#00"[..]));
+    assert!(matches!(reader.next_record(), Ok(Some(Entry::Broken(LineError { line: 1, .. })))));
+    assert!(matches!(reader.next_record(), Ok(Some(Entry::Frame(Record { line: 2, .. })))));
+    assert!(matches!(reader.next_record(), Ok(None)));
+    assert_eq!(reader.line(), 2);
+    assert!(reader.capacity() < 256 * 1024);
+}
+
+#[test]
+fn a_failing_source_costs_no_line_before_the_failure() {
+    struct Fails;
+    impl Read for Fails {
+        fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::PermissionDenied.into())
+        }
+    }
+    let log = [GOOD, b"rubbish", GOOD, b"(1.0"].join(&b'\n');
+    let (seen, error) = read_all(log.chain(Fails));
+    assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)]);
+    let error = error.expect("the source fails");
+    assert_eq!((error.line, error.source.kind()), (3, io::ErrorKind::PermissionDenied));
+}
+
+#[test]
+fn rubbish_never_panics_and_never_hides_a_line() {
+    let mut random = Random(0x0AD5_D001);
+    for round in 0..3_000 {
+        let (mut log, mut expected, mut lines) = (Vec::new(), Vec::new(), 0);
+        for _ in 0..random.below(6) {
+            let len = random.below(if round % 100 == 0 { 20_000 } else { 60 });
+            let rubbish = if round % 2 == 0 { random.bytes(len) } else { random.near_miss(len) };
+            lines += rubbish.iter().filter(|byte| **byte == b'\n').count() as u64;
+            log.extend(rubbish);
+            log.push(b'\n');
+            let time = (random.next() >> 1) as i64;
+            let id = random.next() as u32 >> (3 + random.below(29));
+            let len = random.below(9);
+            let data = random.bytes(len);
+            write_frame(&mut log, time, "vcan0", id, &data).expect("a valid frame");
+            lines += 2;
+            expected.push((lines, time, id, data));
+        }
+        let seen = read(&log);
+        assert!(seen.is_sorted_by(|one, next| one.line() < next.line()));
+        let frames = seen.iter().filter_map(|entry| match entry {
+            Seen::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
+            Seen::Broken(_) => None,
+        });
+        // Rubbish may happen to be a frame; every frame that was written has to be there.
+        let frames: Vec<_> = frames.filter(|frame| expected.iter().any(|(line, ..)| *line == frame.0)).collect();
+        assert_eq!(frames, expected, "{}", log.escape_ascii());
+        // And it does not matter in what pieces the log arrives.
+        assert_eq!(read_all(Trickle(&log, Random(round + 1))).0, seen);
+    }
+}
+
+#[test]
+fn a_changed_byte_breaks_at_most_its_own_line() {
+    let line: &[u8] = b"(1795209995.234358) vcan0 520#0000010000000000";
+    for place in 0..line.len() {
+        for byte in (0..=u8::MAX).filter(|byte| *byte != b'\n') {
+            let mut changed = line.to_vec();
+            changed[place] = byte;
+            let outline = outline(&read(&[line, &changed, line].join(&b'\n')));
+            assert!(matches!(outline[..], [Ok(1), Ok(2) | Err(2), Ok(3)]), "{}", changed.escape_ascii());
+        }
+    }
+}
+
+#[test]
+fn what_is_written_is_read_back() {
+    let mut random = Random(0x0AD5_D002);
+    for _ in 0..20_000 {
+        let time_ns = (random.next() >> (1 + random.below(63))) as i64;
+        let interface = ["vcan0", "can0", "any", "slcan12", "can-π", "520#00"][random.below(6)];
+        let id = random.next() as u32 >> (3 + random.below(29));
+        let len = random.below(9);
+        let data = random.bytes(len);
+        let mut log = Vec::new();
+        write_frame(&mut log, time_ns, interface, id, &data).expect("a valid frame");
+        let kind = if id > 0x7FF { FrameKind::Extended } else { FrameKind::Standard };
+        let expected = Seen::Frame { line: 1, time_ns, interface: interface.to_owned(), kind, id, data };
+        assert_eq!(read(&log), [expected], "{}", log.escape_ascii());
+    }
+}

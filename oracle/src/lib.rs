@@ -1,0 +1,5 @@
+//! The judge: holds logs and programs under test against the specification of the ADS-DV AI/VCU interface.
+
+#![forbid(unsafe_code)]
+
+pub mod candump;

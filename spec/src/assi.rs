@@ -1,0 +1,53 @@
+//! The Autonomous System Status Indicator: the light that Figure 2 gives each state.
+
+use core::fmt;
+
+use crate::messages::AsState;
+
+/// What the ASSI shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+pub enum Assi {
+    /// Dark.
+    Off,
+    /// Yellow, continuous.
+    YellowContinuous,
+    /// Yellow, flashing.
+    YellowFlashing,
+    /// Blue, flashing.
+    BlueFlashing,
+    /// Blue, continuous.
+    BlueContinuous,
+}
+
+impl Assi {
+    /// The light of a state (Figure 2).
+    ///
+    /// ```
+    /// use adsdv_spec::{AsState, Assi};
+    /// assert_eq!(Assi::of(AsState::Ready), Assi::YellowContinuous);
+    /// ```
+    pub const fn of(state: AsState) -> Self {
+        match state {
+            AsState::Off => Self::Off,
+            AsState::Ready => Self::YellowContinuous,
+            AsState::Driving => Self::YellowFlashing,
+            AsState::EmergencyBrake => Self::BlueFlashing,
+            AsState::Finished => Self::BlueContinuous,
+        }
+    }
+}
+
+impl fmt::Display for Assi {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Off => "off",
+            Self::YellowContinuous => "yellow, continuous",
+            Self::YellowFlashing => "yellow, flashing",
+            Self::BlueFlashing => "blue, flashing",
+            Self::BlueContinuous => "blue, continuous",
+        })
+    }
+}

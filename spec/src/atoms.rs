@@ -1,0 +1,231 @@
+//! The atoms: every condition that a guard of Figure 2 can name, and sets of them.
+//!
+//! An atom is a yes/no question about the inputs or the control state ("is the AS master switch on?").
+//! A set of atoms is a bit set, so that a guard is a few AND and compare instructions.
+
+use core::fmt;
+
+macro_rules! atoms {
+    ($($(#[$doc:meta])* $variant:ident = $id:literal, $yes:literal, $no:literal;)*) => {
+        /// One condition that guards of Figure 2 are built from.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(kani, derive(kani::Arbitrary))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+        #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+        #[repr(u8)]
+        pub enum Atom { $($(#[$doc])* $variant,)* }
+
+        impl Atom {
+            /// Every atom, in the order of the bits.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// The stable identifier, such as `asms`.
+            pub const fn id(self) -> &'static str {
+                match self { $(Self::$variant => $id,)* }
+            }
+
+            /// The condition in the words of Figure 2, as it reads when it is true or false.
+            ///
+            /// ```
+            /// use adsdv_spec::Atom;
+            /// assert_eq!(Atom::Asms.text(false), "AS master switch OFF");
+            /// ```
+            pub const fn text(self, value: bool) -> &'static str {
+                match (self, value) { $((Self::$variant, true) => $yes, (Self::$variant, false) => $no,)* }
+            }
+        }
+    };
+}
+
+atoms! {
+    /// The Autonomous System Master Switch is on (sections 3.1, 3.4, 3.6, 3.7, 3.9).
+    Asms = "asms", "AS master switch ON", "AS master switch OFF";
+    /// The Tractive System Master Switch is on (section 3.1).
+    Tsms = "tsms", "TS master switch ON", "TS master switch OFF";
+    /// A mission is selected on the Autonomous Mission Indicator (section 3.1).
+    AmiSelected = "ami-selected", "AMI mission selected", "AMI mission not selected";
+    /// `MISSION_STATUS` is SELECTED (Figure 2).
+    MissionSelected = "mission-selected", "MISSION_STATUS == SELECTED", "MISSION_STATUS != SELECTED";
+    /// `MISSION_STATUS` is RUNNING (section 4).
+    MissionRunning = "mission-running", "MISSION_STATUS == RUNNING", "MISSION_STATUS != RUNNING";
+    /// `MISSION_STATUS` is FINISHED (sections 3.3, 3.7).
+    MissionFinished = "mission-finished", "MISSION_STATUS == FINISHED", "MISSION_STATUS != FINISHED";
+    /// `MISSION_STATUS` was RUNNING at the last step and is FINISHED now (section 4, item 2).
+    MissionFinishedEdge = "mission-finished-edge",
+        "MISSION_STATUS RUNNING -> FINISHED", "no change of MISSION_STATUS RUNNING -> FINISHED";
+    /// `DIRECTION_REQUEST` is NEUTRAL (sections 3.2, 3.7).
+    DirectionNeutral = "direction-neutral", "DIRECTION_REQUEST == NEUTRAL", "DIRECTION_REQUEST != NEUTRAL";
+    /// `DIRECTION_REQUEST` was FORWARD at the last step and is NEUTRAL now (section 4, item 1).
+    DirectionNeutralEdge = "direction-neutral-edge",
+        "DIRECTION_REQUEST FORWARD -> NEUTRAL", "no change of DIRECTION_REQUEST FORWARD -> NEUTRAL";
+    /// The Emergency Braking System is in its ARMED state (section 3.1).
+    EbsArmed = "ebs-armed", "EBS_state == ARMED", "EBS_state != ARMED";
+    /// The shutdown circuit is open, for any of the causes of section 3.5.
+    SdcOpen = "sdc-open", "SDC open", "SDC closed";
+    /// The remote "Go" switch is on (sections 3.2, 3.7).
+    GoOn = "go-on", "\"Go\" signal ON", "\"Go\" signal OFF";
+    /// The rising edge of the "Go" switch that section 3.2, item 3, accepts.
+    GoEdge = "go-edge", "\"Go\" signal OFF -> ON", "no accepted \"Go\" signal OFF -> ON";
+    /// `AS_READY` has lasted for the minimum dwell (section 3.2, item 1).
+    DwellElapsed = "dwell-elapsed", "5 second timer elapsed", "5 second timer running";
+    /// `EMERGENCY_BRAKE` has lasted for the time of the EBS timer (section 3.9).
+    EbsTimerComplete = "ebs-timer-complete", "EBS timer complete", "EBS timer running";
+    /// The front axle torque request is zero (section 3.2, item 2a).
+    FrontTorqueZero = "front-torque-zero",
+        "front axle torque request == 0", "front axle torque request != 0";
+    /// The rear axle torque request is zero (section 3.2, item 2a).
+    RearTorqueZero = "rear-torque-zero", "rear axle torque request == 0", "rear axle torque request != 0";
+    /// The requested steer angle is zero (section 3.2, item 2b).
+    SteerRequestZero = "steer-request-zero", "steer angle request == 0", "steer angle request != 0";
+    /// The actual steer angle is within the limit for straight wheels (section 3.2, item 2).
+    SteerStraight = "steer-straight", "abs(steer angle) < 5 deg", "abs(steer angle) >= 5 deg";
+    /// At least one wheel turns faster than 10 rpm (sections 3.7, 4).
+    Moving = "moving", "a wheel speed > 10 rpm", "no wheel speed > 10 rpm";
+    /// Every wheel turns slower than 10 rpm (section 3.3); exactly 10 rpm is neither moving nor at rest.
+    AtRest = "at-rest", "all wheel speeds < 10 rpm", "a wheel speed >= 10 rpm";
+    /// The AI Computer's HANDSHAKE bit is 1 (section 2.4).
+    AiHandshake = "ai-handshake", "AI HANDSHAKE == 1", "AI HANDSHAKE == 0";
+    /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for 50 ms (section 2.4).
+    AiCommsLost = "ai-comms-lost", "AI_COMMS_LOST", "AI comms present";
+    /// `ESTOP_REQUEST` of the AI Computer is set (section 2.1).
+    AiEstop = "ai-estop", "ESTOP_REQUEST == 1", "ESTOP_REQUEST == 0";
+    /// The vehicle must be power-cycled before it can drive again (section 3.9).
+    PowerCycleNeeded = "power-cycle-needed", "power cycle needed", "no power cycle needed";
+}
+
+impl fmt::Display for Atom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.id())
+    }
+}
+
+/// A set of [`Atom`]s, one bit for each.
+///
+/// ```
+/// use adsdv_spec::{Atom, Atoms};
+/// let seen = Atoms::NONE.with(Atom::Asms).with(Atom::Tsms);
+/// assert!(seen.has(Atom::Asms) && !seen.has(Atom::SdcOpen));
+/// assert_eq!(seen.iter().count(), 2);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "u32", into = "u32"))]
+pub struct Atoms(u32);
+
+impl Atoms {
+    /// No atom.
+    pub const NONE: Self = Self(0);
+    /// Every atom.
+    pub const ALL: Self = Self(u32::MAX >> (u32::BITS - Atom::ALL.len() as u32));
+
+    /// The set of the atoms given.
+    pub const fn of(atoms: &[Atom]) -> Self {
+        let mut set = Self::NONE;
+        let mut i = 0;
+        while i < atoms.len() {
+            set = set.with(atoms[i]);
+            i += 1;
+        }
+        set
+    }
+
+    /// The set of one atom if `value`, else the empty set.
+    pub const fn when(atom: Atom, value: bool) -> Self {
+        Self((value as u32) << atom as u8)
+    }
+
+    /// The set with these bits; `None` if a bit stands for no atom.
+    pub const fn from_bits(bits: u32) -> Option<Self> {
+        if bits & !Self::ALL.0 == 0 { Some(Self(bits)) } else { None }
+    }
+
+    /// The bits, bit `n` for the atom `Atom::ALL[n]`.
+    pub const fn bits(self) -> u32 {
+        self.0
+    }
+
+    /// Whether the atom is in the set.
+    pub const fn has(self, atom: Atom) -> bool {
+        self.0 >> atom as u8 & 1 == 1
+    }
+
+    /// The set with the atom added.
+    #[must_use]
+    pub const fn with(self, atom: Atom) -> Self {
+        Self(self.0 | 1 << atom as u8)
+    }
+
+    /// The set with the atom taken out.
+    #[must_use]
+    pub const fn without(self, atom: Atom) -> Self {
+        Self(self.0 & !(1 << atom as u8))
+    }
+
+    /// The atoms of either set.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The atoms of both sets.
+    #[must_use]
+    pub const fn intersection(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// The atoms of this set that are not in the other.
+    #[must_use]
+    pub const fn difference(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// The atoms that are in one of the sets but not in both.
+    #[must_use]
+    pub const fn symmetric_difference(self, other: Self) -> Self {
+        Self(self.0 ^ other.0)
+    }
+
+    /// Whether the other set has all atoms of this one.
+    pub const fn is_subset(self, other: Self) -> bool {
+        self.0 & !other.0 == 0
+    }
+
+    /// Whether the set is empty.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The atoms of the set, in the order of [`Atom::ALL`].
+    pub fn iter(self) -> impl Iterator<Item = Atom> {
+        Atom::ALL.iter().copied().filter(move |&atom| self.has(atom))
+    }
+}
+
+impl From<Atoms> for u32 {
+    fn from(atoms: Atoms) -> Self {
+        atoms.0
+    }
+}
+
+impl TryFrom<u32> for Atoms {
+    type Error = &'static str;
+
+    fn try_from(bits: u32) -> Result<Self, Self::Error> {
+        Self::from_bits(bits).ok_or("a bit set of atoms with a bit that stands for no atom")
+    }
+}
+
+#[cfg(kani)]
+impl kani::Arbitrary for Atoms {
+    fn any() -> Self {
+        Self(kani::any::<u32>() & Self::ALL.0)
+    }
+}
+
+#[cfg(feature = "arbitrary")]
+impl arbitrary::Arbitrary<'_> for Atoms {
+    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
+        Ok(Self(u.arbitrary::<u32>()? & Self::ALL.0))
+    }
+}

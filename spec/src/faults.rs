@@ -1,0 +1,207 @@
+//! The critical faults of `VCU2AI_Status` (520h), their flags, and `SHUTDOWN_CAUSE`.
+//!
+//! A fault's number is its `SHUTDOWN_CAUSE` (section 2.2). Where several arise in one step, the cause is the
+//! lowest number.
+
+use core::fmt;
+
+use crate::messages::{ShutdownCause, Vcu2AiStatus};
+
+macro_rules! faults {
+    ($($(#[$doc:meta])* $fault:ident => $flag:ident, $signal:literal, $opens:literal;)*) => {
+        /// A critical fault that 520h reports.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(kani, derive(kani::Arbitrary))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+        #[repr(u8)]
+        pub enum Fault { $($(#[$doc])* $fault = ShutdownCause::$fault as u8,)* }
+
+        impl Fault {
+            /// Every fault, by number.
+            pub const ALL: &'static [Self] = &[$(Self::$fault),*];
+
+            /// The `SHUTDOWN_CAUSE` that names this fault.
+            pub const fn cause(self) -> ShutdownCause {
+                match self { $(Self::$fault => ShutdownCause::$fault,)* }
+            }
+
+            /// The signal of 520h that is this fault's flag.
+            pub const fn flag(self) -> &'static str {
+                match self { $(Self::$fault => $signal,)* }
+            }
+
+            /// The fault that a cause names; `None` for no shutdown.
+            pub const fn of_cause(cause: ShutdownCause) -> Option<Self> {
+                match cause { $(ShutdownCause::$fault => Some(Self::$fault),)* ShutdownCause::NoShutdown => None }
+            }
+        }
+
+        impl Faults {
+            /// The faults that open the shutdown circuit by themselves (section 3.5).
+            pub const OPENING: Self = Self(0 $(| ($opens as u16) << Fault::$fault as u8)*);
+
+            /// The faults whose flags a `VCU2AI_Status` message shows.
+            pub const fn shown_by(status: &Vcu2AiStatus) -> Self {
+                Self(0 $(| (status.$flag as u16) << Fault::$fault as u8)*)
+            }
+
+            /// Sets the fault flags of a `VCU2AI_Status` message to these faults.
+            pub const fn show(self, status: &mut Vcu2AiStatus) {
+                $(status.$flag = self.has(Fault::$fault);)*
+            }
+        }
+    };
+}
+
+faults! {
+    /// The AI Computer requests an emergency stop.
+    AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false;
+    /// The shutdown circuit or HVIL is open.
+    HvilOpenFault => hvil_open_fault, "HVIL_OPEN_FAULT", true;
+    /// The shutdown circuit or HVIL has a short circuit.
+    HvilShortFault => hvil_short_fault, "HVIL_SHORT_FAULT", true;
+    /// The Emergency Braking System is faulty.
+    EbsFault => ebs_fault, "EBS_FAULT", true;
+    /// The off-board battery charger is faulty.
+    OffboardChargerFault => offboard_charger_fault, "OFFBOARD_CHARGER_FAULT", true;
+    /// The AI Computer does not answer the handshake.
+    AiCommsFault => ai_comms_lost, "AI_COMMS_LOST", false;
+    /// NEUTRAL was requested while the vehicle was moving.
+    AutonomousBrakingFault => autonomous_braking_fault, "AUTONOMOUS_BRAKING_FAULT", false;
+    /// FINISHED was declared while the vehicle was moving.
+    MissionStatusFault => mission_status_fault, "MISSION_STATUS_FAULT", false;
+    /// A master switch is on while the battery is being charged.
+    ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true;
+    /// The battery management system reports a critical fault.
+    BmsFault => bms_fault, "BMS_FAULT", true;
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.flag())
+    }
+}
+
+/// A set of [`Fault`]s.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "u16", into = "u16"))]
+pub struct Faults(u16);
+
+impl Faults {
+    /// No fault.
+    pub const NONE: Self = Self(0);
+    /// Every fault.
+    pub const ALL: Self = {
+        let mut set = Self::NONE;
+        let mut i = 0;
+        while i < Fault::ALL.len() {
+            set = set.with(Fault::ALL[i]);
+            i += 1;
+        }
+        set
+    };
+
+    /// The set of one fault if `present`, else the empty set.
+    pub const fn when(fault: Fault, present: bool) -> Self {
+        Self((present as u16) << fault as u8)
+    }
+
+    /// The set with these bits, bit `n` for the fault of number `n`; `None` if a bit stands for no fault.
+    pub const fn from_bits(bits: u16) -> Option<Self> {
+        if bits & !Self::ALL.0 == 0 { Some(Self(bits)) } else { None }
+    }
+
+    /// The bits, bit `n` for the fault of number `n`.
+    pub const fn bits(self) -> u16 {
+        self.0
+    }
+
+    /// Whether the fault is in the set.
+    pub const fn has(self, fault: Fault) -> bool {
+        self.0 >> fault as u8 & 1 == 1
+    }
+
+    /// The set with the fault added.
+    #[must_use]
+    pub const fn with(self, fault: Fault) -> Self {
+        Self(self.0 | 1 << fault as u8)
+    }
+
+    /// The faults of either set.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The faults of both sets.
+    #[must_use]
+    pub const fn intersection(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// The faults of this set that are not in the other.
+    #[must_use]
+    pub const fn difference(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// Whether the set is empty.
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The cause that is reported where all of these arise in one step: the lowest number.
+    pub const fn cause(self) -> ShutdownCause {
+        let mut i = 0;
+        while i < Fault::ALL.len() {
+            if self.has(Fault::ALL[i]) {
+                return Fault::ALL[i].cause();
+            }
+            i += 1;
+        }
+        ShutdownCause::NoShutdown
+    }
+
+    /// The fault that a cause names, as a set.
+    pub const fn of_cause(cause: ShutdownCause) -> Self {
+        match Fault::of_cause(cause) {
+            Some(fault) => Self::NONE.with(fault),
+            None => Self::NONE,
+        }
+    }
+
+    /// The faults of the set, by number.
+    pub fn iter(self) -> impl Iterator<Item = Fault> {
+        Fault::ALL.iter().copied().filter(move |&fault| self.has(fault))
+    }
+}
+
+impl From<Faults> for u16 {
+    fn from(faults: Faults) -> Self {
+        faults.0
+    }
+}
+
+impl TryFrom<u16> for Faults {
+    type Error = &'static str;
+
+    fn try_from(bits: u16) -> Result<Self, Self::Error> {
+        Self::from_bits(bits).ok_or("a bit set of faults with a bit that stands for no fault")
+    }
+}
+
+#[cfg(kani)]
+impl kani::Arbitrary for Faults {
+    fn any() -> Self {
+        Self(kani::any::<u16>() & Self::ALL.0)
+    }
+}
+
+#[cfg(feature = "arbitrary")]
+impl arbitrary::Arbitrary<'_> for Faults {
+    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
+        Ok(Self(u.arbitrary::<u16>()? & Self::ALL.0))
+    }
+}

@@ -1,0 +1,53 @@
+//! The handshake of section 2.4 and Figure 1, as the VCU sees it.
+//!
+//! The VCU sends a bit, waits until the AI Computer sends the same bit back, and then changes its own. An edge
+//! that stays unanswered for too long is the fault `AI_COMMS_LOST`; it lasts until the edge is answered.
+
+/// The VCU's side of the handshake.
+///
+/// ```
+/// use adsdv_spec::{Handshake, Interface};
+/// let limit = Interface::V3_0.timing.handshake_ms;
+/// let mut vcu = Handshake::default().step(true, false, 10, limit); // the AI's 0 matches: the VCU now asks for 1
+/// assert!(vcu.bit);
+/// for _ in 0..4 { vcu = vcu.step(true, false, 10, limit); }        // 40 ms without an answer
+/// assert!(!vcu.is_lost(limit));
+/// vcu = vcu.step(true, false, 10, limit);                          // 50 ms
+/// assert!(vcu.is_lost(limit));
+/// assert!(!vcu.step(true, true, 10, limit).is_lost(limit));        // answered at last
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+pub struct Handshake {
+    /// The HANDSHAKE bit that the VCU sends.
+    pub bit: bool,
+    /// For how long that bit has been unanswered, in milliseconds; it stops counting at the limit.
+    pub unanswered_ms: u16,
+}
+
+impl Handshake {
+    /// The handshake `dt_ms` later, when the AI Computer's bit is `answer`. One that is not `active` rests at 0.
+    #[must_use]
+    pub const fn step(self, active: bool, answer: bool, dt_ms: u32, limit_ms: u16) -> Self {
+        if !active {
+            Self { bit: false, unanswered_ms: 0 }
+        } else if answer == self.bit {
+            Self { bit: !self.bit, unanswered_ms: 0 }
+        } else {
+            Self { bit: self.bit, unanswered_ms: count_up(self.unanswered_ms, dt_ms, limit_ms) }
+        }
+    }
+
+    /// Whether the edge has been unanswered for the limit: the fault `AI_COMMS_LOST`.
+    pub const fn is_lost(self, limit_ms: u16) -> bool {
+        self.unanswered_ms >= limit_ms
+    }
+}
+
+/// A timer that counts up and stays at its limit.
+pub(crate) const fn count_up(timer_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
+    let sum = (timer_ms as u32).saturating_add(dt_ms);
+    if sum < limit_ms as u32 { sum as u16 } else { limit_ms }
+}

@@ -1,0 +1,325 @@
+//! What the VCU sees at a step, and how it becomes atoms and faults.
+//!
+//! Each source of conditions (a message of the AI Computer, a switch, a sensor) turns into atoms in one function,
+//! so that a judge who sees only some of the messages observes with the very same code.
+
+use crate::atoms::{Atom, Atoms};
+use crate::faults::{Fault, Faults};
+use crate::interface::Thresholds;
+use crate::messages::{
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AxleTorque,
+    AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SpeedKmh, SteerAngle,
+    SteerAngleMax, Vcu2AiStatus, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogStatus,
+};
+
+/// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
+pub struct Inputs {
+    /// The Autonomous System Master Switch is on.
+    pub asms: bool,
+    /// The Tractive System Master Switch is on.
+    pub tsms: bool,
+    /// The mission selected on the Autonomous Mission Indicator.
+    pub ami: AmiState,
+    /// The state of the Emergency Braking System, as it reports it.
+    pub ebs: EbsState,
+    /// The remote "Go" switch is on.
+    pub go: bool,
+    /// What opens the shutdown circuit.
+    pub sdc: ShutdownCircuit,
+    /// Faults and warnings that other controllers report.
+    pub reports: Reports,
+    /// The last valid messages of the AI Computer; the default stands for none yet.
+    pub ai: AiMessages,
+    /// What the vehicle's sensors measure.
+    pub vehicle: Vehicle,
+}
+
+/// The causes of an open shutdown circuit (section 3.5). Each is true while it holds the circuit open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
+pub struct ShutdownCircuit {
+    /// The remote E-stop button is pressed.
+    pub remote_estop: bool,
+    /// The remote E-stop receiver has lost the transmitter.
+    pub res_link_lost: bool,
+    /// An E-stop button on the vehicle is pressed.
+    pub vehicle_estop: bool,
+    /// The inertial crash sensor is activated.
+    pub crash_sensor: bool,
+    /// The VCU detects a critical system fault that has no flag of its own.
+    pub critical_fault: bool,
+    /// The BMS detects a critical fault in the traction battery.
+    pub bms_fault: bool,
+    /// The autonomous driving dongle is not in the Multi-Purpose Port.
+    pub mpp_dongle_removed: bool,
+}
+
+/// Faults and warnings that reach the VCU from elsewhere (the fault diagnostics of 520h, section 2.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
+pub struct Reports {
+    /// HVIL or the shutdown circuit has an open circuit.
+    pub hvil_open: bool,
+    /// HVIL or the shutdown circuit has a short circuit.
+    pub hvil_short: bool,
+    /// The Emergency Braking System is faulty.
+    pub ebs_fault: bool,
+    /// The off-board charger is faulty.
+    pub offboard_charger_fault: bool,
+    /// The battery is being charged: a fault as soon as ASMS or TSMS is on.
+    pub charging: bool,
+    /// The traction battery is hot (a warning).
+    pub batt_temp_high: bool,
+    /// The traction battery's charge is low (a warning).
+    pub batt_soc_low: bool,
+}
+
+/// The AI Computer's messages that the VCU acts on (section 2.1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
+pub struct AiMessages {
+    /// 510h.
+    pub status: Ai2VcuStatus,
+    /// 511h.
+    pub drive_f: Ai2VcuDriveF,
+    /// 512h.
+    pub drive_r: Ai2VcuDriveR,
+    /// 513h.
+    pub steer: Ai2VcuSteer,
+    /// 514h.
+    pub brake: Ai2VcuBrake,
+}
+
+/// What the vehicle's sensors and controllers measure. All but the steer angle and the wheel speeds is only reported.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
+pub struct Vehicle {
+    /// The actual steer angle, positive to the left.
+    pub steer_angle: SteerAngle,
+    /// The largest steer angle that is allowed.
+    pub steer_angle_max: SteerAngleMax,
+    /// The wheel speeds (525h).
+    pub wheel_speeds: Vcu2AiWheelSpeeds,
+    /// The pulse counts of the wheel speed sensors (526h).
+    pub wheel_counts: Vcu2AiWheelCounts,
+    /// The actual drive torque at the front axle.
+    pub front_axle_trq: AxleTorque,
+    /// The actual drive torque at the rear axle.
+    pub rear_axle_trq: AxleTorque,
+    /// The largest drive torque that is allowed at the front axle.
+    pub front_axle_trq_max: AxleTorqueRequest,
+    /// The largest drive torque that is allowed at the rear axle.
+    pub rear_axle_trq_max: AxleTorqueRequest,
+    /// The actual hydraulic pressure of the front brakes.
+    pub hyd_press_f: BrakePressure,
+    /// The actual hydraulic pressure of the rear brakes.
+    pub hyd_press_r: BrakePressure,
+    /// The actual speed of the vehicle.
+    pub speed: SpeedKmh,
+}
+
+/// What one step sees, reduced to what can matter: the atoms and the faults of the inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+pub struct Observation {
+    /// The atoms that the inputs alone decide.
+    pub atoms: Atoms,
+    /// The faults that the inputs alone decide.
+    pub faults: Faults,
+}
+
+impl Observation {
+    /// The atoms that the inputs alone decide.
+    pub const SCOPE: Atoms = Vcu2AiStatus::SCOPE
+        .union(Vcu2LogStatus::SCOPE)
+        .union(Ai2VcuStatus::SCOPE)
+        .union(Ai2VcuDriveF::SCOPE)
+        .union(Ai2VcuDriveR::SCOPE)
+        .union(Ai2VcuSteer::SCOPE)
+        .union(SteerAngle::SCOPE)
+        .union(Vcu2AiWheelSpeeds::SCOPE)
+        .union(Atoms::of(&[Atom::SdcOpen, Atom::GoOn]));
+
+    /// The faults that the inputs alone decide.
+    pub const FAULTS: Faults = Faults::OPENING.with(Fault::AiComputerRequest);
+
+    /// With the shutdown circuit open if, and only if, one of the faults opens it (section 3.5).
+    pub const fn new(atoms: Atoms, faults: Faults) -> Self {
+        let open = !faults.intersection(Faults::OPENING).is_empty();
+        let atoms = atoms.without(Atom::SdcOpen).union(Atoms::when(Atom::SdcOpen, open));
+        Self { atoms, faults }
+    }
+}
+
+impl Inputs {
+    /// Reduces the inputs to atoms and faults.
+    pub const fn observe(&self, thresholds: &Thresholds) -> Observation {
+        let atoms = switch_atoms(self.asms, self.tsms, self.ami)
+            .union(ebs_atoms(self.ebs))
+            .union(Atoms::when(Atom::GoOn, self.go))
+            .union(self.ai.status.atoms())
+            .union(self.ai.drive_f.atoms())
+            .union(self.ai.drive_r.atoms())
+            .union(self.ai.steer.atoms())
+            .union(self.vehicle.steer_angle.atoms(thresholds))
+            .union(self.vehicle.wheel_speeds.atoms(thresholds));
+        Observation::new(atoms, self.faults())
+    }
+
+    /// The faults that the inputs alone decide.
+    pub const fn faults(&self) -> Faults {
+        let sdc = &self.sdc;
+        let reports = &self.reports;
+        // Decision D: what opens the circuit without a number of its own is reported as an open circuit.
+        let open = reports.hvil_open
+            || sdc.remote_estop
+            || sdc.res_link_lost
+            || sdc.vehicle_estop
+            || sdc.crash_sensor
+            || sdc.critical_fault
+            || sdc.mpp_dongle_removed;
+        Faults::when(Fault::AiComputerRequest, self.ai.status.estop_request)
+            .union(Faults::when(Fault::HvilOpenFault, open))
+            .union(Faults::when(Fault::HvilShortFault, reports.hvil_short))
+            .union(Faults::when(Fault::EbsFault, reports.ebs_fault))
+            .union(Faults::when(Fault::OffboardChargerFault, reports.offboard_charger_fault))
+            .union(Faults::when(Fault::ChargeProcedureFault, reports.charging && (self.asms || self.tsms)))
+            .union(Faults::when(Fault::BmsFault, sdc.bms_fault))
+    }
+}
+
+const fn switch_atoms(asms: bool, tsms: bool, ami: AmiState) -> Atoms {
+    Atoms::when(Atom::Asms, asms)
+        .union(Atoms::when(Atom::Tsms, tsms))
+        .union(Atoms::when(Atom::AmiSelected, !matches!(ami, AmiState::NotSelected)))
+}
+
+const fn ebs_atoms(ebs: EbsState) -> Atoms {
+    Atoms::when(Atom::EbsArmed, matches!(ebs, EbsState::Armed))
+}
+
+impl Ai2VcuStatus {
+    /// The atoms that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[
+        Atom::AiHandshake,
+        Atom::AiEstop,
+        Atom::MissionSelected,
+        Atom::MissionRunning,
+        Atom::MissionFinished,
+        Atom::DirectionNeutral,
+    ]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        let mission = match self.mission_status {
+            MissionStatus::NotSelected => Atoms::NONE,
+            MissionStatus::Selected => Atoms::NONE.with(Atom::MissionSelected),
+            MissionStatus::Running => Atoms::NONE.with(Atom::MissionRunning),
+            MissionStatus::Finished => Atoms::NONE.with(Atom::MissionFinished),
+        };
+        let neutral = matches!(self.direction_request, DirectionRequest::Neutral);
+        mission
+            .union(Atoms::when(Atom::AiHandshake, self.handshake))
+            .union(Atoms::when(Atom::AiEstop, self.estop_request))
+            .union(Atoms::when(Atom::DirectionNeutral, neutral))
+    }
+}
+
+impl Ai2VcuDriveF {
+    /// The atom that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::FrontTorqueZero]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        Atoms::when(Atom::FrontTorqueZero, self.front_axle_trq_request.raw() == 0)
+    }
+}
+
+impl Ai2VcuDriveR {
+    /// The atom that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::RearTorqueZero]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        Atoms::when(Atom::RearTorqueZero, self.rear_axle_trq_request.raw() == 0)
+    }
+}
+
+impl Ai2VcuSteer {
+    /// The atom that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::SteerRequestZero]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        Atoms::when(Atom::SteerRequestZero, self.steer_request.raw() == 0)
+    }
+}
+
+impl Vcu2AiStatus {
+    /// The input atoms that this message shows.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::AmiSelected]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        switch_atoms(self.as_switch_status, self.ts_switch_status, self.ami_state)
+    }
+}
+
+impl Vcu2LogStatus {
+    /// The input atom that this message shows and no other does.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::EbsArmed]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        ebs_atoms(self.state_ebs)
+    }
+}
+
+impl SteerAngle {
+    /// The atom that the actual steer angle decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::SteerStraight]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(self, thresholds: &Thresholds) -> Atoms {
+        Atoms::when(Atom::SteerStraight, self.raw().abs() < thresholds.straight.raw())
+    }
+}
+
+impl Vcu2AiWheelSpeeds {
+    /// The atoms that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::Moving, Atom::AtRest]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self, thresholds: &Thresholds) -> Atoms {
+        let limit = thresholds.wheel_speed.raw();
+        let (fl, fr) = (self.fl_wheel_speed.raw(), self.fr_wheel_speed.raw());
+        let (rl, rr) = (self.rl_wheel_speed.raw(), self.rr_wheel_speed.raw());
+        let moving = fl > limit || fr > limit || rl > limit || rr > limit;
+        let at_rest = fl < limit && fr < limit && rl < limit && rr < limit;
+        Atoms::when(Atom::Moving, moving).union(Atoms::when(Atom::AtRest, at_rest))
+    }
+}

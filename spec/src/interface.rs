@@ -1,0 +1,66 @@
+//! What one version of the document fixes as data: Figure 2, the times and the thresholds.
+//!
+//! A later version of the interface is a second [`Interface`] value, not a second program; a mutant of this one,
+//! with which test suites are measured, is a copy with one thing changed.
+
+use crate::messages::{SteerAngle, WheelSpeed};
+use crate::table::{FIGURE_2, Table};
+
+/// The data of one version of the interface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Interface {
+    /// The document's version.
+    pub version: &'static str,
+    /// The arrows of Figure 2.
+    pub table: Table,
+    /// How long things last.
+    pub timing: Timing,
+    /// Where measured values begin to count.
+    pub thresholds: Thresholds,
+}
+
+/// How long things last, in milliseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Timing {
+    /// `AS_READY` lasts at least this long before the exit conditions count (section 3.2, item 1).
+    pub ready_dwell_ms: u16,
+    /// `EMERGENCY_BRAKE` lasts at least this long (section 3.9).
+    pub ebs_timer_ms: u16,
+    /// An edge of the HANDSHAKE bit that is unanswered for this long is a fault (section 2.4).
+    pub handshake_ms: u16,
+    /// The cycle of the reference VCU. The document gives none; recordings show 10 ms.
+    pub cycle_ms: u16,
+    /// The cycle of 502h, which recordings show to be slower.
+    pub log_status_cycle_ms: u16,
+}
+
+/// Where measured values begin to count, in the raw units of their signals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Thresholds {
+    /// A wheel faster than this is moving, one slower is at rest (sections 3.3, 3.7, 4).
+    pub wheel_speed: WheelSpeed,
+    /// A steer angle of less than this, to either side, is straight (section 3.2, item 2).
+    pub straight: SteerAngle,
+}
+
+impl Interface {
+    /// ADS-DV Software Interface Specification 3.0.
+    pub const V3_0: Self = Self {
+        version: "3.0",
+        table: FIGURE_2,
+        timing: Timing {
+            ready_dwell_ms: 5000,
+            ebs_timer_ms: 15000,
+            handshake_ms: 50,
+            cycle_ms: 10,
+            log_status_cycle_ms: 100,
+        },
+        thresholds: Thresholds { wheel_speed: WheelSpeed::clamped(10), straight: SteerAngle::clamped(50) },
+    };
+}
+
+impl Default for Interface {
+    fn default() -> Self {
+        Self::V3_0
+    }
+}

@@ -1,0 +1,74 @@
+//! ADS-DV Software Interface Specification 3.0 as an executable specification.
+//!
+//! Formula Student AI teams share one car, the ADS-DV. Their AI Computer talks over CAN to a Vehicle Control Unit (VCU)
+//! that runs the Autonomous System state machine. This crate is that interface as data, pure functions and a codec:
+//! no `std`, no allocation, no unsafe code, no dependencies, no panics.
+//!
+//! # Where things are
+//!
+//! | to read about | look in |
+//! |---|---|
+//! | the arrows of Figure 2 | [`table`] |
+//! | the conditions that they name | [`Atom`], [`Inputs::observe`] |
+//! | one step of the VCU | [`Machine::step`] |
+//! | what the VCU remembers | [`Control`] |
+//! | the handshake (section 2.4, Figure 1) | [`Handshake`] |
+//! | fault flags and `SHUTDOWN_CAUSE` | [`Fault`], [`Faults`] |
+//! | times and thresholds | [`Interface`] |
+//! | what the document leaves open | [`readings`] |
+//! | the messages and their signals (section 2) | [`messages`] |
+//! | the reserved identifiers (section 2.3) | [`RESERVED`] |
+//! | what reaches the actuators; every VCU frame | [`Outputs`] |
+//! | what is known when not everything is seen | [`Knowledge`], [`Truth`] |
+//!
+//! `REQUIREMENTS.md`, beside this crate's sources, numbers every requirement of the document; `DISCREPANCIES.md` lists
+//! where its text, its figures and the CAN database disagree.
+//!
+//! # One step
+//!
+//! ```
+//! use adsdv_spec::{AsState, Control, Inputs, Machine};
+//!
+//! let vcu = Machine::REFERENCE;
+//! let (control, outputs) = vcu.step(&Control::INITIAL, &Inputs::default(), 10);
+//! assert_eq!(control.state, AsState::Off); // nothing is switched on
+//! assert!(outputs.taken.is_none());
+//! ```
+
+#![no_std]
+#![forbid(unsafe_code)]
+// Sets are bit sets and tables are indexed by small integers; every such cast is of a constant or a bool.
+#![allow(clippy::cast_possible_truncation)]
+
+// The generators of random values are for tests on a host, and need its standard library.
+#[cfg(any(feature = "arbitrary", feature = "proptest"))]
+extern crate std;
+
+mod assi;
+mod atoms;
+mod control;
+mod faults;
+mod handshake;
+mod inputs;
+mod interface;
+mod machine;
+pub mod messages;
+mod outputs;
+pub mod readings;
+mod reserved;
+pub mod table;
+mod truth;
+
+pub use assi::Assi;
+pub use atoms::{Atom, Atoms};
+pub use control::Control;
+pub use faults::{Fault, Faults};
+pub use handshake::Handshake;
+pub use inputs::{AiMessages, Inputs, Observation, Reports, ShutdownCircuit, Vehicle};
+pub use interface::{Interface, Thresholds, Timing};
+pub use machine::{Machine, Reaction, Taken};
+pub use messages::AsState;
+pub use outputs::{Actuation, Outputs, VcuMessages};
+pub use readings::{Choice, Choices, Reading, Readings};
+pub use reserved::{RESERVED, is_reserved};
+pub use truth::{Knowledge, Truth};

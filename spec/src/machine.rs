@@ -1,0 +1,330 @@
+//! The transition function: the table of Figure 2, evaluated.
+//!
+//! ```text
+//! Inputs --observe--> Observation --react--> Control, Outputs
+//!                                    ^
+//!                                 Control, time
+//! ```
+
+use crate::atoms::{Atom, Atoms};
+use crate::control::Control;
+use crate::faults::Faults;
+use crate::handshake::count_up;
+use crate::inputs::{Inputs, Observation};
+use crate::interface::Interface;
+use crate::messages::{AsState, ShutdownCause};
+use crate::outputs::Outputs;
+use crate::readings::{Choice, Readings};
+use crate::table::{MAX_ROWS, MAX_TERMS, PRIORITIES, Row, Table, Term};
+
+/// How many states there are; states count from 1.
+const STATES: usize = AsState::ALL.len();
+
+/// A version of the interface with one answer to every open question: ready to step.
+#[derive(Clone, Copy, Debug)]
+pub struct Machine {
+    interface: Interface,
+    readings: Readings,
+    /// The terms that these readings have, row by row, in the order of evaluation.
+    arrows: [Arrow; MAX_ROWS * MAX_TERMS],
+    /// Where the arrows of each state begin; those of state `n` end where those of `n + 1` begin.
+    begins: [u8; STATES + 2],
+    /// What must hold before the "Go" edge counts: the guard of AS_READY to AS_DRIVING without "Go".
+    go_conditions: Option<(Atoms, Atoms)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Arrow {
+    on: Atoms,
+    off: Atoms,
+    to: AsState,
+    taken: Taken,
+}
+
+/// Which row of the table was taken, and which alternative of its guard decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Taken {
+    /// The index into [`Table::rows`].
+    pub row: u8,
+    /// The index into [`Row::terms`].
+    pub term: u8,
+}
+
+impl Taken {
+    /// The row that was taken.
+    pub fn row(self, table: &Table) -> Option<&Row> {
+        table.rows().get(usize::from(self.row))
+    }
+
+    /// The term that decided.
+    pub fn term(self, table: &Table) -> Option<&Term> {
+        self.row(table)?.terms().get(usize::from(self.term))
+    }
+}
+
+/// What a step does when it sees an [`Observation`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Reaction {
+    /// The control state after the step.
+    pub control: Control,
+    /// The row taken; `None` if the state stays.
+    pub taken: Option<Taken>,
+    /// All atoms as the guards saw them.
+    pub atoms: Atoms,
+    /// The faults that 520h shows.
+    pub faults: Faults,
+}
+
+impl Machine {
+    /// The reference: version 3.0 with the default readings.
+    pub const REFERENCE: Self = Self::new(Interface::V3_0, Readings::DEFAULT);
+
+    /// A machine for a version of the interface and an answer to every open question.
+    pub const fn new(interface: Interface, readings: Readings) -> Self {
+        let nowhere = Arrow {
+            on: Atoms::NONE,
+            off: Atoms::NONE,
+            to: AsState::Off,
+            taken: Taken { row: 0, term: 0 },
+        };
+        let mut machine = Self {
+            interface,
+            readings,
+            arrows: [nowhere; MAX_ROWS * MAX_TERMS],
+            begins: [0; STATES + 2],
+            go_conditions: None,
+        };
+        let rows = interface.table.rows();
+        let mut filled = 0;
+        let mut state = 0;
+        while state < STATES {
+            let from = AsState::ALL[state];
+            machine.begins[from as usize] = filled as u8;
+            // The row that a reading lets overtake comes first; then the others in the table's order.
+            let first = overtaking(rows, from, readings);
+            if let Some(row) = first {
+                filled = machine.add(row, filled);
+            }
+            let mut row = 0;
+            while row < rows.len() {
+                let already = matches!(first, Some(first) if first == row);
+                if rows[row].from as u8 == from as u8 && !already {
+                    filled = machine.add(row, filled);
+                }
+                row += 1;
+            }
+            state += 1;
+        }
+        machine.begins[STATES + 1] = filled as u8;
+        machine
+    }
+
+    const fn add(&mut self, row: usize, mut filled: usize) -> usize {
+        let Row { from, to, .. } = self.interface.table.rows()[row];
+        let mut term = 0;
+        while term < self.interface.table.rows()[row].terms().len() {
+            let Term { on, off, readings, .. } = self.interface.table.rows()[row].terms()[term];
+            if readings.is_subset(self.readings.choices()) {
+                self.arrows[filled] = Arrow { on, off, to, taken: Taken { row: row as u8, term: term as u8 } };
+                filled += 1;
+                if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
+                    self.go_conditions = Some((on.difference(GO), off));
+                }
+            }
+            term += 1;
+        }
+        filled
+    }
+
+    /// The version of the interface.
+    pub const fn interface(&self) -> &Interface {
+        &self.interface
+    }
+
+    /// The answers to the open questions.
+    pub const fn readings(&self) -> Readings {
+        self.readings
+    }
+
+    /// One step: what the VCU does when it sees these inputs `dt_ms` milliseconds after its last step.
+    ///
+    /// It is total: any control state, any inputs and any `dt_ms` have an answer, without a panic.
+    ///
+    /// ```
+    /// use adsdv_spec::{AsState, Control, Inputs, Machine};
+    /// use adsdv_spec::messages::{AmiState, EbsState, MissionStatus};
+    ///
+    /// let mut inputs = Inputs { asms: true, tsms: true, ebs: EbsState::Armed, ..Inputs::default() };
+    /// inputs.ami = AmiState::TrackDrive;
+    /// inputs.ai.status.mission_status = MissionStatus::Selected;
+    ///
+    /// let vcu = Machine::REFERENCE;
+    /// let (control, outputs) = vcu.step(&Control::INITIAL, &inputs, 10);
+    /// assert_eq!(control.state, AsState::Ready);
+    /// assert_eq!(outputs.row(&vcu).map(|row| row.clause), Some("3.1"));
+    /// ```
+    pub const fn step(&self, control: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
+        let reaction = self.react(control, inputs.observe(&self.interface.thresholds), dt_ms);
+        (reaction.control, self.outputs(control.state, &reaction, inputs.go))
+    }
+
+    /// The part of a step behind [`Inputs::observe`]: the same for all inputs with the same observation.
+    pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
+        let timing = &self.interface.timing;
+        let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms.has(Atom::Tsms);
+        let answer = seen.atoms.has(Atom::AiHandshake);
+        let handshake = control.handshake.step(active, answer, dt_ms, timing.handshake_ms);
+        let in_state_ms = count_up(control.in_state_ms, dt_ms, timing.in_state_limit(control.state));
+        let comms_lost = handshake.is_lost(timing.handshake_ms);
+
+        let atoms = seen.atoms.union(self.control_atoms(control, in_state_ms, comms_lost, seen.atoms));
+        let taken = self.first_arrow(control.state, atoms);
+        let state = match taken {
+            Some((_, to)) => to,
+            None => control.state,
+        };
+
+        let mut faults = seen.faults.union(Faults::when(crate::Fault::AiCommsFault, comms_lost));
+        let mut shutdown_cause = control.shutdown_cause;
+        let mut power_cycle_needed = control.power_cycle_needed;
+        if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
+            let reasons = self.reasons(taken, atoms, seen.faults);
+            faults = faults.union(reasons);
+            if matches!(shutdown_cause, ShutdownCause::NoShutdown) {
+                shutdown_cause = reasons.cause();
+            }
+            power_cycle_needed = self.readings.is(Choice::PowerCycleLatched);
+        }
+
+        let stays = state as u8 == control.state as u8;
+        let edges = matches!(state, AsState::Driving) && self.readings.is(Choice::FaultEdge);
+        Reaction {
+            control: Control {
+                state,
+                in_state_ms: if stays { in_state_ms } else { 0 },
+                go_seen_low: matches!(state, AsState::Ready) && self.sees_go_low(atoms),
+                was_running: edges && atoms.has(Atom::MissionRunning),
+                was_forward: edges && !atoms.has(Atom::DirectionNeutral),
+                handshake,
+                power_cycle_needed,
+                shutdown_cause,
+            },
+            taken: match taken {
+                Some((taken, _)) => Some(taken),
+                None => None,
+            },
+            atoms,
+            faults: faults.union(Faults::of_cause(shutdown_cause)),
+        }
+    }
+
+    /// The atoms that the control state decides, some of them together with the inputs.
+    const fn control_atoms(&self, control: &Control, in_state_ms: u16, comms_lost: bool, seen: Atoms) -> Atoms {
+        let timing = &self.interface.timing;
+        let ready = matches!(control.state, AsState::Ready);
+        let braking = matches!(control.state, AsState::EmergencyBrake);
+        let mission_edge = control.was_running && seen.has(Atom::MissionFinished);
+        let direction_edge = control.was_forward && seen.has(Atom::DirectionNeutral);
+        Atoms::when(Atom::DwellElapsed, ready && in_state_ms >= timing.ready_dwell_ms)
+            .union(Atoms::when(Atom::EbsTimerComplete, braking && in_state_ms >= timing.ebs_timer_ms))
+            .union(Atoms::when(Atom::GoEdge, control.go_seen_low && seen.has(Atom::GoOn)))
+            .union(Atoms::when(Atom::MissionFinishedEdge, mission_edge))
+            .union(Atoms::when(Atom::DirectionNeutralEdge, direction_edge))
+            .union(Atoms::when(Atom::AiCommsLost, comms_lost))
+            .union(Atoms::when(Atom::PowerCycleNeeded, control.power_cycle_needed))
+    }
+
+    /// The first arrow of a state whose guard holds, and where it leads.
+    const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
+        let end = self.begins[state as usize + 1];
+        let mut i = self.begins[state as usize];
+        while i < end {
+            let arrow = &self.arrows[i as usize];
+            if arrow.on.is_subset(atoms) && arrow.off.intersection(atoms).is_empty() {
+                return Some((arrow.taken, arrow.to));
+            }
+            i += 1;
+        }
+        None
+    }
+
+    /// The faults for which a row is taken: those of every term of it that holds.
+    const fn reasons(&self, taken: Taken, atoms: Atoms, seen: Faults) -> Faults {
+        let mut faults = Faults::NONE;
+        let mut i = 0;
+        while i < self.arrows.len() && i < self.begins[STATES + 1] as usize {
+            let arrow = &self.arrows[i];
+            if arrow.taken.row == taken.row
+                && arrow.on.is_subset(atoms)
+                && arrow.off.intersection(atoms).is_empty()
+            {
+                let term = &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
+                faults = faults.union(match term.fault {
+                    Some(fault) => Faults::NONE.with(fault),
+                    None => seen.intersection(Faults::OPENING),
+                });
+            }
+            i += 1;
+        }
+        faults
+    }
+
+    /// Whether this step arms the "Go" edge (section 3.2, item 3): the switch is off, and, where it must be seen
+    /// so while the conditions hold, they do.
+    const fn sees_go_low(&self, atoms: Atoms) -> bool {
+        if atoms.has(Atom::GoOn) {
+            return false;
+        }
+        match self.go_conditions {
+            Some((on, off)) => {
+                self.readings.is(Choice::GoEdgeEnough)
+                    || on.is_subset(atoms) && off.intersection(atoms).is_empty()
+            }
+            None => false,
+        }
+    }
+
+    /// What a reaction shows to the outside.
+    const fn outputs(&self, from: AsState, reaction: &Reaction, go: bool) -> Outputs {
+        let driving = matches!(reaction.control.state, AsState::Driving);
+        Outputs {
+            from,
+            state: reaction.control.state,
+            taken: reaction.taken,
+            atoms: reaction.atoms,
+            faults: reaction.faults,
+            shutdown_cause: reaction.control.shutdown_cause,
+            handshake: reaction.control.handshake.bit,
+            go_signal: go && (driving || self.readings.is(Choice::GoRaw)),
+        }
+    }
+}
+
+impl Default for Machine {
+    fn default() -> Self {
+        Self::REFERENCE
+    }
+}
+
+/// The atoms of the "Go" signal: what the conditions of section 3.2, item 3, come before.
+const GO: Atoms = Atoms::of(&[Atom::GoOn, Atom::GoEdge]);
+
+/// The row of a state that a reading lets overtake the others.
+const fn overtaking(rows: &[Row], from: AsState, readings: Readings) -> Option<usize> {
+    let mut i = 0;
+    while i < PRIORITIES.len() {
+        let priority = &PRIORITIES[i];
+        if priority.from as u8 == from as u8 && readings.is(priority.choice) {
+            let mut row = 0;
+            while row < rows.len() {
+                if rows[row].from as u8 == from as u8 && rows[row].to as u8 == priority.first as u8 {
+                    return Some(row);
+                }
+                row += 1;
+            }
+        }
+        i += 1;
+    }
+    None
+}

@@ -1,0 +1,235 @@
+//! The rows of the signal table, as data.
+
+use core::fmt;
+
+use super::bits::{self, FRAME_BYTES};
+use super::{Decimal, OutOfRange, Scale, SignalValue};
+
+/// Who sends a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
+pub enum Node {
+    /// The AI Computer.
+    #[cfg_attr(feature = "serde", serde(rename = "AI"))]
+    Ai,
+    /// The Vehicle Control Unit.
+    #[cfg_attr(feature = "serde", serde(rename = "VCU"))]
+    Vcu,
+}
+
+impl Node {
+    /// The name of the node in the CAN database.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ai => "AI",
+            Self::Vcu => "VCU",
+        }
+    }
+}
+
+impl fmt::Display for Node {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// One signal of a message: a row of the signal table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct SignalDef {
+    /// The name, as in the CAN database.
+    pub name: &'static str,
+    /// The lowest bit; bit 0 is the lowest bit of the first byte (little endian).
+    pub start: u8,
+    /// The number of bits.
+    pub width: u8,
+    /// Whether the bits are read as two's complement.
+    pub signed: bool,
+    /// The physical size of one raw step; the offset is zero for every signal.
+    pub scale: Scale,
+    /// The unit, empty where there is none.
+    pub unit: &'static str,
+    /// The lowest raw value allowed.
+    pub min: i32,
+    /// The highest raw value allowed.
+    pub max: i32,
+    /// The raw values that have names, ascending. Where there are any, no other value is allowed.
+    pub values: &'static [(i32, &'static str)],
+    /// What the signal says, in one sentence: the comment of the CAN database where there is one.
+    pub doc: &'static str,
+}
+
+impl SignalDef {
+    /// A row for a signal that carries a `T`. Only tables call this, when they are compiled.
+    pub(super) const fn of<T: SignalValue>(name: &'static str, start: u8, width: u8, doc: &'static str) -> Self {
+        assert!(1 <= width && width <= 32 && start as usize + width as usize <= 8 * FRAME_BYTES, "out of the frame");
+        let (lowest, highest) =
+            if T::SIGNED { (-1 << (width - 1), (1 << (width - 1)) - 1) } else { (0, (1 << width) - 1) };
+        assert!(lowest <= T::MIN as i64 && T::MAX as i64 <= highest, "the type has values the bits cannot hold");
+        Self {
+            name,
+            start,
+            width,
+            signed: T::SIGNED,
+            scale: T::SCALE,
+            unit: T::UNIT,
+            min: T::MIN,
+            max: T::MAX,
+            values: T::VALUES,
+            doc: doc.trim_ascii(),
+        }
+    }
+
+    /// The same row for a flag whose two values have names of their own.
+    pub(super) const fn with_flag_names(self, values: &'static [(i32, &'static str); 2]) -> Self {
+        assert!(self.min == 0 && self.max == 1, "only a flag is named value by value");
+        Self { values, ..self }
+    }
+
+    /// The length that data must have to hold this signal: the number of its last byte, from 1.
+    pub const fn bytes_needed(&self) -> usize {
+        (self.start as usize + self.width as usize).div_ceil(8)
+    }
+
+    /// The raw value in `data`, sign extended, whether it is allowed or not; `None` if the data ends
+    /// before the signal does.
+    ///
+    /// ```
+    /// use adsdv_spec::messages::{Message, Vcu2AiSteer};
+    ///
+    /// let angle = Vcu2AiSteer::DEF.signal("STEER_ANGLE_deg").expect("a signal of 523h");
+    /// assert_eq!(angle.raw(&[0xF6, 0xFF]), Some(-10));
+    /// assert_eq!(angle.raw(&[0xF6]), None);
+    /// ```
+    pub const fn raw(&self, data: &[u8]) -> Option<i32> {
+        if data.len() < self.bytes_needed() {
+            return None;
+        }
+        Some(bits::extract(bits::load_slice(data), self.start, self.width, self.signed))
+    }
+
+    /// Whether a raw value is allowed: inside the range and, for an enumeration, one of its values.
+    pub const fn allows(&self, raw: i32) -> bool {
+        if raw < self.min || raw > self.max {
+            return false;
+        }
+        let mut index = 0;
+        while index < self.values.len() {
+            if self.values[index].0 == raw {
+                return true;
+            }
+            index += 1;
+        }
+        self.values.is_empty()
+    }
+
+    /// Refuses a raw value that is not allowed, and says what is.
+    pub const fn check(&'static self, raw: i32) -> Result<(), OutOfRange> {
+        if self.allows(raw) { Ok(()) } else { Err(OutOfRange { given: raw, def: self }) }
+    }
+
+    /// A raw value in the signal's unit, for display and plotting.
+    pub fn physical(&self, raw: i32) -> f64 {
+        self.scale.physical(raw)
+    }
+
+    /// The name of a raw value, where it has one.
+    pub fn value_name(&self, raw: i32) -> Option<&'static str> {
+        self.values.iter().find(|(value, _)| *value == raw).map(|(_, name)| *name)
+    }
+
+    /// Displays a raw value: by its name where it has one, otherwise as a number with its unit.
+    ///
+    /// ```
+    /// use adsdv_spec::messages::{Message, Vcu2AiDriveF, Vcu2AiStatus};
+    ///
+    /// let state = Vcu2AiStatus::DEF.signal("AS_STATE").expect("a signal of 520h");
+    /// assert_eq!(state.display(2).to_string(), "AS_READY");
+    /// assert_eq!(state.display(7).to_string(), "7");
+    /// let torque = Vcu2AiDriveF::DEF.signal("FRONT_AXLE_TRQ_Nm").expect("a signal of 521h");
+    /// assert_eq!(torque.display(-125).to_string(), "-12.5 Nm");
+    /// ```
+    pub const fn display(&self, raw: i32) -> DisplayRaw<'_> {
+        DisplayRaw { def: self, raw }
+    }
+}
+
+/// Displays a raw value of a signal; see [`SignalDef::display`].
+#[derive(Clone, Copy, Debug)]
+pub struct DisplayRaw<'a> {
+    def: &'a SignalDef,
+    raw: i32,
+}
+
+impl fmt::Display for DisplayRaw<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.def.value_name(self.raw) {
+            Some(name) => f.pad(name),
+            None => with_unit(f, self.raw, self.def.scale, self.def.unit),
+        }
+    }
+}
+
+/// Writes a raw value as a number with its unit.
+pub(super) fn with_unit(f: &mut fmt::Formatter<'_>, raw: i32, scale: Scale, unit: &str) -> fmt::Result {
+    write!(f, "{}", Decimal { raw, scale })?;
+    if unit.is_empty() { Ok(()) } else { write!(f, " {unit}") }
+}
+
+/// One message of the interface, with its signals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct MessageDef {
+    /// The name, as in the document and the CAN database.
+    pub name: &'static str,
+    /// The CAN identifier.
+    pub id: u16,
+    /// Who sends it.
+    pub sender: Node,
+    /// The number of data bytes, as in the CAN database.
+    pub len: u8,
+    /// The section of the document that lists it.
+    pub section: &'static str,
+    /// The signals, by ascending start bit.
+    pub signals: &'static [SignalDef],
+    /// What the message is for, in one sentence.
+    pub doc: &'static str,
+}
+
+impl MessageDef {
+    /// A message made of these signals. Only tables call this, when they are compiled.
+    pub(super) const fn checked(self) -> Self {
+        assert!(self.len as usize <= FRAME_BYTES, "longer than a frame");
+        let mut end = 0;
+        let mut index = 0;
+        while index < self.signals.len() {
+            let signal = &self.signals[index];
+            assert!(end <= signal.start, "signals overlap, or are not in the order of their bits");
+            end = signal.start + signal.width;
+            index += 1;
+        }
+        assert!(self.bytes_needed() <= self.len as usize, "a signal ends after the message does");
+        Self { doc: self.doc.trim_ascii(), ..self }
+    }
+
+    /// The signal with this name.
+    pub fn signal(&self, name: &str) -> Option<&'static SignalDef> {
+        self.signals.iter().find(|signal| signal.name == name)
+    }
+
+    /// The length that data must have to hold every signal. It may be less than `len`: some messages
+    /// end in unused bytes.
+    pub const fn bytes_needed(&self) -> usize {
+        let mut needed = 0;
+        let mut index = 0;
+        while index < self.signals.len() {
+            let signal = self.signals[index].bytes_needed();
+            if signal > needed {
+                needed = signal;
+            }
+            index += 1;
+        }
+        needed
+    }
+}

@@ -1,0 +1,214 @@
+//! The enumerations of section 2, each once, with the document's numbers and names.
+
+use core::fmt;
+
+use super::{Scale, SignalValue};
+
+/// Reads a list of enumerations: `Variant = number "NAME"`, ascending by number.
+macro_rules! enumerations {
+    ($(
+        $(#[$meta:meta])*
+        $name:ident {
+            $( $(#[$variant_meta:meta])* $variant:ident = $raw:literal $text:literal, )+
+        }
+    )+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(kani, derive(kani::Arbitrary))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[repr(u8)]
+        pub enum $name {
+            $(
+                $(#[$variant_meta])*
+                #[cfg_attr(feature = "serde", serde(rename = $text))]
+                $variant = $raw,
+            )+
+        }
+
+        impl $name {
+            /// Every value, by ascending number.
+            pub const ALL: [Self; [$($raw),+].len()] = [$(Self::$variant),+];
+
+            /// The document's name.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $text,)+
+                }
+            }
+
+            /// The document's number.
+            #[inline]
+            pub const fn raw(self) -> i32 {
+                self as i32
+            }
+
+            /// The value with this number, or `None` where the document defines none.
+            #[inline]
+            pub const fn from_raw(raw: i32) -> Option<Self> {
+                match raw {
+                    $($raw => Some(Self::$variant),)+
+                    _ => None,
+                }
+            }
+        }
+
+        impl SignalValue for $name {
+            const SIGNED: bool = false;
+            const SCALE: Scale = Scale::ONE;
+            const UNIT: &'static str = "";
+            const MIN: i32 = Self::VALUES[0].0;
+            const MAX: i32 = Self::VALUES[Self::VALUES.len() - 1].0;
+            const VALUES: &'static [(i32, &'static str)] = &[$(($raw, $text)),+];
+
+            #[inline]
+            fn from_raw(raw: i32) -> Option<Self> {
+                Self::from_raw(raw)
+            }
+
+            #[inline]
+            fn to_raw(self) -> i32 {
+                self.raw()
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.pad(self.name())
+            }
+        }
+
+        #[cfg(feature = "arbitrary")]
+        impl<'a> arbitrary::Arbitrary<'a> for $name {
+            fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
+                u.choose(&Self::ALL).copied()
+            }
+        }
+
+        #[cfg(feature = "proptest")]
+        impl proptest::arbitrary::Arbitrary for $name {
+            type Parameters = ();
+            type Strategy = proptest::sample::Select<Self>;
+
+            fn arbitrary_with((): ()) -> Self::Strategy {
+                proptest::sample::select(&Self::ALL[..])
+            }
+        }
+    )+};
+}
+
+enumerations! {
+    /// The state of the Autonomous System: the boxes of Figure 2, and the lights of the Autonomous System
+    /// Status Indicator (ASSI).
+    ///
+    /// `AS_STATE` of 520h, `State_ASSI` of 502h.
+    AsState {
+        /// Off; no light.
+        #[default]
+        Off = 1 "AS_OFF",
+        /// Ready for the "Go" signal; yellow, continuous.
+        Ready = 2 "AS_READY",
+        /// The AI Computer drives; yellow, flashing.
+        Driving = 3 "AS_DRIVING",
+        /// The EBS brakes; blue, flashing.
+        EmergencyBrake = 4 "EMERGENCY_BRAKE",
+        /// The mission is over and the vehicle at rest; blue, continuous.
+        Finished = 5 "AS_FINISHED",
+    }
+
+    /// The state of the Emergency Braking System; `State_EBS` of 502h.
+    EbsState {
+        /// It cannot brake.
+        #[default]
+        Unavailable = 1 "UNAVAILABLE",
+        /// It will brake when the shutdown circuit opens.
+        Armed = 2 "ARMED",
+        /// It brakes.
+        Triggered = 3 "TRIGGERED",
+    }
+
+    /// The mission selected at the Autonomous Mission Indicator, the touchscreen of the vehicle.
+    ///
+    /// `AMI_STATE` of 520h, `State_AMI` of 502h.
+    AmiState {
+        /// No mission is selected.
+        #[default]
+        NotSelected = 0 "NOT_SELECTED",
+        /// Acceleration.
+        Acceleration = 1 "ACCELERATION",
+        /// Skidpad.
+        Skidpad = 2 "SKIDPAD",
+        /// Autocross.
+        Autocross = 3 "AUTOCROSS",
+        /// Track drive.
+        TrackDrive = 4 "TRACK_DRIVE",
+        /// Static inspection A.
+        StaticInspectionA = 5 "STATIC_INSPECTION_A",
+        /// Static inspection B.
+        StaticInspectionB = 6 "STATIC_INSPECTION_B",
+        /// Autonomous demo.
+        AutonomousDemo = 7 "AUTONOMOUS_DEMO",
+    }
+
+    /// The state of the service brake, the mechanical friction brakes; `State_service_brake` of 502h.
+    ServiceBrake {
+        /// Disengaged.
+        #[default]
+        Disengaged = 1 "DISENGAGED",
+        /// Engaged.
+        Engaged = 2 "ENGAGED",
+        /// Available.
+        Available = 3 "AVAILABLE",
+    }
+
+    /// The fault that made the VCU shut down; `SHUTDOWN_CAUSE` of 520h.
+    ShutdownCause {
+        /// There was no shutdown.
+        #[default]
+        NoShutdown = 0 "NO SHUTDOWN",
+        /// The AI Computer asked for it.
+        AiComputerRequest = 1 "AI COMPUTER REQUEST",
+        /// The shutdown circuit, or the HVIL, is open.
+        HvilOpenFault = 2 "HVIL OPEN FAULT",
+        /// The shutdown circuit, or the HVIL, has a short circuit.
+        HvilShortFault = 3 "HVIL SHORT FAULT",
+        /// The Emergency Braking System has a fault.
+        EbsFault = 4 "EBS FAULT",
+        /// The offboard battery charger has a fault.
+        OffboardChargerFault = 5 "OFFBOARD CHARGER FAULT",
+        /// The AI Computer did not answer the handshake in time.
+        AiCommsFault = 6 "AI COMMS FAULT",
+        /// NEUTRAL was requested while the vehicle was moving.
+        AutonomousBrakingFault = 7 "AUTONOMOUS BRAKING FAULT",
+        /// The mission was FINISHED while the vehicle was moving.
+        MissionStatusFault = 8 "MISSION STATUS FAULT",
+        /// A master switch was on while the battery was being charged.
+        ChargeProcedureFault = 9 "CHARGE PROCEDURE FAULT",
+        /// The battery management system has a fault.
+        BmsFault = 10 "BMS FAULT",
+    }
+
+    /// How far the mission is, as the AI Computer reports it; `MISSION_STATUS` of 510h.
+    MissionStatus {
+        /// No mission is selected.
+        #[default]
+        NotSelected = 0 "NOT SELECTED",
+        /// The mission selected at the AMI is confirmed.
+        Selected = 1 "SELECTED",
+        /// The mission is running.
+        Running = 2 "RUNNING",
+        /// The mission is over.
+        Finished = 3 "FINISHED",
+    }
+
+    /// The direction that the AI Computer asks for; `DIRECTION_REQUEST` of 510h.
+    ///
+    /// The CAN database still names a value 2, REVERSE. This version of the document does not, so it is
+    /// refused.
+    DirectionRequest {
+        /// Do not drive.
+        #[default]
+        Neutral = 0 "NEUTRAL",
+        /// Drive forward.
+        Forward = 1 "FORWARD",
+    }
+}

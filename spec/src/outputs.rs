@@ -1,0 +1,266 @@
+//! What a step shows to the outside: the decision, the faults, what reaches the actuators, and every VCU frame.
+
+use crate::assi::Assi;
+use crate::atoms::Atoms;
+use crate::faults::Faults;
+use crate::inputs::Inputs;
+use crate::machine::{Machine, Taken};
+use crate::messages::{
+    AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake, LogDriveTorque,
+    LogSteerAngle, Message, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF,
+    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
+    Vcu2LogStatus,
+};
+use crate::table::{Row, Term};
+
+/// The outcome of one step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Outputs {
+    /// The state before the step.
+    pub from: AsState,
+    /// The state after the step.
+    pub state: AsState,
+    /// The row of Figure 2 that was taken and the term that decided; `None` if the state stays.
+    pub taken: Option<Taken>,
+    /// The conditions as the guards saw them.
+    pub atoms: Atoms,
+    /// The fault flags of 520h.
+    pub faults: Faults,
+    /// `SHUTDOWN_CAUSE` of 520h.
+    pub shutdown_cause: ShutdownCause,
+    /// The HANDSHAKE bit of 520h.
+    pub handshake: bool,
+    /// `GO_SIGNAL` of 520h.
+    pub go_signal: bool,
+}
+
+/// What reaches the actuators (sections 3.2, 3.3).
+///
+/// Drive and steering requests do so in `AS_DRIVING` only. Brake requests do in every state but `AS_OFF`, where the
+/// brakes are the driver's; in `EMERGENCY_BRAKE` the Emergency Braking System brakes fully whatever is asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Actuation {
+    /// The drive torque of the front axle.
+    pub front_axle_trq: AxleTorqueRequest,
+    /// The speed limit of the front motor.
+    pub front_motor_speed_max: MotorSpeedMax,
+    /// The drive torque of the rear axle.
+    pub rear_axle_trq: AxleTorqueRequest,
+    /// The speed limit of the rear motor.
+    pub rear_motor_speed_max: MotorSpeedMax,
+    /// The direction of driving.
+    pub direction: DirectionRequest,
+    /// The steer angle to go to; `None` if the steering is not active.
+    pub steer: Option<SteerAngle>,
+    /// The hydraulic pressure of the front brakes.
+    pub hyd_press_f: BrakePressure,
+    /// The hydraulic pressure of the rear brakes.
+    pub hyd_press_r: BrakePressure,
+    /// The Emergency Braking System is triggered.
+    pub ebs_triggered: bool,
+}
+
+/// Every message that the VCU sends after a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct VcuMessages {
+    /// 520h.
+    pub status: Vcu2AiStatus,
+    /// 521h.
+    pub drive_f: Vcu2AiDriveF,
+    /// 522h.
+    pub drive_r: Vcu2AiDriveR,
+    /// 523h.
+    pub steer: Vcu2AiSteer,
+    /// 524h.
+    pub brake: Vcu2AiBrake,
+    /// 525h.
+    pub wheel_speeds: Vcu2AiWheelSpeeds,
+    /// 526h.
+    pub wheel_counts: Vcu2AiWheelCounts,
+    /// 500h.
+    pub log_dynamics: Vcu2LogDynamics1,
+    /// 502h, which is sent less often: see [`Timing::log_status_cycle_ms`](crate::Timing::log_status_cycle_ms).
+    pub log_status: Vcu2LogStatus,
+}
+
+impl Outputs {
+    /// The row of Figure 2 that was taken.
+    pub fn row<'a>(&self, machine: &'a Machine) -> Option<&'a Row> {
+        self.taken?.row(&machine.interface().table)
+    }
+
+    /// The alternative of that row's guard that decided.
+    pub fn term<'a>(&self, machine: &'a Machine) -> Option<&'a Term> {
+        self.taken?.term(&machine.interface().table)
+    }
+
+    /// The status light.
+    pub const fn assi(&self) -> Assi {
+        Assi::of(self.state)
+    }
+
+    /// What reaches the actuators of what the AI Computer requests.
+    pub fn actuation(&self, inputs: &Inputs) -> Actuation {
+        let ai = &inputs.ai;
+        let brakes = Actuation {
+            hyd_press_f: ai.brake.hyd_press_f_req,
+            hyd_press_r: ai.brake.hyd_press_r_req,
+            ..Actuation::default()
+        };
+        match self.state {
+            AsState::Off => Actuation::default(),
+            AsState::Ready | AsState::Finished => brakes,
+            AsState::Driving => Actuation {
+                front_axle_trq: ai.drive_f.front_axle_trq_request,
+                front_motor_speed_max: ai.drive_f.front_motor_speed_max,
+                rear_axle_trq: ai.drive_r.rear_axle_trq_request,
+                rear_motor_speed_max: ai.drive_r.rear_motor_speed_max,
+                direction: ai.status.direction_request,
+                steer: Some(ai.steer.steer_request),
+                ..brakes
+            },
+            AsState::EmergencyBrake => Actuation {
+                hyd_press_f: BrakePressure::MAX,
+                hyd_press_r: BrakePressure::MAX,
+                ebs_triggered: true,
+                ..Actuation::default()
+            },
+        }
+    }
+
+    /// Every message that the VCU sends after this step.
+    ///
+    /// ```
+    /// use adsdv_spec::{Control, Inputs, Machine};
+    /// let inputs = Inputs::default();
+    /// let (_, outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
+    /// let frames = outputs.messages(&inputs).frames();
+    /// assert_eq!(frames[0].to_string(), "520#0000010000000000"); // AS_OFF, everything off
+    /// ```
+    pub fn messages(&self, inputs: &Inputs) -> VcuMessages {
+        let (vehicle, ai) = (&inputs.vehicle, &inputs.ai);
+        VcuMessages {
+            status: self.status(inputs),
+            drive_f: Vcu2AiDriveF {
+                front_axle_trq: vehicle.front_axle_trq,
+                front_axle_trq_request: ai.drive_f.front_axle_trq_request,
+                front_axle_trq_max: vehicle.front_axle_trq_max,
+            },
+            drive_r: Vcu2AiDriveR {
+                rear_axle_trq: vehicle.rear_axle_trq,
+                rear_axle_trq_request: ai.drive_r.rear_axle_trq_request,
+                rear_axle_trq_max: vehicle.rear_axle_trq_max,
+            },
+            steer: Vcu2AiSteer {
+                steer_angle: vehicle.steer_angle,
+                steer_angle_max: vehicle.steer_angle_max,
+                steer_angle_request: ai.steer.steer_request,
+            },
+            brake: Vcu2AiBrake {
+                hyd_press_f: vehicle.hyd_press_f,
+                hyd_press_f_req: ai.brake.hyd_press_f_req,
+                hyd_press_r: vehicle.hyd_press_r,
+                hyd_press_r_req: ai.brake.hyd_press_r_req,
+            },
+            wheel_speeds: vehicle.wheel_speeds,
+            wheel_counts: vehicle.wheel_counts,
+            log_dynamics: log_dynamics(inputs),
+            log_status: self.log_status(inputs),
+        }
+    }
+
+    fn status(&self, inputs: &Inputs) -> Vcu2AiStatus {
+        let mut status = Vcu2AiStatus {
+            handshake: self.handshake,
+            // The document names no condition under which the VCU asks the AI Computer to shut down.
+            shutdown_request: false,
+            as_switch_status: inputs.asms,
+            ts_switch_status: inputs.tsms,
+            go_signal: self.go_signal,
+            steering_status: self.steering_active(),
+            as_state: self.state,
+            ami_state: inputs.ami,
+            fault_status: !self.faults.is_empty(),
+            warning_status: inputs.reports.batt_temp_high || inputs.reports.batt_soc_low,
+            warn_batt_temp_high: inputs.reports.batt_temp_high,
+            warn_batt_soc_low: inputs.reports.batt_soc_low,
+            shutdown_cause: self.shutdown_cause,
+            ..Vcu2AiStatus::default()
+        };
+        self.faults.show(&mut status);
+        status
+    }
+
+    fn log_status(&self, inputs: &Inputs) -> Vcu2LogStatus {
+        let pressed = inputs.vehicle.hyd_press_f.raw() > 0 || inputs.vehicle.hyd_press_r.raw() > 0;
+        let ai = &inputs.ai.status;
+        Vcu2LogStatus {
+            state_assi: self.state,
+            state_ebs: match self.state {
+                AsState::EmergencyBrake => EbsState::Triggered,
+                _ => inputs.ebs,
+            },
+            state_ami: inputs.ami,
+            state_steering: self.steering_active(),
+            state_service_brake: match (pressed, inputs.tsms) {
+                (true, _) => ServiceBrake::Engaged,
+                (false, true) => ServiceBrake::Available,
+                (false, false) => ServiceBrake::Disengaged,
+            },
+            lap_counter: ai.lap_counter,
+            cones_count_actual: ai.cones_count_actual,
+            cones_count_all: ConesCountAll::clamped(i32::from(ai.cones_count_all)),
+        }
+    }
+
+    const fn steering_active(&self) -> bool {
+        matches!(self.state, AsState::Driving)
+    }
+}
+
+/// 500h: what is measured and requested, in the coarser units of that message.
+fn log_dynamics(inputs: &Inputs) -> Vcu2LogDynamics1 {
+    let (vehicle, ai) = (&inputs.vehicle, &inputs.ai);
+    let brake = |front: BrakePressure, rear: BrakePressure| {
+        // The mean of two pressures in halves of a percent.
+        LogBrake::clamped((front.raw() + rear.raw()) / 4)
+    };
+    let torque = |front: i32, rear: i32| {
+        LogDriveTorque::clamped((front + rear) * 100 / (2 * AxleTorqueRequest::MAX.raw()))
+    };
+    // From tenths of a degree to halves.
+    let steer = |angle: SteerAngle| LogSteerAngle::clamped(angle.raw() / 5);
+    Vcu2LogDynamics1 {
+        speed_actual: vehicle.speed,
+        speed_target: ai.status.veh_speed_demand,
+        steer_actual: steer(vehicle.steer_angle),
+        steer_target: steer(ai.steer.steer_request),
+        brake_actual: brake(vehicle.hyd_press_f, vehicle.hyd_press_r),
+        brake_target: brake(ai.brake.hyd_press_f_req, ai.brake.hyd_press_r_req),
+        drive_trq_actual: torque(vehicle.front_axle_trq.raw(), vehicle.rear_axle_trq.raw()),
+        drive_trq_target: torque(
+            ai.drive_f.front_axle_trq_request.raw(),
+            ai.drive_r.rear_axle_trq_request.raw(),
+        ),
+    }
+}
+
+impl VcuMessages {
+    /// The frames, in the order in which they are sent: 520h first, 502h last.
+    pub fn frames(&self) -> [Frame; 9] {
+        [
+            self.status.encode(),
+            self.drive_f.encode(),
+            self.drive_r.encode(),
+            self.steer.encode(),
+            self.brake.encode(),
+            self.wheel_speeds.encode(),
+            self.wheel_counts.encode(),
+            self.log_dynamics.encode(),
+            self.log_status.encode(),
+        ]
+    }
+}

@@ -1,0 +1,264 @@
+//! Figure 2 as a table: one row for each arrow.
+//!
+//! Hold [`FIGURE_2`] against the figure. A row names where an arrow starts and ends and the section of the document
+//! that describes it; its guard is an OR of [`Term`]s, each an AND of [`Atom`]s that must be on or off. A term
+//! that only some [`readings`](crate::readings) of the document have names the choices it needs. Rows of one state
+//! stand in the order in which they are evaluated; [`PRIORITIES`] says which readings change that order.
+
+use crate::Fault;
+use crate::atoms::{Atom, Atoms};
+use crate::messages::AsState;
+use crate::readings::{Choice, Choices};
+
+/// The most rows a [`Table`] holds.
+pub const MAX_ROWS: usize = 12;
+/// The most terms a [`Row`] holds.
+pub const MAX_TERMS: usize = 10;
+
+/// One alternative of a guard: all `on` hold and none of `off` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// The atoms that must hold.
+    pub on: Atoms,
+    /// The atoms that must not hold.
+    pub off: Atoms,
+    /// The choices of readings without which the term is not there; none: it always is.
+    pub readings: Choices,
+    /// The fault that 520h reports when this term leads to `EMERGENCY_BRAKE`; `None` where the faults of the
+    /// inputs say it themselves.
+    pub fault: Option<Fault>,
+    /// The section of the document that this alternative comes from.
+    pub clause: &'static str,
+}
+
+impl Term {
+    const EMPTY: Self =
+        Self { on: Atoms::NONE, off: Atoms::NONE, readings: Choices::NONE, fault: None, clause: "" };
+
+    /// A term that holds when all of these atoms do.
+    pub const fn on(clause: &'static str, atoms: &[Atom]) -> Self {
+        Self { on: Atoms::of(atoms), clause, ..Self::EMPTY }
+    }
+
+    /// A term that holds when none of these atoms does.
+    pub const fn off(clause: &'static str, atoms: &[Atom]) -> Self {
+        Self { off: Atoms::of(atoms), clause, ..Self::EMPTY }
+    }
+
+    /// With atoms that must not hold.
+    #[must_use]
+    pub const fn and_off(self, atoms: &[Atom]) -> Self {
+        Self { off: Atoms::of(atoms), ..self }
+    }
+
+    /// With the fault that this term is reported as.
+    #[must_use]
+    pub const fn fault(self, fault: Fault) -> Self {
+        Self { fault: Some(fault), ..self }
+    }
+
+    /// Only where this choice is made.
+    #[must_use]
+    pub const fn reading(self, choice: Choice) -> Self {
+        Self { readings: Choices::only(choice), ..self }
+    }
+
+    /// Whether the term holds for exactly these atoms.
+    pub const fn holds(&self, atoms: Atoms) -> bool {
+        self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
+    }
+
+    /// Whether the term holds as far as is known: false as soon as one condition is known to fail.
+    pub const fn truth(&self, known: crate::Knowledge) -> crate::Truth {
+        if self.on.intersection(known.off()).is_empty() && self.off.intersection(known.on()).is_empty() {
+            if self.on.is_subset(known.on()) && self.off.is_subset(known.off()) {
+                crate::Truth::True
+            } else {
+                crate::Truth::Unknown
+            }
+        } else {
+            crate::Truth::False
+        }
+    }
+
+    /// The conditions of the term: each atom with the value it must have.
+    pub fn conditions(&self) -> impl Iterator<Item = (Atom, bool)> {
+        let (on, both) = (self.on, self.on.union(self.off));
+        both.iter().map(move |atom| (atom, on.has(atom)))
+    }
+}
+
+/// One arrow of Figure 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Where the arrow starts.
+    pub from: AsState,
+    /// Where it ends.
+    pub to: AsState,
+    /// The section of the document that describes it.
+    pub clause: &'static str,
+    terms: [Term; MAX_TERMS],
+    len: u8,
+}
+
+impl Row {
+    const EMPTY: Self =
+        Self { from: AsState::Off, to: AsState::Off, clause: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
+
+    /// A row. Only the first [`MAX_TERMS`] terms count.
+    pub const fn new(from: AsState, to: AsState, clause: &'static str, terms: &[Term]) -> Self {
+        let mut row = Self { from, to, clause, ..Self::EMPTY };
+        let mut i = 0;
+        while i < terms.len() && i < MAX_TERMS {
+            row.terms[i] = terms[i];
+            i += 1;
+        }
+        row.len = i as u8;
+        row
+    }
+
+    /// The alternatives of the guard.
+    pub const fn terms(&self) -> &[Term] {
+        self.terms.split_at(self.len as usize).0
+    }
+}
+
+/// The rows of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Table {
+    rows: [Row; MAX_ROWS],
+    len: u8,
+}
+
+impl Table {
+    /// A table of rows, in the order of evaluation. Only the first [`MAX_ROWS`] rows count.
+    pub const fn new(rows: &[Row]) -> Self {
+        let mut table = Self { rows: [Row::EMPTY; MAX_ROWS], len: 0 };
+        let mut i = 0;
+        while i < rows.len() && i < MAX_ROWS {
+            table.rows[i] = rows[i];
+            i += 1;
+        }
+        table.len = i as u8;
+        table
+    }
+
+    /// The rows.
+    pub const fn rows(&self) -> &[Row] {
+        self.rows.split_at(self.len as usize).0
+    }
+}
+
+/// A reading that changes which arrow of a state is evaluated first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Priority {
+    /// The choice that changes the order.
+    pub choice: Choice,
+    /// The state that the arrows leave.
+    pub from: AsState,
+    /// Where the arrow ends that now comes before all others of the state.
+    pub first: AsState,
+}
+
+/// The readings that change the order of rows.
+pub const PRIORITIES: [Priority; 3] = [
+    Priority {
+        choice: Choice::ReadyOffFirst,
+        from: AsState::Ready,
+        first: AsState::Off,
+    },
+    Priority {
+        choice: Choice::FinishedOffFirst,
+        from: AsState::Finished,
+        first: AsState::Off,
+    },
+    Priority {
+        choice: Choice::DrivingFinishedFirst,
+        from: AsState::Driving,
+        first: AsState::Finished,
+    },
+];
+
+/// AI comms lost, as an arrow that the text has and Figure 2 does not.
+const COMMS_LOST: Term = Term::on("2.4", &[Atom::AiCommsLost])
+    .fault(Fault::AiCommsFault)
+    .reading(Choice::CommsEveryState);
+
+/// An emergency stop that the AI Computer asks for outside `AS_DRIVING`.
+const ESTOP_REQUEST: Term =
+    Term::on("2.1", &[Atom::AiEstop]).fault(Fault::AiComputerRequest).reading(Choice::EstopEveryState);
+
+/// Figure 2 of the document, with the readings' terms beside the figure's own.
+pub const FIGURE_2: Table = {
+    #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
+    use Atom::*;
+    use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+
+    Table::new(&[
+        Row::new(
+            Off,
+            Ready,
+            "3.1",
+            &[
+                Term::on("3.1", &[Asms, Tsms, AmiSelected, MissionSelected, EbsArmed])
+                    .and_off(&[PowerCycleNeeded])
+                    .reading(Choice::MissionBoth),
+                Term::on("3.1", &[Asms, Tsms, AmiSelected, EbsArmed])
+                    .and_off(&[PowerCycleNeeded])
+                    .reading(Choice::MissionAmi),
+                Term::on("3.1", &[Asms, Tsms, MissionSelected, EbsArmed])
+                    .and_off(&[PowerCycleNeeded])
+                    .reading(Choice::MissionStatusOnly),
+            ],
+        ),
+        Row::new(Ready, EmergencyBrake, "3.5", &[Term::on("3.5", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        Row::new(Ready, Off, "3.6", &[Term::off("3.6", &[Asms])]),
+        Row::new(
+            Ready,
+            Driving,
+            "3.2",
+            &[Term::on(
+                "3.2",
+                &[
+                    DwellElapsed,
+                    FrontTorqueZero,
+                    RearTorqueZero,
+                    SteerRequestZero,
+                    SteerStraight,
+                    DirectionNeutral,
+                    GoOn,
+                    GoEdge,
+                ],
+            )],
+        ),
+        Row::new(
+            Driving,
+            EmergencyBrake,
+            "3.7",
+            &[
+                Term::on("3.7", &[SdcOpen]),
+                // Neither switch has a cause of its own: each opens the shutdown circuit.
+                Term::off("3.7", &[GoOn]).fault(Fault::HvilOpenFault),
+                Term::off("3.7", &[Asms]).fault(Fault::HvilOpenFault),
+                Term::on("3.7", &[MissionFinished, Moving])
+                    .fault(Fault::MissionStatusFault)
+                    .reading(Choice::FaultLevel),
+                Term::on("4", &[MissionFinishedEdge, Moving])
+                    .fault(Fault::MissionStatusFault)
+                    .reading(Choice::FaultEdge),
+                Term::on("3.7", &[DirectionNeutral, Moving])
+                    .fault(Fault::AutonomousBrakingFault)
+                    .reading(Choice::FaultLevel),
+                Term::on("4", &[DirectionNeutralEdge, Moving])
+                    .fault(Fault::AutonomousBrakingFault)
+                    .reading(Choice::FaultEdge),
+                COMMS_LOST,
+                Term::on("2.1", &[AiEstop]).fault(Fault::AiComputerRequest),
+            ],
+        ),
+        Row::new(Driving, Finished, "3.3", &[Term::on("3.3", &[MissionFinished, AtRest])]),
+        Row::new(EmergencyBrake, Off, "3.9", &[Term::on("3.9", &[EbsTimerComplete]).and_off(&[Asms])]),
+        Row::new(Finished, EmergencyBrake, "3.8", &[Term::on("3.8", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        Row::new(Finished, Off, "3.4", &[Term::off("3.4", &[Asms])]),
+    ])
+};

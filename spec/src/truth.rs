@@ -1,0 +1,157 @@
+//! Three-valued truth: what can be said of a condition when not everything is seen.
+
+use core::fmt;
+
+use crate::Atoms;
+
+/// True, false, or unknown: Kleene's three values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+pub enum Truth {
+    /// It does not hold, whatever the unseen is.
+    False,
+    /// It may hold or not, as the unseen decides.
+    Unknown,
+    /// It holds, whatever the unseen is.
+    True,
+}
+
+impl Truth {
+    /// Both hold.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::False, _) | (_, Self::False) => Self::False,
+            (Self::True, Self::True) => Self::True,
+            _ => Self::Unknown,
+        }
+    }
+
+    /// At least one holds.
+    #[must_use]
+    pub const fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::True, _) | (_, Self::True) => Self::True,
+            (Self::False, Self::False) => Self::False,
+            _ => Self::Unknown,
+        }
+    }
+
+    /// What is certain when either of the two may be what happened: they agree, or it is unknown.
+    #[must_use]
+    pub const fn agree(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::True, Self::True) => Self::True,
+            (Self::False, Self::False) => Self::False,
+            _ => Self::Unknown,
+        }
+    }
+
+    /// `true`, `unknown` or `false`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::False => "false",
+            Self::Unknown => "unknown",
+            Self::True => "true",
+        }
+    }
+}
+
+impl From<bool> for Truth {
+    fn from(value: bool) -> Self {
+        if value { Self::True } else { Self::False }
+    }
+}
+
+impl fmt::Display for Truth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// What is known of all atoms: those known to be true, those known to be false, the rest unknown.
+///
+/// ```
+/// use adsdv_spec::{Atom, Atoms, Knowledge, Truth};
+/// let known = Knowledge::NOTHING.learn(Atoms::of(&[Atom::Asms, Atom::Tsms]), Atoms::of(&[Atom::Asms]));
+/// assert_eq!(known.of(Atom::Asms), Truth::True);
+/// assert_eq!(known.of(Atom::Tsms), Truth::False);
+/// assert_eq!(known.of(Atom::SdcOpen), Truth::Unknown);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Knowledge {
+    on: Atoms,
+    off: Atoms,
+}
+
+impl Knowledge {
+    /// Nothing is known of any atom.
+    pub const NOTHING: Self = Self { on: Atoms::NONE, off: Atoms::NONE };
+
+    /// Everything is known: the atoms of the set are true, all others false.
+    pub const fn exact(atoms: Atoms) -> Self {
+        Self { on: atoms, off: Atoms::ALL.difference(atoms) }
+    }
+
+    /// The atoms known to be true.
+    pub const fn on(self) -> Atoms {
+        self.on
+    }
+
+    /// The atoms known to be false.
+    pub const fn off(self) -> Atoms {
+        self.off
+    }
+
+    /// What is known of one atom.
+    pub const fn of(self, atom: crate::Atom) -> Truth {
+        if self.on.has(atom) {
+            Truth::True
+        } else if self.off.has(atom) {
+            Truth::False
+        } else {
+            Truth::Unknown
+        }
+    }
+
+    /// With the atoms of `scope` now known: true those in `values`, false the others.
+    #[must_use]
+    pub const fn learn(self, scope: Atoms, values: Atoms) -> Self {
+        let on = scope.intersection(values);
+        Self {
+            on: self.on.difference(scope).union(on),
+            off: self.off.difference(scope).union(scope.difference(on)),
+        }
+    }
+
+    /// With one atom set to a truth value.
+    #[must_use]
+    pub const fn set(self, atom: crate::Atom, value: Truth) -> Self {
+        let scope = Atoms::NONE.with(atom);
+        match value {
+            Truth::True => self.learn(scope, scope),
+            Truth::False => self.learn(scope, Atoms::NONE),
+            Truth::Unknown => self.forget(scope),
+        }
+    }
+
+    /// With the atoms of `scope` unknown again.
+    #[must_use]
+    pub const fn forget(self, scope: Atoms) -> Self {
+        Self { on: self.on.difference(scope), off: self.off.difference(scope) }
+    }
+
+    /// What is known when either may be what was in force: only that on which both agree.
+    #[must_use]
+    pub const fn meet(self, other: Self) -> Self {
+        Self { on: self.on.intersection(other.on), off: self.off.intersection(other.off) }
+    }
+
+    /// Whether an exact set of atoms is one that this knowledge allows.
+    pub const fn allows(self, atoms: Atoms) -> bool {
+        self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
+    }
+}
