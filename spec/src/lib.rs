@@ -19,6 +19,7 @@
 //! | the messages and their signals (section 2) | [`messages`] |
 //! | the reserved identifiers (section 2.3) | [`RESERVED`] |
 //! | what reaches the actuators; every VCU frame | [`Outputs`] |
+//! | the CAN database and the diagram, printed | [`export`] |
 //! | what is known when not everything is seen | [`Knowledge`], [`Truth`] |
 //!
 //! `REQUIREMENTS.md`, beside this crate's sources, numbers every requirement of the document; `DISCREPANCIES.md` lists
@@ -47,6 +48,7 @@ extern crate std;
 mod assi;
 mod atoms;
 mod control;
+pub mod export;
 mod faults;
 mod handshake;
 mod inputs;
@@ -71,4 +73,5 @@ pub use messages::AsState;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
 pub use reserved::{RESERVED, is_reserved};
+pub use table::{FIGURE_2, Row, Table, Term};
 pub use truth::{Knowledge, Truth};

@@ -235,6 +235,12 @@ impl Machine {
             .union(Atoms::when(Atom::PowerCycleNeeded, control.power_cycle_needed))
     }
 
+    /// The alternatives that lead out of a state under these readings, in the order of evaluation.
+    pub fn arrows(&self, from: AsState) -> impl Iterator<Item = Taken> + '_ {
+        let range = usize::from(self.begins[from as usize])..usize::from(self.begins[from as usize + 1]);
+        self.arrows.get(range).unwrap_or_default().iter().map(|arrow| arrow.taken)
+    }
+
     /// The first arrow of a state whose guard holds, and where it leads.
     const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
         let end = self.begins[state as usize + 1];

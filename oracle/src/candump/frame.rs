@@ -26,7 +26,8 @@ const MAX_FD: usize = 64;
 const IDENTIFIER: &str = "an identifier of 3 or 8 hexadecimal digits and '#'";
 const ID_DIGIT: &str = "a hexadecimal digit of the identifier";
 const STANDARD_ID: &str = "an identifier up to 7FF, or 8 digits for an extended one";
-const EXTENDED_ID: &str = "an identifier up to 1FFFFFFF, or an error frame, 20000000 and above, up to 3FFFFFFF";
+const EXTENDED_ID: &str =
+    "an identifier up to 1FFFFFFF, or an error frame, 20000000 and above, up to 3FFFFFFF";
 const FD_FLAGS: &str = "the flags of a CAN FD frame, one hexadecimal digit";
 const XL_HEADER: &str = "the header of a CAN XL frame, such as 45123#81:00:12345678#";
 const LOW_DIGIT: &str = "the second hexadecimal digit of a data byte";
@@ -145,9 +146,9 @@ fn take_raw_len(cursor: &mut Cursor<'_>) -> Result<(), Flaw> {
 fn take_xl(cursor: &mut Cursor<'_>, data: &mut [u8; MAX_DATA], id: u32) -> Result<Frame, Flaw> {
     const HEADER: &[u8; 15] = b"81:00:12345678#";
     for shape in HEADER {
-        let fits = cursor
-            .peek()
-            .is_some_and(|byte| if shape.is_ascii_digit() { hex::digit(byte).is_some() } else { byte == *shape });
+        let fits = cursor.peek().is_some_and(|byte| {
+            if shape.is_ascii_digit() { hex::digit(byte).is_some() } else { byte == *shape }
+        });
         if !fits {
             return Err(cursor.flaw(XL_HEADER));
         }
@@ -206,7 +207,8 @@ mod tests {
     }
 
     fn digits(bytes: &[u8]) -> String {
-        bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+        let halves = bytes.iter().flat_map(|byte| [byte >> 4, byte & 0xF]);
+        halves.filter_map(|half| char::from_digit(half.into(), 16)).collect()
     }
 
     #[test]

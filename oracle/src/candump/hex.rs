@@ -33,7 +33,11 @@ pub(super) fn number<const N: usize>(digits: [u8; N]) -> Result<u32, usize> {
         seen |= digit;
         value = value << 4 | u32::from(digit & 0xF);
     }
-    if seen == NONE { Err(digits.iter().take_while(|byte| digit(**byte).is_some()).count()) } else { Ok(value) }
+    if seen == NONE {
+        Err(digits.iter().take_while(|byte| digit(**byte).is_some()).count())
+    } else {
+        Ok(value)
+    }
 }
 
 /// The bytes that pairs of digits stand for, if they are digits all of them.
@@ -56,11 +60,11 @@ mod tests {
     #[test]
     fn digits_agree_with_the_standard_library() {
         for byte in 0..=u8::MAX {
-            let expected = char::from(byte).to_digit(16);
-            assert_eq!(digit(byte).map(u32::from), expected, "{byte:#04x}");
-            assert_eq!(number([b'5', byte]), expected.map(|low| 0x50 | low).ok_or(1));
-            assert_eq!(bytes([byte, b'a']), expected.map(|high| [(high as u8) << 4 | 0xA]));
-            assert_eq!(bytes([b'C', byte]), expected.map(|low| [0xC0 | low as u8]));
+            let expected = char::from(byte).to_digit(16).and_then(|value| u8::try_from(value).ok());
+            assert_eq!(digit(byte), expected, "{byte:#04x}");
+            assert_eq!(number([b'5', byte]), expected.map(|low| 0x50 | u32::from(low)).ok_or(1));
+            assert_eq!(bytes([byte, b'a']), expected.map(|high| [high << 4 | 0xA]));
+            assert_eq!(bytes([b'C', byte]), expected.map(|low| [0xC0 | low]));
         }
     }
 

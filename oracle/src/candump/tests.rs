@@ -68,6 +68,12 @@ impl Random {
         (self.next() >> 33) as usize % bound
     }
 
+    /// Of up to 29 bits, short ones as likely as long ones.
+    fn identifier(&mut self) -> u32 {
+        let [.., a, b, c, d] = self.next().to_be_bytes();
+        u32::from_be_bytes([a, b, c, d]) >> (3 + self.below(29))
+    }
+
     fn bytes(&mut self, len: usize) -> Vec<u8> {
         (0..len).map(|_| self.next().to_be_bytes()[0]).collect()
     }
@@ -154,12 +160,27 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
 #[test]
 fn a_broken_line_says_where_what_and_why_and_costs_only_itself() {
     let broken: [(&[u8], &str); 6] = [
-        (b"vcan0  520   [8]  00 00", r#"line 2, column 1: found "vcan0  520   [8]  00 00", expected a time such as (1436509052.249713)"#),
-        (b"(1.000000) vcan0 52x#00\r", r#"line 2, column 20: found "x#00\r", expected a hexadecimal digit of the identifier"#),
-        (b"(1.000000) vcan0 520#000", r#"line 2, column 25: found the end of the line, expected the second hexadecimal digit of a data byte"#),
+        (
+            b"vcan0  520   [8]  00 00",
+            r#"line 2, column 1: found "vcan0  520   [8]  00 00", expected a time such as (1436509052.249713)"#,
+        ),
+        (
+            b"(1.000000) vcan0 52x#00\r",
+            r#"line 2, column 20: found "x#00\r", expected a hexadecimal digit of the identifier"#,
+        ),
+        (
+            b"(1.000000) vcan0 520#000",
+            "line 2, column 25: found the end of the line, expected the second hexadecimal digit of a data byte",
+        ),
         (b"\0\0\0", r#"line 2, column 1: found "\x00\x00\x00", expected a time such as (1436509052.249713)"#),
-        (b"(1.000000) vcan0 520#00 00", r#"line 2, column 25: found "00", expected the end of the line, or R (received) or T (sent)"#),
-        (b"(99999999999.0) vcan0 520#00", r#"line 2, column 1: found "(99999999999.0) vcan0 52"..., expected a time before the year 2262, which is what 64 bits of nanoseconds can hold"#),
+        (
+            b"(1.000000) vcan0 520#00 00",
+            r#"line 2, column 25: found "00", expected the end of the line, or R (received) or T (sent)"#,
+        ),
+        (
+            b"(99999999999.0) vcan0 520#00",
+            r#"line 2, column 1: found "(99999999999.0) vcan0 52"..., expected a time before the year 2262, which is what 64 bits of nanoseconds can hold"#,
+        ),
     ];
     for (line, message) in broken {
         let seen = read(&[GOOD, line, GOOD].join(&b'\n'));
@@ -172,8 +193,8 @@ fn a_broken_line_says_where_what_and_why_and_costs_only_itself() {
 #[test]
 fn an_endless_line_is_one_broken_line() {
     for len in [MAX_LINE - 1, MAX_LINE, MAX_LINE + 1, 127 * 1024, 128 * 1024, 129 * 1024, 3_000_000] {
-        let long = vec![b'7'; len];
-        let log = [GOOD, &long, GOOD].join(&b'\n');
+        let endless = vec![b'7'; len];
+        let log = [GOOD, &endless, GOOD].join(&b'\n');
         let trickled = read_all(Trickle(&log, Random(len as u64))).0;
         for seen in [read(&log), trickled] {
             assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)], "{len}");
@@ -181,7 +202,7 @@ fn an_endless_line_is_one_broken_line() {
             assert_eq!(error.expected.contains("8192"), len > MAX_LINE, "{len}: {error}");
             assert_eq!(error.found.to_string(), r#""777777777777777777777777"..."#);
         }
-        assert_eq!(outline(&read(&long)), [Err(1)]);
+        assert_eq!(outline(&read(&endless)), [Err(1)]);
     }
 }
 
@@ -218,11 +239,11 @@ fn rubbish_never_panics_and_never_hides_a_line() {
         for _ in 0..random.below(6) {
             let len = random.below(if round % 100 == 0 { 20_000 } else { 60 });
             let rubbish = if round % 2 == 0 { random.bytes(len) } else { random.near_miss(len) };
-            lines += rubbish.iter().filter(|byte| **byte == b'\n').count() as u64;
+            lines += memchr::memchr_iter(b'\n', &rubbish).count() as u64;
             log.extend(rubbish);
             log.push(b'\n');
-            let time = (random.next() >> 1) as i64;
-            let id = random.next() as u32 >> (3 + random.below(29));
+            let time = (random.next() >> 1).cast_signed();
+            let id = random.identifier();
             let len = random.below(9);
             let data = random.bytes(len);
             write_frame(&mut log, time, "vcan0", id, &data).expect("a valid frame");
@@ -236,7 +257,8 @@ fn rubbish_never_panics_and_never_hides_a_line() {
             Seen::Broken(_) => None,
         });
         // Rubbish may happen to be a frame; every frame that was written has to be there.
-        let frames: Vec<_> = frames.filter(|frame| expected.iter().any(|(line, ..)| *line == frame.0)).collect();
+        let frames: Vec<_> =
+            frames.filter(|frame| expected.iter().any(|(line, ..)| *line == frame.0)).collect();
         assert_eq!(frames, expected, "{}", log.escape_ascii());
         // And it does not matter in what pieces the log arrives.
         assert_eq!(read_all(Trickle(&log, Random(round + 1))).0, seen);
@@ -260,9 +282,9 @@ fn a_changed_byte_breaks_at_most_its_own_line() {
 fn what_is_written_is_read_back() {
     let mut random = Random(0x0AD5_D002);
     for _ in 0..20_000 {
-        let time_ns = (random.next() >> (1 + random.below(63))) as i64;
+        let time_ns = (random.next() >> (1 + random.below(63))).cast_signed();
         let interface = ["vcan0", "can0", "any", "slcan12", "can-π", "520#00"][random.below(6)];
-        let id = random.next() as u32 >> (3 + random.below(29));
+        let id = random.identifier();
         let len = random.below(9);
         let data = random.bytes(len);
         let mut log = Vec::new();

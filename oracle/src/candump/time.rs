@@ -61,8 +61,10 @@ fn any(cursor: &mut Cursor<'_>) -> Result<i64, Flaw> {
     cursor.skip(1);
     let mut seconds: i64 = decimal(cursor).ok_or_else(|| cursor.flaw(SECONDS))?;
     while let Some(digit) = decimal(cursor) {
-        seconds =
-            seconds.checked_mul(10).and_then(|tens| tens.checked_add(digit)).ok_or_else(|| start.flaw(EARLIER))?;
+        seconds = seconds
+            .checked_mul(10)
+            .and_then(|tens| tens.checked_add(digit))
+            .ok_or_else(|| start.flaw(EARLIER))?;
     }
     let mut fraction = 0;
     if cursor.peek() == Some(b'.') {

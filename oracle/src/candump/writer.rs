@@ -59,7 +59,7 @@ pub fn write_frame(
     out.write_all(line.get(..len).unwrap_or_default())
 }
 
-fn print(room: &mut &mut [u8], time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<()> {
+fn print(room: &mut impl Write, time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<()> {
     let (seconds, fraction) = (time_ns / NS_PER_SECOND, time_ns % NS_PER_SECOND);
     if fraction % NS_PER_MICROSECOND == 0 {
         write!(room, "({seconds:010}.{:06}) {interface} ", fraction / NS_PER_MICROSECOND)?;
@@ -100,7 +100,10 @@ mod tests {
             written(1_795_209_995_000_001_000, "vcan0", 0x7FF, &[0xAB, 1])?,
             "(1795209995.000001) vcan0 7FF#AB01\n"
         );
-        assert_eq!(written(1, "can0", 0x800, &[1; 8])?, "(0000000000.000000001) can0 00000800#0101010101010101\n");
+        assert_eq!(
+            written(1, "can0", 0x800, &[1; 8])?,
+            "(0000000000.000000001) can0 00000800#0101010101010101\n"
+        );
         let longest = written(i64::MAX, "fifteen-bytes-x", EXTENDED_MASK, &[0xFF; 8])?;
         assert_eq!(longest, "(9223372036.854775807) fifteen-bytes-x 1FFFFFFF#FFFFFFFFFFFFFFFF\n");
         Ok(())

@@ -2,7 +2,8 @@
 
 use super::message::messages;
 use super::{
-    AxleTorqueRequest, BrakePressure, DirectionRequest, LapCounter, MissionStatus, MotorSpeedMax, SpeedKmh, SteerAngle,
+    AxleTorqueRequest, BrakePressure, DirectionRequest, LapCounter, MissionStatus, MotorSpeedMax, SpeedKmh,
+    SteerAngle,
 };
 
 messages! {

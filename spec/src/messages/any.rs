@@ -1,9 +1,9 @@
 //! All messages at once: the whole table, and a frame of any of them.
 
 use super::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, DecodeError, Frame, Message,
-    MessageDef, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
-    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, ai, log, vcu,
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, DecodeError, Frame,
+    Message, MessageDef, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
+    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, ai, log, vcu,
 };
 
 macro_rules! any_message {

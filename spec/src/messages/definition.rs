@@ -62,11 +62,22 @@ pub struct SignalDef {
 
 impl SignalDef {
     /// A row for a signal that carries a `T`. Only tables call this, when they are compiled.
-    pub(super) const fn of<T: SignalValue>(name: &'static str, start: u8, width: u8, doc: &'static str) -> Self {
-        assert!(1 <= width && width <= 32 && start as usize + width as usize <= 8 * FRAME_BYTES, "out of the frame");
+    pub(super) const fn of<T: SignalValue>(
+        name: &'static str,
+        start: u8,
+        width: u8,
+        doc: &'static str,
+    ) -> Self {
+        assert!(
+            1 <= width && width <= 32 && start as usize + width as usize <= 8 * FRAME_BYTES,
+            "out of the frame"
+        );
         let (lowest, highest) =
             if T::SIGNED { (-1 << (width - 1), (1 << (width - 1)) - 1) } else { (0, (1 << width) - 1) };
-        assert!(lowest <= T::MIN as i64 && T::MAX as i64 <= highest, "the type has values the bits cannot hold");
+        assert!(
+            lowest <= T::MIN as i64 && T::MAX as i64 <= highest,
+            "the type has values the bits cannot hold"
+        );
         Self {
             name,
             start,
@@ -107,6 +118,15 @@ impl SignalDef {
             return None;
         }
         Some(bits::extract(bits::load_slice(data), self.start, self.width, self.signed))
+    }
+
+    /// The data of a frame with this signal set to a raw value, allowed or not; all other bits stay.
+    ///
+    /// For writing what the strict [`Message`](super::Message) codec cannot represent.
+    #[must_use]
+    pub const fn put(&self, data: [u8; bits::FRAME_BYTES], raw: i32) -> [u8; bits::FRAME_BYTES] {
+        let word = bits::load_slice(&data) & !bits::place(-1, self.start, self.width);
+        (word | bits::place(raw, self.start, self.width)).to_le_bytes()
     }
 
     /// Whether a raw value is allowed: inside the range and, for an enumeration, one of its values.

@@ -2,8 +2,8 @@
 
 use super::message::messages;
 use super::{
-    Acceleration, AmiState, AsState, ConesCountAll, EbsState, LapCounter, LogBrake, LogDriveTorque, LogSteerAngle,
-    ServiceBrake, SpeedKmh, YawRate,
+    Acceleration, AmiState, AsState, ConesCountAll, EbsState, LapCounter, LogBrake, LogDriveTorque,
+    LogSteerAngle, ServiceBrake, SpeedKmh, YawRate,
 };
 
 messages! {

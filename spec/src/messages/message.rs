@@ -94,7 +94,7 @@ macro_rules! messages {
 
                 #[inline]
                 fn decode(data: &[u8]) -> Result<Self, $crate::messages::DecodeError> {
-                    use $crate::messages::{DecodeError, Message, SignalValue, bits};
+                    use $crate::messages::{DecodeError, SignalValue, bits};
 
                     const NEEDED: usize = $message::DEF.bytes_needed();
 
@@ -146,7 +146,10 @@ macro_rules! messages {
                     let message = Just(Self::default()).boxed();
                     $(
                         let message = (message, any::<$ty>())
-                            .prop_map(|(message, $field)| Self { $field, ..message })
+                            .prop_map(|(mut message, $field)| {
+                                message.$field = $field;
+                                message
+                            })
                             .boxed();
                     )+
                     message

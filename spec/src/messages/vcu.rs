@@ -2,8 +2,8 @@
 
 use super::message::messages;
 use super::{
-    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ShutdownCause, SteerAngle, SteerAngleMax,
-    WheelSpeed,
+    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ShutdownCause, SteerAngle,
+    SteerAngleMax, WheelSpeed,
 };
 
 messages! {

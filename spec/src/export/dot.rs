@@ -1,0 +1,61 @@
+//! Figure 2 as a Graphviz digraph.
+
+use core::fmt;
+
+use super::arrows::{Label, Title, arrows};
+use super::escape::Escaped;
+use super::light::{fill, flashes};
+use crate::messages::AsState;
+use crate::{Assi, Control, Machine};
+
+/// The guard of section 3.2 would otherwise be wider than the rest of the graph.
+const CONDITIONS_PER_LINE: usize = 2;
+
+/// Displays Figure 2 as a Graphviz digraph, for `dot -Tsvg`.
+///
+/// ```
+/// use adsdv_spec::{Machine, export::Dot};
+///
+/// let graph = Dot(&Machine::REFERENCE).to_string();
+/// assert!(graph.contains(r#"AS_READY -> AS_OFF [label="section 3.6\lAS master switch OFF\l"];"#));
+/// assert!(graph.contains(r#"or \"Go\" signal OFF"#));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Dot<'a>(pub &'a Machine);
+
+impl fmt::Display for Dot<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "// {}", Title(self.0))?;
+        f.write_str("digraph figure_2 {\n")?;
+        f.write_str("    node [shape=box, fontname=\"Helvetica\"];\n")?;
+        f.write_str("    edge [fontname=\"Helvetica\", fontsize=10];\n")?;
+        f.write_str("    start [shape=point, width=0.15];\n")?;
+        for state in AsState::ALL {
+            let light = Assi::of(state);
+            let style = if flashes(light) { "rounded,filled,dashed" } else { "rounded,filled" };
+            let label = Escaped(light, in_quotes);
+            let fill = fill(light);
+            writeln!(
+                f,
+                "    {state} [label=\"{state}\\nASSI {label}\", style=\"{style}\", fillcolor=\"{fill}\"];"
+            )?;
+        }
+        writeln!(f, "    start -> {};", Control::INITIAL.state)?;
+        for arrow in arrows(self.0) {
+            let label = Escaped(Label { arrow, wrap: CONDITIONS_PER_LINE }, in_quotes);
+            writeln!(f, "    {} -> {} [label=\"{label}\\l\"];", arrow.row.from, arrow.row.to)?;
+        }
+        f.write_str("}\n")
+    }
+}
+
+/// `\l` ends a line that is aligned to the left; entities such as `&lt;` are read even in plain labels.
+fn in_quotes(character: char) -> Option<&'static str> {
+    match character {
+        '\n' => Some("\\l"),
+        '"' => Some("\\\""),
+        '\\' => Some("\\\\"),
+        '&' => Some("&amp;"),
+        _ => None,
+    }
+}

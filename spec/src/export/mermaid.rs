@@ -1,0 +1,67 @@
+//! Figure 2 as a Mermaid diagram.
+
+use core::fmt;
+
+use super::arrows::{Label, Title, arrows};
+use super::escape::Escaped;
+use super::light::{fill, flashes};
+use crate::messages::AsState;
+use crate::{Assi, Control, Machine};
+
+/// Mermaid breaks the lines of a label where it likes once they are longer than about this.
+const CONDITIONS_PER_LINE: usize = 1;
+
+/// Displays Figure 2 as a Mermaid `stateDiagram-v2`.
+///
+/// Put it into a code block of the language `mermaid`, and GitHub, GitLab and `mdbook` draw it.
+///
+/// ```
+/// use adsdv_spec::{Machine, export::Mermaid};
+///
+/// let diagram = Mermaid(&Machine::REFERENCE).to_string();
+/// assert!(diagram.contains("stateDiagram-v2\n"));
+/// assert!(diagram.contains("AS_READY --> AS_OFF : section 3.6<br/>AS master switch OFF\n"));
+/// assert!(diagram.contains("AS_READY : ASSI yellow, continuous\n"));
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Mermaid<'a>(pub &'a Machine);
+
+impl fmt::Display for Mermaid<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "%% {}", Title(self.0))?;
+        f.write_str("stateDiagram-v2\n")?;
+        for state in AsState::ALL {
+            writeln!(f, "    state \"{state}\" as {state}")?;
+            writeln!(f, "    {state} : ASSI {}", Escaped(Assi::of(state), in_text))?;
+        }
+        writeln!(f, "    [*] --> {}", Control::INITIAL.state)?;
+        for arrow in arrows(self.0) {
+            let label = Escaped(Label { arrow, wrap: CONDITIONS_PER_LINE }, in_text);
+            writeln!(f, "    {} --> {} : {label}", arrow.row.from, arrow.row.to)?;
+        }
+        for state in AsState::ALL {
+            let light = Assi::of(state);
+            // Classes and states are named apart, so the name of the one serves the other.
+            write!(f, "    classDef {state} fill:{},stroke:#333,color:#000", fill(light))?;
+            writeln!(f, "{}", if flashes(light) { ",stroke-dasharray:5 5" } else { "" })?;
+            writeln!(f, "    class {state} {state}")?;
+        }
+        Ok(())
+    }
+}
+
+/// A text runs to the end of the line, and a colon or a semicolon ends it. Mermaid's own entity codes, `#` for
+/// `&`, are read before all else.
+fn in_text(character: char) -> Option<&'static str> {
+    match character {
+        '\n' => Some("<br/>"),
+        '"' => Some("#quot;"),
+        '<' => Some("#lt;"),
+        '>' => Some("#gt;"),
+        '&' => Some("#amp;"),
+        '#' => Some("#35;"),
+        ':' => Some("#58;"),
+        ';' => Some("#59;"),
+        _ => None,
+    }
+}

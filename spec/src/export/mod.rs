@@ -1,0 +1,43 @@
+//! The tables, printed: for the tools of a CAN bus, and for people.
+//!
+//! Nothing is said here that is not in a table. Each export is a [`Display`](core::fmt::Display) adapter over
+//! one, so it needs no allocation, and `to_string` or `write!` decides where the text goes:
+//!
+//! | export | of | format |
+//! |---|---|---|
+//! | [`Dbc`] | [`MESSAGES`](crate::messages::MESSAGES) and [`Timing`](crate::Timing) | CAN database (DBC) |
+//! | [`Figure2`] | [`table`](crate::table) | Markdown table |
+//! | [`Mermaid`] | [`table`](crate::table) | Mermaid `stateDiagram-v2` |
+//! | [`Dot`] | [`table`](crate::table) | Graphviz digraph |
+//!
+//! The last three print Figure 2 as a [`Machine`](crate::Machine) reads it: with the terms that its
+//! [`Readings`](crate::Readings) have and no others, an arrow being left out when it has no term at all. Where an
+//! alternative of a guard comes from another section than its arrow does, that section stands behind it.
+//!
+//! ```
+//! use adsdv_spec::export::{Dbc, Figure2, Mermaid};
+//! use adsdv_spec::{Choice, Interface, Machine, Readings};
+//!
+//! let dbc = Dbc(&Interface::V3_0).to_string();
+//! assert!(dbc.contains("\nBO_ 1312 VCU2AI_Status: 8 VCU\n"));
+//!
+//! let table = Figure2(&Machine::REFERENCE).to_string();
+//! assert!(table.contains("| AS_READY | AS_OFF | 3.6 | AS master switch OFF |\n"));
+//! assert!(table.contains("or AI_COMMS_LOST (2.4)"));
+//!
+//! let figure_alone = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::CommsNoArrow));
+//! assert!(!Mermaid(&figure_alone).to_string().contains("AI_COMMS_LOST"));
+//! ```
+
+mod arrows;
+mod dbc;
+mod dot;
+mod escape;
+mod light;
+mod markdown;
+mod mermaid;
+
+pub use dbc::Dbc;
+pub use dot::Dot;
+pub use markdown::Figure2;
+pub use mermaid::Mermaid;

@@ -1,0 +1,464 @@
+//! The document's sections 2.4, 3 and 4 once more, as plain `if`s over the raw inputs.
+//!
+//! Nothing of the specification's machinery is used here: no atoms, no table, no thresholds. Every number is written
+//! out again, so that a slip in the one is not a slip in the other. Only the types are shared: what goes in
+//! ([`Inputs`], [`Control`], [`Readings`]) and the [`Control`] that comes out.
+//!
+//! To review: hold each function against the section that its comment names.
+
+use adsdv_spec::messages::{AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ShutdownCause};
+use adsdv_spec::{Choice, Control, Handshake, Inputs, Readings};
+
+/// What one step of the VCU comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Verdict {
+    /// What the VCU remembers for the next step.
+    pub control: Control,
+    /// `AS_STATE` after the step.
+    pub state: AsState,
+    /// The section of the arrow that was taken; `None` if the state stays.
+    pub arrow: Option<&'static str>,
+    /// The fault flags of 520h.
+    pub flags: Flags,
+    /// `SHUTDOWN_CAUSE` of 520h.
+    pub shutdown_cause: ShutdownCause,
+    /// HANDSHAKE of 520h.
+    pub handshake: bool,
+    /// `GO_SIGNAL` of 520h.
+    pub go_signal: bool,
+}
+
+/// The fault flags of 520h, in the order of the numbers that `SHUTDOWN_CAUSE` has for them (section 2.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flags {
+    pub ai_estop_request: bool,
+    pub hvil_open_fault: bool,
+    pub hvil_short_fault: bool,
+    pub ebs_fault: bool,
+    pub offboard_charger_fault: bool,
+    pub ai_comms_lost: bool,
+    pub autonomous_braking_fault: bool,
+    pub mission_status_fault: bool,
+    pub charge_procedure_fault: bool,
+    pub bms_fault: bool,
+}
+
+/// One step in the making: what it starts from, and what the clocks say once `dt` has passed.
+struct Step<'a> {
+    control: &'a Control,
+    inputs: &'a Inputs,
+    readings: Readings,
+    /// Time spent in `AS_READY` or `EMERGENCY_BRAKE`, this step included.
+    in_state_ms: u16,
+    ai_comms_lost: bool,
+}
+
+/// Section 3: one step of the state machine of Figure 2.
+pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
+    let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
+    let now = Step {
+        control,
+        inputs,
+        readings,
+        in_state_ms: match control.state {
+            AsState::Ready => later(control.in_state_ms, dt_ms, 5000),
+            AsState::EmergencyBrake => later(control.in_state_ms, dt_ms, 15000),
+            AsState::Off | AsState::Driving | AsState::Finished => 0,
+        },
+        ai_comms_lost: handshake.unanswered_ms == 50,
+    };
+    let arrow = match control.state {
+        AsState::Off => now.from_as_off(),
+        AsState::Ready => now.from_as_ready(),
+        AsState::Driving => now.from_as_driving(),
+        AsState::Finished => now.from_as_finished(),
+        AsState::EmergencyBrake => now.from_emergency_brake(),
+    };
+    let state = match arrow {
+        None => control.state,
+        Some("3.1") => AsState::Ready,
+        Some("3.2") => AsState::Driving,
+        Some("3.3") => AsState::Finished,
+        Some("3.4" | "3.6" | "3.9") => AsState::Off,
+        Some(_) => AsState::EmergencyBrake,
+    };
+    let reasons = now.reasons();
+    let shut_down = state == AsState::EmergencyBrake && arrow.is_some();
+    let shutdown_cause = if shut_down && control.shutdown_cause == ShutdownCause::NoShutdown {
+        lowest(reasons)
+    } else {
+        control.shutdown_cause
+    };
+    let edges_count = readings.is(Choice::FaultEdge) && state == AsState::Driving;
+    let ai = &inputs.ai.status;
+    let control = Control {
+        state,
+        in_state_ms: if arrow.is_some() { 0 } else { now.in_state_ms },
+        go_seen_low: state == AsState::Ready && now.section_3_2_item_3_seen_low(),
+        was_running: edges_count && ai.mission_status == MissionStatus::Running,
+        was_forward: edges_count && ai.direction_request == DirectionRequest::Forward,
+        handshake,
+        power_cycle_needed: control.power_cycle_needed
+            || shut_down && readings.is(Choice::PowerCycleLatched),
+        shutdown_cause,
+    };
+    Verdict {
+        control,
+        state,
+        arrow,
+        flags: now.shown(reasons, shutdown_cause),
+        shutdown_cause,
+        handshake: handshake.bit,
+        go_signal: now.go_signal(state),
+    }
+}
+
+/// Section 2.4: the VCU alternates its bit whenever the AI Computer has followed; 50 ms without that is
+/// `AI_COMMS_LOST`.
+fn section_2_4(before: Handshake, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Handshake {
+    let performed = inputs.tsms || readings.is(Choice::HandshakeAlways);
+    if !performed {
+        Handshake { bit: false, unanswered_ms: 0 }
+    } else if inputs.ai.status.handshake == before.bit {
+        Handshake { bit: !before.bit, unanswered_ms: 0 }
+    } else {
+        Handshake { bit: before.bit, unanswered_ms: later(before.unanswered_ms, dt_ms, 50) }
+    }
+}
+
+/// A clock that stops at its limit.
+fn later(clock_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
+    match u16::try_from(dt_ms) {
+        Ok(dt_ms) => clock_ms.saturating_add(dt_ms).min(limit_ms),
+        Err(_) => limit_ms,
+    }
+}
+
+/// The arrows, each state's in the order in which they are tried; two that hold at once are a matter of reading.
+impl Step<'_> {
+    fn from_as_off(&self) -> Option<&'static str> {
+        if self.section_3_1() { Some("3.1") } else { None }
+    }
+
+    fn from_as_ready(&self) -> Option<&'static str> {
+        let off_first = self.readings.is(Choice::ReadyOffFirst);
+        if off_first && self.section_3_6() {
+            Some("3.6")
+        } else if self.section_3_5() {
+            Some("3.5")
+        } else if self.section_3_6() {
+            Some("3.6")
+        } else if self.section_3_2() {
+            Some("3.2")
+        } else {
+            None
+        }
+    }
+
+    fn from_as_driving(&self) -> Option<&'static str> {
+        let finished_first = self.readings.is(Choice::DrivingFinishedFirst);
+        if finished_first && self.section_3_3() {
+            Some("3.3")
+        } else if self.section_3_7() {
+            Some("3.7")
+        } else if self.section_3_3() {
+            Some("3.3")
+        } else {
+            None
+        }
+    }
+
+    fn from_as_finished(&self) -> Option<&'static str> {
+        let off_first = self.readings.is(Choice::FinishedOffFirst);
+        if off_first && self.section_3_4() {
+            Some("3.4")
+        } else if self.section_3_8() {
+            Some("3.8")
+        } else if self.section_3_4() {
+            Some("3.4")
+        } else {
+            None
+        }
+    }
+
+    fn from_emergency_brake(&self) -> Option<&'static str> {
+        if self.section_3_9() { Some("3.9") } else { None }
+    }
+}
+
+impl Step<'_> {
+    /// 3.1, AS_OFF to AS_READY: TSMS on, ASMS on, a mission selected, the EBS armed; and, by 3.9, not after an
+    /// emergency that asks for a power cycle.
+    fn section_3_1(&self) -> bool {
+        let on_the_ami = self.inputs.ami != AmiState::NotSelected;
+        let confirmed = self.inputs.ai.status.mission_status == MissionStatus::Selected;
+        let mission_selected = if self.readings.is(Choice::MissionAmi) {
+            on_the_ami
+        } else if self.readings.is(Choice::MissionStatusOnly) {
+            confirmed
+        } else {
+            on_the_ami && confirmed
+        };
+        self.inputs.tsms
+            && self.inputs.asms
+            && mission_selected
+            && self.inputs.ebs == EbsState::Armed
+            && !self.control.power_cycle_needed
+    }
+
+    /// 3.2, AS_READY to AS_DRIVING: items 1 and 2 hold, and item 3's rising edge of "Go" is there.
+    fn section_3_2(&self) -> bool {
+        let rising_edge = self.inputs.go && self.control.go_seen_low;
+        self.section_3_2_items_1_and_2() && rising_edge
+    }
+
+    /// 3.2, items 1 and 2: five seconds in AS_READY, no torque and no steering requested, NEUTRAL, wheels straight.
+    fn section_3_2_items_1_and_2(&self) -> bool {
+        let Inputs { ai, vehicle, .. } = self.inputs;
+        // In tenths of a degree.
+        let steer_angle = vehicle.steer_angle.raw();
+        self.in_state_ms >= 5000
+            && ai.drive_f.front_axle_trq_request.raw() == 0
+            && ai.drive_r.rear_axle_trq_request.raw() == 0
+            && ai.steer.steer_request.raw() == 0
+            && ai.status.direction_request == DirectionRequest::Neutral
+            && -50 < steer_angle
+            && steer_angle < 50
+    }
+
+    /// 3.2, item 3: "Go" is off, "once the above conditions have been satisfied"; what is switched on from here is an
+    /// edge.
+    fn section_3_2_item_3_seen_low(&self) -> bool {
+        let monitored = self.control.state == AsState::Ready && self.section_3_2_items_1_and_2();
+        !self.inputs.go && (monitored || self.readings.is(Choice::GoEdgeEnough))
+    }
+
+    /// 3.3, AS_DRIVING to AS_FINISHED: the mission is completed and the vehicle at rest.
+    fn section_3_3(&self) -> bool {
+        self.finished() && self.at_rest()
+    }
+
+    /// 3.4, AS_FINISHED to AS_OFF: ASMS off.
+    fn section_3_4(&self) -> bool {
+        !self.inputs.asms
+    }
+
+    /// 3.5, AS_READY to EMERGENCY_BRAKE: the shutdown circuit is open.
+    fn section_3_5(&self) -> bool {
+        self.emergency_in_every_active_state()
+    }
+
+    /// 3.5: what opens the shutdown circuit, with the faults of 520h among what "the VCU detects".
+    fn section_3_5_sdc_open(&self) -> bool {
+        let sdc = &self.inputs.sdc;
+        let reports = &self.inputs.reports;
+        sdc.remote_estop
+            || sdc.res_link_lost
+            || sdc.vehicle_estop
+            || sdc.crash_sensor
+            || sdc.critical_fault
+            || sdc.bms_fault
+            || sdc.mpp_dongle_removed
+            || reports.hvil_open
+            || reports.hvil_short
+            || reports.ebs_fault
+            || reports.offboard_charger_fault
+            || self.charge_procedure_fault()
+    }
+
+    /// 3.6, AS_READY to AS_OFF: ASMS off.
+    fn section_3_6(&self) -> bool {
+        !self.inputs.asms
+    }
+
+    /// 3.7, AS_DRIVING to EMERGENCY_BRAKE: any of the criteria.
+    fn section_3_7(&self) -> bool {
+        self.emergency_in_every_active_state()
+            || self.inputs.ai.status.estop_request
+            || !self.inputs.go
+            || !self.inputs.asms
+            || self.finished_at_speed()
+            || self.neutral_at_speed()
+    }
+
+    /// 3.8, AS_FINISHED to EMERGENCY_BRAKE: the shutdown circuit is open.
+    fn section_3_8(&self) -> bool {
+        self.emergency_in_every_active_state()
+    }
+
+    /// 3.9, EMERGENCY_BRAKE to AS_OFF: the 15 second timer has elapsed and ASMS is off.
+    fn section_3_9(&self) -> bool {
+        self.in_state_ms >= 15000 && !self.inputs.asms
+    }
+
+    /// 3.7's and 4's FINISHED while moving: the level of 3.7, or the change from RUNNING of section 4, item 2.
+    fn finished_at_speed(&self) -> bool {
+        let changed = self.control.was_running;
+        self.finished() && self.moving() && (changed || self.readings.is(Choice::FaultLevel))
+    }
+
+    /// 3.7's and 4's NEUTRAL while moving: the level of 3.7, or the change from FORWARD of section 4, item 1.
+    fn neutral_at_speed(&self) -> bool {
+        let changed = self.control.was_forward;
+        let neutral = self.inputs.ai.status.direction_request == DirectionRequest::Neutral;
+        neutral && self.moving() && (changed || self.readings.is(Choice::FaultLevel))
+    }
+
+    /// 3.5 and 3.8, and what other sections add to every active state: the AI Computer's request (2.1) and the loss
+    /// of communications (2.4).
+    fn emergency_in_every_active_state(&self) -> bool {
+        let estop = self.readings.is(Choice::EstopEveryState) && self.inputs.ai.status.estop_request;
+        let comms = self.readings.is(Choice::CommsEveryState) && self.ai_comms_lost;
+        self.section_3_5_sdc_open() || estop || comms
+    }
+
+    fn finished(&self) -> bool {
+        self.inputs.ai.status.mission_status == MissionStatus::Finished
+    }
+
+    /// 3.7: any of the wheel speeds is greater than 10 rpm.
+    fn moving(&self) -> bool {
+        self.wheel_speeds().iter().any(|&rpm| rpm > 10)
+    }
+
+    /// Figure 2: all wheel speeds are less than 10 rpm.
+    fn at_rest(&self) -> bool {
+        self.wheel_speeds().iter().all(|&rpm| rpm < 10)
+    }
+
+    fn wheel_speeds(&self) -> [i32; 4] {
+        let speeds = &self.inputs.vehicle.wheel_speeds;
+        [
+            speeds.fl_wheel_speed.raw(),
+            speeds.fr_wheel_speed.raw(),
+            speeds.rl_wheel_speed.raw(),
+            speeds.rr_wheel_speed.raw(),
+        ]
+    }
+
+    /// 2.2: a master switch is on when the battery is being charged.
+    fn charge_procedure_fault(&self) -> bool {
+        self.inputs.reports.charging && (self.inputs.asms || self.inputs.tsms)
+    }
+}
+
+/// The fault flags and `SHUTDOWN_CAUSE` of section 2.2.
+impl Step<'_> {
+    /// The faults of the inputs and the handshake, whatever the state.
+    fn live(&self) -> Flags {
+        let sdc = &self.inputs.sdc;
+        let reports = &self.inputs.reports;
+        Flags {
+            ai_estop_request: self.inputs.ai.status.estop_request,
+            hvil_open_fault: reports.hvil_open
+                || sdc.remote_estop
+                || sdc.res_link_lost
+                || sdc.vehicle_estop
+                || sdc.crash_sensor
+                || sdc.critical_fault
+                || sdc.mpp_dongle_removed,
+            hvil_short_fault: reports.hvil_short,
+            ebs_fault: reports.ebs_fault,
+            offboard_charger_fault: reports.offboard_charger_fault,
+            ai_comms_lost: self.ai_comms_lost,
+            autonomous_braking_fault: false,
+            mission_status_fault: false,
+            charge_procedure_fault: self.charge_procedure_fault(),
+            bms_fault: sdc.bms_fault,
+        }
+    }
+
+    /// The faults that are a reason for `EMERGENCY_BRAKE` in the state of this step.
+    fn reasons(&self) -> Flags {
+        let driving = self.control.state == AsState::Driving;
+        let active = driving || matches!(self.control.state, AsState::Ready | AsState::Finished);
+        if !active {
+            return Flags::default();
+        }
+        let live = self.live();
+        Flags {
+            ai_estop_request: live.ai_estop_request
+                && (driving || self.readings.is(Choice::EstopEveryState)),
+            hvil_open_fault: live.hvil_open_fault || driving && (!self.inputs.asms || !self.inputs.go),
+            ai_comms_lost: live.ai_comms_lost && self.readings.is(Choice::CommsEveryState),
+            autonomous_braking_fault: driving && self.neutral_at_speed(),
+            mission_status_fault: driving && self.finished_at_speed(),
+            ..live
+        }
+    }
+
+    /// The flags on the bus: what is live, what is a reason, and the cause for as long as it stands.
+    fn shown(&self, reasons: Flags, cause: ShutdownCause) -> Flags {
+        let live = self.live();
+        let is = |number| cause == number;
+        Flags {
+            ai_estop_request: live.ai_estop_request || is(ShutdownCause::AiComputerRequest),
+            hvil_open_fault: live.hvil_open_fault
+                || reasons.hvil_open_fault
+                || is(ShutdownCause::HvilOpenFault),
+            hvil_short_fault: live.hvil_short_fault || is(ShutdownCause::HvilShortFault),
+            ebs_fault: live.ebs_fault || is(ShutdownCause::EbsFault),
+            offboard_charger_fault: live.offboard_charger_fault || is(ShutdownCause::OffboardChargerFault),
+            ai_comms_lost: live.ai_comms_lost || is(ShutdownCause::AiCommsFault),
+            autonomous_braking_fault: reasons.autonomous_braking_fault
+                || is(ShutdownCause::AutonomousBrakingFault),
+            mission_status_fault: reasons.mission_status_fault || is(ShutdownCause::MissionStatusFault),
+            charge_procedure_fault: live.charge_procedure_fault || is(ShutdownCause::ChargeProcedureFault),
+            bms_fault: live.bms_fault || is(ShutdownCause::BmsFault),
+        }
+    }
+
+    /// 3.2, item 3: `GO_SIGNAL` tells the AI Computer of the edge that lets the vehicle drive, or it is the switch.
+    fn go_signal(&self, state: AsState) -> bool {
+        self.inputs.go && (state == AsState::Driving || self.readings.is(Choice::GoRaw))
+    }
+}
+
+/// The fault with the lowest number of section 2.2.
+fn lowest(faults: Flags) -> ShutdownCause {
+    if faults.ai_estop_request {
+        ShutdownCause::AiComputerRequest
+    } else if faults.hvil_open_fault {
+        ShutdownCause::HvilOpenFault
+    } else if faults.hvil_short_fault {
+        ShutdownCause::HvilShortFault
+    } else if faults.ebs_fault {
+        ShutdownCause::EbsFault
+    } else if faults.offboard_charger_fault {
+        ShutdownCause::OffboardChargerFault
+    } else if faults.ai_comms_lost {
+        ShutdownCause::AiCommsFault
+    } else if faults.autonomous_braking_fault {
+        ShutdownCause::AutonomousBrakingFault
+    } else if faults.mission_status_fault {
+        ShutdownCause::MissionStatusFault
+    } else if faults.charge_procedure_fault {
+        ShutdownCause::ChargeProcedureFault
+    } else if faults.bms_fault {
+        ShutdownCause::BmsFault
+    } else {
+        ShutdownCause::NoShutdown
+    }
+}
+
+impl Flags {
+    /// The flags by the number that `SHUTDOWN_CAUSE` has for each (section 2.2): bit 1 for number 1, and so on.
+    pub fn by_number(self) -> u16 {
+        [
+            self.ai_estop_request,
+            self.hvil_open_fault,
+            self.hvil_short_fault,
+            self.ebs_fault,
+            self.offboard_charger_fault,
+            self.ai_comms_lost,
+            self.autonomous_braking_fault,
+            self.mission_status_fault,
+            self.charge_procedure_fault,
+            self.bms_fault,
+        ]
+        .into_iter()
+        .zip(1..)
+        .map(|(set, number)| u16::from(set) << number)
+        .sum()
+    }
+}

@@ -1,0 +1,198 @@
+//! The exported CAN database, read back by another program: it says what the table says, and what the original
+//! database says but for the listed differences.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::{fs, iter};
+
+use adsdv_spec::Interface;
+use adsdv_spec::export::Dbc;
+use adsdv_spec::messages::{Decimal, MESSAGES};
+use can_dbc::{AttributeValue, ByteOrder, MessageId, ValueDescription, ValueType};
+
+/// A database as a list of facts, each the text of one attribute of a signal, or, under an empty signal name, of
+/// the message itself.
+type Facts = BTreeMap<Fact, String>;
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Fact {
+    id: u32,
+    signal: String,
+    attribute: &'static str,
+}
+
+fn fact(id: u32, signal: &str, attribute: &'static str, text: impl ToString) -> (Fact, String) {
+    (Fact { id, signal: signal.to_owned(), attribute }, text.to_string())
+}
+
+fn range(min: impl ToString, max: impl ToString) -> String {
+    format!("[{}|{}]", min.to_string(), max.to_string())
+}
+
+fn values<'a>(values: impl Iterator<Item = (i64, &'a str)>) -> String {
+    values.map(|(value, name)| format!("{value} \"{name}\"")).collect::<Vec<_>>().join(" ")
+}
+
+fn parse(text: &str) -> can_dbc::Dbc {
+    can_dbc::Dbc::try_from(text).unwrap_or_else(|error| panic!("not a CAN database: {error}"))
+}
+
+fn exported() -> can_dbc::Dbc {
+    parse(&Dbc(&Interface::V3_0).to_string())
+}
+
+fn standard(id: MessageId) -> u32 {
+    assert!(matches!(id, MessageId::Standard(_)), "{id:?} is not an 11-bit identifier");
+    id.raw()
+}
+
+/// What a database says of layout and values.
+fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
+    let mut facts = Facts::new();
+    for message in &dbc.messages {
+        let id = standard(message.id);
+        facts.extend([
+            fact(id, "", "name", &message.name),
+            fact(id, "", "length", message.size),
+            fact(id, "", "sender", message.transmitter.as_deref().unwrap_or("none")),
+        ]);
+        for signal in &message.signals {
+            assert_eq!(signal.byte_order, ByteOrder::LittleEndian, "{}", signal.name);
+            assert_eq!(signal.offset.to_string(), "0", "{}", signal.name);
+            let sign = if signal.value_type == ValueType::Signed { '-' } else { '+' };
+            facts.extend([
+                fact(id, &signal.name, "start", signal.start_bit),
+                fact(id, &signal.name, "width", signal.size),
+                fact(id, &signal.name, "sign", sign),
+                fact(id, &signal.name, "scale", signal.factor),
+                fact(id, &signal.name, "range", range(signal.min, signal.max)),
+                fact(id, &signal.name, "unit", &signal.unit),
+            ]);
+        }
+    }
+    for names in &dbc.value_descriptions {
+        let ValueDescription::Signal { message_id, name, value_descriptions } = names else {
+            panic!("value names without a signal: {names:?}");
+        };
+        let values = values(value_descriptions.iter().map(|value| (value.id, value.description.as_str())));
+        facts.extend([fact(standard(*message_id), name, "values", values)]);
+    }
+    facts
+}
+
+/// What the table says of layout and values.
+fn facts_of_table() -> Facts {
+    let mut facts = Facts::new();
+    for message in MESSAGES {
+        let id = u32::from(message.id);
+        facts.extend([
+            fact(id, "", "name", message.name),
+            fact(id, "", "length", message.len),
+            fact(id, "", "sender", message.sender),
+        ]);
+        for signal in message.signals {
+            let decimal = |raw| Decimal { raw, scale: signal.scale };
+            facts.extend([
+                fact(id, signal.name, "start", signal.start),
+                fact(id, signal.name, "width", signal.width),
+                fact(id, signal.name, "sign", if signal.signed { '-' } else { '+' }),
+                fact(id, signal.name, "scale", signal.scale),
+                fact(id, signal.name, "range", range(decimal(signal.min), decimal(signal.max))),
+                fact(id, signal.name, "unit", signal.unit),
+            ]);
+            if !signal.values.is_empty() {
+                let names = values(signal.values.iter().map(|&(value, name)| (i64::from(value), name)));
+                facts.extend([fact(id, signal.name, "values", names)]);
+            }
+        }
+    }
+    facts
+}
+
+/// Where two databases differ, as the rows that `DISCREPANCIES.md` lists; a fact that one of them does not have
+/// is empty there.
+fn differences(original: &Facts, ours: &Facts) -> Vec<String> {
+    let text = |facts: &Facts, fact| facts.get(fact).cloned().unwrap_or_default();
+    let only_ours = ours.keys().filter(|fact| !original.contains_key(fact));
+    let mut rows: Vec<_> = original
+        .keys()
+        .chain(only_ours)
+        .map(|fact| (fact, text(original, fact), text(ours, fact)))
+        .filter(|(_, original, ours)| original != ours)
+        .map(|(Fact { id, signal, attribute }, original, ours)| {
+            format!("{id:03X},{signal},{attribute},{original},{ours}")
+        })
+        .collect();
+    rows.sort();
+    rows
+}
+
+/// The rows of the fenced block of comma-separated values in `DISCREPANCIES.md`.
+fn listed(markdown: &str) -> Vec<String> {
+    let mut block = markdown.lines().skip_while(|line| *line != "```csv").skip(1);
+    assert_eq!(block.next(), Some("message_id_hex,signal,attribute,dbc,ours"), "the header of the csv block");
+    let mut rows: Vec<_> = block.take_while(|line| *line != "```").map(str::to_owned).collect();
+    rows.sort();
+    rows
+}
+
+#[test]
+fn export_says_what_the_table_says() {
+    let dbc = exported();
+    assert_eq!(differences(&facts_of(&dbc), &facts_of_table()), [""; 0]);
+
+    let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
+    assert_eq!(senders, ["AI", "VCU"]);
+    assert_eq!(dbc.version.0, Interface::V3_0.version);
+}
+
+#[test]
+fn export_comments_every_message_and_signal() {
+    let dbc = exported();
+    for message in MESSAGES {
+        let id = MessageId::Standard(message.id);
+        assert_eq!(dbc.message_comment(id), Some(message.doc), "{}", message.name);
+        for signal in message.signals {
+            let comment = dbc.signal_comment(id, signal.name).map(|comment| comment.replace("\\\"", "\""));
+            assert_eq!(comment.as_deref(), Some(signal.doc), "{} {}", message.name, signal.name);
+        }
+    }
+}
+
+#[test]
+fn export_gives_every_message_its_cycle_time() {
+    let dbc = exported();
+    let cycle = |id| {
+        dbc.attribute_values_message
+            .iter()
+            .find(|value| value.name == "GenMsgCycleTime" && value.message_id == MessageId::Standard(id))
+            .map(|value| value.value.clone())
+    };
+    for message in MESSAGES {
+        let expected = if message.id == 0x502 { 100 } else { 10 };
+        assert_eq!(cycle(message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
+    }
+}
+
+#[test]
+fn export_differs_from_the_original_only_as_listed() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let original = here.join("../../shared/dbc/adsdv_2021_vcu_ai_interface_v1.dbc");
+    let Ok(original) = fs::read_to_string(&original) else {
+        println!("skipped: the original database is not at {}", original.display());
+        return;
+    };
+    let discrepancies = here.join("../spec/DISCREPANCIES.md");
+    let discrepancies = fs::read_to_string(&discrepancies)
+        .unwrap_or_else(|error| panic!("cannot read {}: {error}", discrepancies.display()));
+
+    let differences = differences(&facts_of(&parse(&original)), &facts_of(&exported()));
+    let listed = listed(&discrepancies);
+    let missing = |from: &[String], row: &&String| !from.contains(row);
+    let unlisted: Vec<_> = differences.iter().filter(|row| missing(&listed, row)).collect();
+    let unfounded: Vec<_> = listed.iter().filter(|row| missing(&differences, row)).collect();
+    assert!(
+        iter::chain(&unlisted, &unfounded).next().is_none() && listed.len() == differences.len(),
+        "the csv block of spec/DISCREPANCIES.md is not exact\nto be added: {unlisted:#?}\nto be removed: {unfounded:#?}"
+    );
+}
