@@ -2,6 +2,7 @@
 //! database says but for the listed differences.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::path::Path;
 use std::{fs, iter};
 
@@ -21,12 +22,12 @@ struct Fact {
     attribute: &'static str,
 }
 
-fn fact(id: u32, signal: &str, attribute: &'static str, text: impl ToString) -> (Fact, String) {
+fn fact(id: u32, signal: &str, attribute: &'static str, text: &dyn Display) -> (Fact, String) {
     (Fact { id, signal: signal.to_owned(), attribute }, text.to_string())
 }
 
-fn range(min: impl ToString, max: impl ToString) -> String {
-    format!("[{}|{}]", min.to_string(), max.to_string())
+fn range(min: &dyn Display, max: &dyn Display) -> String {
+    format!("[{min}|{max}]")
 }
 
 fn values<'a>(values: impl Iterator<Item = (i64, &'a str)>) -> String {
@@ -53,19 +54,19 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
         let id = standard(message.id);
         facts.extend([
             fact(id, "", "name", &message.name),
-            fact(id, "", "length", message.size),
-            fact(id, "", "sender", message.transmitter.as_deref().unwrap_or("none")),
+            fact(id, "", "length", &message.size),
+            fact(id, "", "sender", &message.transmitter.as_deref().unwrap_or("none")),
         ]);
         for signal in &message.signals {
             assert_eq!(signal.byte_order, ByteOrder::LittleEndian, "{}", signal.name);
             assert_eq!(signal.offset.to_string(), "0", "{}", signal.name);
             let sign = if signal.value_type == ValueType::Signed { '-' } else { '+' };
             facts.extend([
-                fact(id, &signal.name, "start", signal.start_bit),
-                fact(id, &signal.name, "width", signal.size),
-                fact(id, &signal.name, "sign", sign),
-                fact(id, &signal.name, "scale", signal.factor),
-                fact(id, &signal.name, "range", range(signal.min, signal.max)),
+                fact(id, &signal.name, "start", &signal.start_bit),
+                fact(id, &signal.name, "width", &signal.size),
+                fact(id, &signal.name, "sign", &sign),
+                fact(id, &signal.name, "scale", &signal.factor),
+                fact(id, &signal.name, "range", &range(&signal.min, &signal.max)),
                 fact(id, &signal.name, "unit", &signal.unit),
             ]);
         }
@@ -75,7 +76,7 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
             panic!("value names without a signal: {names:?}");
         };
         let values = values(value_descriptions.iter().map(|value| (value.id, value.description.as_str())));
-        facts.extend([fact(standard(*message_id), name, "values", values)]);
+        facts.extend([fact(standard(*message_id), name, "values", &values)]);
     }
     facts
 }
@@ -86,23 +87,23 @@ fn facts_of_table() -> Facts {
     for message in MESSAGES {
         let id = u32::from(message.id);
         facts.extend([
-            fact(id, "", "name", message.name),
-            fact(id, "", "length", message.len),
-            fact(id, "", "sender", message.sender),
+            fact(id, "", "name", &message.name),
+            fact(id, "", "length", &message.len),
+            fact(id, "", "sender", &message.sender),
         ]);
         for signal in message.signals {
             let decimal = |raw| Decimal { raw, scale: signal.scale };
             facts.extend([
-                fact(id, signal.name, "start", signal.start),
-                fact(id, signal.name, "width", signal.width),
-                fact(id, signal.name, "sign", if signal.signed { '-' } else { '+' }),
-                fact(id, signal.name, "scale", signal.scale),
-                fact(id, signal.name, "range", range(decimal(signal.min), decimal(signal.max))),
-                fact(id, signal.name, "unit", signal.unit),
+                fact(id, signal.name, "start", &signal.start),
+                fact(id, signal.name, "width", &signal.width),
+                fact(id, signal.name, "sign", &if signal.signed { '-' } else { '+' }),
+                fact(id, signal.name, "scale", &signal.scale),
+                fact(id, signal.name, "range", &range(&decimal(signal.min), &decimal(signal.max))),
+                fact(id, signal.name, "unit", &signal.unit),
             ]);
             if !signal.values.is_empty() {
                 let names = values(signal.values.iter().map(|&(value, name)| (i64::from(value), name)));
-                facts.extend([fact(id, signal.name, "values", names)]);
+                facts.extend([fact(id, signal.name, "values", &names)]);
             }
         }
     }

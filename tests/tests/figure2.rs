@@ -2,7 +2,7 @@
 //! every format, and a label never ends where its text does not.
 
 use adsdv_spec::export::{Dot, Figure2, Mermaid};
-use adsdv_spec::messages::{AmiState, MissionStatus};
+use adsdv_spec::messages::MissionStatus;
 use adsdv_spec::table::{FIGURE_2, Row};
 use adsdv_spec::{AsState, Choice, Control, Inputs, Interface, Machine, Readings, ShutdownCircuit};
 
@@ -55,12 +55,16 @@ fn markdown(machine: &Machine) -> Vec<Printed> {
 fn mermaid(machine: &Machine) -> Vec<Printed> {
     let escapes = [("<br/>", "\n"), ("#quot;", "\""), ("#lt;", "<"), ("#gt;", ">")];
     let text = Mermaid(machine).to_string();
-    let arrows = text.lines().filter_map(|line| line.split_once(" --> ")).filter(|(from, _)| !from.contains('*'));
+    let arrows =
+        text.lines().filter_map(|line| line.split_once(" --> ")).filter(|(from, _)| !from.contains('*'));
     arrows
         .map(|(from, rest)| {
             let (to, label) = rest.split_once(" : ").expect("a label");
             let bare = escapes.iter().fold(label.to_owned(), |label, (escape, _)| label.replace(escape, ""));
-            assert!(!bare.contains(['"', '<', '>', ':', ';', '#']), "would end the label, or be lost: {label}");
+            assert!(
+                !bare.contains(['"', '<', '>', ':', ';', '#']),
+                "would end the label, or be lost: {label}"
+            );
             from_diagram(from.trim(), to, &plain(label, &escapes))
         })
         .collect()
@@ -68,7 +72,8 @@ fn mermaid(machine: &Machine) -> Vec<Printed> {
 
 fn dot(machine: &Machine) -> Vec<Printed> {
     let text = Dot(machine).to_string();
-    let arrows = text.lines().filter_map(|line| line.split_once(" [label=\"")).filter(|(edge, _)| edge.contains("->"));
+    let arrows =
+        text.lines().filter_map(|line| line.split_once(" [label=\"")).filter(|(edge, _)| edge.contains("->"));
     arrows
         .map(|(edge, rest)| {
             let (from, to) = edge.split_once(" -> ").expect("an edge");
@@ -98,9 +103,11 @@ fn every_print_says_what_the_table_says() {
 #[test]
 fn arrows_stand_in_the_order_of_evaluation() {
     let at_once = |state| {
-        let mut inputs = Inputs { sdc: ShutdownCircuit { open: true, ..Default::default() }, ..Inputs::default() };
+        let mut inputs = Inputs {
+            sdc: ShutdownCircuit { vehicle_estop: true, ..Default::default() },
+            ..Inputs::default()
+        };
         inputs.asms = state == AsState::Driving;
-        inputs.ami = AmiState::TrackDrive;
         inputs.ai.status.mission_status = MissionStatus::Finished;
         inputs
     };
@@ -109,7 +116,12 @@ fn arrows_stand_in_the_order_of_evaluation() {
             let control = Control { state, ..Control::INITIAL };
             let (control, _) = machine.step(&control, &at_once(state), 10);
             let first = mermaid(&machine).into_iter().find(|(from, ..)| *from == state.to_string());
-            assert_eq!(first.map(|(_, to, ..)| to), Some(control.state.to_string()), "{}", machine.readings());
+            assert_eq!(
+                first.map(|(_, to, ..)| to),
+                Some(control.state.to_string()),
+                "{}",
+                machine.readings()
+            );
         }
     }
 }

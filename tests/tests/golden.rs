@@ -17,13 +17,14 @@ fn compare(file: &str, export: &impl std::fmt::Display) {
         return;
     }
     let renew = format!("to renew it: {BLESS}=1 cargo test -p adsdv-tests --test golden");
-    let golden =
-        fs::read_to_string(&path).unwrap_or_else(|error| panic!("cannot read golden/{file}: {error}; {renew}"));
+    let golden = fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("cannot read golden/{file}: {error}; {renew}"));
     if golden == export {
         return;
     }
     let lines = golden.lines().map(Some).chain(std::iter::repeat(None));
-    let first = export.lines().map(Some).chain([None]).zip(lines).zip(1..).find(|((ours, file), _)| ours != file);
+    let first =
+        export.lines().map(Some).chain([None]).zip(lines).zip(1..).find(|((ours, file), _)| ours != file);
     panic!("the export is not golden/{file}; first difference (export, file), line: {first:#?}\n{renew}");
 }
 

@@ -71,7 +71,7 @@ impl fmt::Display for Dbc<'_> {
 }
 
 impl Dbc<'_> {
-    fn head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn head(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "VERSION {}\n", Quoted(self.0.version))?;
         f.write_str("NS_ :\n")?;
         for symbol in NEW_SYMBOLS {
@@ -84,7 +84,7 @@ impl Dbc<'_> {
         f.write_str("\n\n")
     }
 
-    fn comments(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn comments(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "CM_ \"ADS-DV Software Interface Specification {}\";", self.0.version)?;
         for (node, what) in NODES {
             writeln!(f, "CM_ BU_ {node} {};", Quoted(what))?;
@@ -98,7 +98,7 @@ impl Dbc<'_> {
         Ok(())
     }
 
-    fn cycle_times(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn cycle_times(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "BA_DEF_ BO_ \"{CYCLE_TIME}\" INT 0 {};", u16::MAX)?;
         writeln!(f, "BA_DEF_DEF_ \"{CYCLE_TIME}\" 0;")?;
         for message in MESSAGES {
@@ -107,7 +107,7 @@ impl Dbc<'_> {
         Ok(())
     }
 
-    fn cycle_ms(&self, message: &MessageDef) -> u16 {
+    fn cycle_ms(self, message: &MessageDef) -> u16 {
         let timing = &self.0.timing;
         if message.id == Vcu2LogStatus::DEF.id { timing.log_status_cycle_ms } else { timing.cycle_ms }
     }

@@ -11,36 +11,36 @@ use adsdv_spec::{Choice, Control, Handshake, Inputs, Readings};
 
 /// What one step of the VCU comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Verdict {
+pub(crate) struct Verdict {
     /// What the VCU remembers for the next step.
-    pub control: Control,
+    pub(crate) control: Control,
     /// `AS_STATE` after the step.
-    pub state: AsState,
+    pub(crate) state: AsState,
     /// The section of the arrow that was taken; `None` if the state stays.
-    pub arrow: Option<&'static str>,
+    pub(crate) arrow: Option<&'static str>,
     /// The fault flags of 520h.
-    pub flags: Flags,
+    pub(crate) flags: Flags,
     /// `SHUTDOWN_CAUSE` of 520h.
-    pub shutdown_cause: ShutdownCause,
+    pub(crate) shutdown_cause: ShutdownCause,
     /// HANDSHAKE of 520h.
-    pub handshake: bool,
+    pub(crate) handshake: bool,
     /// `GO_SIGNAL` of 520h.
-    pub go_signal: bool,
+    pub(crate) go_signal: bool,
 }
 
-/// The fault flags of 520h, in the order of the numbers that `SHUTDOWN_CAUSE` has for them (section 2.2).
+/// The fault flags of 520h, each under its name there (section 2.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Flags {
-    pub ai_estop_request: bool,
-    pub hvil_open_fault: bool,
-    pub hvil_short_fault: bool,
-    pub ebs_fault: bool,
-    pub offboard_charger_fault: bool,
-    pub ai_comms_lost: bool,
-    pub autonomous_braking_fault: bool,
-    pub mission_status_fault: bool,
-    pub charge_procedure_fault: bool,
-    pub bms_fault: bool,
+pub(crate) struct Flags {
+    pub(crate) ai_estop_request: bool,
+    pub(crate) hvil_open_fault: bool,
+    pub(crate) hvil_short_fault: bool,
+    pub(crate) ebs_fault: bool,
+    pub(crate) offboard_charger_fault: bool,
+    pub(crate) ai_comms_lost: bool,
+    pub(crate) autonomous_braking_fault: bool,
+    pub(crate) mission_status_fault: bool,
+    pub(crate) charge_procedure_fault: bool,
+    pub(crate) bms_fault: bool,
 }
 
 /// One step in the making: what it starts from, and what the clocks say once `dt` has passed.
@@ -54,7 +54,7 @@ struct Step<'a> {
 }
 
 /// Section 3: one step of the state machine of Figure 2.
-pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
+pub(crate) fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
     let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
     let now = Step {
         control,
@@ -68,11 +68,11 @@ pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) 
         ai_comms_lost: handshake.unanswered_ms == 50,
     };
     let arrow = match control.state {
-        AsState::Off => now.from_as_off(),
-        AsState::Ready => now.from_as_ready(),
-        AsState::Driving => now.from_as_driving(),
-        AsState::Finished => now.from_as_finished(),
-        AsState::EmergencyBrake => now.from_emergency_brake(),
+        AsState::Off => now.leaving_as_off(),
+        AsState::Ready => now.leaving_as_ready(),
+        AsState::Driving => now.leaving_as_driving(),
+        AsState::Finished => now.leaving_as_finished(),
+        AsState::EmergencyBrake => now.leaving_emergency_brake(),
     };
     let state = match arrow {
         None => control.state,
@@ -82,8 +82,9 @@ pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) 
         Some("3.4" | "3.6" | "3.9") => AsState::Off,
         Some(_) => AsState::EmergencyBrake,
     };
-    let reasons = now.reasons();
     let shut_down = state == AsState::EmergencyBrake && arrow.is_some();
+    // What did not lead to an emergency, because AS_FINISHED or AS_OFF was read to come first, is no reason for one.
+    let reasons = if shut_down { now.reasons() } else { Flags::default() };
     let shutdown_cause = if shut_down && control.shutdown_cause == ShutdownCause::NoShutdown {
         lowest(reasons)
     } else {
@@ -98,8 +99,7 @@ pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) 
         was_running: edges_count && ai.mission_status == MissionStatus::Running,
         was_forward: edges_count && ai.direction_request == DirectionRequest::Forward,
         handshake,
-        power_cycle_needed: control.power_cycle_needed
-            || shut_down && readings.is(Choice::PowerCycleLatched),
+        power_cycle_needed: control.power_cycle_needed || shut_down && readings.is(Choice::PowerCycleLatched),
         shutdown_cause,
     };
     Verdict {
@@ -136,11 +136,11 @@ fn later(clock_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
 
 /// The arrows, each state's in the order in which they are tried; two that hold at once are a matter of reading.
 impl Step<'_> {
-    fn from_as_off(&self) -> Option<&'static str> {
+    fn leaving_as_off(&self) -> Option<&'static str> {
         if self.section_3_1() { Some("3.1") } else { None }
     }
 
-    fn from_as_ready(&self) -> Option<&'static str> {
+    fn leaving_as_ready(&self) -> Option<&'static str> {
         let off_first = self.readings.is(Choice::ReadyOffFirst);
         if off_first && self.section_3_6() {
             Some("3.6")
@@ -155,7 +155,7 @@ impl Step<'_> {
         }
     }
 
-    fn from_as_driving(&self) -> Option<&'static str> {
+    fn leaving_as_driving(&self) -> Option<&'static str> {
         let finished_first = self.readings.is(Choice::DrivingFinishedFirst);
         if finished_first && self.section_3_3() {
             Some("3.3")
@@ -168,7 +168,7 @@ impl Step<'_> {
         }
     }
 
-    fn from_as_finished(&self) -> Option<&'static str> {
+    fn leaving_as_finished(&self) -> Option<&'static str> {
         let off_first = self.readings.is(Choice::FinishedOffFirst);
         if off_first && self.section_3_4() {
             Some("3.4")
@@ -181,7 +181,7 @@ impl Step<'_> {
         }
     }
 
-    fn from_emergency_brake(&self) -> Option<&'static str> {
+    fn leaving_emergency_brake(&self) -> Option<&'static str> {
         if self.section_3_9() { Some("3.9") } else { None }
     }
 }
@@ -377,8 +377,7 @@ impl Step<'_> {
         }
         let live = self.live();
         Flags {
-            ai_estop_request: live.ai_estop_request
-                && (driving || self.readings.is(Choice::EstopEveryState)),
+            ai_estop_request: live.ai_estop_request && (driving || self.readings.is(Choice::EstopEveryState)),
             hvil_open_fault: live.hvil_open_fault || driving && (!self.inputs.asms || !self.inputs.go),
             ai_comms_lost: live.ai_comms_lost && self.readings.is(Choice::CommsEveryState),
             autonomous_braking_fault: driving && self.neutral_at_speed(),
@@ -438,27 +437,5 @@ fn lowest(faults: Flags) -> ShutdownCause {
         ShutdownCause::BmsFault
     } else {
         ShutdownCause::NoShutdown
-    }
-}
-
-impl Flags {
-    /// The flags by the number that `SHUTDOWN_CAUSE` has for each (section 2.2): bit 1 for number 1, and so on.
-    pub fn by_number(self) -> u16 {
-        [
-            self.ai_estop_request,
-            self.hvil_open_fault,
-            self.hvil_short_fault,
-            self.ebs_fault,
-            self.offboard_charger_fault,
-            self.ai_comms_lost,
-            self.autonomous_braking_fault,
-            self.mission_status_fault,
-            self.charge_procedure_fault,
-            self.bms_fault,
-        ]
-        .into_iter()
-        .zip(1..)
-        .map(|(set, number)| u16::from(set) << number)
-        .sum()
     }
 }

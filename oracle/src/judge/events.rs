@@ -1,0 +1,230 @@
+//! Time: what is to be done when it passes.
+
+use adsdv_spec::{Atom, Fault, Knowledge, Truth};
+
+use super::finding::{Party, Rule, Severity};
+use super::handshake::Suspect;
+use super::history::Moment;
+use super::transitions::Seen;
+use super::{Judge, MS, SILENCE_NS, STATUS, scope};
+
+/// Something that can only be judged once the window behind it has passed.
+#[derive(Clone, Debug)]
+pub(super) struct Pending {
+    /// When it happened.
+    pub(super) t: i64,
+    /// When it can be judged.
+    pub(super) at: i64,
+    /// What was known just before.
+    pub(super) before: Knowledge,
+    pub(super) what: What,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum What {
+    /// A transition was seen.
+    Seen(Seen),
+    /// A fault flag was raised.
+    Flag(Fault),
+    /// The VCU's handshake bit changed without an answer.
+    Edge(Suspect),
+    /// The AI Computer did what section 3.7 forbids while moving.
+    AtSpeed(Fault),
+}
+
+/// Time stamps that go back further than this start a new recording; smaller steps are jitter.
+const SET_BACK_NS: i64 = 1000 * MS;
+
+impl Judge {
+    /// Time goes on to that of a frame. Returns the time that the judge gives it.
+    #[inline]
+    pub(super) fn tick(&mut self, t_ns: i64) -> i64 {
+        let t = t_ns.saturating_add(self.offset);
+        if t < self.now || !self.started {
+            return self.set_back(t);
+        }
+        if t >= self.next_event {
+            self.events(t);
+        }
+        self.now = t;
+        t
+    }
+
+    #[cold]
+    fn set_back(&mut self, t: i64) -> i64 {
+        if !self.started {
+            self.started = true;
+            self.offset = -t;
+            return self.now;
+        }
+        let back = self.now - t;
+        let restart = back > SET_BACK_NS;
+        let then = if restart { "judged as a new recording from here on" } else { "judged as if it had not" };
+        self.report(
+            Severity::Note,
+            Party::Log,
+            "2",
+            Rule::TimeBackwards,
+            format!("the log's time goes back by {:.3} ms; {then}", milliseconds(back)),
+        );
+        if restart {
+            self.settle_all(self.now);
+            self.offset = self.offset.saturating_add(back);
+            self.forget_everything();
+        }
+        self.now
+    }
+
+    /// Nothing is known any more.
+    fn forget_everything(&mut self) {
+        self.known = Knowledge::NOTHING;
+        self.history.clear();
+        self.vcu = super::VcuSide::default();
+        self.handshake = super::Watch::default();
+        self.due = None;
+        self.ai.forget();
+        for slot in &mut self.slots {
+            slot.fresh = false;
+            slot.last = None;
+            slot.bad = 0;
+        }
+    }
+
+    /// Does everything whose time has come by `t`, in order.
+    #[cold]
+    fn events(&mut self, t: i64) {
+        // Each event is settled when it comes up; the bound only guards against a mistake that would loop.
+        for _ in 0..10_000 {
+            let next = self.upcoming();
+            self.next_event = next;
+            if next > t {
+                return;
+            }
+            self.now = self.now.max(next);
+            self.event(next);
+        }
+    }
+
+    /// When the next thing is to be done.
+    fn upcoming(&self) -> i64 {
+        let stale = self.slots.iter().filter(|slot| slot.fresh).map(super::Slot::stale_at);
+        let pending = self.pending.iter().map(|pending| pending.at);
+        let timers = self.vcu.timers.iter().map(|timer| timer.at);
+        stale
+            .chain(pending)
+            .chain(timers)
+            .chain([self.comms_event(), self.due_event(), self.held_event()])
+            .min()
+            .unwrap_or(i64::MAX)
+    }
+
+    fn event(&mut self, t: i64) {
+        if let Some(index) = self.slots.iter().position(|slot| slot.fresh && slot.stale_at() <= t) {
+            return self.becomes_stale(index, t);
+        }
+        if let Some(index) = self.vcu.timers.iter().position(|timer| timer.at <= t) {
+            let timer = self.vcu.timers.swap_remove(index);
+            return self.learn(t, self.known.set(timer.atom, timer.becomes));
+        }
+        if let Some(index) = self.pending.iter().position(|pending| pending.at <= t) {
+            let pending = self.pending.swap_remove(index);
+            return self.settle(&pending, t);
+        }
+        if self.comms_event() <= t {
+            return self.comms_time(t);
+        }
+        if self.due_event() <= t {
+            return self.due_ripens();
+        }
+        if self.held_event() <= t {
+            self.report_held();
+        }
+    }
+
+    /// A message has not come for so long that one may be missing: what it said is not certain any more.
+    fn becomes_stale(&mut self, index: usize, t: i64) {
+        let Some(slot) = self.slots.get_mut(index) else { return };
+        slot.fresh = false;
+        if index == STATUS {
+            self.vcu.gap_since = Some(t);
+        } else if index == super::AI_STATUS {
+            self.handshake.ai_gone();
+            self.update_comms(t);
+        }
+        self.learn(t, self.known.forget(scope(index)));
+    }
+
+    /// The end of the log, or of a recording in it: judges what is open with what there is.
+    pub(super) fn settle_all(&mut self, t: i64) {
+        self.pending.sort_by_key(|pending| pending.t);
+        for pending in std::mem::take(&mut self.pending) {
+            self.settle(&pending, t);
+        }
+    }
+
+    fn settle(&mut self, pending: &Pending, now: i64) {
+        match &pending.what {
+            What::Seen(seen) => self.judge_seen(pending, seen, now),
+            What::Flag(fault) => self.judge_flag(pending, *fault, now),
+            What::Edge(suspect) => self.judge_edge(pending.t, *suspect),
+            What::AtSpeed(fault) => self.judge_at_speed(pending, *fault, now),
+        }
+    }
+
+    pub(super) fn suspend(&mut self, t: i64, wait: i64, before: Knowledge, what: What) {
+        let at = t + wait;
+        self.pending.push(Pending { t, at, before, what });
+        self.wake_at(at);
+    }
+
+    /// What is known of all of the time from `start` to `end`, where the judge has seen up to `now`.
+    ///
+    /// What the log ends too early to tell is unknown. Messages that come rarely are looked at for longer: they
+    /// show late what was so before.
+    pub(super) fn throughout(&self, start: i64, end: i64, now: i64) -> Knowledge {
+        if now < end {
+            return Knowledge::NOTHING;
+        }
+        let mut known = self.history.throughout(start, end);
+        for (index, slot) in self.slots.iter().enumerate() {
+            let late = start + self.window + slot.period * 2;
+            if !scope(index).is_empty() && late > end {
+                let long = if now < late { Knowledge::NOTHING } else { self.history.throughout(start, late) };
+                let others = known.forget(scope(index));
+                known = known.meet(long).forget(adsdv_spec::Atoms::ALL.difference(scope(index)));
+                known = others.learn(known.on().union(known.off()), known.on());
+            }
+        }
+        known
+    }
+
+    /// The moments between `start` and `end`, with what was known at each.
+    pub(super) fn moments(&self, start: i64, end: i64) -> Vec<Moment> {
+        self.history.between(start, end).copied().collect()
+    }
+
+    /// Silence of the VCU: what it is, is unknown.
+    pub(super) fn after_silence(&mut self, t: i64, silent: i64) {
+        if silent < SILENCE_NS {
+            return;
+        }
+        self.report(
+            Severity::Note,
+            Party::Log,
+            "2.2",
+            Rule::Gap,
+            format!("no frame of the VCU for {:.3} s; what it did meanwhile is unknown", milliseconds(silent) / 1e3),
+        );
+        self.vcu = super::VcuSide::default();
+        self.handshake.vcu_gone();
+        self.due = None;
+        let unknown = [Atom::DwellElapsed, Atom::EbsTimerComplete, Atom::GoEdge, Atom::PowerCycleNeeded];
+        let known = unknown.iter().fold(self.known, |known, &atom| known.set(atom, Truth::Unknown));
+        self.learn(t, known);
+    }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "a duration for display")]
+pub(super) fn milliseconds(ns: i64) -> f64 {
+    ns as f64 / 1e6
+}

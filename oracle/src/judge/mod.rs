@@ -1,0 +1,257 @@
+//! The judge of a log: holds both sides of a recorded run against the specification.
+//!
+//! A log is sampled, jittered, and silent about the shutdown circuit. So the judge reasons with three-valued truth:
+//! what every sample of a window agrees on is known, the rest is unknown, and no guess is reported as a fact.
+//! A violation is what is one whatever the unknown is, under every reading of the document that is not excluded.
+//!
+//! ```text
+//! frame --> slots (what each message last said, and how fresh that is)
+//!             |
+//!             v
+//!        knowledge of the atoms, with its history --> transitions seen (judged once their window has passed)
+//!             |                                   --> transitions due
+//!             +--> handshake, fault flags and causes, the AI Computer's conduct, values and lengths
+//! ```
+//!
+//! Everything is online and in bounded memory: one frame after the other, as they come.
+//!
+//! ```
+//! use adsdv_oracle::judge::{Judge, Options, Verdict};
+//! use adsdv_spec::{Control, Inputs, Machine};
+//!
+//! let mut judge = Judge::new(Options::default());
+//! let (mut control, inputs) = (Control::INITIAL, Inputs::default());
+//! for cycle in 0..100 {
+//!     let (next, outputs) = Machine::REFERENCE.step(&control, &inputs, 10);
+//!     control = next;
+//!     for frame in outputs.messages(&inputs).frames() {
+//!         judge.frame(cycle * 10_000_000, frame.id.into(), frame.data());
+//!     }
+//! }
+//! assert_eq!(judge.finish().verdict(), Verdict::Conforms);
+//! ```
+
+mod ai;
+mod events;
+mod finding;
+mod flags;
+mod handshake;
+mod history;
+mod lenient;
+mod options;
+mod output;
+mod response;
+mod slots;
+mod status;
+mod transitions;
+mod values;
+mod variants;
+
+use adsdv_spec::messages::{
+    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Message, Vcu2AiStatus, Vcu2AiSteer,
+    Vcu2AiWheelSpeeds, Vcu2LogStatus,
+};
+use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
+
+pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
+pub use options::Options;
+pub use response::ResponseTimes;
+
+use events::Pending;
+use handshake::Watch;
+use history::History;
+use output::Output;
+use slots::{Slot, SlotOf};
+use status::VcuSide;
+use variants::Variants;
+
+/// Milliseconds as nanoseconds.
+const MS: i64 = 1_000_000;
+
+/// After a silence of this length nothing is known of a VCU any more; it may have been power-cycled.
+const SILENCE_NS: i64 = 500 * MS;
+
+const fn slot_of(id: u16) -> usize {
+    let mut index = 0;
+    while index < MESSAGES.len() && MESSAGES[index].id != id {
+        index += 1;
+    }
+    index
+}
+
+const STATUS: usize = slot_of(Vcu2AiStatus::ID);
+const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
+const STEER: usize = slot_of(Vcu2AiSteer::ID);
+const WHEEL_SPEEDS: usize = slot_of(Vcu2AiWheelSpeeds::ID);
+const AI_STATUS: usize = slot_of(Ai2VcuStatus::ID);
+const AI_DRIVE_F: usize = slot_of(Ai2VcuDriveF::ID);
+const AI_DRIVE_R: usize = slot_of(Ai2VcuDriveR::ID);
+const AI_STEER: usize = slot_of(Ai2VcuSteer::ID);
+
+/// The atoms that a message shows to the judge.
+const fn scope(slot: usize) -> Atoms {
+    match slot {
+        STATUS => Vcu2AiStatus::SCOPE.with(Atom::GoOn),
+        LOG_STATUS => Vcu2LogStatus::SCOPE,
+        STEER => adsdv_spec::messages::SteerAngle::SCOPE,
+        WHEEL_SPEEDS => Vcu2AiWheelSpeeds::SCOPE,
+        // The handshake bit is no condition of any guard; it has a watch of its own.
+        AI_STATUS => Ai2VcuStatus::SCOPE.without(Atom::AiHandshake),
+        AI_DRIVE_F => Ai2VcuDriveF::SCOPE,
+        AI_DRIVE_R => Ai2VcuDriveR::SCOPE,
+        AI_STEER => Ai2VcuSteer::SCOPE,
+        _ => Atoms::NONE,
+    }
+}
+
+/// The judge of one log, or of one live bus.
+#[derive(Debug)]
+pub struct Judge {
+    options: Options,
+    interface: Interface,
+    variants: Variants,
+    window: i64,
+    deadline: i64,
+
+    slot_of: SlotOf,
+    slots: [Slot; slots::COUNT],
+    known: Knowledge,
+    history: History,
+    vcu: VcuSide,
+    handshake: Watch,
+    ai: ai::AiSide,
+
+    pending: Vec<Pending>,
+    due: Option<transitions::Due>,
+    now: i64,
+    started: bool,
+    /// Added to the time of frames, so that time goes on after it was set back.
+    offset: i64,
+    /// Nothing is to be done before this time.
+    next_event: i64,
+    frames: u64,
+    out: Output,
+}
+
+impl Judge {
+    /// A judge of version 3.0 of the interface.
+    pub fn new(options: Options) -> Self {
+        let interface = Interface::V3_0;
+        Self {
+            options,
+            interface,
+            variants: Variants::new(&interface, options.readings),
+            window: i64::from(options.window_ms) * MS,
+            deadline: i64::from(options.deadline_ms) * MS,
+            slot_of: SlotOf::new(),
+            slots: Slot::all(),
+            known: Knowledge::NOTHING,
+            history: History::new(),
+            vcu: VcuSide::default(),
+            handshake: Watch::default(),
+            ai: ai::AiSide::default(),
+            pending: Vec::new(),
+            due: None,
+            now: 0,
+            started: false,
+            offset: 0,
+            next_event: i64::MAX,
+            frames: 0,
+            out: Output::default(),
+        }
+    }
+
+    /// Judges a classic CAN data frame with an 11-bit identifier, at a time in nanoseconds since the first frame.
+    ///
+    /// Frames of no message of the document are left alone. Data of any length is fine, and time may jump.
+    #[inline]
+    pub fn frame(&mut self, t_ns: i64, id: u32, data: &[u8]) {
+        self.frames += 1;
+        let t = self.tick(t_ns);
+        let Some(index) = self.slot_of.get(id) else { return self.other_id(t, id) };
+        let Some(slot) = self.slots.get_mut(index) else { return };
+        let (word, len) = load(data);
+        let before = slot.last;
+        let same = slot.fresh && slot.word == word && slot.len == len;
+        slot.seen(t);
+        if !same {
+            self.changed(index, t, word, len, before);
+        } else if index == STATUS {
+            self.status_repeated(t);
+        } else if index == AI_STATUS {
+            self.answer(t, word & 1 == 1);
+        }
+    }
+
+    /// Counts a frame that is not judged, at its time.
+    pub fn other_frame(&mut self, t_ns: i64) {
+        self.frames += 1;
+        self.tick(t_ns);
+    }
+
+    /// Adds what the reader of the log found out.
+    pub fn report(&mut self, severity: Severity, party: Party, clause: &'static str, rule: Rule, message: String) {
+        self.out.finding(Finding { t_ns: self.now, severity, party, clause, rule, message });
+    }
+
+    /// The end of the log: settles what is still open.
+    pub fn finish(mut self) -> Report {
+        let end = self.now;
+        self.settle_all(end);
+        self.note_one_sided();
+        self.out.report(self.frames, end)
+    }
+
+    /// What has been found so far and not been taken yet, in order; for a live bus.
+    pub fn take_news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.out.take()
+    }
+
+    /// How fast the AI Computer has answered the handshake so far.
+    pub fn responses(&self) -> &ResponseTimes {
+        &self.out.responses
+    }
+
+    /// The AS state that the VCU showed last, while its frames are fresh.
+    pub fn state(&self) -> Option<AsState> {
+        self.vcu.state
+    }
+
+    /// What is known now.
+    pub fn known(&self) -> Knowledge {
+        self.known
+    }
+
+    /// From `t` on, what is known is `known`.
+    fn learn(&mut self, t: i64, known: Knowledge) {
+        if known != self.known {
+            self.known = known;
+            self.history.push(t, known, self.vcu.state);
+            self.reconsider(t);
+        }
+    }
+
+    /// An event is to be looked at when this time comes.
+    fn wake_at(&mut self, t: i64) {
+        self.next_event = self.next_event.min(t);
+    }
+
+    fn pinned(&self, reading: Reading) -> Option<adsdv_spec::Choice> {
+        let mut choices = self.options.readings.of(reading);
+        match (choices.next(), choices.next()) {
+            (Some(choice), None) => Some(choice),
+            _ => None,
+        }
+    }
+}
+
+/// The first eight bytes as the word that signals are cut from, and the length.
+#[inline]
+fn load(data: &[u8]) -> (u64, u8) {
+    let len = u8::try_from(data.len()).unwrap_or(u8::MAX);
+    let word = match data.first_chunk::<8>() {
+        Some(bytes) => u64::from_le_bytes(*bytes),
+        None => data.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)),
+    };
+    (word, len)
+}

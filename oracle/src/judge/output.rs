@@ -1,0 +1,90 @@
+//! What the judge has said, in bounded memory.
+
+use super::finding::{Finding, Party, Report, Rule, Severity, Transition};
+use super::response::ResponseTimes;
+
+/// Findings of one rule beyond this many are counted, not listed.
+const MAX_FINDINGS: usize = 200;
+/// Transitions beyond this many are counted, not listed.
+const MAX_TRANSITIONS: usize = 50_000;
+
+/// Transitions, findings and times, and what was left out of them.
+#[derive(Debug)]
+pub(super) struct Output {
+    transitions: Vec<Transition>,
+    findings: Vec<Finding>,
+    listed: Vec<usize>,
+    left_out: Vec<Option<(u64, Finding)>>,
+    transitions_left_out: u64,
+    pub(super) responses: ResponseTimes,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            transitions: Vec::new(),
+            findings: Vec::new(),
+            listed: vec![0; Rule::ALL.len()],
+            left_out: vec![None; Rule::ALL.len()],
+            transitions_left_out: 0,
+            responses: ResponseTimes::default(),
+        }
+    }
+}
+
+impl Output {
+    pub(super) fn finding(&mut self, finding: Finding) {
+        let rule = finding.rule as usize;
+        match (self.listed.get_mut(rule), self.left_out.get_mut(rule)) {
+            (Some(listed), _) if *listed < MAX_FINDINGS => {
+                *listed += 1;
+                self.findings.push(finding);
+            }
+            (_, Some(Some((count, _)))) => *count += 1,
+            (_, Some(none)) => *none = Some((1, finding)),
+            _ => {}
+        }
+    }
+
+    pub(super) fn transition(&mut self, transition: Transition) {
+        if self.transitions.len() < MAX_TRANSITIONS {
+            self.transitions.push(transition);
+        } else {
+            self.transitions_left_out += 1;
+        }
+    }
+
+    pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.listed.fill(0);
+        (std::mem::take(&mut self.transitions), std::mem::take(&mut self.findings))
+    }
+
+    pub(super) fn report(mut self, frames: u64, duration_ns: i64) -> Report {
+        for (count, first) in std::mem::take(&mut self.left_out).into_iter().flatten() {
+            self.findings.push(Finding {
+                rule: Rule::Repeated,
+                message: format!("{count} more of {} from here on, not listed", first.rule.id()),
+                ..first
+            });
+        }
+        if self.transitions_left_out > 0 {
+            self.findings.push(Finding {
+                t_ns: duration_ns,
+                severity: Severity::Note,
+                party: Party::Log,
+                clause: "3",
+                rule: Rule::Repeated,
+                message: format!("{} more transitions, not listed", self.transitions_left_out),
+            });
+        }
+        self.findings.sort_by_key(|finding| finding.t_ns);
+        self.transitions.sort_by_key(|transition| transition.t_ns);
+        Report {
+            frames,
+            duration_ns,
+            transitions: self.transitions,
+            findings: self.findings,
+            responses: self.responses,
+        }
+    }
+}

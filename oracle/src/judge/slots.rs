@@ -1,0 +1,95 @@
+//! The last frame of every message: what it said, when, and how often it comes.
+
+use adsdv_spec::messages::{MESSAGES, MessageDef};
+
+/// How many messages there are.
+pub(super) const COUNT: usize = MESSAGES.len();
+
+/// Shorter and longer periods than these are not believed.
+const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
+
+/// One message on the bus.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slot {
+    pub(super) def: &'static MessageDef,
+    /// The data of the last frame, as far as a word holds it.
+    pub(super) word: u64,
+    pub(super) len: u8,
+    /// When the last frame came; `None` before the first.
+    pub(super) last: Option<i64>,
+    /// The usual time between two frames: a running median.
+    pub(super) period: i64,
+    /// Whether the last frame is recent enough to speak for now.
+    pub(super) fresh: bool,
+    /// The signals whose last value was not allowed, one bit each.
+    pub(super) bad: u32,
+    pub(super) length_noted: bool,
+    pub(super) too_short: bool,
+}
+
+impl Slot {
+    const fn new(def: &'static MessageDef) -> Self {
+        Self {
+            def,
+            word: 0,
+            len: 0,
+            last: None,
+            period: 0,
+            fresh: false,
+            bad: 0,
+            length_noted: false,
+            too_short: false,
+        }
+    }
+
+    pub(super) fn all() -> [Self; COUNT] {
+        let mut slots = [Self::new(MESSAGES[0]); COUNT];
+        for (slot, def) in slots.iter_mut().zip(MESSAGES) {
+            slot.def = def;
+        }
+        slots
+    }
+
+    /// When the last frame will be too old to speak for now: a frame that is missing may have said something else.
+    pub(super) fn stale_at(&self) -> i64 {
+        self.last.map_or(i64::MAX, |last| last + self.period + self.period * 5 / 8)
+    }
+
+    /// A frame came.
+    pub(super) fn seen(&mut self, now: i64) {
+        if let Some(last) = self.last {
+            let interval = now - last;
+            // A running median in steps of a sixteenth: it ignores outliers and follows a change of rate.
+            self.period = match self.period {
+                0 => interval,
+                period if interval > period => period + (period >> 4),
+                period => period - (period >> 4),
+            }
+            .clamp(*PERIOD_NS.start(), *PERIOD_NS.end());
+        }
+        self.last = Some(now);
+    }
+}
+
+/// Which slot an identifier has.
+#[derive(Debug)]
+pub(super) struct SlotOf(Box<[u8; 0x800]>);
+
+impl SlotOf {
+    pub(super) fn new() -> Self {
+        let mut slots = Box::new([u8::MAX; 0x800]);
+        for (index, def) in (0..).zip(MESSAGES) {
+            if let Some(slot) = slots.get_mut(usize::from(def.id)) {
+                *slot = index;
+            }
+        }
+        Self(slots)
+    }
+
+    pub(super) fn get(&self, id: u32) -> Option<usize> {
+        match self.0.get(id as usize) {
+            Some(&slot) if slot != u8::MAX => Some(usize::from(slot)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! A second opinion of the VCU: the table of Figure 2, run by [`Machine`], against an independent transcription of the
+//! document's text.
+//!
+//! - `transcription`: sections 2.4, 3 and 4 as plain `if`s, written from the text alone.
+//! - `compare`: one step of both, side by side.
+//! - `random`: long runs of random raw inputs, boundary values among them.
+//! - `exhaustive`: every combination of the conditions that a state looks at, from every control state on a grid of time.
+//! - `mutants`: the specification with one thing changed; each must be told apart from the transcription, which shows
+//!   that the two comparisons see what they claim to see.
+
+mod compare;
+mod exhaustive;
+mod mutants;
+mod random;
+mod transcription;
+
+use adsdv_spec::table::Row;
+use adsdv_spec::{Choice, Interface, Machine, Reading, Readings};
+
+use crate::exhaustive::explore;
+use crate::random::{Prng, Run};
+
+/// The default readings, and each other choice alone.
+fn one_choice_each() -> impl Iterator<Item = Readings> {
+    let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
+    std::iter::once(Readings::DEFAULT).chain(others.map(|&choice| Readings::DEFAULT.with(choice)))
+}
+
+/// Any combination of choices.
+fn any_readings(prng: &mut Prng) -> Readings {
+    Reading::ALL
+        .iter()
+        .fold(Readings::DEFAULT, |readings, reading| readings.with(prng.pick(reading.choices())))
+}
+
+/// Every row of the table is taken at least this often in a run, or the run says too little.
+const OFTEN: u32 = 50;
+
+fn assert_agreement(run: &Run, readings: Readings) {
+    if let Some(disagreement) = &run.disagreement {
+        panic!("readings [{readings}]: {disagreement}");
+    }
+    for (row, taken) in Interface::V3_0.table.rows().iter().zip(run.taken) {
+        assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken only {taken} times", row.clause);
+    }
+}
+
+#[test]
+fn random_runs_agree_under_the_default_readings() {
+    let run = Run::of(&Machine::REFERENCE, &mut Prng::new(1), 1_000_000);
+    assert_agreement(&run, Readings::DEFAULT);
+}
+
+#[test]
+fn random_runs_agree_under_each_choice_alone() {
+    for (seed, readings) in (2..).zip(one_choice_each()) {
+        let run = Run::of(&Machine::new(Interface::V3_0, readings), &mut Prng::new(seed), 100_000);
+        assert_agreement(&run, readings);
+    }
+}
+
+#[test]
+fn random_runs_agree_under_random_combinations_of_choices() {
+    let mut prng = Prng::new(100);
+    for _ in 0..40 {
+        let readings = any_readings(&mut prng);
+        let run = Run::of(&Machine::new(Interface::V3_0, readings), &mut prng, 40_000);
+        assert_agreement(&run, readings);
+    }
+}
+
+/// What this covers exactly stands at [`explore`].
+#[test]
+fn every_combination_of_conditions_agrees() {
+    for readings in one_choice_each() {
+        let exploration = explore(&Machine::new(Interface::V3_0, readings));
+        if let Some(disagreement) = exploration.disagreement {
+            panic!("readings [{readings}]: {disagreement}");
+        }
+        for (row, taken) in Interface::V3_0.table.rows().iter().zip(exploration.taken) {
+            assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken {taken} times", row.clause);
+        }
+    }
+}
+
+/// A mutant that no comparison can tell apart must stand in [`mutants::EQUIVALENT`], with the reason, and one that
+/// stands there must indeed behave the same.
+#[test]
+fn every_mutant_is_told_apart_but_the_equivalent_ones() {
+    let survivors: Vec<_> = mutants::all().filter(survives).map(|mutant| mutant.name).collect();
+    let explained: Vec<_> = mutants::EQUIVALENT.iter().map(|&(name, _)| name).collect();
+    assert_eq!(survivors, explained);
+}
+
+fn survives(mutant: &mutants::Mutant) -> bool {
+    let machines = || one_choice_each().map(|readings| Machine::new(mutant.interface, readings));
+    let random = |machine: &Machine| Run::of(machine, &mut Prng::new(7), 40_000).disagreement.is_none();
+    let exhaustive = |machine: &Machine| explore(machine).disagreement.is_none();
+    machines().all(|machine| random(&machine))
+        && machines().filter(has_terms_of_its_own).all(|machine| exhaustive(&machine))
+}
+
+/// Whether the readings are the default, or bring a term into the table that the default does not have. To what other
+/// readings take away or reorder, the random runs are enough.
+fn has_terms_of_its_own(machine: &Machine) -> bool {
+    let names =
+        |choice| Interface::V3_0.table.rows().iter().flat_map(Row::terms).any(|t| t.readings.has(choice));
+    machine.readings().choices().iter().all(|choice| Readings::DEFAULT.is(choice) || names(choice))
+}
