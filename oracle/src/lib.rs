@@ -3,3 +3,5 @@
 #![forbid(unsafe_code)]
 
 pub mod candump;
+pub mod judge;
+pub mod log;

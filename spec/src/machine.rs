@@ -82,12 +82,8 @@ impl Machine {
 
     /// A machine for a version of the interface and an answer to every open question.
     pub const fn new(interface: Interface, readings: Readings) -> Self {
-        let nowhere = Arrow {
-            on: Atoms::NONE,
-            off: Atoms::NONE,
-            to: AsState::Off,
-            taken: Taken { row: 0, term: 0 },
-        };
+        let nowhere =
+            Arrow { on: Atoms::NONE, off: Atoms::NONE, to: AsState::Off, taken: Taken { row: 0, term: 0 } };
         let mut machine = Self {
             interface,
             readings,
@@ -126,10 +122,11 @@ impl Machine {
         while term < self.interface.table.rows()[row].terms().len() {
             let Term { on, off, readings, .. } = self.interface.table.rows()[row].terms()[term];
             if readings.is_subset(self.readings.choices()) {
-                self.arrows[filled] = Arrow { on, off, to, taken: Taken { row: row as u8, term: term as u8 } };
+                self.arrows[filled] =
+                    Arrow { on, off, to, taken: Taken { row: row as u8, term: term as u8 } };
                 filled += 1;
                 if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
-                    self.go_conditions = Some((on.difference(GO), off));
+                    self.go_conditions = Some((on.without(Atom::GoEdge), off));
                 }
             }
             term += 1;
@@ -220,7 +217,13 @@ impl Machine {
     }
 
     /// The atoms that the control state decides, some of them together with the inputs.
-    const fn control_atoms(&self, control: &Control, in_state_ms: u16, comms_lost: bool, seen: Atoms) -> Atoms {
+    const fn control_atoms(
+        &self,
+        control: &Control,
+        in_state_ms: u16,
+        comms_lost: bool,
+        seen: Atoms,
+    ) -> Atoms {
         let timing = &self.interface.timing;
         let ready = matches!(control.state, AsState::Ready);
         let braking = matches!(control.state, AsState::EmergencyBrake);
@@ -265,7 +268,8 @@ impl Machine {
                 && arrow.on.is_subset(atoms)
                 && arrow.off.intersection(atoms).is_empty()
             {
-                let term = &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
+                let term =
+                    &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
                 faults = faults.union(match term.fault {
                     Some(fault) => Faults::NONE.with(fault),
                     None => seen.intersection(Faults::OPENING),
@@ -312,9 +316,6 @@ impl Default for Machine {
         Self::REFERENCE
     }
 }
-
-/// The atoms of the "Go" signal: what the conditions of section 3.2, item 3, come before.
-const GO: Atoms = Atoms::of(&[Atom::GoOn, Atom::GoEdge]);
 
 /// The row of a state that a reading lets overtake the others.
 const fn overtaking(rows: &[Row], from: AsState, readings: Readings) -> Option<usize> {

@@ -6,10 +6,10 @@ use crate::faults::Faults;
 use crate::inputs::Inputs;
 use crate::machine::{Machine, Taken};
 use crate::messages::{
-    AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake, LogDriveTorque,
-    LogSteerAngle, Message, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF,
-    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
-    Vcu2LogStatus,
+    AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake,
+    LogDriveTorque, LogSteerAngle, Message, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus,
 };
 use crate::table::{Row, Term};
 

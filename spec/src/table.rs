@@ -162,27 +162,14 @@ pub struct Priority {
 
 /// The readings that change the order of rows.
 pub const PRIORITIES: [Priority; 3] = [
-    Priority {
-        choice: Choice::ReadyOffFirst,
-        from: AsState::Ready,
-        first: AsState::Off,
-    },
-    Priority {
-        choice: Choice::FinishedOffFirst,
-        from: AsState::Finished,
-        first: AsState::Off,
-    },
-    Priority {
-        choice: Choice::DrivingFinishedFirst,
-        from: AsState::Driving,
-        first: AsState::Finished,
-    },
+    Priority { choice: Choice::ReadyOffFirst, from: AsState::Ready, first: AsState::Off },
+    Priority { choice: Choice::FinishedOffFirst, from: AsState::Finished, first: AsState::Off },
+    Priority { choice: Choice::DrivingFinishedFirst, from: AsState::Driving, first: AsState::Finished },
 ];
 
 /// AI comms lost, as an arrow that the text has and Figure 2 does not.
-const COMMS_LOST: Term = Term::on("2.4", &[Atom::AiCommsLost])
-    .fault(Fault::AiCommsFault)
-    .reading(Choice::CommsEveryState);
+const COMMS_LOST: Term =
+    Term::on("2.4", &[Atom::AiCommsLost]).fault(Fault::AiCommsFault).reading(Choice::CommsEveryState);
 
 /// An emergency stop that the AI Computer asks for outside `AS_DRIVING`.
 const ESTOP_REQUEST: Term =
@@ -190,9 +177,9 @@ const ESTOP_REQUEST: Term =
 
 /// Figure 2 of the document, with the readings' terms beside the figure's own.
 pub const FIGURE_2: Table = {
+    use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
     #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
     use Atom::*;
-    use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
 
     Table::new(&[
         Row::new(
@@ -226,7 +213,6 @@ pub const FIGURE_2: Table = {
                     SteerRequestZero,
                     SteerStraight,
                     DirectionNeutral,
-                    GoOn,
                     GoEdge,
                 ],
             )],

@@ -213,7 +213,10 @@ impl Judge {
             Party::Log,
             "2.2",
             Rule::Gap,
-            format!("no frame of the VCU for {:.3} s; what it did meanwhile is unknown", milliseconds(silent) / 1e3),
+            format!(
+                "no frame of the VCU for {:.3} s; what it did meanwhile is unknown",
+                milliseconds(silent) / 1e3
+            ),
         );
         self.vcu = super::VcuSide::default();
         self.handshake.vcu_gone();

@@ -53,7 +53,9 @@ impl History {
     pub(super) fn throughout(&self, start: i64, end: i64) -> Knowledge {
         let mut moments = self.between(start, end);
         match moments.next() {
-            Some(first) if first.t <= start => moments.fold(first.known, |all, moment| all.meet(moment.known)),
+            Some(first) if first.t <= start => {
+                moments.fold(first.known, |all, moment| all.meet(moment.known))
+            }
             _ => Knowledge::NOTHING,
         }
     }

@@ -48,7 +48,7 @@ mod values;
 mod variants;
 
 use adsdv_spec::messages::{
-    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Message, Vcu2AiStatus, Vcu2AiSteer,
+    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Vcu2AiStatus, Vcu2AiSteer,
     Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
 use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
@@ -179,7 +179,9 @@ impl Judge {
         } else if index == STATUS {
             self.status_repeated(t);
         } else if index == AI_STATUS {
-            self.answer(t, word & 1 == 1);
+            self.answer_repeated(t);
+        } else if index == LOG_STATUS {
+            self.assi_repeated(t);
         }
     }
 
@@ -190,7 +192,14 @@ impl Judge {
     }
 
     /// Adds what the reader of the log found out.
-    pub fn report(&mut self, severity: Severity, party: Party, clause: &'static str, rule: Rule, message: String) {
+    pub fn report(
+        &mut self,
+        severity: Severity,
+        party: Party,
+        clause: &'static str,
+        rule: Rule,
+        message: String,
+    ) {
         self.out.finding(Finding { t_ns: self.now, severity, party, clause, rule, message });
     }
 

@@ -1,5 +1,7 @@
 //! What the judge has said, in bounded memory.
 
+use std::collections::HashSet;
+
 use super::finding::{Finding, Party, Report, Rule, Severity, Transition};
 use super::response::ResponseTimes;
 
@@ -16,6 +18,8 @@ pub(super) struct Output {
     listed: Vec<usize>,
     left_out: Vec<Option<(u64, Finding)>>,
     transitions_left_out: u64,
+    /// Identifiers that have been reported, once for nobody and once for the AI Computer.
+    reported_ids: [HashSet<u32>; 2],
     pub(super) responses: ResponseTimes,
 }
 
@@ -27,6 +31,7 @@ impl Default for Output {
             listed: vec![0; Rule::ALL.len()],
             left_out: vec![None; Rule::ALL.len()],
             transitions_left_out: 0,
+            reported_ids: [HashSet::new(), HashSet::new()],
             responses: ResponseTimes::default(),
         }
     }
@@ -52,6 +57,16 @@ impl Output {
         } else {
             self.transitions_left_out += 1;
         }
+    }
+
+    /// Whether this reserved identifier comes up for the first time. There are few, so the set stays small.
+    pub(super) fn first_of_id(&mut self, id: u32) -> bool {
+        self.reported_ids[0].insert(id)
+    }
+
+    /// Whether it comes up for the first time as one that the AI Computer sent.
+    pub(super) fn first_by_ai(&mut self, id: u32) -> bool {
+        self.reported_ids[1].insert(id)
     }
 
     pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {

@@ -1,5 +1,6 @@
 //! The last frame of every message: what it said, when, and how often it comes.
 
+use adsdv_spec::Atoms;
 use adsdv_spec::messages::{MESSAGES, MessageDef};
 
 /// How many messages there are.
@@ -23,6 +24,8 @@ pub(super) struct Slot {
     pub(super) fresh: bool,
     /// The signals whose last value was not allowed, one bit each.
     pub(super) bad: u32,
+    /// What the last frame said of the atoms.
+    pub(super) atoms: Option<Atoms>,
     pub(super) length_noted: bool,
     pub(super) too_short: bool,
 }
@@ -37,6 +40,7 @@ impl Slot {
             period: 0,
             fresh: false,
             bad: 0,
+            atoms: None,
             length_noted: false,
             too_short: false,
         }

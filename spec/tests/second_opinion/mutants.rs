@@ -13,7 +13,6 @@ pub(crate) struct Mutant {
 /// The mutants that behave like the specification, each with the reason.
 pub(crate) const EQUIVALENT: &[(&str, &str)] = &[
     ("3.1 term 0: in every reading", "what asks for both implies what the other two readings ask for"),
-    ("3.2 term 0: go-on dropped", "the accepted edge of \"Go\" implies that the switch is on"),
     ("3.7 term 4: in every reading", "under the other reading no change of MISSION_STATUS is recorded"),
     ("3.7 term 6: in every reading", "under the other reading no change of DIRECTION_REQUEST is recorded"),
 ];

@@ -1,0 +1,217 @@
+//! The AI Computer's conduct: the handshake, FINISHED and NEUTRAL at speed, and requests that hold the vehicle.
+
+use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus};
+use adsdv_spec::{AsState, Atom, Fault, Knowledge, Truth};
+
+use super::events::{Pending, What, milliseconds};
+use super::finding::{Finding, Party, Rule, Severity};
+use super::{AI_STATUS, Judge, scope};
+
+/// What the judge keeps of the AI Computer.
+#[derive(Debug, Default)]
+pub(super) struct AiSide {
+    status: Option<Ai2VcuStatus>,
+    /// Whether the AI Computer was doing this at speed already.
+    at_speed: [bool; 2],
+    /// Since when requests hold the vehicle in AS_READY.
+    held_since: Option<i64>,
+    held_reported: bool,
+}
+
+impl AiSide {
+    pub(super) fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    pub(super) fn entered(&mut self) {
+        self.at_speed = [false; 2];
+        self.held_since = None;
+        self.held_reported = false;
+    }
+}
+
+/// What section 3.7 forbids the AI Computer while the vehicle is moving.
+const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
+
+/// The conditions of section 3.2, item 2, that the AI Computer must meet.
+const REQUESTS: [Atom; 4] =
+    [Atom::FrontTorqueZero, Atom::RearTorqueZero, Atom::SteerRequestZero, Atom::DirectionNeutral];
+
+impl Judge {
+    /// 510h came with something new. `continuous` tells whether the frame before is known, too.
+    pub(super) fn ai_status(&mut self, t: i64, status: Ai2VcuStatus, continuous: bool) {
+        let previous = self.ai.status.replace(status).filter(|_| continuous);
+        let known = self.known.learn(scope(AI_STATUS), status.atoms());
+        let moving = known.of(Atom::Moving);
+        let driving = self.vcu.state == Some(AsState::Driving);
+        let edge =
+            |there: bool, stays: Option<bool>, changes: Option<bool>, before: Truth| match (stays, changes) {
+                _ if !there || !driving => Truth::False,
+                (Some(true), _) => before,
+                (_, Some(true)) => moving,
+                (_, Some(false)) => Truth::False,
+                _ => Truth::Unknown,
+            };
+        let mission = |wanted| previous.map(|p| p.mission_status == wanted);
+        let direction = |wanted| previous.map(|p| p.direction_request == wanted);
+        let finished = edge(
+            status.mission_status == MissionStatus::Finished,
+            mission(MissionStatus::Finished),
+            mission(MissionStatus::Running),
+            known.of(Atom::MissionFinishedEdge),
+        );
+        let neutral = edge(
+            status.direction_request == DirectionRequest::Neutral,
+            direction(DirectionRequest::Neutral),
+            direction(DirectionRequest::Forward),
+            known.of(Atom::DirectionNeutralEdge),
+        );
+        let known = known.set(Atom::MissionFinishedEdge, finished).set(Atom::DirectionNeutralEdge, neutral);
+        if driving && status.estop_request && !previous.is_some_and(|p| p.estop_request) {
+            self.vcu.estop_since = Some(t);
+        }
+        if !status.estop_request {
+            self.vcu.estop_since = None;
+        }
+        self.learn(t, known);
+        self.answer(t, status.handshake);
+    }
+
+    /// 510h came again with the same content.
+    #[inline]
+    pub(super) fn answer_repeated(&mut self, t: i64) {
+        if let Some(status) = self.ai.status {
+            self.answer(t, status.handshake);
+        }
+    }
+
+    /// The AI Computer's handshake bit was seen.
+    pub(super) fn answer(&mut self, t: i64, bit: bool) {
+        if let Some(response) = self.handshake.ai(t, bit) {
+            self.out.responses.add(response);
+            self.update_comms(t);
+        }
+    }
+
+    pub(super) fn report_ai_late(&mut self, t: i64, severity: Severity) {
+        let Some(edge) = self.handshake.edge_at() else { return };
+        if !self.handshake.report_ai() {
+            return;
+        }
+        let limit = i64::from(self.interface.timing.handshake_ms);
+        let message = format!(
+            "the AI Computer has not answered HANDSHAKE for {:.0} ms; expected an answer within {limit} ms",
+            milliseconds(t - edge)
+        );
+        self.out.finding(Finding {
+            t_ns: edge + limit * super::MS,
+            severity,
+            party: Party::Ai,
+            clause: "2.4",
+            rule: Rule::HandshakeLate,
+            message,
+        });
+    }
+
+    /// The VCU says that communication is lost; unless the log shows answers, the AI Computer is at fault.
+    pub(super) fn ai_was_silent(&mut self, t: i64, before: Knowledge) {
+        let seen = self.slots.get(AI_STATUS).is_some_and(|slot| slot.last.is_some());
+        let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
+        let unanswered = self.handshake.unanswered(t).is_some_and(|waited| waited + self.window >= limit);
+        if seen && unanswered && before.of(Atom::AiCommsLost) != Truth::False {
+            let off = matches!(self.vcu.state, Some(AsState::Off) | None);
+            self.report_ai_late(t, if off { Severity::Warning } else { Severity::Violation });
+        }
+    }
+
+    /// Something has changed: does the AI Computer begin what it must not do at speed, or hold the vehicle?
+    pub(super) fn consider_speed(&mut self, t: i64, state: AsState) {
+        if state == AsState::Driving {
+            for (index, fault) in AT_SPEED.into_iter().enumerate() {
+                let now = self.does(fault, self.known);
+                if now && !self.ai.at_speed.get(index).copied().unwrap_or(true) {
+                    self.suspend(t, self.window, self.known, What::AtSpeed(fault));
+                }
+                if let Some(before) = self.ai.at_speed.get_mut(index) {
+                    *before = now;
+                }
+            }
+        }
+        let holds = state == AsState::Ready
+            && self.known.of(Atom::DwellElapsed) == Truth::True
+            && REQUESTS.iter().any(|&atom| self.known.of(atom) == Truth::False);
+        match (holds, self.ai.held_since) {
+            (true, None) => {
+                self.ai.held_since = Some(t);
+                self.wake_at(t + self.deadline);
+            }
+            (false, _) => self.ai.held_since = None,
+            _ => {}
+        }
+    }
+
+    /// Whether, under some reading, the condition of this fault is true.
+    fn does(&self, fault: Fault, known: Knowledge) -> bool {
+        let terms = self.variants.terms(AsState::Driving);
+        terms.iter().any(|term| term.fault == Some(fault) && term.truth(known) == Truth::True)
+    }
+
+    pub(super) fn judge_at_speed(&mut self, pending: &Pending, fault: Fault, now: i64) {
+        let t = pending.t;
+        let around = self.throughout(t - self.window, t + self.window, now);
+        let known = pending.before.set(Atom::Moving, around.of(Atom::Moving));
+        let under = |variant: &super::variants::Variant| {
+            variant
+                .iter()
+                .flat_map(|guard| &guard.terms)
+                .find(|term| term.fault == Some(fault) && term.truth(known) == Truth::True)
+                .copied()
+        };
+        let terms: Vec<_> = self.variants.of(AsState::Driving).iter().map(under).collect();
+        let Some(term) = terms.iter().find_map(|term| *term) else { return };
+        let (severity, reservation) = if terms.iter().all(Option::is_some) {
+            (Severity::Violation, "")
+        } else {
+            (Severity::Warning, " (a violation under some readings of the document only)")
+        };
+        let (rule, expected) = match fault {
+            Fault::MissionStatusFault => (Rule::FinishedMoving, "FINISHED only once the vehicle has stopped"),
+            _ => (Rule::NeutralMoving, "NEUTRAL only once the vehicle has stopped"),
+        };
+        let message = format!(
+            "{} in AS_DRIVING; expected {expected}{reservation}",
+            super::transitions::conditions(&term, known)
+        );
+        // Section 3.7 is where both readings meet.
+        self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, clause: "3.7", rule, message });
+    }
+
+    pub(super) fn held_event(&self) -> i64 {
+        match self.ai.held_since {
+            Some(since) if !self.ai.held_reported => since + self.deadline,
+            _ => i64::MAX,
+        }
+    }
+
+    pub(super) fn report_held(&mut self) {
+        self.ai.held_reported = true;
+        let Some(since) = self.ai.held_since else { return };
+        let failed: Vec<&str> = REQUESTS
+            .iter()
+            .filter(|&&atom| self.known.of(atom) == Truth::False)
+            .map(|atom| atom.text(false))
+            .collect();
+        let message = format!(
+            "{} after the dwell of AS_READY: the VCU must not go on to AS_DRIVING; expected zero requests and NEUTRAL",
+            failed.join(" and ")
+        );
+        self.out.finding(Finding {
+            t_ns: since,
+            severity: Severity::Warning,
+            party: Party::Ai,
+            clause: "3.2",
+            rule: Rule::ReadyHeld,
+            message,
+        });
+    }
+}

@@ -1,0 +1,359 @@
+//! Fault flags, `FAULT_STATUS`, `SHUTDOWN_CAUSE`, and `AI_COMMS_LOST`: whether 520h tells the truth (section 2.2).
+
+use adsdv_spec::messages::{Message, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Truth};
+
+use super::events::{Pending, What, milliseconds};
+use super::finding::{Finding, Party, Rule, Severity};
+use super::handshake::Suspect;
+use super::status::is_active;
+use super::{Judge, MS};
+
+/// A cause that was named: its flag and the shutdown must be seen as well.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CauseWatch {
+    since: i64,
+    cause: ShutdownCause,
+    flag_seen: bool,
+    stop_seen: bool,
+}
+
+/// An emergency that has begun.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BrakeWatch {
+    pub(super) since: i64,
+    /// Whether a fault that has a number is certain to be the reason.
+    pub(super) certain: bool,
+}
+
+/// Since when the flags that sum up others contradict them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    fault: Option<i64>,
+    warning: Option<i64>,
+}
+
+/// A 502h that shows another state than 520h.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AssiSuspect {
+    since: i64,
+    shown: AsState,
+    state: AsState,
+}
+
+/// The faults whose conditions the bus shows.
+const VISIBLE: [Fault; 4] =
+    [Fault::AiComputerRequest, Fault::AiCommsFault, Fault::AutonomousBrakingFault, Fault::MissionStatusFault];
+
+impl Judge {
+    fn vcu_violation(&mut self, t_ns: i64, clause: &'static str, rule: Rule, message: String) {
+        let (severity, party) = (Severity::Violation, Party::Vcu);
+        self.out.finding(Finding { t_ns, severity, party, clause, rule, message });
+    }
+
+    /// Flags and causes of two 520h that follow one another differ.
+    pub(super) fn flags_changed(
+        &mut self,
+        t: i64,
+        previous: &Vcu2AiStatus,
+        status: &Vcu2AiStatus,
+        old_state: Option<AsState>,
+        before: Knowledge,
+    ) {
+        let (shown, shown_before) = (Faults::shown_by(status), Faults::shown_by(previous));
+        for fault in VISIBLE {
+            if shown.has(fault) && !shown_before.has(fault) {
+                self.suspend(t, self.window, before, What::Flag(fault));
+                if fault == Fault::AiCommsFault {
+                    self.ai_was_silent(t, before);
+                }
+            }
+        }
+        let (cause, old_cause) = (status.shutdown_cause, previous.shutdown_cause);
+        if cause != old_cause {
+            self.cause_changed(t, old_cause, cause, old_state, shown_before);
+        }
+        if let Some(watch) = &mut self.vcu.cause {
+            watch.flag_seen |= Faults::of_cause(watch.cause).difference(shown).is_empty();
+            watch.stop_seen |= !is_active(Some(status.as_state));
+        }
+        let fault_flags = shown.difference(Faults::NONE.with(Fault::AiComputerRequest));
+        let warnings = status.warn_batt_temp_high || status.warn_batt_soc_low;
+        let since = |wrong: bool, since: Option<i64>| if wrong { since.or(Some(t)) } else { None };
+        self.vcu.sums.fault = since(!fault_flags.is_empty() && !status.fault_status, self.vcu.sums.fault);
+        self.vcu.sums.warning = since(warnings && !status.warning_status, self.vcu.sums.warning);
+    }
+
+    fn cause_changed(
+        &mut self,
+        t: i64,
+        old: ShutdownCause,
+        new: ShutdownCause,
+        old_state: Option<AsState>,
+        shown_before: Faults,
+    ) {
+        if old == ShutdownCause::NoShutdown {
+            let flag_seen = Faults::of_cause(new).difference(shown_before).is_empty();
+            let stop_seen = !is_active(old_state);
+            self.vcu.cause = Some(CauseWatch { since: t, cause: new, flag_seen, stop_seen });
+            return;
+        }
+        let message = format!(
+            "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown; \
+             expected the first cause to stay until a power cycle",
+            old as u8, new as u8
+        );
+        // That a cause goes when EMERGENCY_BRAKE is left is not excluded by the document's words.
+        let braking = old_state == Some(AsState::EmergencyBrake) && self.vcu.state == old_state;
+        let severity = if braking { Severity::Violation } else { Severity::Warning };
+        self.out.finding(Finding {
+            t_ns: t,
+            severity,
+            party: Party::Vcu,
+            clause: "2.2",
+            rule: Rule::CauseChanged,
+            message,
+        });
+    }
+
+    /// What 520h should have shown by now.
+    pub(super) fn flags_over_time(&mut self, t: i64) {
+        let late = t - self.deadline;
+        if self.vcu.cause.is_some_and(|watch| watch.since < late) {
+            self.judge_cause();
+        }
+        if let Some(since) = self.vcu.sums.fault.filter(|&since| since < late) {
+            self.vcu.sums.fault = Some(i64::MAX);
+            let shown = self.vcu.status.as_ref().map_or(Faults::NONE, Faults::shown_by);
+            let flags: Vec<&str> = shown.iter().map(Fault::flag).collect();
+            let message = format!("FAULT_STATUS is 0, but {} is set; expected 1", flags.join(", "));
+            self.vcu_violation(since, "2.2", Rule::StatusSum, message);
+        }
+        if let Some(since) = self.vcu.sums.warning.filter(|&since| since < late) {
+            self.vcu.sums.warning = Some(i64::MAX);
+            let message = "WARNING_STATUS is 0, but a battery warning is set; expected 1".to_owned();
+            self.vcu_violation(since, "2.2", Rule::StatusSum, message);
+        }
+        if self.vcu.brake.is_some_and(|brake| brake.since < late) {
+            self.judge_missing_cause();
+        }
+        if self.vcu.estop_since.is_some_and(|since| since < late) {
+            self.judge_missing_estop(t);
+        }
+    }
+
+    fn judge_cause(&mut self) {
+        let Some(watch) = self.vcu.cause.take() else { return };
+        let CauseWatch { since, cause, flag_seen, stop_seen } = watch;
+        let number = cause as u8;
+        if let Some(fault) = Fault::of_cause(cause).filter(|_| !flag_seen) {
+            let message = format!(
+                "SHUTDOWN_CAUSE is {number} ({cause}), but {} is 0; expected it to be 1",
+                fault.flag()
+            );
+            self.vcu_violation(since, "2.2", Rule::CauseWithoutFlag, message);
+        }
+        if !stop_seen {
+            let state = self.vcu.state.map_or("its state", AsState::name);
+            let message = format!(
+                "SHUTDOWN_CAUSE is {number} ({cause}), but the VCU stays in {state}; expected EMERGENCY_BRAKE"
+            );
+            self.vcu_violation(since, "2.2", Rule::CauseWithoutShutdown, message);
+        }
+    }
+
+    fn judge_missing_cause(&mut self) {
+        let Some(brake) = self.vcu.brake.take() else { return };
+        let cause = self.vcu.status.map(|status| status.shutdown_cause);
+        let readable = self.slots.get(super::STATUS).is_some_and(|slot| slot.bad == 0);
+        if cause == Some(ShutdownCause::NoShutdown) && readable {
+            let severity = if brake.certain { Severity::Violation } else { Severity::Warning };
+            let message =
+                "SHUTDOWN_CAUSE is 0 (no shutdown) in EMERGENCY_BRAKE; expected the cause".to_owned();
+            self.out.finding(Finding {
+                t_ns: brake.since,
+                severity,
+                party: Party::Vcu,
+                clause: "2.2",
+                rule: Rule::CauseMissing,
+                message,
+            });
+        }
+    }
+
+    fn judge_missing_estop(&mut self, t: i64) {
+        let Some(since) = self.vcu.estop_since.take() else { return };
+        let shown = self.vcu.status.is_some_and(|status| status.ai_estop_request);
+        if !shown && self.known.of(Atom::AiEstop) == Truth::True {
+            let message = format!(
+                "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms; expected 1",
+                milliseconds(t - since)
+            );
+            self.vcu_violation(since + self.deadline, "2.2", Rule::FlagMissing, message);
+        }
+    }
+
+    /// A flag was raised: could its condition have held?
+    pub(super) fn judge_flag(&mut self, pending: &Pending, fault: Fault, now: i64) {
+        let t = pending.t;
+        let cycle = i64::from(self.interface.timing.cycle_ms) * MS;
+        let inputs = self.throughout(t - self.window - cycle, t + self.window, now);
+        // What the flag itself says counts only from the flag on.
+        let window = inputs.set(Atom::AiCommsLost, pending.before.of(Atom::AiCommsLost));
+        let mut clause = "2.2";
+        for state in AsState::ALL {
+            for term in self.variants.terms(state).iter().filter(|term| term.fault == Some(fault)) {
+                clause = term.clause;
+                let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
+                // An edge may lie before the window; what it needs besides does not.
+                let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
+                if term.truth(known) != Truth::False && !self.edge_excluded(term, window) {
+                    return;
+                }
+            }
+        }
+        let why = match fault {
+            Fault::AiComputerRequest => "ESTOP_REQUEST == 0 all the time",
+            Fault::AiCommsFault => "the AI Computer answers the handshake in time",
+            Fault::MissionStatusFault => "MISSION_STATUS was not FINISHED while a wheel speed > 10 rpm",
+            _ => "DIRECTION_REQUEST was not NEUTRAL while a wheel speed > 10 rpm",
+        };
+        let clause = if fault == Fault::AiComputerRequest { "2.2" } else { clause };
+        let message = format!("{fault} was raised, but {why}; expected 0");
+        self.vcu_violation(t, clause, Rule::FlagUnfounded, message);
+    }
+
+    /// Whether the value that an edge leads to is certain not to have been there.
+    fn edge_excluded(&self, term: &adsdv_spec::Term, window: Knowledge) -> bool {
+        let to = [
+            (Atom::MissionFinishedEdge, Atom::MissionFinished),
+            (Atom::DirectionNeutralEdge, Atom::DirectionNeutral),
+        ];
+        to.iter().any(|&(edge, level)| term.on.has(edge) && window.of(level) == Truth::False)
+    }
+
+    /// The VCU changed its handshake bit: was the one before answered?
+    pub(super) fn judge_edge(&mut self, t: i64, suspect: Suspect) {
+        if !self.handshake.clears(suspect, self.window) {
+            let bit = u8::from(suspect.bit);
+            let message = format!(
+                "HANDSHAKE changed from {bit} to {}, but the AI Computer never answered with {bit}; \
+                 expected the VCU to wait for the answer",
+                1 - bit
+            );
+            self.vcu_violation(t, "2.4", Rule::HandshakeEdge, message);
+        }
+    }
+
+    /// Brings what is known of lost communication up to date.
+    pub(super) fn update_comms(&mut self, t: i64) {
+        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let tsms = self.known.of(Atom::Tsms);
+        let pinned = self.pinned(Reading::HandshakeActive);
+        let raised = self.vcu.status.is_some_and(|status| status.ai_comms_lost) && is_active(self.vcu.state);
+        let truth = match (tsms, pinned) {
+            _ if raised => Truth::True,
+            (Truth::True, _) | (_, Some(Choice::HandshakeAlways)) => {
+                self.handshake.lost(t, limit, self.window)
+            }
+            (Truth::False, Some(_)) => Truth::False,
+            _ => match self.handshake.lost(t, limit, self.window) {
+                Truth::False => Truth::False,
+                _ => Truth::Unknown,
+            },
+        };
+        if truth != self.known.of(Atom::AiCommsLost) {
+            self.learn(t, self.known.set(Atom::AiCommsLost, truth));
+        }
+        self.wake_at(self.comms_event());
+    }
+
+    /// When an unanswered edge changes what is known.
+    pub(super) fn comms_event(&self) -> i64 {
+        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let Some(edge) = self.handshake.edge_at().filter(|_| !self.handshake.is_answered()) else {
+            return i64::MAX;
+        };
+        let (may, must) = (edge + limit - self.window, edge + limit + self.window);
+        if self.now < may {
+            may
+        } else if self.now < must {
+            must
+        } else {
+            i64::MAX
+        }
+    }
+
+    pub(super) fn comms_time(&mut self, t: i64) {
+        self.now = t;
+        self.update_comms(t);
+        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let late = self.handshake.unanswered(t).is_some_and(|waited| waited >= limit + self.window);
+        if late && self.handshake.ai_is_wrong() && self.known.of(Atom::Tsms) == Truth::True {
+            self.report_ai_late(t, Severity::Violation);
+        }
+    }
+
+    /// 520h shows the same handshake bit as before: has it been so for too long?
+    pub(super) fn comms_due(&mut self, t: i64) {
+        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let Some(edge) = self.handshake.edge_at().filter(|edge| t - edge > limit + self.deadline) else {
+            return;
+        };
+        let Some(status) = self.vcu.status else { return };
+        let running = status.ts_switch_status && self.running_since(edge);
+        if status.ai_comms_lost || !running || !self.vcu_is_seen() || !self.handshake.report_vcu() {
+            return;
+        }
+        let (rule, message) = if self.handshake.is_answered() {
+            (
+                Rule::HandshakeEdge,
+                "HANDSHAKE did not change though the AI Computer answered it; expected it to change"
+                    .to_owned(),
+            )
+        } else {
+            (
+                Rule::CommsLostDue,
+                format!(
+                    "AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {:.0} ms; expected 1 after {} ms",
+                    milliseconds(t - edge),
+                    self.interface.timing.handshake_ms
+                ),
+            )
+        };
+        self.vcu_violation(edge + limit + self.deadline, "2.4", rule, message);
+    }
+
+    /// Whether the tractive system has been on since then, and nothing is missing in between.
+    fn running_since(&self, since: i64) -> bool {
+        let all = self.history.throughout(since, self.now);
+        all.of(Atom::Tsms) == Truth::True
+    }
+
+    /// 502h shows a state; it should be that of 520h.
+    pub(super) fn assi_seen(&mut self, t: i64, shown: AsState) {
+        let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
+            self.vcu.assi = None;
+            return;
+        };
+        match self.vcu.assi {
+            _ if shown == state => self.vcu.assi = None,
+            Some(suspect) if suspect.shown == shown && suspect.state == state => {
+                if suspect.since < i64::MAX && t - suspect.since > self.deadline {
+                    self.vcu.assi = Some(AssiSuspect { since: i64::MAX, ..suspect });
+                    let message =
+                        format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
+                    self.vcu_violation(suspect.since, Vcu2LogStatus::DEF.section, Rule::AssiDiffers, message);
+                }
+            }
+            _ => self.vcu.assi = Some(AssiSuspect { since: t, shown, state }),
+        }
+    }
+
+    /// 502h came again with the same content, while it contradicts 520h.
+    pub(super) fn assi_repeated(&mut self, t: i64) {
+        if let Some(suspect) = self.vcu.assi {
+            self.assi_seen(t, suspect.shown);
+        }
+    }
+}

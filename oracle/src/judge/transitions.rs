@@ -1,0 +1,296 @@
+//! Transitions: those that were seen, and those that were due.
+
+use adsdv_spec::messages::Node;
+use adsdv_spec::{AsState, Atom, Atoms, Knowledge, Term, Truth};
+
+use super::events::{Pending, What};
+use super::finding::{Finding, Party, Rule, Severity, Transition};
+use super::variants::{Guard, Variant};
+use super::{Judge, scope};
+
+/// A change of state that was seen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub(super) from: AsState,
+    pub(super) to: AsState,
+    /// When the VCU last showed the old state.
+    pub(super) before: i64,
+    /// Whether frames of the VCU are missing in between.
+    pub(super) gap: bool,
+}
+
+/// A way out of the current state that is certain to be open.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Due {
+    since: i64,
+    to: AsState,
+    clause: &'static str,
+    term: Term,
+    ripe: bool,
+    reported: bool,
+}
+
+/// The atoms that the VCU's memory decides: they count up to the step that is judged, not behind it.
+const MEMORY: Atoms = Atoms::of(&[
+    Atom::DwellElapsed,
+    Atom::EbsTimerComplete,
+    Atom::GoEdge,
+    Atom::PowerCycleNeeded,
+    Atom::AiCommsLost,
+    Atom::MissionFinishedEdge,
+    Atom::DirectionNeutralEdge,
+]);
+
+/// What three-valued judgement says of one variant of the table.
+struct Judged {
+    truth: Truth,
+    decided: Option<(Term, Knowledge)>,
+}
+
+impl Judge {
+    /// The VCU shows another state; `at_step` is what was known in the step that led there.
+    pub(super) fn transition_seen(
+        &mut self,
+        t: i64,
+        from: AsState,
+        to: AsState,
+        before: i64,
+        gap: bool,
+        at_step: Knowledge,
+    ) {
+        // Wait for the messages that show late what was so before.
+        let wait = (0..super::slots::COUNT)
+            .filter(|&index| self.variants.terms(from).iter().any(|t| touches(t, scope(index))))
+            .filter_map(|index| self.slots.get(index))
+            .map(|slot| self.window + slot.period * 2)
+            .max()
+            .map_or(self.window, |late| late.max(self.window));
+        self.suspend(t, wait, at_step, What::Seen(Seen { from, to, before, gap }));
+    }
+
+    pub(super) fn judge_seen(&mut self, pending: &Pending, seen: &Seen, now: i64) {
+        let Seen { from, to, before, gap } = *seen;
+        let t = pending.t;
+        let cycle = i64::from(self.interface.timing.cycle_ms) * super::MS;
+        let start = before.min(t - self.window) - cycle;
+        let inputs = self.throughout(start, t + self.window, now);
+        let memory = self.history.throughout(start, t - 1).meet(pending.before);
+        let window =
+            inputs.forget(MEMORY).learn(MEMORY.intersection(memory.on().union(memory.off())), memory.on());
+        let instants: Vec<Knowledge> = self
+            .moments(start, t)
+            .into_iter()
+            .filter(|moment| moment.state == Some(from))
+            .map(|moment| moment.known)
+            .chain([pending.before])
+            .collect();
+        let judged: Vec<Judged> = self
+            .variants
+            .of(from)
+            .iter()
+            .map(|variant| judge_variant(variant, to, window, &instants))
+            .collect();
+        let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
+        if justified == Truth::False && gap && self.leads_through_others(from, to, t - before) {
+            justified = Truth::Unknown;
+        }
+        let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
+        let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
+        let clause = arrow.as_ref().map_or("Figure 2", |guard| guard.clause);
+        if to == AsState::EmergencyBrake {
+            let certain = justified == Truth::True
+                && decided.is_some_and(|(term, _)| term.fault.is_some() || term.on.has(Atom::SdcOpen));
+            let certain = certain && !switched_off(window);
+            if let Some(brake) = self.vcu.brake.as_mut().filter(|brake| brake.since == t) {
+                brake.certain = certain;
+            }
+        }
+        if justified == Truth::False {
+            let (rule, message) = match &arrow {
+                None => (Rule::NoArrow, self.no_arrow(from, to)),
+                Some(guard) => (Rule::Unjustified, unjustified(from, to, guard, window, &judged)),
+            };
+            self.out.finding(Finding {
+                t_ns: t,
+                severity: Severity::Violation,
+                party: Party::Vcu,
+                clause,
+                rule,
+                message,
+            });
+        }
+        self.out.transition(Transition { t_ns: t, from, to, clause, justified, decided });
+    }
+
+    fn no_arrow(&self, from: AsState, to: AsState) -> String {
+        let ways: Vec<&str> = AsState::ALL
+            .iter()
+            .filter(|&&state| self.variants.has_arrow(from, state))
+            .map(|state| state.name())
+            .collect();
+        format!("{from} -> {to}: there is no such arrow; from {from} there are arrows to {}", ways.join(", "))
+    }
+
+    /// Whether several arrows, of which the log missed the states between, can lead there in this time.
+    fn leads_through_others(&self, from: AsState, to: AsState, elapsed: i64) -> bool {
+        let timing = &self.interface.timing;
+        let mut reached: Vec<(AsState, i64)> = vec![(from, 0)];
+        let mut next = 0;
+        while let Some(&(state, took)) = reached.get(next) {
+            next += 1;
+            for &then in &AsState::ALL {
+                // Only a state that was entered in the gap has to last for its time; READY may be left at once
+                // to where no dwell is needed.
+                let must_last = match (state, then) {
+                    (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _) if state != from => {
+                        i64::from(timing.in_state_limit(state)) * super::MS - self.window
+                    }
+                    _ => 0,
+                };
+                let took = took + must_last;
+                if self.variants.has_arrow(state, then) && took <= elapsed {
+                    if then == to && state != from {
+                        return true;
+                    }
+                    if !reached.iter().any(|&(known, _)| known == then) {
+                        reached.push((then, took));
+                    }
+                }
+            }
+        }
+        false
+    }
+
+    /// What is known has changed: is a transition due now?
+    pub(super) fn reconsider(&mut self, t: i64) {
+        let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
+            self.due = None;
+            return;
+        };
+        self.consider_speed(t, state);
+        match (self.variants.due(state, self.known), self.due) {
+            (None, _) => self.due = None,
+            (Some((guard, term)), None) => {
+                let (to, clause) = (guard.to, guard.clause);
+                self.due = Some(Due { since: t, to, clause, term, ripe: false, reported: false });
+                self.wake_at(t + self.deadline);
+            }
+            (Some(_), Some(_)) => {}
+        }
+    }
+
+    pub(super) fn due_event(&self) -> i64 {
+        self.due.filter(|due| !due.ripe).map_or(i64::MAX, |due| due.since + self.deadline)
+    }
+
+    pub(super) fn due_ripens(&mut self) {
+        if let Some(due) = &mut self.due {
+            due.ripe = true;
+        }
+    }
+
+    /// 520h still shows the old state: a transition that should have come by now is missing.
+    pub(super) fn due_at_status(&mut self, t: i64) {
+        let Some(due) = self.due.filter(|due| due.ripe && !due.reported && t > due.since + self.deadline)
+        else {
+            return;
+        };
+        let Some(state) = self.vcu.state else { return };
+        // What the VCU measures is only certain up to the last frame that shows it.
+        let confirmed = self.slots.iter().enumerate().all(|(index, slot)| {
+            slot.def.sender != Node::Vcu
+                || !touches(&due.term, scope(index))
+                || slot.last.is_some_and(|last| last >= due.since + self.window)
+        });
+        if !confirmed {
+            return;
+        }
+        if let Some(due) = &mut self.due {
+            due.reported = true;
+        }
+        self.out.finding(Finding {
+            t_ns: due.since + self.deadline,
+            severity: Severity::Violation,
+            party: Party::Vcu,
+            clause: due.clause,
+            rule: Rule::Due,
+            message: format!(
+                "{state} was not left, though {} for more than {} ms; expected {state} -> {}",
+                conditions(&due.term, Knowledge::exact(due.term.on)),
+                self.options.deadline_ms,
+                due.to
+            ),
+        });
+    }
+}
+
+/// Whether a switch that has no cause of its own may have been turned off.
+fn switched_off(window: Knowledge) -> bool {
+    window.of(Atom::Asms) != Truth::True || window.of(Atom::GoOn) != Truth::True
+}
+
+fn touches(term: &Term, scope: Atoms) -> bool {
+    !term.on.union(term.off).intersection(scope).is_empty()
+}
+
+/// Judges a transition under one variant of the table.
+fn judge_variant(variant: &Variant, to: AsState, window: Knowledge, instants: &[Knowledge]) -> Judged {
+    let Some(place) = variant.iter().position(|guard| guard.to == to) else {
+        return Judged { truth: Truth::False, decided: None };
+    };
+    let (earlier, rest) = variant.split_at(place);
+    let Some(guard) = rest.first() else { return Judged { truth: Truth::False, decided: None } };
+    let overtaken = |known: Knowledge| earlier.iter().find_map(|other| other.first(known, Truth::True));
+    if let Some(term) = overtaken(window) {
+        return Judged { truth: Truth::False, decided: Some((term, window)) };
+    }
+    if guard.truth(window) == Truth::False {
+        return Judged { truth: Truth::False, decided: None };
+    }
+    let certain = instants.iter().rev().find_map(|&known| {
+        let term = guard.first(known, Truth::True).filter(|_| overtaken(known).is_none())?;
+        Some((term, known))
+    });
+    match certain {
+        Some(decided) => Judged { truth: Truth::True, decided: Some(decided) },
+        None => Judged {
+            truth: Truth::Unknown,
+            decided: guard
+                .first(window, Truth::Unknown)
+                .or(guard.terms.first().copied())
+                .map(|term| (term, window)),
+        },
+    }
+}
+
+/// Why a transition was wrong: the condition that failed in each alternative, or the row that comes first.
+fn unjustified(from: AsState, to: AsState, guard: &Guard, window: Knowledge, judged: &[Judged]) -> String {
+    if guard.truth(window) != Truth::False {
+        if let Some((term, _)) = judged.iter().find_map(|j| j.decided) {
+            return format!(
+                "{from} -> {to}, though {}: another arrow comes first; expected that one",
+                conditions(&term, window)
+            );
+        }
+    }
+    let mut failed: Vec<&str> = Vec::new();
+    for (atom, value) in guard.terms.iter().flat_map(Term::conditions) {
+        if window.of(atom) == Truth::from(!value) && !failed.contains(&atom.text(!value)) {
+            failed.push(atom.text(!value));
+        }
+    }
+    format!("{from} -> {to}, but {}; expected {from} to stay", failed.join(" and "))
+}
+
+/// A term's conditions with their values, as far as they are known.
+pub(super) fn conditions(term: &Term, known: Knowledge) -> String {
+    let texts: Vec<String> = term
+        .conditions()
+        .map(|(atom, value)| match known.of(atom) {
+            Truth::True => atom.text(true).to_owned(),
+            Truth::False => atom.text(false).to_owned(),
+            Truth::Unknown => format!("{} (not certain)", atom.text(value)),
+        })
+        .collect();
+    texts.join(" and ")
+}

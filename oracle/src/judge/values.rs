@@ -1,0 +1,300 @@
+//! Frames as such: lengths, ranges, and which message goes where.
+
+use adsdv_spec::Atoms;
+use adsdv_spec::messages::{
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Message, Node,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus,
+};
+
+use super::finding::{Finding, Party, Rule, Severity};
+use super::lenient::{self, Lenient};
+use super::{
+    AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, Judge, LOG_STATUS, SILENCE_NS, STATUS, STEER, WHEEL_SPEEDS,
+    scope,
+};
+
+impl Judge {
+    /// A frame came with another content than the one before, or after a silence.
+    pub(super) fn changed(&mut self, index: usize, t: i64, word: u64, len: u8, before: Option<i64>) {
+        let Some(slot) = self.slots.get_mut(index) else { return };
+        let def = slot.def;
+        let was_fresh = slot.fresh;
+        slot.word = word;
+        slot.len = len;
+        if usize::from(len) < def.bytes_needed() {
+            slot.fresh = false;
+            let first = !std::mem::replace(&mut slot.too_short, true);
+            if first {
+                self.too_short(t, index, len);
+            }
+            if index == AI_STATUS {
+                self.handshake.ai_gone();
+            }
+            return self.learn(t, self.known.forget(scope(index)));
+        }
+        slot.fresh = true;
+        slot.too_short = false;
+        let stale_at = slot.stale_at();
+        if len != def.len && !std::mem::replace(&mut slot.length_noted, true) {
+            self.other_length(t, index, len);
+        }
+        self.wake_at(stale_at);
+        let silence = before.map_or(i64::MAX, |before| t - before);
+        self.dispatch(index, t, word, before, was_fresh, silence);
+    }
+
+    fn dispatch(
+        &mut self,
+        index: usize,
+        t: i64,
+        word: u64,
+        before: Option<i64>,
+        was_fresh: bool,
+        silence: i64,
+    ) {
+        match index {
+            STATUS => {
+                let Lenient { message, bad } = self.read::<Vcu2AiStatus>(index, t, word);
+                let state_bad = is_bad::<Vcu2AiStatus>(bad, "AS_STATE");
+                let ami_bad = is_bad::<Vcu2AiStatus>(bad, "AMI_STATE");
+                let readable =
+                    if ami_bad { scope(index).without(adsdv_spec::Atom::AmiSelected) } else { scope(index) };
+                self.status(t, message, !state_bad, readable, before);
+            }
+            AI_STATUS => {
+                let Lenient { message, bad } = self.read::<Ai2VcuStatus>(index, t, word);
+                if bad == 0 {
+                    self.ai_status(t, message, was_fresh);
+                } else {
+                    // Whether a VCU takes anything from such a frame is not known.
+                    self.handshake.ai_gone();
+                    self.learn(t, self.known.forget(scope(index)));
+                }
+            }
+            WHEEL_SPEEDS => {
+                let Lenient { message, bad } = self.read::<Vcu2AiWheelSpeeds>(index, t, word);
+                self.measured(index, t, message.atoms(&self.interface.thresholds), bad, was_fresh, silence);
+            }
+            STEER => {
+                let Lenient { message, bad } = self.read::<Vcu2AiSteer>(index, t, word);
+                let bad = u32::from(is_bad::<Vcu2AiSteer>(bad, "STEER_ANGLE_deg"));
+                self.measured(
+                    index,
+                    t,
+                    message.steer_angle.atoms(&self.interface.thresholds),
+                    bad,
+                    was_fresh,
+                    silence,
+                );
+            }
+            LOG_STATUS => {
+                let Lenient { message, bad } = self.read::<Vcu2LogStatus>(index, t, word);
+                let ebs_bad = u32::from(is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
+                self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
+                if !is_bad::<Vcu2LogStatus>(bad, "State_ASSI") {
+                    self.assi_seen(t, message.state_assi);
+                }
+            }
+            AI_DRIVE_F => {
+                let Lenient { message, bad } = self.read::<Ai2VcuDriveF>(index, t, word);
+                self.requested(index, t, message.atoms(), bad);
+            }
+            AI_DRIVE_R => {
+                let Lenient { message, bad } = self.read::<Ai2VcuDriveR>(index, t, word);
+                self.requested(index, t, message.atoms(), bad);
+            }
+            AI_STEER => {
+                let Lenient { message, bad } = self.read::<Ai2VcuSteer>(index, t, word);
+                self.requested(index, t, message.atoms(), bad);
+            }
+            _ => self.only_values(index, t, word),
+        }
+    }
+
+    /// The messages of which only the values are checked.
+    fn only_values(&mut self, index: usize, t: i64, word: u64) {
+        match self.slots.get(index).map(|slot| slot.def.id) {
+            Some(Vcu2LogDynamics1::ID) => drop(self.read::<Vcu2LogDynamics1>(index, t, word)),
+            Some(Ai2LogDynamics2::ID) => drop(self.read::<Ai2LogDynamics2>(index, t, word)),
+            Some(Ai2VcuBrake::ID) => drop(self.read::<Ai2VcuBrake>(index, t, word)),
+            Some(Vcu2AiDriveF::ID) => drop(self.read::<Vcu2AiDriveF>(index, t, word)),
+            Some(Vcu2AiDriveR::ID) => drop(self.read::<Vcu2AiDriveR>(index, t, word)),
+            Some(Vcu2AiBrake::ID) => drop(self.read::<Vcu2AiBrake>(index, t, word)),
+            Some(Vcu2AiWheelCounts::ID) => drop(self.read::<Vcu2AiWheelCounts>(index, t, word)),
+            _ => {}
+        }
+    }
+
+    /// What a request of the AI Computer says; a frame with a value out of range says nothing certain.
+    fn requested(&mut self, index: usize, t: i64, atoms: Atoms, bad: u32) {
+        let known =
+            if bad == 0 { self.known.learn(scope(index), atoms) } else { self.known.forget(scope(index)) };
+        self.learn(t, known);
+    }
+
+    /// What the VCU measures. A silence between two frames that say the same hid nothing: it is physical.
+    fn measured(&mut self, index: usize, t: i64, atoms: Atoms, bad: u32, was_fresh: bool, silence: i64) {
+        let Some(slot) = self.slots.get_mut(index) else { return };
+        let same = slot.atoms.replace(atoms) == Some(atoms);
+        if bad == 0 && same && !was_fresh && silence < SILENCE_NS {
+            self.history.fill(t - silence, scope(index), atoms);
+        }
+        self.requested(index, t, atoms, bad);
+    }
+
+    /// Reads a message, and reports the signals whose values have become wrong.
+    #[inline]
+    fn read<M: Message>(&mut self, index: usize, t: i64, word: u64) -> Lenient<M> {
+        let lenient = lenient::decode::<M>(word.to_le_bytes());
+        if let Some(slot) = self.slots.get_mut(index) {
+            if slot.bad != lenient.bad {
+                let new = lenient.bad & !slot.bad;
+                slot.bad = lenient.bad;
+                self.bad_values::<M>(t, word, new);
+            }
+        }
+        lenient
+    }
+
+    #[cold]
+    fn bad_values<M: Message>(&mut self, t: i64, word: u64, new: u32) {
+        for (place, signal) in M::DEF.signals.iter().enumerate() {
+            let Some(raw) = signal.raw(&word.to_le_bytes()).filter(|_| new >> place & 1 == 1) else {
+                continue;
+            };
+            // The logging messages show the database's start value until what they log is there.
+            let start = lenient::is_start_value(signal, raw) && M::DEF.id == Vcu2LogStatus::ID;
+            let (severity, rule) =
+                if start { (Severity::Note, Rule::StartValue) } else { (Severity::Violation, Rule::Value) };
+            let error = adsdv_spec::messages::ValueError {
+                message: M::DEF.name,
+                id: M::DEF.id,
+                signal: signal.name,
+                given: raw,
+                def: signal,
+            };
+            let message = if start {
+                format!("{error}: the start value of the CAN database")
+            } else {
+                error.to_string()
+            };
+            self.out.finding(Finding {
+                t_ns: t,
+                severity,
+                party: M::DEF.sender.into(),
+                clause: M::DEF.section,
+                rule,
+                message,
+            });
+        }
+    }
+
+    #[cold]
+    fn too_short(&mut self, t: i64, index: usize, len: u8) {
+        let Some(def) = self.slots.get(index).map(|slot| slot.def) else { return };
+        let message = format!(
+            "{} ({:03X}h) has {len} bytes; expected at least {} for its signals",
+            def.name,
+            def.id,
+            def.bytes_needed()
+        );
+        self.out.finding(Finding {
+            t_ns: t,
+            severity: Severity::Violation,
+            party: def.sender.into(),
+            clause: def.section,
+            rule: Rule::TooShort,
+            message,
+        });
+    }
+
+    #[cold]
+    fn other_length(&mut self, t: i64, index: usize, len: u8) {
+        let Some(def) = self.slots.get(index).map(|slot| slot.def) else { return };
+        let message = format!(
+            "{} ({:03X}h) has {len} bytes; the CAN database says {}, its signals need {}",
+            def.name,
+            def.id,
+            def.len,
+            def.bytes_needed()
+        );
+        self.out.finding(Finding {
+            t_ns: t,
+            severity: Severity::Note,
+            party: def.sender.into(),
+            clause: def.section,
+            rule: Rule::Length,
+            message,
+        });
+    }
+
+    /// A frame of no message of the document.
+    pub(super) fn other_id(&mut self, t: i64, id: u32) {
+        let reserved = u16::try_from(id).is_ok_and(adsdv_spec::is_reserved);
+        if reserved && self.out.first_of_id(id) {
+            self.out.finding(Finding {
+                t_ns: t,
+                severity: Severity::Note,
+                party: Party::Log,
+                clause: "2.3",
+                rule: Rule::Reserved,
+                message: format!(
+                    "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
+                ),
+            });
+        }
+    }
+
+    /// The log says that the AI Computer itself sent a frame with this identifier.
+    pub fn sent_by_ai(&mut self, id: u32) {
+        let t = self.now;
+        let short = u16::try_from(id).unwrap_or(u16::MAX);
+        if adsdv_spec::is_reserved(short) && self.out.first_by_ai(id) {
+            self.out.finding(Finding {
+                t_ns: t,
+                severity: Severity::Violation,
+                party: Party::Ai,
+                clause: "2.3",
+                rule: Rule::Reserved,
+                message: format!("the AI Computer sent {id:03X}h, which is reserved; expected it not to"),
+            });
+        }
+        let def = adsdv_spec::messages::message_by_id(short);
+        if let Some(def) = def.filter(|def| def.sender == Node::Vcu && self.out.first_by_ai(id)) {
+            self.out.finding(Finding {
+                t_ns: t,
+                severity: Severity::Violation,
+                party: Party::Ai,
+                clause: def.section,
+                rule: Rule::Sender,
+                message: format!(
+                    "the AI Computer sent {} ({:03X}h); expected that message from the VCU only",
+                    def.name, def.id
+                ),
+            });
+        }
+    }
+
+    /// The end of the log: says which side was not there.
+    pub(super) fn note_one_sided(&mut self) {
+        for (node, party) in [(Node::Ai, "AI Computer"), (Node::Vcu, "VCU")] {
+            if !self.slots.iter().any(|slot| slot.def.sender == node && slot.last.is_some()) {
+                self.report(
+                    Severity::Note,
+                    Party::Log,
+                    "2",
+                    Rule::OneSided,
+                    format!(
+                        "no message of the {party} in the log; the other side was judged as far as it can be"
+                    ),
+                );
+            }
+        }
+    }
+}
+
+fn is_bad<M: Message>(bad: u32, signal: &str) -> bool {
+    bad != 0
+        && M::DEF.signals.iter().position(|s| s.name == signal).is_some_and(|place| bad >> place & 1 == 1)
+}

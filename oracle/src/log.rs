@@ -1,0 +1,243 @@
+//! From a recorded log to a report: reads, picks the interface, and lets the judge see every frame.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::io::Read;
+
+use adsdv_spec::messages::{Ai2VcuStatus, Vcu2AiStatus, message_by_id};
+
+use crate::candump::{Direction, Entry, FrameKind, ReadError, Reader, Record};
+use crate::judge::{Judge, Options, Party, Report, Rule, Severity};
+
+/// How a log is judged.
+#[derive(Clone, Debug, Default)]
+pub struct LogOptions {
+    /// What the judge may assume.
+    pub judge: Options,
+    /// The interface to judge; `None` for the first that carries a message of the document.
+    pub interface: Option<String>,
+}
+
+/// Why there is no report.
+#[derive(Debug)]
+pub enum LogError {
+    /// The log could not be read to its end.
+    Read(ReadError),
+    /// Nothing in the log is a frame.
+    NoFrame {
+        /// How many lines there are.
+        lines: u64,
+        /// What is wrong with the first line that is not blank.
+        first: Option<crate::candump::LineError>,
+    },
+    /// The log has frames, but none on the interface that was asked for.
+    NoSuchInterface {
+        /// The interface asked for.
+        wanted: String,
+        /// The interfaces that the log has.
+        found: Vec<String>,
+    },
+}
+
+impl fmt::Display for LogError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read(error) => write!(f, "{error}"),
+            Self::NoFrame { lines: 0, .. } => {
+                write!(
+                    f,
+                    "the log is empty; expected lines of candump -L, such as (1.000000) can0 520#0000010000000000"
+                )
+            }
+            Self::NoFrame { lines, first } => {
+                write!(f, "no readable frame in {lines} lines")?;
+                if let Some(first) = first {
+                    write!(f, "; {first}")?;
+                }
+                Ok(())
+            }
+            Self::NoSuchInterface { wanted, found } => {
+                write!(f, "no frame on interface {wanted}; the log has {}", found.join(", "))
+            }
+        }
+    }
+}
+
+impl std::error::Error for LogError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Read(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+/// What a step of reading came to, for showing progress.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress {
+    /// Lines read so far.
+    pub lines: u64,
+}
+
+/// How many lines are read between two calls of the progress function.
+const PROGRESS_LINES: u64 = 1 << 16;
+
+/// Judges a log of `candump -L`, streaming, in memory that does not grow with it.
+///
+/// ```
+/// use adsdv_oracle::log::{LogOptions, judge_log};
+/// let log = "(1.000000) can0 520#0000010000000000\n(1.010000) can0 520#0000020000000000\n";
+/// let report = judge_log(log.as_bytes(), &LogOptions::default(), |_| {})?;
+/// assert_eq!(report.frames, 2);
+/// assert_eq!(report.transitions.len(), 1); // AS_OFF -> AS_READY with all switches off
+/// # Ok::<(), adsdv_oracle::log::LogError>(())
+/// ```
+///
+/// # Errors
+///
+/// Fails if the source does, or if the log holds no frame at all. A line that is not one is a finding, no error.
+pub fn judge_log(
+    source: impl Read,
+    options: &LogOptions,
+    mut progress: impl FnMut(Progress),
+) -> Result<Report, LogError> {
+    let mut reader = Reader::new(source);
+    let mut log = Log::new(options);
+    let mut next_progress = PROGRESS_LINES;
+    loop {
+        match reader.next_record().map_err(LogError::Read)? {
+            Some(Entry::Frame(record)) => {
+                if record.line >= next_progress {
+                    next_progress = record.line + PROGRESS_LINES;
+                    progress(Progress { lines: record.line });
+                }
+                log.frame(&record);
+            }
+            Some(Entry::Broken(error)) => log.broken(error),
+            None => break,
+        }
+    }
+    log.finish(reader.line())
+}
+
+struct Log<'a> {
+    options: &'a LogOptions,
+    judge: Judge,
+    /// The interface that is judged, once it is known.
+    interface: Option<String>,
+    /// The time of the first frame.
+    origin: Option<i64>,
+    first_broken: Option<crate::candump::LineError>,
+    frames: u64,
+    on_interface: u64,
+    /// How many frames were not judged, by reason.
+    passed_over: BTreeMap<String, u64>,
+    /// The direction in which each side's own messages go, as far as the log says.
+    ai: Option<Direction>,
+    vcu: Option<Direction>,
+}
+
+impl<'a> Log<'a> {
+    fn new(options: &'a LogOptions) -> Self {
+        Self {
+            options,
+            judge: Judge::new(options.judge),
+            interface: options.interface.clone(),
+            origin: None,
+            first_broken: None,
+            frames: 0,
+            on_interface: 0,
+            passed_over: BTreeMap::new(),
+            ai: None,
+            vcu: None,
+        }
+    }
+
+    #[inline]
+    fn frame(&mut self, record: &Record<'_>) {
+        self.frames += 1;
+        let t = record.time_ns - *self.origin.get_or_insert(record.time_ns);
+        let ours = match &self.interface {
+            Some(interface) => interface == record.interface,
+            None => self.choose(record),
+        };
+        if !ours || record.kind != FrameKind::Standard {
+            return self.pass_over(t, record, ours);
+        }
+        self.on_interface += 1;
+        self.judge.frame(t, record.id, record.data);
+        if record.direction.is_some() {
+            self.direction(record);
+        }
+    }
+
+    /// The first interface that carries a message of the document is the one to judge.
+    #[cold]
+    fn choose(&mut self, record: &Record<'_>) -> bool {
+        let known = u16::try_from(record.id).is_ok_and(|id| message_by_id(id).is_some());
+        if known && record.kind == FrameKind::Standard {
+            self.interface = Some(record.interface.to_owned());
+        }
+        true
+    }
+
+    #[cold]
+    fn pass_over(&mut self, t: i64, record: &Record<'_>, ours: bool) {
+        self.judge.other_frame(t);
+        let reason = match record.kind {
+            _ if !ours => format!("on interface {}", record.interface),
+            FrameKind::Standard => return,
+            FrameKind::Extended => "with an extended identifier".to_owned(),
+            FrameKind::Remote { .. } => "that are remote frames".to_owned(),
+            FrameKind::Error => "that are error frames".to_owned(),
+            FrameKind::Fd { .. } => "of CAN FD".to_owned(),
+            FrameKind::Xl => "of CAN XL".to_owned(),
+        };
+        // A log can name any number of interfaces; the first few tell enough.
+        if self.passed_over.len() < 64 || self.passed_over.contains_key(&reason) {
+            *self.passed_over.entry(reason).or_default() += 1;
+        } else {
+            *self.passed_over.entry("on further interfaces".to_owned()).or_default() += 1;
+        }
+    }
+
+    /// Uses the direction of a frame: what goes the way that only the AI Computer's messages go is its own.
+    #[cold]
+    fn direction(&mut self, record: &Record<'_>) {
+        match u16::try_from(record.id) {
+            Ok(Ai2VcuStatus::ID) => self.ai = record.direction,
+            Ok(Vcu2AiStatus::ID) if self.vcu.is_none() => self.vcu = record.direction,
+            _ => {}
+        }
+        let recorded_on_ai = self.ai == Some(Direction::Tx) && self.vcu == Some(Direction::Rx);
+        if recorded_on_ai && record.direction == Some(Direction::Tx) {
+            self.judge.sent_by_ai(record.id);
+        }
+    }
+
+    #[cold]
+    fn broken(&mut self, error: crate::candump::LineError) {
+        self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, error.to_string());
+        self.first_broken.get_or_insert(error);
+    }
+
+    fn finish(mut self, lines: u64) -> Result<Report, LogError> {
+        if self.frames == 0 {
+            return Err(LogError::NoFrame { lines, first: self.first_broken });
+        }
+        if let (0, Some(wanted)) = (self.on_interface, &self.options.interface) {
+            let found = self
+                .passed_over
+                .keys()
+                .filter_map(|reason| reason.strip_prefix("on interface "))
+                .map(str::to_owned)
+                .collect();
+            return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
+        }
+        for (reason, count) in &self.passed_over {
+            let message = format!("{count} frames {reason}, not judged");
+            self.judge.report(Severity::Note, Party::Log, "2", Rule::NotJudged, message);
+        }
+        Ok(self.judge.finish())
+    }
+}
