@@ -12,11 +12,30 @@ fn main() {
                 println!("{:9.3} {} -> {} {} {}", t.t_ns as f64 / 1e9, t.from, t.to, t.clause, t.justified);
             }
             for f in &report.findings {
-                println!("{:9.3} {} {} {} {} {}", f.t_ns as f64 / 1e9, f.severity.name(), f.party.name(), f.clause, f.rule.id(), f.message);
+                println!(
+                    "{:9.3} {} {} {} {} {}",
+                    f.t_ns as f64 / 1e9,
+                    f.severity.name(),
+                    f.party.name(),
+                    f.clause,
+                    f.rule.id(),
+                    f.message
+                );
             }
             let r = &report.responses;
-            println!("{:?} {:?} {:?} {:?} n={}", r.min_ms(), r.quantile_ms(0.5), r.quantile_ms(0.99), r.max_ms(), r.count());
+            println!(
+                "{:?} {:?} {:?} {:?} n={}",
+                r.min_ms(),
+                r.quantile_ms(0.5),
+                r.quantile_ms(0.99),
+                r.max_ms(),
+                r.count()
+            );
         }
-        println!("{} frames, {:.1} ns per frame", report.frames, took.as_nanos() as f64 / report.frames as f64);
+        println!(
+            "{} frames, {:.1} ns per frame",
+            report.frames,
+            took.as_nanos() as f64 / report.frames as f64
+        );
     }
 }

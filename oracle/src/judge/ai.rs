@@ -99,9 +99,11 @@ impl Judge {
             return;
         }
         let limit = i64::from(self.interface.timing.handshake_ms);
+        let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
         let message = format!(
-            "the AI Computer has not answered HANDSHAKE for {:.0} ms; expected an answer within {limit} ms",
-            milliseconds(t - edge)
+            "the AI Computer has not answered HANDSHAKE for {:.0} ms{}; expected an answer within {limit} ms",
+            milliseconds(t - edge),
+            if told { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
         );
         self.out.finding(Finding {
             t_ns: edge + limit * super::MS,

@@ -147,6 +147,8 @@ impl Judge {
         slot.fresh = false;
         if index == STATUS {
             self.vcu.gap_since = Some(t);
+            self.handshake.vcu_gone();
+            self.update_comms(t);
         } else if index == super::AI_STATUS {
             self.handshake.ai_gone();
             self.update_comms(t);

@@ -234,7 +234,7 @@ impl Judge {
 
     /// The VCU changed its handshake bit: was the one before answered?
     pub(super) fn judge_edge(&mut self, t: i64, suspect: Suspect) {
-        if !self.handshake.clears(suspect, self.window) {
+        if !self.handshake.clears(suspect) {
             let bit = u8::from(suspect.bit);
             let message = format!(
                 "HANDSHAKE changed from {bit} to {}, but the AI Computer never answered with {bit}; \
@@ -247,6 +247,7 @@ impl Judge {
 
     /// Brings what is known of lost communication up to date.
     pub(super) fn update_comms(&mut self, t: i64) {
+        self.comms_known_at = t;
         let limit = i64::from(self.interface.timing.handshake_ms) * MS;
         let tsms = self.known.of(Atom::Tsms);
         let pinned = self.pinned(Reading::HandshakeActive);
@@ -275,9 +276,9 @@ impl Judge {
             return i64::MAX;
         };
         let (may, must) = (edge + limit - self.window, edge + limit + self.window);
-        if self.now < may {
+        if self.comms_known_at < may {
             may
-        } else if self.now < must {
+        } else if self.comms_known_at < must {
             must
         } else {
             i64::MAX
@@ -285,7 +286,6 @@ impl Judge {
     }
 
     pub(super) fn comms_time(&mut self, t: i64) {
-        self.now = t;
         self.update_comms(t);
         let limit = i64::from(self.interface.timing.handshake_ms) * MS;
         let late = self.handshake.unanswered(t).is_some_and(|waited| waited >= limit + self.window);
@@ -332,6 +332,8 @@ impl Judge {
 
     /// 502h shows a state; it should be that of 520h.
     pub(super) fn assi_seen(&mut self, t: i64, shown: AsState) {
+        // A moment of its own, so that a change until the next sample can be told from this one.
+        self.history.push(t, self.known, self.vcu.state);
         let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
             self.vcu.assi = None;
             return;
@@ -350,10 +352,11 @@ impl Judge {
         }
     }
 
-    /// 502h came again with the same content, while it contradicts 520h.
+    /// 502h came again with the same content.
     pub(super) fn assi_repeated(&mut self, t: i64) {
-        if let Some(suspect) = self.vcu.assi {
-            self.assi_seen(t, suspect.shown);
+        match self.vcu.assi {
+            Some(suspect) => self.assi_seen(t, suspect.shown),
+            None => self.history.push(t, self.known, self.vcu.state),
         }
     }
 }

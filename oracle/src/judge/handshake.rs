@@ -2,6 +2,9 @@
 
 use adsdv_spec::Truth;
 
+/// So many frames in a row with the same bit are no accident of a recorder that loses frames.
+const STUCK: u32 = 20;
+
 /// What the bus shows of the handshake.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Watch {
@@ -11,14 +14,18 @@ pub(super) struct Watch {
     edge_at: Option<i64>,
     /// The AI Computer's bit, while its frames are fresh.
     ai: Option<bool>,
-    /// When the AI Computer was last seen to send 0, and 1.
-    ai_seen: [Option<i64>; 2],
+    /// Whether it ever sent one.
+    ai_was_heard: bool,
+    /// How many frames in a row the AI Computer has sent that bit.
+    ai_run: u32,
     /// Whether the last edge was answered.
     answered: bool,
     /// How long the answer before took.
     last_response: i64,
     /// Whether frames that could have answered this edge may be missing from the log.
     blind: bool,
+    /// Whether the AI Computer was there when the VCU's bit changed.
+    heard: bool,
     reported_ai: bool,
     reported_vcu: bool,
 }
@@ -28,8 +35,6 @@ pub(super) struct Watch {
 pub(super) struct Suspect {
     /// The bit that should have been answered.
     pub(super) bit: bool,
-    /// Since when.
-    pub(super) since: i64,
 }
 
 impl Watch {
@@ -41,47 +46,62 @@ impl Watch {
         }
         let unanswered = !self.answered && !self.blind && self.ai.is_some();
         let suspect = match (before, self.edge_at) {
-            (Some(bit), Some(since)) if unanswered => Some(Suspect { bit, since }),
+            (Some(bit), Some(_)) if unanswered => Some(Suspect { bit }),
             _ => None,
         };
         self.edge_at = before.map(|_| now);
         self.answered = false;
         self.blind = self.ai.is_none();
+        self.heard = self.ai_was_heard;
         self.reported_ai = false;
         self.reported_vcu = false;
         suspect
     }
 
-    /// The AI Computer's bit was seen. Tells the response time if this answers an edge.
+    /// The AI Computer's bit was seen. Tells the response time if this answers an edge that came while the AI
+    /// Computer was there: slow answers count like all others.
     pub(super) fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
+        self.ai_was_heard = true;
+        self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
-        self.ai_seen[usize::from(bit)] = Some(now);
+        if self.answered && self.vcu != Some(bit) {
+            // The AI Computer goes on to the next bit: an edge of the VCU is missing from the log.
+            self.restart();
+            return None;
+        }
         if self.answered || self.vcu != Some(bit) {
             return None;
         }
         self.answered = true;
         let response = now - self.edge_at?;
         self.last_response = response;
-        (!self.blind).then_some(response)
+        self.heard.then_some(response)
     }
 
-    /// Whether a suspect edge was answered after all, give or take the window.
-    pub(super) fn clears(&self, suspect: Suspect, window: i64) -> bool {
-        self.ai_seen[usize::from(suspect.bit)].is_none_or(|seen| seen >= suspect.since - window)
+    /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so
+    /// only a bit that has been stuck for many frames proves that there was none.
+    pub(super) fn clears(&self, suspect: Suspect) -> bool {
+        self.ai != Some(!suspect.bit) || self.ai_run < STUCK
+    }
+
+    /// The handshake may have begun anew, because the tractive system was switched on or off.
+    pub(super) fn restart(&mut self) {
+        self.edge_at = None;
+        self.answered = false;
+        self.blind = true;
     }
 
     /// The AI Computer's frames stopped, or cannot be read.
     pub(super) fn ai_gone(&mut self) {
         self.ai = None;
+        self.ai_run = 0;
         self.blind = true;
     }
 
     /// The VCU's frames stopped: nothing is known of its edge.
     pub(super) fn vcu_gone(&mut self) {
         self.vcu = None;
-        self.edge_at = None;
-        self.answered = false;
-        self.blind = true;
+        self.restart();
     }
 
     /// Whether the edge was answered.

@@ -119,6 +119,8 @@ pub struct Judge {
     history: History,
     vcu: VcuSide,
     handshake: Watch,
+    /// When what is known of lost communication was last brought up to date.
+    comms_known_at: i64,
     ai: ai::AiSide,
 
     pending: Vec<Pending>,
@@ -149,6 +151,7 @@ impl Judge {
             history: History::new(),
             vcu: VcuSide::default(),
             handshake: Watch::default(),
+            comms_known_at: 0,
             ai: ai::AiSide::default(),
             pending: Vec::new(),
             due: None,

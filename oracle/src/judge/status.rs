@@ -26,6 +26,8 @@ pub(super) struct VcuSide {
     pub(super) brake: Option<super::flags::BrakeWatch>,
     pub(super) sums: Sums,
     pub(super) estop_since: Option<i64>,
+    /// What 502h last said of the EBS.
+    pub(super) ebs: Option<adsdv_spec::messages::EbsState>,
     pub(super) assi: Option<super::flags::AssiSuspect>,
 }
 
@@ -67,6 +69,9 @@ impl Judge {
         let old_state = self.vcu.state;
         let new_state = if state_readable { Some(status.as_state) } else { None };
 
+        if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
+            self.handshake.restart();
+        }
         if let Some(suspect) = self.handshake.vcu(t, status.handshake) {
             let running = status.ts_switch_status && previous.is_some_and(|p| p.ts_switch_status);
             if running && !gap {

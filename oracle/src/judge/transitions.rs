@@ -15,7 +15,7 @@ pub(super) struct Seen {
     pub(super) to: AsState,
     /// When the VCU last showed the old state.
     pub(super) before: i64,
-    /// Whether frames of the VCU are missing in between.
+    /// Whether a frame of the VCU may be missing in between.
     pub(super) gap: bool,
 }
 
@@ -58,6 +58,8 @@ impl Judge {
         gap: bool,
         at_step: Knowledge,
     ) {
+        let usual = self.slots.get(super::STATUS).map_or(0, |slot| slot.period);
+        let gap = gap || t - before > usual + usual / 5;
         // Wait for the messages that show late what was so before.
         let wait = (0..super::slots::COUNT)
             .filter(|&index| self.variants.terms(from).iter().any(|t| touches(t, scope(index))))
@@ -91,7 +93,7 @@ impl Judge {
             .map(|variant| judge_variant(variant, to, window, &instants))
             .collect();
         let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
-        if justified == Truth::False && gap && self.leads_through_others(from, to, t - before) {
+        if justified == Truth::False && gap && self.leads_through_others(from, to, t - before, window) {
             justified = Truth::Unknown;
         }
         let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
@@ -132,7 +134,13 @@ impl Judge {
     }
 
     /// Whether several arrows, of which the log missed the states between, can lead there in this time.
-    fn leads_through_others(&self, from: AsState, to: AsState, elapsed: i64) -> bool {
+    fn leads_through_others(&self, from: AsState, to: AsState, elapsed: i64, window: Knowledge) -> bool {
+        // What the VCU remembers was not seen; what it saw has to allow each arrow.
+        let seen = window.forget(MEMORY);
+        let open = |from: AsState, to: AsState| {
+            let mut guards = self.variants.of(from).iter().flatten().filter(|guard| guard.to == to);
+            guards.any(|guard| guard.truth(seen) != Truth::False)
+        };
         let timing = &self.interface.timing;
         let mut reached: Vec<(AsState, i64)> = vec![(from, 0)];
         let mut next = 0;
@@ -148,7 +156,7 @@ impl Judge {
                     _ => 0,
                 };
                 let took = took + must_last;
-                if self.variants.has_arrow(state, then) && took <= elapsed {
+                if took <= elapsed && open(state, then) {
                     if then == to && state != from {
                         return true;
                     }

@@ -92,6 +92,12 @@ impl Judge {
                 let Lenient { message, bad } = self.read::<Vcu2LogStatus>(index, t, word);
                 let ebs_bad = u32::from(is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
                 self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
+                let ebs = (ebs_bad == 0).then_some(message.state_ebs);
+                if let (true, Some(before)) = (self.vcu.ebs != ebs, before) {
+                    // It comes so rarely that the time between two samples counts.
+                    self.history.forget(before, scope(index));
+                }
+                self.vcu.ebs = ebs;
                 if !is_bad::<Vcu2LogStatus>(bad, "State_ASSI") {
                     self.assi_seen(t, message.state_assi);
                 }

@@ -1,0 +1,232 @@
+//! The arguments, and the help texts that stand for a manual page.
+
+use std::path::PathBuf;
+
+use adsdv_oracle::judge::Options;
+use adsdv_spec::Choice;
+use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
+
+use crate::pins;
+
+/// The longest window and deadline that make sense, in milliseconds.
+const LONGEST: u32 = 60_000;
+
+/// The executable specification of the ADS-DV AI/VCU interface.
+///
+/// The ADS-DV is the car that Formula Student AI teams share. Its AI Computer talks over CAN to a Vehicle Control
+/// Unit (VCU) that runs the Autonomous System state machine. adsdv holds a recorded log of that bus against the
+/// ADS-DV Software Interface Specification 3.0 and says who broke which section, when, and why; and it prints the
+/// tables that it judges by.
+#[derive(Debug, Parser)]
+#[command(
+    name = "adsdv",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true,
+    after_long_help = "\
+EXAMPLES
+  Record a run, and have it judged:
+      candump -L can0 > run.log
+      adsdv check run.log
+
+  Give the CAN database to another tool, and draw Figure 2:
+      adsdv dbc > adsdv.dbc
+      adsdv diagram --format dot | dot -Tsvg > figure2.svg
+
+  What each command does, in full:
+      adsdv check --help
+
+EXIT STATUS
+  0  the log conforms, or what was asked for has been printed
+  1  the log violates the document
+  2  no answer: the input could not be read or the output not written, or the
+     arguments are wrong"
+)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Check(CheckArgs),
+    /// Print the CAN database (DBC).
+    ///
+    /// Every message of the interface with its identifier, sender, length and cycle, and every signal with its
+    /// place, scale, unit, range and value names. For cantools, SavvyCAN, Kvaser and Vector tools, and the like.
+    #[command(after_long_help = "\
+EXAMPLES
+  adsdv dbc > adsdv.dbc
+  adsdv dbc > adsdv.dbc && candump can0 | cantools decode adsdv.dbc
+
+EXIT STATUS
+  0  the database has been printed
+  2  it could not be written, or the arguments are wrong")]
+    Dbc,
+    Diagram(DiagramArgs),
+    Readings(ReadingsArgs),
+    /// Print the JSON Schema of `adsdv check --json`.
+    ///
+    /// JSON Schema, draft 2020-12. It lists every rule that a finding can name.
+    #[command(after_long_help = "\
+EXAMPLES
+  adsdv schema > check.schema.json
+  adsdv check --json run.log > run.json
+  check-jsonschema --schemafile check.schema.json run.json
+
+EXIT STATUS
+  0  the schema has been printed
+  2  it could not be written, or the arguments are wrong")]
+    Schema,
+}
+
+/// Judge a recorded CAN log.
+///
+/// Reads a log of `candump -L` (can-utils), of any length, and holds both sides of it against the document: every
+/// transition of the AS state machine that was seen or was due, the handshake, fault flags and shutdown causes, the
+/// conduct of the AI Computer, values and lengths.
+///
+/// A log is sampled and silent about the shutdown circuit. What cannot be known from it is called "not certain" and
+/// never a violation; a violation is what is one under every reading of the document that is still possible.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  Why did the car make an emergency stop?
+      adsdv check run.log
+
+  Judge a compressed log, or one that is still being recorded:
+      zcat run.log.gz | adsdv check -
+      candump -L can0 | adsdv check -
+
+  The VCU takes the change to FINISHED as the fault, not the value:
+      adsdv check --reading fault-trigger=edge run.log
+
+  List the violations for a program:
+      adsdv check --json run.log | jq '.findings[] | select(.severity == \"violation\")'
+
+  In a script: stop at a log that violates, or that cannot be read:
+      adsdv check run.log > report.txt || exit 1
+
+OUTPUT
+  TIMELINE  each change of AS_STATE, its section, and the conditions that decided:
+            justified; not certain, where a condition cannot be seen, or changed at
+            that moment; VIOLATION
+  FINDINGS  violations and warnings in order of time, each with its severity, the
+            party at fault (AI, VCU, or the LOG itself), section and rule, and below
+            that what was seen and what was expected
+  NOTES     facts about the log
+  Last come the times of the AI Computer's answers to the handshake, and the verdict.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  the log conforms: no violation was found
+  1  the log violates the document
+  2  no verdict: the log could not be read or the report not written, or the
+     arguments are wrong")]
+pub(crate) struct CheckArgs {
+    /// The log: a file of `candump -L`, or - for standard input.
+    ///
+    /// A file whose name is - is given as ./-
+    #[arg(value_name = "LOG")]
+    pub(crate) log: PathBuf,
+
+    /// Print one JSON object instead of text.
+    ///
+    /// `adsdv schema` prints its JSON Schema. Times are in seconds since the first frame.
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// The window W: how long after its cause an effect may be seen, in milliseconds.
+    ///
+    /// The cycle of the VCU and the delay of the bus. A wider window finds less, and is wrong less often.
+    #[arg(long, value_name = "MS", default_value_t = Options::default().window_ms, value_parser = milliseconds,
+        allow_negative_numbers = true)]
+    pub(crate) window: u32,
+
+    /// The deadline D: how long a cause must last before its missing effect is a violation, in milliseconds.
+    #[arg(long, value_name = "MS", default_value_t = Options::default().deadline_ms, value_parser = milliseconds,
+        allow_negative_numbers = true)]
+    pub(crate) deadline: u32,
+
+    /// Pin a question that the document leaves open; may be repeated.
+    ///
+    /// Without a pin, the judge allows for every choice. `adsdv readings` lists the ids and their choices.
+    #[arg(long = "reading", value_name = "ID=CHOICE", value_parser = pins::parse)]
+    pub(crate) readings: Vec<Choice>,
+
+    /// The CAN interface to judge, as the log names it.
+    ///
+    /// Without it, the first interface that carries a message of the ADS-DV. Other interfaces are passed over.
+    #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) interface: Option<String>,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}
+
+/// Print Figure 2, the state machine, from the table that is executed.
+///
+/// Mermaid and Graphviz draw it; Markdown lists the arrows, each with its section and its guard.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv diagram --format markdown
+  adsdv diagram --format dot | dot -Tsvg > figure2.svg
+  adsdv diagram --reading comms-lost=no-arrow > figure2.mmd
+
+EXIT STATUS
+  0  the diagram has been printed
+  2  it could not be written, or the arguments are wrong")]
+pub(crate) struct DiagramArgs {
+    /// The language of the diagram.
+    #[arg(long, default_value_t = Format::Mermaid, value_enum)]
+    pub(crate) format: Format,
+
+    /// Answer a question that the document leaves open; may be repeated.
+    ///
+    /// Without it, the default. `adsdv readings` lists the ids and their choices.
+    #[arg(long = "reading", value_name = "ID=CHOICE", value_parser = pins::parse)]
+    pub(crate) readings: Vec<Choice>,
+}
+
+/// The languages that Figure 2 is printed in.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Format {
+    /// Mermaid `stateDiagram-v2`.
+    Mermaid,
+    /// Graphviz.
+    Dot,
+    /// A table: from, to, section, guard.
+    Markdown,
+}
+
+/// List the questions that the document leaves open.
+///
+/// Each has an id, two or three choices, and a default, which is what the reference VCU does. The judge of a log
+/// allows for every choice, until `adsdv check --reading ID=CHOICE` pins one.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv readings
+  adsdv readings --json | jq -r '.[] | .id as $id | .choices[] | $id + \"=\" + .id'
+
+EXIT STATUS
+  0  the list has been printed
+  2  it could not be written, or the arguments are wrong")]
+pub(crate) struct ReadingsArgs {
+    /// Print a JSON array instead of text.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn milliseconds(text: &str) -> Result<u32, String> {
+    text.parse()
+        .ok()
+        .filter(|&ms| ms <= LONGEST)
+        .ok_or_else(|| format!("expected a whole number of milliseconds from 0 to {LONGEST}"))
+}

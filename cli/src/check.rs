@@ -1,0 +1,55 @@
+//! `adsdv check`: reads a log, has it judged, and prints the report.
+
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+use adsdv_oracle::judge::{Options, Report};
+use adsdv_oracle::log::{LogError, LogOptions, judge_log};
+
+use crate::args::CheckArgs;
+use crate::error::Error;
+use crate::progress::Count;
+use crate::report::{self, Subject};
+use crate::status::Status;
+use crate::{json, output, pins};
+
+/// The name that stands for standard input.
+const STDIN: &str = "-";
+
+pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
+    let judge = Options {
+        window_ms: args.window,
+        deadline_ms: args.deadline,
+        readings: pins::possible(&args.readings)?,
+    };
+    let options = LogOptions { judge, interface: args.interface.clone() };
+    let name = if args.log == Path::new(STDIN) {
+        "standard input".to_owned()
+    } else {
+        args.log.display().to_string()
+    };
+    let report = read(&args.log, &name, &options)?;
+    if args.json {
+        output::plain(&json::text(&report))?;
+    } else {
+        let subject = Subject { name: &name, options: &options, pins: &args.readings };
+        output::styled(&report::text(&subject, &report, output::width()), args.color)?;
+    }
+    Ok(report.verdict().into())
+}
+
+fn read(log: &Path, name: &str, options: &LogOptions) -> Result<Report, Error> {
+    let mut count = Count::new();
+    let progress = |progress| count.show(progress);
+    let judged = if log == Path::new(STDIN) {
+        judge_log(io::stdin().lock(), options, progress)
+    } else {
+        let file = File::open(log).map_err(|error| Error::open(name, &error))?;
+        judge_log(file, options, progress)
+    };
+    judged.map_err(|error| match &error {
+        LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(name),
+        _ => Error::log(name, &error),
+    })
+}

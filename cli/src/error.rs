@@ -1,0 +1,107 @@
+//! Why there is no answer: what was given, what is wrong with it, and what to do.
+
+use std::fmt;
+use std::io::{self, Write as _};
+
+use adsdv_oracle::log::LogError;
+
+use crate::status::Status;
+
+/// How a log is made, for everybody who gave something else.
+const RECORD: &str = "record a log with: candump -L can0 > run.log";
+
+/// Prints as `<what>: <why>` with a line that starts with `hint:`.
+#[derive(Debug)]
+pub(crate) struct Error {
+    /// What was given: a file, an option.
+    pub(crate) what: String,
+    /// What is wrong with it, and what was expected.
+    pub(crate) why: String,
+    /// What to do.
+    pub(crate) hint: String,
+}
+
+impl Error {
+    /// The log could not be opened.
+    pub(crate) fn open(name: &str, error: &io::Error) -> Self {
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound => "check the path; - stands for standard input".to_owned(),
+            io::ErrorKind::PermissionDenied => {
+                "this user may not read it; change its permissions, or copy it as a user who may".to_owned()
+            }
+            _ => RECORD.to_owned(),
+        };
+        Self { what: name.to_owned(), why: format!("cannot open the log: {error}"), hint }
+    }
+
+    /// The log is a directory.
+    pub(crate) fn directory(name: &str) -> Self {
+        Self {
+            what: name.to_owned(),
+            why: "is a directory; expected a log of candump -L".to_owned(),
+            hint: "give one of the files in it".to_owned(),
+        }
+    }
+
+    /// The log was opened, and there is no report.
+    pub(crate) fn log(name: &str, error: &LogError) -> Self {
+        let hint = match error {
+            LogError::Read(_) => "copy the log to another disk, and check the copy".to_owned(),
+            LogError::NoFrame { .. } => RECORD.to_owned(),
+            LogError::NoSuchInterface { .. } => {
+                "name another with --interface, or leave the option out for the first that speaks of the ADS-DV"
+                    .to_owned()
+            }
+        };
+        Self { what: name.to_owned(), why: error.to_string(), hint }
+    }
+
+    /// The answer could not be written.
+    pub(crate) fn output(error: &io::Error) -> Self {
+        let hint = match error.kind() {
+            io::ErrorKind::StorageFull => "free some space, or write to another disk",
+            _ => "send the output to a file or a terminal that can be written",
+        };
+        Self {
+            what: "standard output".to_owned(),
+            why: format!("cannot write the answer: {error}"),
+            hint: hint.to_owned(),
+        }
+    }
+
+    /// Tells the user, and says how the command ends.
+    pub(crate) fn tell(&self) -> Status {
+        // If standard error cannot be written there is nobody left to tell; the status still tells.
+        let _ = writeln!(io::stderr(), "adsdv: {self}");
+        Status::Trouble
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, why, hint } = self;
+        write!(f, "{what}: {why}\nhint: {hint}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_error_tells_what_to_do() {
+        let cases = [
+            (io::ErrorKind::NotFound, "check the path"),
+            (io::ErrorKind::PermissionDenied, "permissions"),
+            (io::ErrorKind::TimedOut, "candump -L"),
+        ];
+        for (kind, hint) in cases {
+            let error = Error::open("run.log", &kind.into()).to_string();
+            assert!(error.starts_with("run.log: cannot open the log: "), "{error}");
+            assert!(
+                error.lines().last().is_some_and(|l| l.starts_with("hint: ") && l.contains(hint)),
+                "{error}"
+            );
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The forms for programs. That of a report is described by `schema/check.schema.json`.
+
+use adsdv_oracle::judge::{Finding, Report, ResponseTimes, Transition};
+use adsdv_spec::{Choice, Reading, Readings};
+use serde::Serialize;
+
+/// The JSON Schema of what [`text`] writes.
+pub(crate) const SCHEMA: &str = include_str!("../schema/check.schema.json");
+
+/// A report as one JSON object on one line.
+pub(crate) fn text(report: &Report) -> String {
+    line(&CheckJson::from(report))
+}
+
+/// The readings as one JSON array on one line.
+pub(crate) fn readings() -> String {
+    line(&Reading::ALL.iter().map(|&reading| ReadingJson::from(reading)).collect::<Vec<_>>())
+}
+
+/// Nothing here can fail to be written: all keys are text, and all numbers finite.
+fn line(value: &impl Serialize) -> String {
+    let mut text = serde_json::to_string(value).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+#[derive(Serialize)]
+struct CheckJson<'a> {
+    frames: u64,
+    duration_s: f64,
+    transitions: Vec<TransitionJson>,
+    findings: Vec<FindingJson<'a>>,
+    handshake_response_ms: Option<ResponseJson>,
+    verdict: &'static str,
+}
+
+#[derive(Serialize)]
+struct TransitionJson {
+    t: f64,
+    from: &'static str,
+    to: &'static str,
+    clause: &'static str,
+    justified: &'static str,
+}
+
+#[derive(Serialize)]
+struct FindingJson<'a> {
+    t: f64,
+    severity: &'static str,
+    party: &'static str,
+    clause: &'static str,
+    rule: &'static str,
+    message: &'a str,
+}
+
+#[derive(Serialize)]
+struct ResponseJson {
+    count: u64,
+    min: f64,
+    median: f64,
+    p99: f64,
+    max: f64,
+}
+
+#[derive(Serialize)]
+struct ReadingJson {
+    id: &'static str,
+    section: &'static str,
+    question: &'static str,
+    choices: Vec<ChoiceJson>,
+}
+
+#[derive(Serialize)]
+struct ChoiceJson {
+    id: &'static str,
+    text: &'static str,
+    default: bool,
+}
+
+impl<'a> From<&'a Report> for CheckJson<'a> {
+    fn from(report: &'a Report) -> Self {
+        Self {
+            frames: report.frames,
+            duration_s: seconds(report.duration_ns),
+            transitions: report.transitions.iter().map(TransitionJson::from).collect(),
+            findings: report.findings.iter().map(FindingJson::from).collect(),
+            handshake_response_ms: ResponseJson::of(&report.responses),
+            verdict: report.verdict().name(),
+        }
+    }
+}
+
+impl From<&Transition> for TransitionJson {
+    fn from(transition: &Transition) -> Self {
+        Self {
+            t: seconds(transition.t_ns),
+            from: transition.from.name(),
+            to: transition.to.name(),
+            clause: transition.clause,
+            justified: transition.justified.name(),
+        }
+    }
+}
+
+impl<'a> From<&'a Finding> for FindingJson<'a> {
+    fn from(finding: &'a Finding) -> Self {
+        Self {
+            t: seconds(finding.t_ns),
+            severity: finding.severity.name(),
+            party: finding.party.name(),
+            clause: finding.clause,
+            rule: finding.rule.id(),
+            message: &finding.message,
+        }
+    }
+}
+
+impl ResponseJson {
+    fn of(times: &ResponseTimes) -> Option<Self> {
+        Some(Self {
+            count: times.count(),
+            min: to_microseconds(times.min_ms()?),
+            median: to_microseconds(times.quantile_ms(0.5)?),
+            p99: to_microseconds(times.quantile_ms(0.99)?),
+            max: to_microseconds(times.max_ms()?),
+        })
+    }
+}
+
+impl From<Reading> for ReadingJson {
+    fn from(reading: Reading) -> Self {
+        Self {
+            id: reading.id(),
+            section: reading.section(),
+            question: reading.question(),
+            choices: reading.choices().iter().map(|&choice| ChoiceJson::from(choice)).collect(),
+        }
+    }
+}
+
+impl From<Choice> for ChoiceJson {
+    fn from(choice: Choice) -> Self {
+        Self { id: choice.id(), text: choice.text(), default: Readings::DEFAULT.is(choice) }
+    }
+}
+
+/// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
+#[allow(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
+fn seconds(ns: i64) -> f64 {
+    ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
+}
+
+/// Milliseconds rounded to whole microseconds.
+fn to_microseconds(ms: f64) -> f64 {
+    (ms * 1e3).round() / 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_rounded_to_microseconds() {
+        let cases = [
+            (0, "0.0"),
+            (499, "0.0"),
+            (500, "1e-6"),
+            (13_015_234_567, "13.015235"),
+            (-400, "0.0"),
+            (3_600_000_000_001_499, "3600000.000001"),
+        ];
+        for (ns, text) in cases {
+            assert_eq!(serde_json::to_string(&seconds(ns)).ok().as_deref(), Some(text), "{ns} ns");
+        }
+        assert!(seconds(i64::MAX).is_finite() && seconds(i64::MIN).is_finite());
+    }
+}

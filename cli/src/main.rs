@@ -1,0 +1,61 @@
+//! `adsdv`: the executable specification of the ADS-DV AI/VCU interface, at the command line.
+//!
+//! ```text
+//! args ----> check ----> report (text, for a person)
+//!   |          |         json   (for a program)
+//!   |          +-------> the verdict is the exit status
+//!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schema
+//! ```
+//!
+//! Every command makes its whole text first and hands it to [`output`], which alone writes to standard output.
+
+#![forbid(unsafe_code)]
+
+mod args;
+mod check;
+mod error;
+mod json;
+mod layout;
+mod output;
+mod pins;
+mod progress;
+mod report;
+mod status;
+mod tables;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Command};
+use error::Error;
+use status::Status;
+
+fn main() -> ExitCode {
+    let result = match Cli::try_parse() {
+        Ok(cli) => run(&cli.command),
+        Err(text) => usage(&text),
+    };
+    result.unwrap_or_else(|error| error.tell()).into()
+}
+
+fn run(command: &Command) -> Result<Status, Error> {
+    match command {
+        Command::Check(args) => check::run(args),
+        Command::Dbc => tables::dbc(),
+        Command::Diagram(args) => tables::diagram(args),
+        Command::Readings(args) => tables::readings(args),
+        Command::Schema => tables::schema(),
+    }
+}
+
+/// What clap has to say: help and version, which were asked for, or what is wrong with the arguments.
+fn usage(text: &clap::Error) -> Result<Status, Error> {
+    if text.use_stderr() {
+        // If standard error cannot be written there is nobody left to tell; the status still tells.
+        let _ = text.print();
+        return Ok(Status::Trouble);
+    }
+    output::styled(&text.render().ansi().to_string(), clap::ColorChoice::Auto)?;
+    Ok(Status::Conforms)
+}

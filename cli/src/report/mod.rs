@@ -1,0 +1,92 @@
+//! A report as text for a person: what was judged, the timeline, the findings, the notes, the verdict.
+
+mod findings;
+mod style;
+mod timeline;
+
+use std::fmt::{self, Write as _};
+
+use adsdv_oracle::judge::{Options, Report, Severity, Verdict};
+use adsdv_oracle::log::LogOptions;
+use adsdv_spec::Choice;
+
+use style::Styled;
+
+use crate::layout::{Seconds, counted};
+
+/// Where text stands below the time of its line.
+const INDENT: usize = 14;
+
+/// What was judged, and how.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Subject<'a> {
+    /// The log, as the user named it.
+    pub(crate) name: &'a str,
+    /// How it was judged.
+    pub(crate) options: &'a LogOptions,
+    /// The readings that were pinned.
+    pub(crate) pins: &'a [Choice],
+}
+
+/// The whole report, with ANSI styles, wrapped to `width` columns.
+pub(crate) fn text(subject: &Subject<'_>, report: &Report, width: usize) -> String {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write(&mut text, subject, report, width);
+    text
+}
+
+fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
+    header(out, subject, report)?;
+    timeline::write(out, &report.transitions, width)?;
+    findings::write(out, &report.findings, width)?;
+    answers(out, report)?;
+    verdict(out, subject, report)
+}
+
+fn header(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+    let frames = counted(report.frames, "frame");
+    writeln!(out, "{}: {frames} in {} s", subject.name, Seconds(report.duration_ns))?;
+    if let Some(interface) = &subject.options.interface {
+        writeln!(out, "interface {interface}")?;
+    }
+    let (judge, default) = (subject.options.judge, Options::default());
+    if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
+        writeln!(out, "window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms)?;
+    }
+    for pin in subject.pins {
+        writeln!(out, "reading {pin}: {}", pin.text())?;
+    }
+    Ok(())
+}
+
+fn answers(out: &mut String, report: &Report) -> fmt::Result {
+    let times = &report.responses;
+    write!(out, "\nAI handshake: ")?;
+    match (times.min_ms(), times.quantile_ms(0.5), times.quantile_ms(0.99), times.max_ms()) {
+        (Some(min), Some(median), Some(p99), Some(max)) => writeln!(
+            out,
+            "{} in min {min:.2}, median {median:.2}, 99th percentile {p99:.2}, max {max:.2} ms",
+            counted(times.count(), "answer"),
+        ),
+        _ => writeln!(out, "no answers seen"),
+    }
+}
+
+fn verdict(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+    let verdict = report.verdict();
+    let style = match verdict {
+        Verdict::Conforms => style::GOOD,
+        Verdict::Violates => style::BAD,
+    };
+    let count = |severity: Severity| counted(report.count(severity) as u64, severity.name());
+    writeln!(
+        out,
+        "{}: {} ({}, {}, {})",
+        subject.name,
+        Styled(style, verdict.name()),
+        count(Severity::Violation),
+        count(Severity::Warning),
+        count(Severity::Note),
+    )
+}

@@ -1,0 +1,77 @@
+//! The transitions that were seen, each with the conditions that decided.
+
+use std::fmt::{self, Write as _};
+
+use adsdv_oracle::judge::Transition;
+use adsdv_spec::{Atom, Knowledge, Term, Truth};
+
+use super::INDENT;
+use super::style::{self, Styled};
+use crate::layout::{Seconds, wrapped};
+
+pub(super) fn write(out: &mut String, transitions: &[Transition], width: usize) -> fmt::Result {
+    writeln!(out, "\n{}", Styled(style::HEADING, "TIMELINE"))?;
+    if transitions.is_empty() {
+        writeln!(out, "  no change of AS_STATE seen")?;
+    }
+    for transition in transitions {
+        let Transition { t_ns, from, to, clause, justified, .. } = transition;
+        let word = match justified {
+            Truth::True => Styled(style::QUIET, "justified"),
+            Truth::Unknown => Styled(style::CARE, "not certain"),
+            Truth::False => Styled(style::BAD, "VIOLATION"),
+        };
+        writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {clause:<8}  {word}", Seconds(*t_ns))?;
+        if let Some((term, known)) = transition.decided {
+            wrapped(out, conditions(&term, known), INDENT, width);
+        }
+    }
+    Ok(())
+}
+
+/// Every condition of a term as it was, and where that is not as it must be, how it must be.
+fn conditions(term: &Term, known: Knowledge) -> Vec<String> {
+    let last = term.conditions().count();
+    term.conditions()
+        .zip(1..)
+        .map(|((atom, needed), index)| {
+            let comma = if index < last { "," } else { "" };
+            match known.of(atom) {
+                Truth::Unknown => format!("{} ({}){comma}", atom.text(needed), why_unknown(atom)),
+                seen if seen == Truth::from(needed) => format!("{}{comma}", atom.text(needed)),
+                _ => format!("{} (needed: {}){comma}", atom.text(!needed), atom.text(needed)),
+            }
+        })
+        .collect()
+}
+
+/// No message shows these two. The others are shown, but may have been missing or have changed at that moment.
+fn why_unknown(atom: Atom) -> &'static str {
+    match atom {
+        Atom::SdcOpen | Atom::PowerCycleNeeded => "not visible in the log",
+        _ => "not certain",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Atoms;
+
+    use super::*;
+
+    #[test]
+    fn a_condition_tells_what_was_seen_and_what_was_needed() {
+        let term = Term::on("3.1", &[Atom::Asms, Atom::Tsms, Atom::EbsArmed, Atom::SdcOpen]);
+        let seen = Atoms::of(&[Atom::Asms, Atom::Tsms]);
+        let known = Knowledge::NOTHING.learn(seen, Atoms::of(&[Atom::Asms]));
+        assert_eq!(
+            conditions(&term, known),
+            [
+                "AS master switch ON,",
+                "TS master switch OFF (needed: TS master switch ON),",
+                "EBS_state == ARMED (not certain),",
+                "SDC open (not visible in the log)",
+            ]
+        );
+    }
+}

@@ -1,0 +1,58 @@
+//! The specification's tables, printed: the CAN database, Figure 2, the readings, the JSON Schema.
+
+use std::fmt::Write as _;
+
+use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
+use adsdv_spec::{Interface, Machine, Reading, Readings};
+
+use crate::args::{DiagramArgs, Format, ReadingsArgs};
+use crate::error::Error;
+use crate::layout::wrapped;
+use crate::status::Status;
+use crate::{json, output, pins};
+
+pub(crate) fn dbc() -> Result<Status, Error> {
+    print(&Dbc(&Interface::V3_0).to_string())
+}
+
+pub(crate) fn diagram(args: &DiagramArgs) -> Result<Status, Error> {
+    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    print(&match args.format {
+        Format::Mermaid => Mermaid(&machine).to_string(),
+        Format::Dot => Dot(&machine).to_string(),
+        Format::Markdown => Figure2(&machine).to_string(),
+    })
+}
+
+pub(crate) fn readings(args: &ReadingsArgs) -> Result<Status, Error> {
+    print(&if args.json { json::readings() } else { questions() })
+}
+
+pub(crate) fn schema() -> Result<Status, Error> {
+    print(json::SCHEMA)
+}
+
+fn print(text: &str) -> Result<Status, Error> {
+    output::plain(text)?;
+    Ok(Status::Conforms)
+}
+
+/// The readings for a person; a star marks the default.
+fn questions() -> String {
+    let ids = Reading::ALL.iter().flat_map(|reading| reading.choices()).map(|choice| choice.id().len());
+    let width = ids.max().unwrap_or_default();
+    let mut text = String::new();
+    for reading in Reading::ALL {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "{} (section {})", reading.id(), reading.section());
+        wrapped(&mut text, reading.question().split(' '), 4, output::width());
+        for choice in reading.choices() {
+            let mark = if Readings::DEFAULT.is(*choice) { '*' } else { ' ' };
+            let _ = writeln!(text, "  {mark} {:width$}  {}", choice.id(), choice.text());
+        }
+        text.push('\n');
+    }
+    text.push_str("* the default: what the reference VCU does. The judge of a log allows for every\n");
+    text.push_str("  choice of a reading, until --reading ID=CHOICE pins it.\n");
+    text
+}
