@@ -87,8 +87,10 @@ impl Judge {
 
     /// The AI Computer's handshake bit was seen.
     pub(super) fn answer(&mut self, t: i64, bit: bool) {
-        if let Some(response) = self.handshake.ai(t, bit) {
+        if let Some(response) = self.meter.ai(t, bit) {
             self.out.responses.add(response);
+        }
+        if self.handshake.ai(t, bit) {
             self.update_comms(t);
         }
     }

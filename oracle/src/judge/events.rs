@@ -81,6 +81,7 @@ impl Judge {
         self.history.clear();
         self.vcu = super::VcuSide::default();
         self.handshake = super::Watch::default();
+        self.meter = super::Meter::default();
         self.due = None;
         self.ai.forget();
         for slot in &mut self.slots {
@@ -222,6 +223,7 @@ impl Judge {
         );
         self.vcu = super::VcuSide::default();
         self.handshake.vcu_gone();
+        self.meter.restart();
         self.due = None;
         let unknown = [Atom::DwellElapsed, Atom::EbsTimerComplete, Atom::GoEdge, Atom::PowerCycleNeeded];
         let known = unknown.iter().fold(self.known, |known, &atom| known.set(atom, Truth::Unknown));

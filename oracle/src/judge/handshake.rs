@@ -14,8 +14,6 @@ pub(super) struct Watch {
     edge_at: Option<i64>,
     /// The AI Computer's bit, while its frames are fresh.
     ai: Option<bool>,
-    /// Whether it ever sent one.
-    ai_was_heard: bool,
     /// How many frames in a row the AI Computer has sent that bit.
     ai_run: u32,
     /// Whether the last edge was answered.
@@ -24,8 +22,6 @@ pub(super) struct Watch {
     last_response: i64,
     /// Whether frames that could have answered this edge may be missing from the log.
     blind: bool,
-    /// Whether the AI Computer was there when the VCU's bit changed.
-    heard: bool,
     reported_ai: bool,
     reported_vcu: bool,
 }
@@ -52,30 +48,28 @@ impl Watch {
         self.edge_at = before.map(|_| now);
         self.answered = false;
         self.blind = self.ai.is_none();
-        self.heard = self.ai_was_heard;
         self.reported_ai = false;
         self.reported_vcu = false;
         suspect
     }
 
-    /// The AI Computer's bit was seen. Tells the response time if this answers an edge that came while the AI
-    /// Computer was there: slow answers count like all others.
-    pub(super) fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
-        self.ai_was_heard = true;
+    /// The AI Computer's bit was seen. Tells whether this answers the edge.
+    pub(super) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
         if self.answered && self.vcu != Some(bit) {
             // The AI Computer goes on to the next bit: an edge of the VCU is missing from the log.
             self.restart();
-            return None;
+            return false;
         }
         if self.answered || self.vcu != Some(bit) {
-            return None;
+            return false;
         }
         self.answered = true;
-        let response = now - self.edge_at?;
-        self.last_response = response;
-        self.heard.then_some(response)
+        if let Some(edge) = self.edge_at {
+            self.last_response = now - edge;
+        }
+        true
     }
 
     /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so

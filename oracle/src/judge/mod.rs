@@ -60,6 +60,7 @@ pub use response::ResponseTimes;
 use events::Pending;
 use handshake::Watch;
 use history::History;
+use response::Meter;
 use output::Output;
 use slots::{Slot, SlotOf};
 use status::VcuSide;
@@ -119,6 +120,7 @@ pub struct Judge {
     history: History,
     vcu: VcuSide,
     handshake: Watch,
+    meter: Meter,
     /// When what is known of lost communication was last brought up to date.
     comms_known_at: i64,
     ai: ai::AiSide,
@@ -151,6 +153,7 @@ impl Judge {
             history: History::new(),
             vcu: VcuSide::default(),
             handshake: Watch::default(),
+            meter: Meter::default(),
             comms_known_at: 0,
             ai: ai::AiSide::default(),
             pending: Vec::new(),

@@ -74,6 +74,40 @@ impl ResponseTimes {
     }
 }
 
+/// Measures each answer, from the VCU's edge to the first frame of the AI Computer that shows the same bit.
+///
+/// Unlike the watch that judges, it measures whatever the log shows: leaving out what is not certain would leave out
+/// the slow answers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Meter {
+    vcu: Option<bool>,
+    edge_at: Option<i64>,
+    ai_was_heard: bool,
+}
+
+impl Meter {
+    /// The VCU's bit was seen.
+    pub(super) fn vcu(&mut self, now: i64, bit: bool) {
+        let before = self.vcu.replace(bit);
+        if before != Some(bit) {
+            // Nobody answers who is not there yet.
+            self.edge_at = before.filter(|_| self.ai_was_heard).map(|_| now);
+        }
+    }
+
+    /// The AI Computer's bit was seen: tells the response time if this is the answer.
+    pub(super) fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
+        self.ai_was_heard = true;
+        if self.vcu == Some(bit) { self.edge_at.take().map(|edge| now - edge) } else { None }
+    }
+
+    /// The VCU was silent: its bit may have changed meanwhile.
+    pub(super) fn restart(&mut self) {
+        self.vcu = None;
+        self.edge_at = None;
+    }
+}
+
 #[allow(clippy::cast_precision_loss, reason = "a duration for display")]
 fn ms(ns: i64) -> f64 {
     ns as f64 / 1e6

@@ -69,6 +69,7 @@ impl Judge {
         let old_state = self.vcu.state;
         let new_state = if state_readable { Some(status.as_state) } else { None };
 
+        self.meter.vcu(t, status.handshake);
         if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
             self.handshake.restart();
         }

@@ -1,0 +1,61 @@
+//! The help texts, which stand for a manual page.
+
+use crate::run::run;
+
+const COMMANDS: [&str; 5] = ["check", "dbc", "diagram", "readings", "schema"];
+
+#[test]
+fn every_help_text_has_examples_and_exit_status() {
+    let pages = COMMANDS.map(|command| vec![command, "--help"]).into_iter().chain([vec!["--help"]]);
+    for args in pages {
+        let help = run(&args);
+        assert_eq!(help.status, Some(0), "{args:?}");
+        for heading in ["\nEXAMPLES\n", "\nEXIT STATUS\n", "Usage: adsdv"] {
+            assert!(help.stdout.contains(heading), "{args:?} lacks {heading:?}");
+        }
+        assert_eq!(help.stderr, "", "{args:?}");
+        for line in help.stdout.lines() {
+            assert!(line.chars().count() <= 100, "{args:?} has a long line: {line}");
+        }
+    }
+}
+
+#[test]
+fn the_overview_names_every_command() {
+    let help = run(&["--help"]).stdout;
+    for command in COMMANDS {
+        assert!(help.lines().any(|line| line.trim_start().starts_with(command)), "{command} is missing");
+    }
+}
+
+#[test]
+fn the_examples_of_check_are_valid_arguments() {
+    let help = run(&["check", "--help"]).stdout;
+    let mut tried = 0;
+    for example in help.lines().filter_map(|line| line.trim().strip_prefix("adsdv check ")) {
+        let arguments = example.split(['|', '>']).next().unwrap_or_default();
+        let args: Vec<&str> = ["check"].into_iter().chain(arguments.split_whitespace()).collect();
+        let outcome = run(&args);
+        assert!(
+            outcome.stderr.starts_with("adsdv: run.log: cannot open the log: "),
+            "{example}: {outcome:?}"
+        );
+        tried += 1;
+    }
+    assert!(tried >= 4, "{help}");
+}
+
+#[test]
+fn defaults_are_shown() {
+    let help = run(&["check", "--help"]).stdout;
+    assert!(help.contains("[default: 30]") && help.contains("[default: 50]"), "{help}");
+}
+
+#[test]
+fn version_and_no_arguments() {
+    let version = run(&["--version"]);
+    assert_eq!((version.status, version.stdout.as_str()), (Some(0), "adsdv 0.1.0\n"));
+    let nothing = run(&[]);
+    assert_eq!((nothing.status, nothing.stdout.as_str()), (Some(2), ""));
+    assert!(nothing.stderr.contains("Usage: adsdv <COMMAND>"), "{}", nothing.stderr);
+}

@@ -1,0 +1,13 @@
+//! The command as its users run it: arguments, standard input, output and error, exit status.
+
+#![forbid(unsafe_code)]
+
+mod color;
+mod errors;
+mod golden;
+mod help;
+mod readings;
+mod run;
+mod schema;
+mod streams;
+mod tables;

@@ -1,0 +1,79 @@
+//! `--reading ID=CHOICE`, and the list of what may be given.
+
+use adsdv_spec::{Choice, Reading, Readings};
+
+use crate::run::{MISSION, run};
+
+#[test]
+fn a_pinned_reading_stands_in_the_report() {
+    let pinned = run(&["check", "--reading", "fault-trigger=edge", MISSION]);
+    assert!(pinned.stdout.contains("\nreading fault-trigger=edge: the change counts\n"), "{}", pinned.stdout);
+    let twice =
+        run(&["check", "--reading", "fault-trigger=edge", "--reading", "fault-trigger=edge", MISSION]);
+    assert_eq!(twice.status, pinned.status, "{}", twice.stderr);
+}
+
+#[test]
+fn an_unknown_reading_lists_the_known_ones() {
+    for command in ["check", "diagram"] {
+        for given in ["no-such=edge", "=edge", "fault-trigger", ""] {
+            let outcome = run(&[command, "--reading", given, MISSION]);
+            assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{given}");
+            for reading in Reading::ALL {
+                assert!(outcome.stderr.contains(reading.id()), "{given}: {}", outcome.stderr);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_unknown_choice_lists_the_known_ones() {
+    for reading in Reading::ALL {
+        let outcome = run(&["check", "--reading", &format!("{}=no-such", reading.id()), MISSION]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
+        let choices: Vec<_> = reading.choices().iter().map(|choice| choice.id()).collect();
+        let expected = format!("expected one of {}\n", choices.join(", "));
+        assert!(outcome.stderr.contains(&expected), "{}", outcome.stderr);
+    }
+}
+
+#[test]
+fn a_reading_cannot_be_pinned_to_two_choices() {
+    for command in [&["check", MISSION][..], &["diagram"]] {
+        let pins =
+            ["--reading", "go-edge=edge", "--reading", "ai-estop=driving", "--reading", "go-edge=seen-low"];
+        let outcome = run(&[command, &pins].concat());
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
+        let expected = "adsdv: --reading go-edge=seen-low: go-edge is already pinned to edge\nhint: ";
+        assert!(outcome.stderr.starts_with(expected), "{}", outcome.stderr);
+    }
+}
+
+#[test]
+fn the_list_has_every_choice_and_marks_the_defaults() {
+    let list = run(&["readings"]).stdout;
+    let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    for choice in Choice::ALL {
+        let mark = if Readings::DEFAULT.is(*choice) { "* " } else { "" };
+        let expected = words(&format!("{mark}{} {}", choice.id(), choice.text()));
+        assert!(list.lines().any(|line| words(line) == expected), "{choice} is missing: {list}");
+    }
+    assert!(list.lines().all(|line| line.chars().count() <= 100), "{list}");
+}
+
+#[test]
+fn the_list_for_programs_says_the_same() {
+    let list: serde_json::Value = serde_json::from_str(&run(&["readings", "--json"]).stdout).expect("JSON");
+    let list = list.as_array().expect("an array");
+    assert_eq!(list.len(), Reading::ALL.len());
+    for (json, reading) in list.iter().zip(Reading::ALL) {
+        assert_eq!(json["id"], reading.id());
+        assert_eq!(json["question"], reading.question());
+        let choices = json["choices"].as_array().expect("an array");
+        assert_eq!(choices.len(), reading.choices().len());
+        for (json, choice) in choices.iter().zip(reading.choices()) {
+            assert_eq!(Choice::find(reading.id(), json["id"].as_str().expect("text")), Some(*choice));
+            assert_eq!(json["default"], Readings::DEFAULT.is(*choice));
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Runs the command, and finds the logs.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{fs, thread};
+
+pub(crate) const MISSION: &str = "tests/logs/mission.log";
+pub(crate) const FINISHED_WHILE_MOVING: &str = "tests/logs/finished-while-moving.log";
+
+/// What a run came to.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    pub(crate) status: Option<i32>,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+/// The command, in the folder of the workspace, so that reports name logs as a user there does, and without the
+/// variables that change colors.
+pub(crate) fn adsdv(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_adsdv"));
+    command.args(args).current_dir(workspace()).stdin(Stdio::null());
+    for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(variable);
+    }
+    command
+}
+
+/// Runs the command to its end.
+pub(crate) fn run(args: &[&str]) -> Outcome {
+    outcome(&mut adsdv(args))
+}
+
+/// Runs a command to its end.
+pub(crate) fn outcome(command: &mut Command) -> Outcome {
+    let output = command.output().expect("the command starts");
+    Outcome {
+        status: output.status.code(),
+        stdout: String::from_utf8(output.stdout).expect("text"),
+        stderr: String::from_utf8(output.stderr).expect("text"),
+    }
+}
+
+/// Runs `adsdv check` on a log that is given as standard input.
+pub(crate) fn check_input(args: &[&str], log: &[u8]) -> Outcome {
+    let mut command = adsdv(&["check", "-"]);
+    let mut child = command
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let output = thread::scope(|scope| {
+        // A command that refuses its arguments does not read; that is no failure of the test.
+        scope.spawn(move || stdin.write_all(log).ok());
+        child.wait_with_output().expect("the command ends")
+    });
+    Outcome {
+        status: output.status.code(),
+        stdout: String::from_utf8(output.stdout).expect("text"),
+        stderr: String::from_utf8(output.stderr).expect("text"),
+    }
+}
+
+pub(crate) fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace")
+}
+
+/// The bytes of a file of the workspace.
+pub(crate) fn file(path: &str) -> Vec<u8> {
+    fs::read(workspace().join(path)).unwrap_or_else(|error| panic!("cannot read {path}: {error}"))
+}
+
+/// A file of this content for one test. The name has to be the test's own.
+pub(crate) fn temporary(name: &str, content: &[u8]) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, content).expect("the folder for tests can be written");
+    path
+}

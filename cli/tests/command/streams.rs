@@ -1,0 +1,79 @@
+//! Standard input, and readers of the output that leave early.
+
+use std::io::{BufRead as _, BufReader};
+use std::process::Stdio;
+
+use crate::run::{FINISHED_WHILE_MOVING, MISSION, adsdv, check_input, file, run};
+
+#[test]
+fn standard_input_is_judged_like_the_file() {
+    for log in [MISSION, FINISHED_WHILE_MOVING] {
+        let (named, given) = (run(&["check", log]), check_input(&[], &file(log)));
+        assert_eq!(given.stdout.replace("standard input: ", &format!("{log}: ")), named.stdout);
+        assert_eq!(given.status, named.status);
+        let (named, given) = (run(&["check", "--json", log]), check_input(&["--json"], &file(log)));
+        assert_eq!((given.stdout, given.status), (named.stdout, named.status));
+    }
+}
+
+#[test]
+fn the_exit_status_is_the_verdict() {
+    for (log, verdict, status) in [(MISSION, "conforms", 0), (FINISHED_WHILE_MOVING, "violates", 1)] {
+        for option in ["--color=auto", "--json"] {
+            let outcome = run(&["check", option, log]);
+            assert_eq!(outcome.status, Some(status), "{}", outcome.stdout);
+            assert!(outcome.stdout.lines().last().is_some_and(|line| line.contains(verdict)));
+            assert_eq!(outcome.stderr, "");
+        }
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let cases: [(&[&str], _); 4] = [
+        (&["check", MISSION], 0),
+        (&["check", FINISHED_WHILE_MOVING], 1),
+        (&["check", "--json", FINISHED_WHILE_MOVING], 1),
+        (&["dbc"], 0),
+    ];
+    for (args, status) in cases {
+        // Closed before the first byte: the reading end is dropped at once.
+        let mut child =
+            adsdv(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("the command ends");
+        assert_eq!(output.status.code(), Some(status), "{args:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args:?}");
+    }
+}
+
+#[test]
+fn a_reader_may_leave_after_the_first_line() {
+    let mut child =
+        adsdv(&["dbc"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
+    let mut line = String::new();
+    let mut reader = BufReader::with_capacity(16, child.stdout.take().expect("a pipe"));
+    reader.read_line(&mut line).expect("a line");
+    drop(reader);
+    assert_eq!(line, "VERSION \"3.0\"\n");
+    let output = child.wait_with_output().expect("the command ends");
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
+#[test]
+fn what_was_chosen_stands_in_the_header() {
+    let report = run(&["check", "--window", "20", "--interface", "vcan0", MISSION]).stdout;
+    let header: Vec<_> = report.lines().take_while(|line| !line.is_empty()).collect();
+    assert_eq!(header.len(), 3, "{header:?}");
+    assert!(header[0].starts_with("tests/logs/mission.log: 33940 frames in 25.99"), "{header:?}");
+    assert_eq!(header[1..], ["interface vcan0", "window 20 ms, deadline 50 ms"]);
+}
+
+#[test]
+fn lines_fit_into_100_columns() {
+    for log in [MISSION, FINISHED_WHILE_MOVING] {
+        for line in run(&["check", log]).stdout.lines() {
+            assert!(line.chars().count() <= 100, "{line}");
+        }
+    }
+}
