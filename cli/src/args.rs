@@ -117,7 +117,8 @@ OUTPUT
             party at fault (AI, VCU, or the LOG itself), section and rule, and below
             that what was seen and what was expected
   NOTES     facts about the log
-  Last come the times of the AI Computer's answers to the handshake, and the verdict.
+  Last come the times of the AI Computer's answers to the handshake (p99: 99 percent
+  came within it), and the verdict.
 
 ENVIRONMENT
   NO_COLOR  if set and not empty, --color auto means never

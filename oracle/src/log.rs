@@ -50,14 +50,15 @@ impl fmt::Display for LogError {
                 )
             }
             Self::NoFrame { lines, first } => {
-                write!(f, "no readable frame in {lines} lines")?;
+                write!(f, "no readable frame in {}", counted(*lines, "line"))?;
                 if let Some(first) = first {
                     write!(f, "; {first}")?;
                 }
                 Ok(())
             }
             Self::NoSuchInterface { wanted, found } => {
-                write!(f, "no frame on interface {wanted}; the log has {}", found.join(", "))
+                write!(f, "no data frame with an 11-bit identifier on interface {wanted}")?;
+                if found.is_empty() { Ok(()) } else { write!(f, "; the log has {}", found.join(", ")) }
             }
         }
     }
@@ -165,6 +166,9 @@ impl<'a> Log<'a> {
             return self.pass_over(t, record, ours);
         }
         self.on_interface += 1;
+        if !record.terminated && is_cut_off(record) {
+            return self.cut_off(t, record);
+        }
         self.judge.frame(t, record.id, record.data);
         if record.direction.is_some() {
             self.direction(record);
@@ -188,8 +192,8 @@ impl<'a> Log<'a> {
             _ if !ours => format!("on interface {}", record.interface),
             FrameKind::Standard => return,
             FrameKind::Extended => "with an extended identifier".to_owned(),
-            FrameKind::Remote { .. } => "that are remote frames".to_owned(),
-            FrameKind::Error => "that are error frames".to_owned(),
+            FrameKind::Remote { .. } => "of the remote kind".to_owned(),
+            FrameKind::Error => "of the error kind".to_owned(),
             FrameKind::Fd { .. } => "of CAN FD".to_owned(),
             FrameKind::Xl => "of CAN XL".to_owned(),
         };
@@ -199,6 +203,16 @@ impl<'a> Log<'a> {
         } else {
             *self.passed_over.entry("on further interfaces".to_owned()).or_default() += 1;
         }
+    }
+
+    #[cold]
+    fn cut_off(&mut self, t: i64, record: &Record<'_>) {
+        self.judge.other_frame(t);
+        let message = format!(
+            "line {}: the log ends in the middle of frame {:03X}h; expected a line feed at its end",
+            record.line, record.id
+        );
+        self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, message);
     }
 
     /// Uses the direction of a frame: what goes the way that only the AI Computer's messages go is its own.
@@ -235,9 +249,21 @@ impl<'a> Log<'a> {
             return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
         }
         for (reason, count) in &self.passed_over {
-            let message = format!("{count} frames {reason}, not judged");
+            let message = format!("{} {reason}, not judged", counted(*count, "frame"));
             self.judge.report(Severity::Note, Party::Log, "2", Rule::NotJudged, message);
         }
         Ok(self.judge.finish())
     }
+}
+
+/// A number with its noun, in the plural where it takes one.
+fn counted(count: u64, noun: &str) -> String {
+    let s = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{s}")
+}
+
+/// Whether a frame lacks data that its message has.
+fn is_cut_off(record: &Record<'_>) -> bool {
+    let def = u16::try_from(record.id).ok().and_then(message_by_id);
+    def.is_some_and(|def| record.data.len() < def.bytes_needed())
 }

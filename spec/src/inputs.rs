@@ -194,7 +194,8 @@ impl Inputs {
     pub const fn faults(&self) -> Faults {
         let sdc = &self.sdc;
         let reports = &self.reports;
-        // Decision D: what opens the circuit without a number of its own is reported as an open circuit.
+        // What opens the circuit without a number of its own is reported as an open circuit: see "Decisions" in
+        // REQUIREMENTS.md.
         let open = reports.hvil_open
             || sdc.remote_estop
             || sdc.res_link_lost

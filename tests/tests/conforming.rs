@@ -48,7 +48,7 @@ fn change(random: &mut Random, world: &mut World) {
         0 => world.inputs.asms = mostly(random),
         1 => world.inputs.tsms = mostly(random),
         2 => {
-            world.inputs.ami = random.pick(&[AmiState::NotSelected, AmiState::Skidpad, AmiState::TrackDrive])
+            world.inputs.ami = random.pick(&[AmiState::NotSelected, AmiState::Skidpad, AmiState::TrackDrive]);
         }
         3 => world.inputs.reports.batt_temp_high = random.one_in(2),
         4 | 5 => world.inputs.go = mostly(random),
@@ -63,10 +63,11 @@ fn change(random: &mut Random, world: &mut World) {
             }
         }
         10 => {
-            world.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]))
+            world.ai.drive_f.front_axle_trq_request =
+                AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]));
         }
         11 => {
-            world.ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]))
+            world.ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]));
         }
         12 => world.ai.steer.steer_request = SteerAngle::clamped(random.pick(&[0, 0, 1, -1])),
         13 => world.inputs.vehicle.steer_angle = SteerAngle::clamped(random.pick(&[0, 49, 50, -49, -50])),

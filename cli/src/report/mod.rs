@@ -66,7 +66,7 @@ fn answers(out: &mut String, report: &Report) -> fmt::Result {
     match (times.min_ms(), times.quantile_ms(0.5), times.quantile_ms(0.99), times.max_ms()) {
         (Some(min), Some(median), Some(p99), Some(max)) => writeln!(
             out,
-            "{} in min {min:.2}, median {median:.2}, 99th percentile {p99:.2}, max {max:.2} ms",
+            "{}; min {min:.2}, median {median:.2}, p99 {p99:.2}, max {max:.2} ms",
             counted(times.count(), "answer"),
         ),
         _ => writeln!(out, "no answers seen"),

@@ -15,9 +15,9 @@ fn a_pinned_reading_stands_in_the_report() {
 
 #[test]
 fn an_unknown_reading_lists_the_known_ones() {
-    for command in ["check", "diagram"] {
+    for command in [&["check", MISSION][..], &["diagram"]] {
         for given in ["no-such=edge", "=edge", "fault-trigger", ""] {
-            let outcome = run(&[command, "--reading", given, MISSION]);
+            let outcome = run(&[command, &["--reading", given]].concat());
             assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{given}");
             for reading in Reading::ALL {
                 assert!(outcome.stderr.contains(reading.id()), "{given}: {}", outcome.stderr);

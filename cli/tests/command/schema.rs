@@ -144,11 +144,14 @@ fn the_schema_names_every_rule_and_state() {
     assert_eq!(schema["$defs"]["state"]["enum"], json!(states));
 }
 
+/// What is wrong with a report, and how it comes to be wrong.
+type Spoil = (&'static str, fn(&mut Value));
+
 #[test]
 fn the_schema_refuses_what_is_not_a_report() {
     let good = report(&file(FINISHED_WHILE_MOVING));
     let validator = validator();
-    let spoil: [(&str, fn(&mut Value)); 9] = [
+    let spoil: [Spoil; 9] = [
         ("another key", |r| r["extra"] = json!(1)),
         ("a missing key", |r| _ = r.as_object_mut().map(|o| o.remove("handshake_response_ms"))),
         ("another verdict", |r| r["verdict"] = json!("perhaps")),

@@ -1,5 +1,6 @@
 //! Standard input, and readers of the output that leave early.
 
+use std::fmt::Write as _;
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 
@@ -76,4 +77,31 @@ fn lines_fit_into_100_columns() {
             assert!(line.chars().count() <= 100, "{line}");
         }
     }
+}
+
+#[test]
+fn a_short_log_tells_what_it_does_not_show() {
+    let log = b"(1.0) can0 520#0000010000000000\n";
+    let report = check_input(&[], log);
+    for line in [
+        "standard input: 1 frame in 0.000 s",
+        "  no change of AS_STATE seen",
+        "AI handshake: no answers seen",
+    ] {
+        assert!(report.stdout.lines().any(|l| l == line), "{line:?} is missing: {}", report.stdout);
+    }
+}
+
+#[test]
+fn the_timeline_marks_a_transition_that_figure_2_does_not_have() {
+    let mut log = String::new();
+    for cycle in 0..100 {
+        let state = if cycle < 50 { 1 } else { 3 };
+        writeln!(log, "(0.{cycle:02}0000) can0 520#00000{state}0000000000").expect("a string");
+    }
+    let report = check_input(&[], log.as_bytes());
+    assert_eq!(report.status, Some(1));
+    let line = report.stdout.lines().find(|line| line.contains("AS_OFF          -> AS_DRIVING"));
+    let words: Vec<_> = line.unwrap_or_default().split_whitespace().collect();
+    assert_eq!((words.first(), words.last()), (Some(&"0.500"), Some(&"VIOLATION")), "{}", report.stdout);
 }

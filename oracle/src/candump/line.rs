@@ -26,7 +26,16 @@ pub(super) fn parse<'a>(
     let frame = frame::take(&mut cursor, data)?;
     let direction = take_direction(&mut cursor)?;
     let data = data.get(..frame.len).unwrap_or_default();
-    Ok(Record { line: number, time_ns, interface, kind: frame.kind, id: frame.id, data, direction })
+    Ok(Record {
+        line: number,
+        time_ns,
+        interface,
+        kind: frame.kind,
+        id: frame.id,
+        data,
+        direction,
+        terminated: true,
+    })
 }
 
 /// Whether a line holds nothing at all, which is no error.

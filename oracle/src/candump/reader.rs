@@ -40,6 +40,8 @@ pub struct Reader<R> {
     inside_long_line: bool,
     /// Number of the last line handed out.
     line: u64,
+    /// Whether that line ended with a line feed.
+    terminated: bool,
     /// Data of the last record handed out.
     data: Box<[u8; MAX_DATA]>,
 }
@@ -53,6 +55,7 @@ impl<R: Read> Reader<R> {
             pending: 0..0,
             inside_long_line: false,
             line: 0,
+            terminated: true,
             data: Box::new([0; MAX_DATA]),
         }
     }
@@ -76,6 +79,7 @@ impl<R: Read> Reader<R> {
     /// the reader but an [`Entry::Broken`].
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let Some(span) = self.next_line()? else { return Ok(None) };
+        let terminated = self.terminated;
         let text = self.buffer.get(span).unwrap_or_default();
         let parsed = if text.len() > MAX_LINE {
             Err(Flaw { at: 0, expected: SHORTER })
@@ -83,7 +87,7 @@ impl<R: Read> Reader<R> {
             line::parse(self.line, text, &mut self.data)
         };
         Ok(Some(match parsed {
-            Ok(record) => Entry::Frame(record),
+            Ok(record) => Entry::Frame(Record { terminated, ..record }),
             Err(flaw) => Entry::Broken(LineError::new(self.line, text, flaw)),
         }))
     }
@@ -122,6 +126,7 @@ impl<R: Read> Reader<R> {
             if self.fill()? == 0 {
                 let span = self.pending.clone();
                 self.pending = 0..0;
+                self.terminated = false;
                 let last = !span.is_empty() && self.begin_line(&span);
                 return Ok(last.then_some(span));
             }

@@ -24,6 +24,8 @@ pub struct Record<'a> {
     pub data: &'a [u8],
     /// Whether the frame was received or sent, if the log says so (`candump -x`).
     pub direction: Option<Direction>,
+    /// Whether the line ended with a line feed. The last line of a log that was cut off does not, and may lack data.
+    pub terminated: bool,
 }
 
 /// The sorts of frame that a log can hold. The ADS-DV uses [`FrameKind::Standard`] alone.

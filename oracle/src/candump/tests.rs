@@ -294,3 +294,13 @@ fn what_is_written_is_read_back() {
         assert_eq!(read(&log), [expected], "{}", log.escape_ascii());
     }
 }
+
+#[test]
+fn a_last_line_that_was_cut_off_is_told_from_one_that_was_not() {
+    let mut reader = Reader::new(&b"(1.000000) can0 520#0011\n(1.010000) can0 520#00"[..]);
+    let mut terminated = Vec::new();
+    while let Ok(Some(Entry::Frame(record))) = reader.next_record() {
+        terminated.push(record.terminated);
+    }
+    assert_eq!(terminated, [true, false]);
+}

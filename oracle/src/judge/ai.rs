@@ -1,7 +1,7 @@
 //! The AI Computer's conduct: the handshake, FINISHED and NEUTRAL at speed, and requests that hold the vehicle.
 
 use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus};
-use adsdv_spec::{AsState, Atom, Fault, Knowledge, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Truth};
 
 use super::events::{Pending, What, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
@@ -32,6 +32,10 @@ impl AiSide {
 
 /// What section 3.7 forbids the AI Computer while the vehicle is moving.
 const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
+
+/// What decides it.
+pub(super) const AT_SPEED_ATOMS: Atoms =
+    scope(AI_STATUS).union(adsdv_spec::messages::Vcu2AiWheelSpeeds::SCOPE);
 
 /// The conditions of section 3.2, item 2, that the AI Computer must meet.
 const REQUESTS: [Atom; 4] =
@@ -134,7 +138,7 @@ impl Judge {
             for (index, fault) in AT_SPEED.into_iter().enumerate() {
                 let now = self.does(fault, self.known);
                 if now && !self.ai.at_speed.get(index).copied().unwrap_or(true) {
-                    self.suspend(t, self.window, self.known, What::AtSpeed(fault));
+                    self.suspend(t, self.wait_for(AT_SPEED_ATOMS), self.known, What::AtSpeed(fault));
                 }
                 if let Some(before) = self.ai.at_speed.get_mut(index) {
                     *before = now;

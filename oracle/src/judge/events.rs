@@ -1,6 +1,6 @@
 //! Time: what is to be done when it passes.
 
-use adsdv_spec::{Atom, Fault, Knowledge, Truth};
+use adsdv_spec::{Atom, Atoms, Fault, Knowledge, Truth};
 
 use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
@@ -32,6 +32,9 @@ pub(super) enum What {
     AtSpeed(Fault),
 }
 
+/// Times further away than this (73 years) are taken for this, so that no sum of times overflows.
+const FAR_NS: i64 = 1 << 61;
+
 /// Time stamps that go back further than this start a new recording; smaller steps are jitter.
 const SET_BACK_NS: i64 = 1000 * MS;
 
@@ -39,7 +42,7 @@ impl Judge {
     /// Time goes on to that of a frame. Returns the time that the judge gives it.
     #[inline]
     pub(super) fn tick(&mut self, t_ns: i64) -> i64 {
-        let t = t_ns.saturating_add(self.offset);
+        let t = t_ns.clamp(-FAR_NS, FAR_NS) + self.offset;
         if t < self.now || !self.started {
             return self.set_back(t);
         }
@@ -69,7 +72,7 @@ impl Judge {
         );
         if restart {
             self.settle_all(self.now);
-            self.offset = self.offset.saturating_add(back);
+            self.offset = (self.offset + back).min(FAR_NS);
             self.forget_everything();
         }
         self.now
@@ -190,15 +193,30 @@ impl Judge {
         }
         let mut known = self.history.throughout(start, end);
         for (index, slot) in self.slots.iter().enumerate() {
-            let late = start + self.window + slot.period * 2;
-            if !scope(index).is_empty() && late > end {
+            if self.is_slow(slot) && !scope(index).is_empty() {
+                let late = end + slot.period * 2;
                 let long = if now < late { Knowledge::NOTHING } else { self.history.throughout(start, late) };
-                let others = known.forget(scope(index));
-                known = known.meet(long).forget(adsdv_spec::Atoms::ALL.difference(scope(index)));
-                known = others.learn(known.on().union(known.off()), known.on());
+                let both = known.meet(long);
+                let certain = scope(index).intersection(both.on().union(both.off()));
+                known = known.forget(scope(index)).learn(certain, both.on());
             }
         }
         known
+    }
+
+    /// Whether a message comes so rarely that a window may pass between two of its frames.
+    fn is_slow(&self, slot: &super::Slot) -> bool {
+        slot.period > self.window
+    }
+
+    /// How long to wait until all that decides these atoms in a window has been seen.
+    pub(super) fn wait_for(&self, atoms: Atoms) -> i64 {
+        let slow = self
+            .slots
+            .iter()
+            .enumerate()
+            .filter(|&(index, slot)| self.is_slow(slot) && !scope(index).intersection(atoms).is_empty());
+        self.window + slow.map(|(_, slot)| slot.period * 2).max().unwrap_or(0)
     }
 
     /// The moments between `start` and `end`, with what was known at each.

@@ -63,7 +63,7 @@ impl Judge {
         let (shown, shown_before) = (Faults::shown_by(status), Faults::shown_by(previous));
         for fault in VISIBLE {
             if shown.has(fault) && !shown_before.has(fault) {
-                self.suspend(t, self.window, before, What::Flag(fault));
+                self.suspend(t, self.wait_for(super::ai::AT_SPEED_ATOMS), before, What::Flag(fault));
                 if fault == Fault::AiCommsFault {
                     self.ai_was_silent(t, before);
                 }
@@ -207,7 +207,7 @@ impl Judge {
                 let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
                 // An edge may lie before the window; what it needs besides does not.
                 let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
-                if term.truth(known) != Truth::False && !self.edge_excluded(term, window) {
+                if term.truth(known) != Truth::False && !edge_excluded(term, window) {
                     return;
                 }
             }
@@ -221,15 +221,6 @@ impl Judge {
         let clause = if fault == Fault::AiComputerRequest { "2.2" } else { clause };
         let message = format!("{fault} was raised, but {why}; expected 0");
         self.vcu_violation(t, clause, Rule::FlagUnfounded, message);
-    }
-
-    /// Whether the value that an edge leads to is certain not to have been there.
-    fn edge_excluded(&self, term: &adsdv_spec::Term, window: Knowledge) -> bool {
-        let to = [
-            (Atom::MissionFinishedEdge, Atom::MissionFinished),
-            (Atom::DirectionNeutralEdge, Atom::DirectionNeutral),
-        ];
-        to.iter().any(|&(edge, level)| term.on.has(edge) && window.of(level) == Truth::False)
     }
 
     /// The VCU changed its handshake bit: was the one before answered?
@@ -359,4 +350,13 @@ impl Judge {
             None => self.history.push(t, self.known, self.vcu.state),
         }
     }
+}
+
+/// Whether the value that an edge leads to is certain not to have been there.
+fn edge_excluded(term: &adsdv_spec::Term, window: Knowledge) -> bool {
+    let to = [
+        (Atom::MissionFinishedEdge, Atom::MissionFinished),
+        (Atom::DirectionNeutralEdge, Atom::DirectionNeutral),
+    ];
+    to.iter().any(|&(edge, level)| term.on.has(edge) && window.of(level) == Truth::False)
 }

@@ -60,13 +60,12 @@ impl Judge {
     ) {
         let usual = self.slots.get(super::STATUS).map_or(0, |slot| slot.period);
         let gap = gap || t - before > usual + usual / 5;
-        // Wait for the messages that show late what was so before.
-        let wait = (0..super::slots::COUNT)
-            .filter(|&index| self.variants.terms(from).iter().any(|t| touches(t, scope(index))))
-            .filter_map(|index| self.slots.get(index))
-            .map(|slot| self.window + slot.period * 2)
-            .max()
-            .map_or(self.window, |late| late.max(self.window));
+        let deciding = self
+            .variants
+            .terms(from)
+            .iter()
+            .fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off));
+        let wait = self.wait_for(deciding);
         self.suspend(t, wait, at_step, What::Seen(Seen { from, to, before, gap }));
     }
 
@@ -273,13 +272,12 @@ fn judge_variant(variant: &Variant, to: AsState, window: Knowledge, instants: &[
 
 /// Why a transition was wrong: the condition that failed in each alternative, or the row that comes first.
 fn unjustified(from: AsState, to: AsState, guard: &Guard, window: Knowledge, judged: &[Judged]) -> String {
-    if guard.truth(window) != Truth::False {
-        if let Some((term, _)) = judged.iter().find_map(|j| j.decided) {
-            return format!(
-                "{from} -> {to}, though {}: another arrow comes first; expected that one",
-                conditions(&term, window)
-            );
-        }
+    let overtaking = judged.iter().find_map(|j| j.decided).filter(|_| guard.truth(window) != Truth::False);
+    if let Some((term, _)) = overtaking {
+        return format!(
+            "{from} -> {to}, though {}: another arrow comes first; expected that one",
+            conditions(&term, window)
+        );
     }
     let mut failed: Vec<&str> = Vec::new();
     for (atom, value) in guard.terms.iter().flat_map(Term::conditions) {

@@ -55,7 +55,12 @@ impl Judge {
     ) {
         match index {
             STATUS => {
-                let Lenient { message, bad } = self.read::<Vcu2AiStatus>(index, t, word);
+                let Lenient { mut message, bad } = self.read::<Vcu2AiStatus>(index, t, word);
+                if is_bad::<Vcu2AiStatus>(bad, "SHUTDOWN_CAUSE") {
+                    // A cause that cannot be read says nothing about the one before.
+                    message.shutdown_cause =
+                        self.vcu.status.map_or(message.shutdown_cause, |s| s.shutdown_cause);
+                }
                 let state_bad = is_bad::<Vcu2AiStatus>(bad, "AS_STATE");
                 let ami_bad = is_bad::<Vcu2AiStatus>(bad, "AMI_STATE");
                 let readable =
@@ -153,12 +158,10 @@ impl Judge {
     #[inline]
     fn read<M: Message>(&mut self, index: usize, t: i64, word: u64) -> Lenient<M> {
         let lenient = lenient::decode::<M>(word.to_le_bytes());
-        if let Some(slot) = self.slots.get_mut(index) {
-            if slot.bad != lenient.bad {
-                let new = lenient.bad & !slot.bad;
-                slot.bad = lenient.bad;
-                self.bad_values::<M>(t, word, new);
-            }
+        if let Some(slot) = self.slots.get_mut(index).filter(|slot| slot.bad != lenient.bad) {
+            let new = lenient.bad & !slot.bad;
+            slot.bad = lenient.bad;
+            self.bad_values::<M>(t, word, new);
         }
         lenient
     }
@@ -284,19 +287,23 @@ impl Judge {
 
     /// The end of the log: says which side was not there.
     pub(super) fn note_one_sided(&mut self) {
-        for (node, party) in [(Node::Ai, "AI Computer"), (Node::Vcu, "VCU")] {
-            if !self.slots.iter().any(|slot| slot.def.sender == node && slot.last.is_some()) {
-                self.report(
-                    Severity::Note,
-                    Party::Log,
-                    "2",
-                    Rule::OneSided,
-                    format!(
-                        "no message of the {party} in the log; the other side was judged as far as it can be"
-                    ),
-                );
-            }
-        }
+        let seen = |node| self.slots.iter().any(|slot| slot.def.sender == node && slot.last.is_some());
+        let (severity, message) = match (seen(Node::Ai), seen(Node::Vcu)) {
+            (true, true) => return,
+            (false, false) => (
+                Severity::Warning,
+                "no message of the document in the log: nothing was judged; expected 500h to 526h",
+            ),
+            (true, false) => (
+                Severity::Note,
+                "no message of the VCU in the log; the AI Computer was judged as far as it can be",
+            ),
+            (false, true) => (
+                Severity::Note,
+                "no message of the AI Computer in the log; the VCU was judged as far as it can be",
+            ),
+        };
+        self.report(severity, Party::Log, "2", Rule::OneSided, message.to_owned());
     }
 }
 

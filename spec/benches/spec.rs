@@ -1,0 +1,166 @@
+//! How fast the specification runs: a step of the machine, and the codec of every message.
+//!
+//! ```text
+//! cargo bench -p adsdv-spec                      everything
+//! cargo bench -p adsdv-spec -- step              what has "step" in its name
+//! ```
+//!
+//! The time shown is that of one call. Each call gets the next of a few inputs, so that neither the compiler nor the
+//! branch predictor knows the answer beforehand.
+
+mod sample;
+
+use adsdv_spec::messages::{
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AnyMessage, Frame,
+    MESSAGES, Message, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
+    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
+};
+use adsdv_spec::{AsState, Control, Machine};
+use divan::{Bencher, black_box};
+
+use sample::{Ring, Stay, before_emergency_brake, frames};
+
+/// The reference cycle.
+const CYCLE_MS: u32 = 10;
+
+/// The machine is data that a VCU has in memory, not a constant for the compiler to fold.
+static MACHINE: Machine = Machine::REFERENCE;
+
+fn main() {
+    divan::main();
+}
+
+/// A step in each state, with the control state of the step before: how long a VCU that only steps would take.
+#[divan::bench(args = AsState::ALL)]
+fn step(bencher: Bencher, state: AsState) {
+    let Stay { mut control, mut inputs } = Stay::in_state(state);
+    bencher.bench_local(|| {
+        let (next, outputs) = black_box(&MACHINE).step(&control, black_box(inputs.next()), CYCLE_MS);
+        control = next;
+        black_box(&outputs);
+    });
+}
+
+/// A step, and the nine frames that the VCU sends after it.
+#[divan::bench(args = AsState::ALL)]
+fn step_and_encode(bencher: Bencher, state: AsState) {
+    let Stay { mut control, mut inputs } = Stay::in_state(state);
+    bencher.bench_local(|| {
+        let inputs = black_box(inputs.next());
+        let (next, outputs) = black_box(&MACHINE).step(&control, inputs, CYCLE_MS);
+        control = next;
+        black_box(&outputs.messages(inputs).frames());
+    });
+}
+
+/// A step without the observing of its inputs: the table alone.
+#[divan::bench(args = AsState::ALL)]
+fn react(bencher: Bencher, state: AsState) {
+    let Stay { mut control, inputs } = Stay::in_state(state);
+    let mut seen = inputs.map(|inputs| inputs.observe(&MACHINE.interface().thresholds));
+    bencher.bench_local(|| {
+        let reaction = black_box(&MACHINE).react(&control, *black_box(seen.next()), CYCLE_MS);
+        control = reaction.control;
+        black_box(&reaction);
+    });
+}
+
+/// The longest step: AS_DRIVING ends in EMERGENCY_BRAKE, for the last reason of the row, and the causes are found.
+#[divan::bench]
+fn step_to_emergency_brake(bencher: Bencher) {
+    let (control, mut inputs) = before_emergency_brake();
+    let (next, _) = MACHINE.step(&control, inputs.next(), CYCLE_MS);
+    assert_eq!(next.state, AsState::EmergencyBrake);
+    bencher.bench_local(|| {
+        black_box(&black_box(&MACHINE).step(black_box(&control), black_box(inputs.next()), CYCLE_MS));
+    });
+}
+
+/// The first step that a program takes, which has nothing in its registers yet.
+#[divan::bench]
+fn step_from_initial(bencher: Bencher) {
+    let mut inputs = Stay::in_state(AsState::Off).inputs;
+    let control = Control::INITIAL;
+    bencher.bench_local(|| {
+        black_box(&black_box(&MACHINE).step(black_box(&control), black_box(inputs.next()), CYCLE_MS));
+    });
+}
+
+#[divan::bench(types = [
+    Vcu2LogDynamics1, Ai2LogDynamics2, Vcu2LogStatus, Ai2VcuStatus, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuSteer,
+    Ai2VcuBrake, Vcu2AiStatus, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiSteer, Vcu2AiBrake, Vcu2AiWheelSpeeds,
+    Vcu2AiWheelCounts,
+])]
+fn decode<M: Message>(bencher: Bencher) {
+    let mut frames = frames(M::DEF);
+    bencher.bench_local(|| {
+        black_box(&M::decode(black_box(frames.next()).data()));
+    });
+}
+
+#[divan::bench(types = [
+    Vcu2LogDynamics1, Ai2LogDynamics2, Vcu2LogStatus, Ai2VcuStatus, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuSteer,
+    Ai2VcuBrake, Vcu2AiStatus, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiSteer, Vcu2AiBrake, Vcu2AiWheelSpeeds,
+    Vcu2AiWheelCounts,
+])]
+fn encode<M: Message>(bencher: Bencher) {
+    let mut messages = frames(M::DEF).map(|frame| M::decode(frame.data()).unwrap_or_default());
+    bencher.bench_local(|| {
+        black_box(&black_box(messages.next()).encode());
+    });
+}
+
+/// Each message by its identifier, which is the same all the time.
+#[divan::bench(args = names())]
+fn decode_any(bencher: Bencher, name: &str) {
+    let mut frames = named(name);
+    bencher.bench_local(|| {
+        let frame = black_box(frames.next());
+        black_box(&AnyMessage::decode(frame.id, frame.data()));
+    });
+}
+
+/// Each message as one of all messages.
+#[divan::bench(args = names())]
+fn encode_any(bencher: Bencher, name: &str) {
+    let mut messages = any(named(name));
+    bencher.bench_local(|| {
+        black_box(&black_box(messages.next()).encode());
+    });
+}
+
+/// All messages in turn, as on the bus.
+#[divan::bench]
+fn decode_any_in_turn(bencher: Bencher) {
+    let mut frames = bus();
+    bencher.bench_local(|| {
+        let frame = black_box(frames.next());
+        black_box(&AnyMessage::decode(frame.id, frame.data()));
+    });
+}
+
+/// All messages in turn, as on the bus.
+#[divan::bench]
+fn encode_any_in_turn(bencher: Bencher) {
+    let mut messages = any(bus());
+    bencher.bench_local(|| {
+        black_box(&black_box(messages.next()).encode());
+    });
+}
+
+fn names() -> impl Iterator<Item = &'static str> {
+    MESSAGES.iter().map(|def| def.name)
+}
+
+fn named(name: &str) -> Ring<Frame> {
+    Ring::new(MESSAGES.iter().filter(|def| def.name == name).flat_map(|def| frames(def).into_items()))
+}
+
+fn bus() -> Ring<Frame> {
+    let each: Vec<_> = MESSAGES.iter().map(|def| frames(def).into_items()).collect();
+    Ring::new((0..sample::COUNT).flat_map(|round| each.iter().map(move |frames| frames[round])))
+}
+
+fn any(frames: Ring<Frame>) -> Ring<AnyMessage> {
+    frames.map(|frame| AnyMessage::decode(frame.id, frame.data()).expect("every frame made here is allowed"))
+}

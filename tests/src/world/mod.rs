@@ -1,0 +1,105 @@
+//! A simulated bus: a VCU, an AI Computer and an operator, recorded as a log would be.
+//!
+//! The VCU steps every 10 ms on what it last received, and sends its frames; the AI Computer answers half a cycle
+//! later. What it records can be jittered and thinned as a real recorder does.
+
+use adsdv_oracle::judge::{Judge, Options, Report};
+use adsdv_spec::messages::{
+    AmiState, DirectionRequest, EbsState, Frame, Message, MissionStatus, Vcu2AiStatus, Vcu2AiWheelSpeeds,
+    WheelSpeed,
+};
+use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
+
+/// Nanoseconds in a millisecond.
+pub const MS: i64 = 1_000_000;
+const CYCLE: i64 = 10 * MS;
+
+/// The simulated world.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The VCU under test.
+    pub vcu: Machine,
+    /// What it remembers.
+    pub control: Control,
+    /// What it sees; the AI Computer's messages are replaced by those that it received.
+    pub inputs: Inputs,
+    /// What the AI Computer sends.
+    pub ai: AiMessages,
+    /// Whether the AI Computer sends at all.
+    pub ai_sends: bool,
+    /// Whether the AI Computer answers the handshake.
+    pub ai_answers: bool,
+    /// Changes each message of 520h before it is sent: for a VCU that tells something else than it does.
+    pub tells: fn(&mut Vcu2AiStatus),
+    /// The time.
+    pub t: i64,
+    /// What was recorded.
+    pub log: Vec<Recorded>,
+}
+
+impl World {
+    /// A world with this VCU, everything off, the AI Computer running.
+    pub fn new(vcu: Machine) -> Self {
+        Self {
+            vcu,
+            control: Control::INITIAL,
+            inputs: Inputs::default(),
+            ai: AiMessages::default(),
+            ai_sends: true,
+            ai_answers: true,
+            tells: |_| {},
+            t: 0,
+            log: Vec::new(),
+        }
+    }
+
+    /// A world with the reference VCU.
+    pub fn reference() -> Self {
+        Self::new(Machine::REFERENCE)
+    }
+
+    /// A world with a VCU that takes one reading differently.
+    pub fn with_reading(choice: Choice) -> Self {
+        Self::new(Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice)))
+    }
+
+    /// One cycle.
+    pub fn cycle(&mut self) {
+        let (control, outputs) = self.vcu.step(&self.control, &self.inputs, 10);
+        self.control = control;
+        let mut messages = outputs.messages(&self.inputs);
+        (self.tells)(&mut messages.status);
+        let slow = self.t % (100 * MS) == 0;
+        for (place, frame) in (0..).zip(messages.frames()) {
+            if slow || frame.id != adsdv_spec::messages::Vcu2LogStatus::ID {
+                self.log.push(Recorded { t: self.t + place * MS / 4, frame });
+            }
+        }
+        if self.ai_answers {
+            self.ai.status.handshake = messages.status.handshake;
+        }
+        if self.ai_sends {
+            let AiMessages { status, drive_f, drive_r, steer, brake } = self.ai;
+            let frames =
+                [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()];
+            for (place, frame) in (0..).zip(frames) {
+                self.log.push(Recorded { t: self.t + CYCLE / 2 + place * MS / 4, frame });
+            }
+            self.inputs.ai = self.ai;
+        }
+        self.t += CYCLE;
+    }
+
+    /// Lets this many milliseconds pass.
+    pub fn wait(&mut self, ms: i64) {
+        let end = self.t + ms * MS;
+        while self.t < end {
+            self.cycle();
+        }
+    }
+
+    /// What the judge says of the recording.
+    pub fn judge(&self, options: Options) -> Report {
+        judge(&self.log, options)
+    }
+}

@@ -1,0 +1,73 @@
+//! What a recorder keeps of a run, and what the judge says of it.
+
+use std::collections::HashMap;
+
+use adsdv_oracle::judge::{Judge, Options, Report, Severity};
+use adsdv_spec::messages::{Frame, MessageDef};
+
+use super::random::Random;
+use super::{MS, World};
+
+/// A frame of the recording.
+#[derive(Clone, Copy, Debug)]
+pub struct Recorded {
+    /// When, in nanoseconds.
+    pub t: i64,
+    /// What.
+    pub frame: Frame,
+}
+
+/// What a recorder does to a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Disturbance {
+    /// Each time stamp is late by up to this many milliseconds.
+    pub jitter_ms: i64,
+    /// One in this many frames is lost; 0 for none.
+    pub loss: u64,
+}
+
+XX    /// The recording with each time stamp late by up to `jitter`, and one in `loss` frames lost.
+    pub fn disturbed(&self, seed: u64, jitter: i64, loss: u64) -> Vec<Recorded> {
+        let mut random = Random(seed);
+        // A recorder may swap messages, but not two of the same identifier.
+        let mut last = std::collections::HashMap::new();
+        let mut log: Vec<Recorded> = self
+            .log
+            .iter()
+            .filter_map(|recorded| {
+                let late = if jitter > 0 { random.below(jitter.unsigned_abs()).cast_signed() } else { 0 };
+                let missing = loss > 0 && random.one_in(loss);
+                let before = last.entry(recorded.frame.id).or_insert(0);
+                let t = (recorded.t + late).max(*before);
+                *before = t;
+                (!missing).then_some(Recorded { t, ..*recorded })
+            })
+            .collect();
+        log.sort_by_key(|recorded| recorded.t);
+        log
+    }
+}
+
+/// What the judge says of a recording.
+pub fn judge(log: &[Recorded], options: Options) -> Report {
+    let mut judge = Judge::new(options);
+    let origin = log.first().map_or(0, |first| first.t);
+    for recorded in log {
+        judge.frame(recorded.t - origin, recorded.frame.id.into(), recorded.frame.data());
+    }
+    judge.finish()
+}
+
+/// The findings that matter, a line each.
+pub fn violations(report: &Report) -> Vec<String> {
+    report
+        .findings
+        .iter()
+        .filter(|finding| finding.severity == adsdv_oracle::judge::Severity::Violation)
+        .map(|f| {
+            #[allow(clippy::cast_precision_loss)]
+            let t = f.t_ns as f64 / 1e9;
+            format!("{t:.3} {} {} {}: {}", f.party.name(), f.clause, f.rule.id(), f.message)
+        })
+        .collect()
+}
