@@ -7,7 +7,8 @@ use core::fmt;
 
 macro_rules! atoms {
     ($($(#[$doc:meta])* $variant:ident = $id:literal, $yes:literal, $no:literal;)*) => {
-        /// One condition that guards of Figure 2 are built from.
+        /// One condition that guards of Figure 2 are built from. They stand in the order in which the figure's labels name
+        /// them.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -39,6 +40,10 @@ macro_rules! atoms {
 }
 
 atoms! {
+    /// The shutdown circuit is open, for any of the causes of section 3.5.
+    SdcOpen = "sdc-open", "SDC open", "SDC closed";
+    /// `EMERGENCY_BRAKE` has lasted for the time of the EBS timer (section 3.9).
+    EbsTimerComplete = "ebs-timer-complete", "EBS timer complete", "EBS timer running";
     /// The Autonomous System Master Switch is on (sections 3.1, 3.4, 3.6, 3.7, 3.9).
     Asms = "asms", "AS master switch ON", "AS master switch OFF";
     /// The Tractive System Master Switch is on (section 3.1).
@@ -54,23 +59,10 @@ atoms! {
     /// `MISSION_STATUS` was RUNNING at the last step and is FINISHED now (section 4, item 2).
     MissionFinishedEdge = "mission-finished-edge",
         "MISSION_STATUS RUNNING -> FINISHED", "no change of MISSION_STATUS RUNNING -> FINISHED";
-    /// `DIRECTION_REQUEST` is NEUTRAL (sections 3.2, 3.7).
-    DirectionNeutral = "direction-neutral", "DIRECTION_REQUEST == NEUTRAL", "DIRECTION_REQUEST != NEUTRAL";
-    /// `DIRECTION_REQUEST` was FORWARD at the last step and is NEUTRAL now (section 4, item 1).
-    DirectionNeutralEdge = "direction-neutral-edge",
-        "DIRECTION_REQUEST FORWARD -> NEUTRAL", "no change of DIRECTION_REQUEST FORWARD -> NEUTRAL";
     /// The Emergency Braking System is in its ARMED state (section 3.1).
     EbsArmed = "ebs-armed", "EBS_state == ARMED", "EBS_state != ARMED";
-    /// The shutdown circuit is open, for any of the causes of section 3.5.
-    SdcOpen = "sdc-open", "SDC open", "SDC closed";
-    /// The remote "Go" switch is on (sections 3.2, 3.7).
-    GoOn = "go-on", "\"Go\" signal ON", "\"Go\" signal OFF";
-    /// The rising edge of the "Go" switch that section 3.2, item 3, accepts.
-    GoEdge = "go-edge", "\"Go\" signal OFF -> ON", "no accepted \"Go\" signal OFF -> ON";
     /// `AS_READY` has lasted for the minimum dwell (section 3.2, item 1).
     DwellElapsed = "dwell-elapsed", "5 second timer elapsed", "5 second timer running";
-    /// `EMERGENCY_BRAKE` has lasted for the time of the EBS timer (section 3.9).
-    EbsTimerComplete = "ebs-timer-complete", "EBS timer complete", "EBS timer running";
     /// The front axle torque request is zero (section 3.2, item 2a).
     FrontTorqueZero = "front-torque-zero",
         "front axle torque request == 0", "front axle torque request != 0";
@@ -80,6 +72,15 @@ atoms! {
     SteerRequestZero = "steer-request-zero", "steer angle request == 0", "steer angle request != 0";
     /// The actual steer angle is within the limit for straight wheels (section 3.2, item 2).
     SteerStraight = "steer-straight", "abs(steer angle) < 5 deg", "abs(steer angle) >= 5 deg";
+    /// `DIRECTION_REQUEST` is NEUTRAL (sections 3.2, 3.7).
+    DirectionNeutral = "direction-neutral", "DIRECTION_REQUEST == NEUTRAL", "DIRECTION_REQUEST != NEUTRAL";
+    /// `DIRECTION_REQUEST` was FORWARD at the last step and is NEUTRAL now (section 4, item 1).
+    DirectionNeutralEdge = "direction-neutral-edge",
+        "DIRECTION_REQUEST FORWARD -> NEUTRAL", "no change of DIRECTION_REQUEST FORWARD -> NEUTRAL";
+    /// The remote "Go" switch is on (sections 3.2, 3.7).
+    GoOn = "go-on", "\"Go\" signal ON", "\"Go\" signal OFF";
+    /// The rising edge of the "Go" switch that section 3.2, item 3, accepts.
+    GoEdge = "go-edge", "\"Go\" signal OFF -> ON", "no accepted \"Go\" signal OFF -> ON";
     /// At least one wheel turns faster than 10 rpm (sections 3.7, 4).
     Moving = "moving", "a wheel speed > 10 rpm", "no wheel speed > 10 rpm";
     /// Every wheel turns slower than 10 rpm (section 3.3); exactly 10 rpm is neither moving nor at rest.

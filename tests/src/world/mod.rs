@@ -2,13 +2,22 @@
 //!
 //! The VCU steps every 10 ms on what it last received, and sends its frames; the AI Computer answers half a cycle
 //! later. What it records can be jittered and thinned as a real recorder does.
+//!
+//! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `forced.rs` is a VCU that does what it
+//! is told instead of what the table says, and `recording.rs` is what a recorder and the judge make of it all.
 
-use adsdv_oracle::judge::{Judge, Options, Report};
-use adsdv_spec::messages::{
-    AmiState, DirectionRequest, EbsState, Frame, Message, MissionStatus, Vcu2AiStatus, Vcu2AiWheelSpeeds,
-    WheelSpeed,
-};
+mod atoms;
+mod forced;
+mod random;
+mod recording;
+mod routes;
+
+use adsdv_oracle::judge::{Options, Report};
+use adsdv_spec::messages::{Message, Vcu2AiStatus};
 use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
+
+pub use random::Random;
+pub use recording::{Recorded, judge, violations};
 
 /// Nanoseconds in a millisecond.
 pub const MS: i64 = 1_000_000;

@@ -3,10 +3,10 @@
 use std::collections::HashMap;
 
 use adsdv_oracle::judge::{Judge, Options, Report, Severity};
-use adsdv_spec::messages::{Frame, MessageDef};
+use adsdv_spec::messages::Frame;
 
+use super::World;
 use super::random::Random;
-use super::{MS, World};
 
 /// A frame of the recording.
 #[derive(Clone, Copy, Debug)]
@@ -17,20 +17,12 @@ pub struct Recorded {
     pub frame: Frame,
 }
 
-/// What a recorder does to a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Disturbance {
-    /// Each time stamp is late by up to this many milliseconds.
-    pub jitter_ms: i64,
-    /// One in this many frames is lost; 0 for none.
-    pub loss: u64,
-}
-
-XX    /// The recording with each time stamp late by up to `jitter`, and one in `loss` frames lost.
+impl World {
+    /// The recording with each time stamp late by up to `jitter`, and one in `loss` frames lost.
     pub fn disturbed(&self, seed: u64, jitter: i64, loss: u64) -> Vec<Recorded> {
         let mut random = Random(seed);
         // A recorder may swap messages, but not two of the same identifier.
-        let mut last = std::collections::HashMap::new();
+        let mut last = HashMap::new();
         let mut log: Vec<Recorded> = self
             .log
             .iter()
@@ -63,7 +55,7 @@ pub fn violations(report: &Report) -> Vec<String> {
     report
         .findings
         .iter()
-        .filter(|finding| finding.severity == adsdv_oracle::judge::Severity::Violation)
+        .filter(|finding| finding.severity == Severity::Violation)
         .map(|f| {
             #[allow(clippy::cast_precision_loss)]
             let t = f.t_ns as f64 / 1e9;

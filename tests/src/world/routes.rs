@@ -1,4 +1,14 @@
-ROUTES    /// Sets all four wheel speeds.
+//! What the operator and the AI Computer do to bring the vehicle into each state.
+
+use adsdv_spec::AsState;
+use adsdv_spec::messages::{
+    AmiState, DirectionRequest, EbsState, MissionStatus, Vcu2AiWheelSpeeds, WheelSpeed,
+};
+
+use super::World;
+
+impl World {
+    /// Sets all four wheel speeds.
     pub fn wheels(&mut self, rpm: i32) {
         let speed = WheelSpeed::clamped(rpm);
         self.inputs.vehicle.wheel_speeds = Vcu2AiWheelSpeeds {
@@ -59,3 +69,33 @@ ROUTES    /// Sets all four wheel speeds.
         self.wait(500);
     }
 
+    /// To EMERGENCY_BRAKE, by the remote E-stop button, which is released again.
+    pub fn braking(&mut self) {
+        self.stopped();
+        self.inputs.sdc.remote_estop = true;
+        self.wait(1000);
+        self.inputs.sdc.remote_estop = false;
+        self.wait(500);
+    }
+
+    /// To AS_OFF again, after an emergency.
+    pub fn after_emergency(&mut self) {
+        self.braking();
+        self.wait(i64::from(self.vcu.interface().timing.ebs_timer_ms));
+        self.inputs.asms = false;
+        self.inputs.go = false;
+        self.wait(500);
+    }
+
+    /// To a state, in the shortest way.
+    pub fn arrive(&mut self, state: AsState) {
+        match state {
+            AsState::Off => self.wait(500),
+            AsState::Ready => self.ready(),
+            AsState::Driving => self.stopped(),
+            AsState::EmergencyBrake => self.braking(),
+            AsState::Finished => self.finished(),
+        }
+        assert_eq!(self.control.state, state, "the route leads there");
+    }
+}

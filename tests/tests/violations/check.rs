@@ -1,0 +1,105 @@
+//! Holding what the judge says against what it should say, on the exact recording and on disturbed ones.
+
+use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
+use adsdv_spec::{Choice, Choices};
+use adsdv_tests::world::{MS, Recorded, World, judge, violations};
+
+/// A violation, as far as it is the same in every recording of the same run.
+pub(crate) type Blame = (Rule, &'static str);
+
+/// Frames lost: one in this many.
+const LOSS: u64 = 20;
+const SEEDS: u64 = 12;
+
+/// The judge, told that the VCU follows this choice.
+pub(crate) fn pinned(choice: Choice) -> Options {
+    all_pinned(Choices::only(choice))
+}
+
+/// The judge, told that the VCU follows these choices.
+pub(crate) fn all_pinned(choices: Choices) -> Options {
+    Options { readings: choices.iter().fold(Choices::ALL, Choices::pin), ..Options::default() }
+}
+
+/// The violations of one party.
+pub(crate) fn by(report: &Report, party: Party) -> Vec<&Finding> {
+    report.findings.iter().filter(|f| f.severity == Severity::Violation && f.party == party).collect()
+}
+
+/// What one party is blamed for.
+pub(crate) fn blames(report: &Report, party: Party) -> Vec<Blame> {
+    by(report, party).iter().map(|finding| (finding.rule, finding.clause)).collect()
+}
+
+/// The one violation of the VCU that there is.
+pub(crate) fn only(report: &Report) -> Finding {
+    match by(report, Party::Vcu)[..] {
+        [finding] => finding.clone(),
+        _ => panic!("expected one violation of the VCU: {:#?}", violations(report)),
+    }
+}
+
+/// Nothing is said against the VCU, however the recorder works.
+pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
+    for (how, log) in recordings(world) {
+        let report = judge(&log, options);
+        assert!(by(&report, Party::Vcu).is_empty(), "{name}, {how}: {:#?}", violations(&report));
+    }
+}
+
+/// Exactly these violations are reported, also under jitter; where frames are lost, no other, and mostly these.
+pub(crate) fn is_reported(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) {
+    let mut missed = 0;
+    for (how, log) in recordings(world) {
+        let report = judge(&log, options);
+        let found = blames(&report, party);
+        if how.loses_frames() {
+            missed += u64::from(found != expected);
+            let other = found.iter().any(|blame| !expected.contains(blame)) || found.len() > expected.len();
+            assert!(!other, "{name}, {how}: {:#?}", violations(&report));
+        } else {
+            assert_eq!(found, expected, "{name}, {how}: {:#?}", violations(&report));
+        }
+    }
+    assert!(missed <= SEEDS / 2, "{name}: missed in {missed} of {SEEDS} recordings that lose frames");
+}
+
+/// A finding is where it should be, give or take.
+pub(crate) fn is_at(finding: &Finding, t: i64, tolerance_ms: i64) {
+    assert!(
+        (finding.t_ns - t).abs() <= tolerance_ms * MS,
+        "{} ms, expected {} ms: {finding:?}",
+        finding.t_ns / MS,
+        t / MS
+    );
+}
+
+/// How a run was recorded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum How {
+    Exactly,
+    Jittered(u64),
+    Thinned(u64),
+}
+
+impl How {
+    fn loses_frames(self) -> bool {
+        matches!(self, Self::Thinned(_))
+    }
+}
+
+impl std::fmt::Display for How {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Exactly => f.write_str("recorded exactly"),
+            Self::Jittered(seed) => write!(f, "with 5 ms of jitter (seed {seed})"),
+            Self::Thinned(seed) => write!(f, "with 1 in {LOSS} frames lost (seed {seed})"),
+        }
+    }
+}
+
+fn recordings(world: &World) -> impl Iterator<Item = (How, Vec<Recorded>)> + '_ {
+    let jittered = (0..SEEDS).map(|seed| (How::Jittered(seed), world.disturbed(seed, 5 * MS, 0)));
+    let thinned = (0..SEEDS).map(|seed| (How::Thinned(seed), world.disturbed(seed, 0, LOSS)));
+    std::iter::once((How::Exactly, world.log.clone())).chain(jittered).chain(thinned)
+}

@@ -1,0 +1,68 @@
+//! A transition that does not come though a term of its guard holds.
+
+use adsdv_oracle::judge::{Party, Rule};
+use adsdv_spec::{Atom, Truth};
+use adsdv_tests::world::{MS, World, judge, violations};
+
+use crate::cases::{self, Case, shows_slowly};
+use crate::check::{Blame, blames, is_at, is_reported, is_silent, only};
+
+/// What the AI Computer is blamed for where a term holds only through its fault.
+fn blames_of_the_ai(case: Case) -> &'static [Blame] {
+    let needs = |atom| case.term.on.has(atom);
+    if needs(Atom::AiCommsLost) {
+        &[(Rule::HandshakeLate, "2.4")]
+    } else if needs(Atom::Moving) && (needs(Atom::MissionFinished) || needs(Atom::MissionFinishedEdge)) {
+        &[(Rule::FinishedMoving, "3.7")]
+    } else if needs(Atom::Moving) {
+        &[(Rule::NeutralMoving, "3.7")]
+    } else {
+        &[]
+    }
+}
+
+/// The term begins to hold, and goes on to hold. Tells when the reference takes the transition.
+fn term_holds(case: Case, mut world: World) -> (World, i64) {
+    case.set(&mut world, None);
+    let mut taken = world.t;
+    for _ in 0..70 {
+        if world.control.state == case.row.from {
+            taken = world.t;
+        }
+        world.cycle();
+    }
+    (world, taken)
+}
+
+#[test]
+fn every_term_that_is_passed_over_is_reported() {
+    for case in cases::all() {
+        let (_, taken) = term_holds(case, case.world(None));
+        let mut world = case.world(None);
+        world.hold_state();
+        let (world, _) = term_holds(case, world);
+
+        let report = judge(&world.log, case.options());
+        let finding = only(&report);
+        let deadline = i64::from(case.options().deadline_ms) * MS;
+        let rare = case.term.conditions().any(|(atom, _)| shows_slowly(atom));
+        is_at(&finding, taken + deadline, if rare { 120 } else { 20 });
+        assert!(finding.message.contains(case.row.to.name()), "{}: {}", case.name(), finding.message);
+        assert_eq!(blames(&report, Party::Ai), blames_of_the_ai(case), "{}", case.name());
+        let expected = [(Rule::Due, case.row.clause)];
+        is_reported(&world, case.options(), Party::Vcu, &expected, &case.name());
+    }
+}
+
+#[test]
+fn every_term_that_the_reference_follows_is_justified() {
+    for case in cases::all() {
+        let (world, _) = term_holds(case, case.world(None));
+        assert_eq!(world.control.state, case.row.to, "{}", case.name());
+        is_silent(&world, case.options(), &case.name());
+        let report = judge(&world.log, case.options());
+        let last = report.transitions.last().expect("the transition is listed");
+        assert_eq!((last.from, last.to), (case.row.from, case.row.to), "{}", case.name());
+        assert_eq!(last.justified, Truth::True, "{}: {:#?}", case.name(), violations(&report));
+    }
+}

@@ -1,0 +1,98 @@
+//! A transition that is taken though one literal of the guard is false.
+
+use adsdv_oracle::judge::{Party, Rule};
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Row, Truth};
+use adsdv_tests::world::{World, judge};
+
+use crate::cases::{self, Case, shows_slowly};
+use crate::check::{is_at, is_reported, is_silent, only};
+
+/// The rows that no log can show to be wrongly taken: the shutdown circuit alone may be the reason, and a log does not
+/// show that it was closed. What comes before them is another matter: see `priorities.rs`.
+const NEVER_UNJUSTIFIED: [(AsState, AsState); 3] = [
+    (AsState::Ready, AsState::EmergencyBrake),
+    (AsState::Driving, AsState::EmergencyBrake),
+    (AsState::Finished, AsState::EmergencyBrake),
+];
+
+fn can_be_unjustified(row: &Row) -> bool {
+    !NEVER_UNJUSTIFIED.contains(&(row.from, row.to))
+}
+
+/// Every literal whose failure a log can show.
+fn literals() -> impl Iterator<Item = (Case, Atom)> {
+    cases::all()
+        .filter(|case| can_be_unjustified(case.row))
+        .flat_map(|case| case.term.conditions().map(move |(atom, _)| (case, atom)))
+}
+
+/// The vehicle with one literal false, for long enough that every message has shown it.
+fn world_without(case: Case, literal: Atom) -> World {
+    let mut world = case.world(Some(literal));
+    case.set(&mut world, Some(literal));
+    world.wait(500);
+    assert_eq!(world.control.state, case.row.from, "{}, without {literal}", case.name());
+    world
+}
+
+#[test]
+fn every_literal_that_fails_is_reported() {
+    let mut count = 0;
+    for (case, literal) in literals() {
+        let name = format!("{}, without {literal}", case.name());
+        let mut world = world_without(case, literal);
+        let forced = world.t;
+        world.force(case.row.to);
+        // Long enough for the window, short enough for nothing to become due in the new state.
+        world.wait(if shows_slowly(literal) { 300 } else { 40 });
+        if literal != Atom::PowerCycleNeeded && literal != Atom::DwellElapsed && literal != Atom::EbsTimerComplete {
+            world.set(literal, !world_value(case, literal));
+        }
+        world.wait(300);
+
+        let report = judge(&world.log, case.options());
+        let finding = only(&report);
+        is_at(&finding, forced, 10);
+        let last = report.transitions.last().expect("the transition is listed");
+        assert_eq!((last.from, last.to, last.justified), (case.row.from, case.row.to, Truth::False), "{name}");
+        let text = literal.text(world_value(case, literal));
+        assert!(finding.message.contains(text), "{name}: {}", finding.message);
+        is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.clause)], &name);
+        count += 1;
+    }
+    assert!(count > 20, "the table has literals");
+}
+
+/// The value that the literal has while it fails.
+fn world_value(case: Case, literal: Atom) -> bool {
+    case.term.off.has(literal)
+}
+
+#[test]
+fn the_reference_stays_while_a_literal_fails() {
+    for (case, literal) in literals() {
+        let mut world = world_without(case, literal);
+        world.wait(340);
+        assert_eq!(world.control.state, case.row.from);
+        is_silent(&world, case.options(), &format!("{}, without {literal}", case.name()));
+    }
+}
+
+#[test]
+fn no_log_shows_that_the_shutdown_circuit_was_closed() {
+    for case in cases::all() {
+        let hidden = case.row.terms().iter().any(|term| term.on.has(Atom::SdcOpen));
+        assert_eq!(hidden, !can_be_unjustified(case.row), "{}", case.name());
+        if !hidden {
+            continue;
+        }
+        let mut world = World::reference();
+        world.arrive(case.row.from);
+        world.force(case.row.to);
+        world.wait(300);
+        is_silent(&world, case.options(), &case.name());
+        let report = judge(&world.log, case.options());
+        assert_eq!(report.transitions.last().map(|last| last.justified), Some(Truth::Unknown));
+    }
+}
