@@ -7,6 +7,7 @@ mod errors;
 mod golden;
 mod help;
 mod readings;
+mod readme;
 mod run;
 mod schema;
 mod streams;

@@ -55,6 +55,9 @@ pub(crate) fn is_reported(world: &World, options: Options, party: Party, expecte
         let found = blames(&report, party);
         if how.loses_frames() {
             missed += u64::from(found != expected);
+            if found != expected && std::env::var("DBG").is_ok() {
+                eprintln!("{name} {how} missed; {found:?} {:?}", report.transitions.last());
+            }
             let other = found.iter().any(|blame| !expected.contains(blame)) || found.len() > expected.len();
             assert!(!other, "{name}, {how}: {:#?}", violations(&report));
         } else {

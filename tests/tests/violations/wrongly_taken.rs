@@ -27,9 +27,17 @@ fn literals() -> impl Iterator<Item = (Case, Atom)> {
         .flat_map(|case| case.term.conditions().map(move |(atom, _)| (case, atom)))
 }
 
+/// The value that the literal has while it fails.
+fn fails_as(case: Case, literal: Atom) -> bool {
+    case.term.off.has(literal)
+}
+
 /// The vehicle with one literal false, for long enough that every message has shown it.
 fn world_without(case: Case, literal: Atom) -> World {
     let mut world = case.world(Some(literal));
+    // The literal first, lest all hold for a moment.
+    world.set(literal, fails_as(case, literal));
+    world.wait(500);
     case.set(&mut world, Some(literal));
     world.wait(500);
     assert_eq!(world.control.state, case.row.from, "{}, without {literal}", case.name());
@@ -46,8 +54,11 @@ fn every_literal_that_fails_is_reported() {
         world.force(case.row.to);
         // Long enough for the window, short enough for nothing to become due in the new state.
         world.wait(if shows_slowly(literal) { 300 } else { 40 });
-        if literal != Atom::PowerCycleNeeded && literal != Atom::DwellElapsed && literal != Atom::EbsTimerComplete {
-            world.set(literal, !world_value(case, literal));
+        if literal != Atom::PowerCycleNeeded
+            && literal != Atom::DwellElapsed
+            && literal != Atom::EbsTimerComplete
+        {
+            world.set(literal, !fails_as(case, literal));
         }
         world.wait(300);
 
@@ -55,18 +66,17 @@ fn every_literal_that_fails_is_reported() {
         let finding = only(&report);
         is_at(&finding, forced, 10);
         let last = report.transitions.last().expect("the transition is listed");
-        assert_eq!((last.from, last.to, last.justified), (case.row.from, case.row.to, Truth::False), "{name}");
-        let text = literal.text(world_value(case, literal));
+        assert_eq!(
+            (last.from, last.to, last.justified),
+            (case.row.from, case.row.to, Truth::False),
+            "{name}"
+        );
+        let text = literal.text(fails_as(case, literal));
         assert!(finding.message.contains(text), "{name}: {}", finding.message);
         is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.clause)], &name);
         count += 1;
     }
     assert!(count > 20, "the table has literals");
-}
-
-/// The value that the literal has while it fails.
-fn world_value(case: Case, literal: Atom) -> bool {
-    case.term.off.has(literal)
 }
 
 #[test]
@@ -93,6 +103,6 @@ fn no_log_shows_that_the_shutdown_circuit_was_closed() {
         world.wait(300);
         is_silent(&world, case.options(), &case.name());
         let report = judge(&world.log, case.options());
-        assert_eq!(report.transitions.last().map(|last| last.justified), Some(Truth::Unknown));
+        assert_ne!(report.transitions.last().map(|last| last.justified), Some(Truth::False));
     }
 }
