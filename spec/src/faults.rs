@@ -89,69 +89,9 @@ impl fmt::Display for Fault {
 #[cfg_attr(feature = "serde", serde(try_from = "u16", into = "u16"))]
 pub struct Faults(u16);
 
+crate::set::impl_set!(Faults(u16) of Fault, "fault");
+
 impl Faults {
-    /// No fault.
-    pub const NONE: Self = Self(0);
-    /// Every fault.
-    pub const ALL: Self = {
-        let mut set = Self::NONE;
-        let mut i = 0;
-        while i < Fault::ALL.len() {
-            set = set.with(Fault::ALL[i]);
-            i += 1;
-        }
-        set
-    };
-
-    /// The set of one fault if `present`, else the empty set.
-    pub const fn when(fault: Fault, present: bool) -> Self {
-        Self((present as u16) << fault as u8)
-    }
-
-    /// The set with these bits, bit `n` for the fault of number `n`; `None` if a bit stands for no fault.
-    pub const fn from_bits(bits: u16) -> Option<Self> {
-        if bits & !Self::ALL.0 == 0 { Some(Self(bits)) } else { None }
-    }
-
-    /// The bits, bit `n` for the fault of number `n`.
-    pub const fn bits(self) -> u16 {
-        self.0
-    }
-
-    /// Whether the fault is in the set.
-    pub const fn has(self, fault: Fault) -> bool {
-        self.0 >> fault as u8 & 1 == 1
-    }
-
-    /// The set with the fault added.
-    #[must_use]
-    pub const fn with(self, fault: Fault) -> Self {
-        Self(self.0 | 1 << fault as u8)
-    }
-
-    /// The faults of either set.
-    #[must_use]
-    pub const fn union(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// The faults of both sets.
-    #[must_use]
-    pub const fn intersection(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
-    /// The faults of this set that are not in the other.
-    #[must_use]
-    pub const fn difference(self, other: Self) -> Self {
-        Self(self.0 & !other.0)
-    }
-
-    /// Whether the set is empty.
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
     /// The cause that is reported where all of these arise in one step: the lowest number.
     pub const fn cause(self) -> ShutdownCause {
         let mut i = 0;
@@ -170,38 +110,5 @@ impl Faults {
             Some(fault) => Self::NONE.with(fault),
             None => Self::NONE,
         }
-    }
-
-    /// The faults of the set, by number.
-    pub fn iter(self) -> impl Iterator<Item = Fault> {
-        Fault::ALL.iter().copied().filter(move |&fault| self.has(fault))
-    }
-}
-
-impl From<Faults> for u16 {
-    fn from(faults: Faults) -> Self {
-        faults.0
-    }
-}
-
-impl TryFrom<u16> for Faults {
-    type Error = &'static str;
-
-    fn try_from(bits: u16) -> Result<Self, Self::Error> {
-        Self::from_bits(bits).ok_or("a bit set of faults with a bit that stands for no fault")
-    }
-}
-
-#[cfg(kani)]
-impl kani::Arbitrary for Faults {
-    fn any() -> Self {
-        Self(kani::any::<u16>() & Self::ALL.0)
-    }
-}
-
-#[cfg(feature = "arbitrary")]
-impl arbitrary::Arbitrary<'_> for Faults {
-    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
-        Ok(Self(u.arbitrary::<u16>()? & Self::ALL.0))
     }
 }

@@ -58,6 +58,7 @@ pub mod messages;
 mod outputs;
 pub mod readings;
 mod reserved;
+mod set;
 pub mod table;
 mod truth;
 

@@ -5,6 +5,10 @@
 //!                                    ^
 //!                                 Control, time
 //! ```
+//!
+//! A step takes about ten nanoseconds, and a third of that again if its parts are calls that hand each other whole
+//! structs through memory. So they are inlined, up to the caller, which the compiler would not do by itself.
+#![expect(clippy::inline_always, reason = "measured: see benches/spec.rs")]
 
 use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
@@ -39,6 +43,13 @@ struct Arrow {
     off: Atoms,
     to: AsState,
     taken: Taken,
+}
+
+impl Arrow {
+    #[inline(always)]
+    const fn holds(&self, atoms: Atoms) -> bool {
+        self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
+    }
 }
 
 /// Which row of the table was taken, and which alternative of its guard decided.
@@ -161,12 +172,14 @@ impl Machine {
     /// assert_eq!(control.state, AsState::Ready);
     /// assert_eq!(outputs.row(&vcu).map(|row| row.clause), Some("3.1"));
     /// ```
+    #[inline(always)]
     pub const fn step(&self, control: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
         let reaction = self.react(control, inputs.observe(&self.interface.thresholds), dt_ms);
         (reaction.control, self.outputs(control.state, &reaction, inputs.go))
     }
 
     /// The part of a step behind [`Inputs::observe`]: the same for all inputs with the same observation.
+    #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let timing = &self.interface.timing;
         let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms.has(Atom::Tsms);
@@ -186,7 +199,7 @@ impl Machine {
         let mut shutdown_cause = control.shutdown_cause;
         let mut power_cycle_needed = control.power_cycle_needed;
         if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
-            let reasons = self.reasons(taken, atoms, seen.faults);
+            let reasons = self.reasons(control.state, taken, atoms, seen.faults);
             faults = faults.union(reasons);
             if matches!(shutdown_cause, ShutdownCause::NoShutdown) {
                 shutdown_cause = reasons.cause();
@@ -217,6 +230,7 @@ impl Machine {
     }
 
     /// The atoms that the control state decides, some of them together with the inputs.
+    #[inline(always)]
     const fn control_atoms(
         &self,
         control: &Control,
@@ -245,12 +259,13 @@ impl Machine {
     }
 
     /// The first arrow of a state whose guard holds, and where it leads.
+    #[inline(always)]
     const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
         let end = self.begins[state as usize + 1];
         let mut i = self.begins[state as usize];
         while i < end {
             let arrow = &self.arrows[i as usize];
-            if arrow.on.is_subset(atoms) && arrow.off.intersection(atoms).is_empty() {
+            if arrow.holds(atoms) {
                 return Some((arrow.taken, arrow.to));
             }
             i += 1;
@@ -258,16 +273,15 @@ impl Machine {
         None
     }
 
-    /// The faults for which a row is taken: those of every term of it that holds.
-    const fn reasons(&self, taken: Taken, atoms: Atoms, seen: Faults) -> Faults {
+    /// The faults for which a row of a state is taken: those of every term of it that holds.
+    #[cold]
+    const fn reasons(&self, from: AsState, taken: Taken, atoms: Atoms, seen: Faults) -> Faults {
         let mut faults = Faults::NONE;
-        let mut i = 0;
-        while i < self.arrows.len() && i < self.begins[STATES + 1] as usize {
-            let arrow = &self.arrows[i];
-            if arrow.taken.row == taken.row
-                && arrow.on.is_subset(atoms)
-                && arrow.off.intersection(atoms).is_empty()
-            {
+        let end = self.begins[from as usize + 1];
+        let mut i = self.begins[from as usize];
+        while i < end {
+            let arrow = &self.arrows[i as usize];
+            if arrow.taken.row == taken.row && arrow.holds(atoms) {
                 let term =
                     &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
                 faults = faults.union(match term.fault {
@@ -296,6 +310,7 @@ impl Machine {
     }
 
     /// What a reaction shows to the outside.
+    #[inline(always)]
     const fn outputs(&self, from: AsState, reaction: &Reaction, go: bool) -> Outputs {
         let driving = matches!(reaction.control.state, AsState::Driving);
         Outputs {

@@ -163,10 +163,6 @@ readings! {
 }
 
 impl Choice {
-    const fn bit(self) -> u32 {
-        1 << self as u8
-    }
-
     /// The choice named by `reading-id` and `choice-id`; `None` if there is none of that name.
     ///
     /// ```
@@ -185,48 +181,22 @@ impl fmt::Display for Choice {
 }
 
 /// A set of [`Choice`]s: those that are still possible, or those that a term of the table needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "u32", into = "u32"))]
 pub struct Choices(u32);
 
+crate::set::impl_set!(Choices(u32) of Choice, "choice");
+
 impl Choices {
-    /// No choice.
-    pub const NONE: Self = Self(0);
-    /// Every choice of every reading.
-    pub const ALL: Self = Self(u32::MAX >> (u32::BITS - Choice::ALL.len() as u32));
-
-    /// The set of one choice.
-    pub const fn only(choice: Choice) -> Self {
-        Self(choice.bit())
-    }
-
-    /// Whether the choice is in the set.
-    pub const fn has(self, choice: Choice) -> bool {
-        self.0 & choice.bit() != 0
-    }
-
-    /// Whether the other set has all choices of this one.
-    pub const fn is_subset(self, other: Self) -> bool {
-        self.0 & !other.0 == 0
-    }
-
-    /// Whether the set is empty.
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
     /// The set without the other choices of the same reading: the reading is pinned.
     #[must_use]
     pub const fn pin(self, choice: Choice) -> Self {
-        Self(self.0 & !all_of(choice.reading()).0 | choice.bit())
-    }
-
-    /// The choices of the set.
-    pub fn iter(self) -> impl Iterator<Item = Choice> {
-        Choice::ALL.iter().copied().filter(move |&choice| self.has(choice))
+        self.difference(Self::of(choice.reading().choices())).with(choice)
     }
 
     /// The choices of one reading that are in the set.
-    pub fn of(self, reading: Reading) -> impl Iterator<Item = Choice> + Clone {
+    pub fn of_reading(self, reading: Reading) -> impl Iterator<Item = Choice> + Clone {
         reading.choices().iter().copied().filter(move |&choice| self.has(choice))
     }
 
@@ -235,29 +205,18 @@ impl Choices {
     pub fn combinations(self, readings: &[Reading]) -> impl Iterator<Item = Readings> {
         let first = Reading::ALL
             .iter()
-            .filter_map(|&reading| self.of(reading).next())
+            .filter_map(|&reading| self.of_reading(reading).next())
             .fold(Readings::DEFAULT, Readings::with);
-        let count = move |reading: Reading| self.of(reading).count().max(1);
+        let count = move |reading: Reading| self.of_reading(reading).count().max(1);
         let total: usize = readings.iter().map(|&reading| count(reading)).product();
         (0..total).map(move |mut index| {
             readings.iter().fold(first, |answer, &reading| {
                 let pick = index % count(reading);
                 index /= count(reading);
-                self.of(reading).nth(pick).map_or(answer, |choice| answer.with(choice))
+                self.of_reading(reading).nth(pick).map_or(answer, |choice| answer.with(choice))
             })
         })
     }
-}
-
-const fn all_of(reading: Reading) -> Choices {
-    let choices = reading.choices();
-    let mut set = Choices::NONE;
-    let mut i = 0;
-    while i < choices.len() {
-        set.0 |= choices[i].bit();
-        i += 1;
-    }
-    set
 }
 
 /// One answer to every question.
@@ -277,7 +236,7 @@ impl Readings {
         let mut set = Choices::NONE;
         let mut i = 0;
         while i < Reading::ALL.len() {
-            set.0 |= Reading::ALL[i].choices()[0].bit();
+            set = set.with(Reading::ALL[i].choices()[0]);
             i += 1;
         }
         Self(set)

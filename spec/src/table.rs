@@ -60,7 +60,7 @@ impl Term {
     /// Only where this choice is made.
     #[must_use]
     pub const fn reading(self, choice: Choice) -> Self {
-        Self { readings: Choices::only(choice), ..self }
+        Self { readings: Choices::NONE.with(choice), ..self }
     }
 
     /// Whether the term holds for exactly these atoms.

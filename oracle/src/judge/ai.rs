@@ -11,7 +11,7 @@ use super::{AI_STATUS, Judge, scope};
 #[derive(Debug, Default)]
 pub(super) struct AiSide {
     status: Option<Ai2VcuStatus>,
-    /// Whether the AI Computer was doing this at speed already.
+    /// Whether the AI Computer was doing this at speed already, as far as that is reported or looked at.
     at_speed: [bool; 2],
     /// Since when requests hold the vehicle in AS_READY.
     held_since: Option<i64>,
@@ -136,12 +136,19 @@ impl Judge {
     pub(super) fn consider_speed(&mut self, t: i64, state: AsState) {
         if state == AsState::Driving {
             for (index, fault) in AT_SPEED.into_iter().enumerate() {
-                let now = self.does(fault, self.known);
-                if now && !self.ai.at_speed.get(index).copied().unwrap_or(true) {
-                    self.suspend(t, self.wait_for(AT_SPEED_ATOMS), self.known, What::AtSpeed(fault));
-                }
-                if let Some(before) = self.ai.at_speed.get_mut(index) {
-                    *before = now;
+                let Some(&before) = self.ai.at_speed.get(index) else { continue };
+                let now = match self.does(fault) {
+                    Truth::True if !before => {
+                        self.suspend(t, self.wait_for(AT_SPEED_ATOMS), self.known, What::AtSpeed(fault));
+                        true
+                    }
+                    Truth::True => true,
+                    // It has not ended only because a frame is missing.
+                    Truth::Unknown => before,
+                    Truth::False => false,
+                };
+                if let Some(at_speed) = self.ai.at_speed.get_mut(index) {
+                    *at_speed = now;
                 }
             }
         }
@@ -159,9 +166,9 @@ impl Judge {
     }
 
     /// Whether, under some reading, the condition of this fault is true.
-    fn does(&self, fault: Fault, known: Knowledge) -> bool {
-        let terms = self.variants.terms(AsState::Driving);
-        terms.iter().any(|term| term.fault == Some(fault) && term.truth(known) == Truth::True)
+    fn does(&self, fault: Fault) -> Truth {
+        let terms = self.variants.terms(AsState::Driving).iter().filter(|term| term.fault == Some(fault));
+        terms.fold(Truth::False, |any, term| any.or(term.truth(self.known)))
     }
 
     pub(super) fn judge_at_speed(&mut self, pending: &Pending, fault: Fault, now: i64) {
@@ -176,7 +183,14 @@ impl Judge {
                 .copied()
         };
         let terms: Vec<_> = self.variants.of(AsState::Driving).iter().map(under).collect();
-        let Some(term) = terms.iter().find_map(|term| *term) else { return };
+        let Some(term) = terms.iter().find_map(|term| *term) else {
+            // It may go on, and show more clearly later.
+            let index = AT_SPEED.iter().position(|&other| other == fault);
+            if let Some(at_speed) = index.and_then(|index| self.ai.at_speed.get_mut(index)) {
+                *at_speed = false;
+            }
+            return;
+        };
         let (severity, reservation) = if terms.iter().all(Option::is_some) {
             (Severity::Violation, "")
         } else {

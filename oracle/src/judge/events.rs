@@ -216,7 +216,8 @@ impl Judge {
             .iter()
             .enumerate()
             .filter(|&(index, slot)| self.is_slow(slot) && !scope(index).intersection(atoms).is_empty());
-        self.window + slow.map(|(_, slot)| slot.period * 2).max().unwrap_or(0)
+        // Half a period more than is looked at: what is known of the period may change meanwhile.
+        self.window + slow.map(|(_, slot)| slot.period * 5 / 2).max().unwrap_or(0)
     }
 
     /// The moments between `start` and `end`, with what was known at each.

@@ -252,7 +252,7 @@ impl Judge {
     }
 
     fn pinned(&self, reading: Reading) -> Option<adsdv_spec::Choice> {
-        let mut choices = self.options.readings.of(reading);
+        let mut choices = self.options.readings.of_reading(reading);
         match (choices.next(), choices.next()) {
             (Some(choice), None) => Some(choice),
             _ => None,

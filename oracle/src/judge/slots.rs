@@ -9,6 +9,9 @@ pub(super) const COUNT: usize = MESSAGES.len();
 /// Shorter and longer periods than these are not believed.
 const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
 
+/// So many intervals in a row that are all longer, or all shorter, than usual are a change of rate and no jitter.
+const RUN: i8 = 10;
+
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
@@ -20,6 +23,10 @@ pub(super) struct Slot {
     pub(super) last: Option<i64>,
     /// The usual time between two frames: a running median.
     pub(super) period: i64,
+    /// How many intervals in a row were longer than that; negative: shorter.
+    run: i8,
+    /// For how many intervals the rate has not changed.
+    steady: u8,
     /// Whether the last frame is recent enough to speak for now.
     pub(super) fresh: bool,
     /// The signals whose last value was not allowed, one bit each.
@@ -38,6 +45,8 @@ impl Slot {
             len: 0,
             last: None,
             period: 0,
+            run: 0,
+            steady: 0,
             fresh: false,
             bad: 0,
             atoms: None,
@@ -63,15 +72,22 @@ impl Slot {
     pub(super) fn seen(&mut self, now: i64) {
         if let Some(last) = self.last {
             let interval = now - last;
-            // A running median in steps of a sixteenth: it ignores outliers and follows a change of rate.
             self.period = match self.period {
                 0 => interval,
-                period if interval > period => period + (period >> 4),
-                period => period - (period >> 4),
+                period => self.median(period, interval),
             }
             .clamp(*PERIOD_NS.start(), *PERIOD_NS.end());
         }
         self.last = Some(now);
+    }
+
+    /// The running median after another interval: it ignores outliers, moves ever less under jitter, and follows a
+    /// change of rate.
+    fn median(&mut self, period: i64, interval: i64) -> i64 {
+        let side = if interval > period { 1 } else { -1 };
+        self.run = if self.run.signum() == side { self.run.saturating_add(side) } else { side };
+        self.steady = if self.run.abs() < RUN { self.steady.saturating_add(1) } else { 0 };
+        period + i64::from(side) * (period >> (4 + self.steady / 16).min(8))
     }
 }
 

@@ -170,19 +170,24 @@ impl Judge {
 
     /// What is known has changed: is a transition due now?
     pub(super) fn reconsider(&mut self, t: i64) {
+        // What has been reported stays so until it is certain to be over, however many frames are missing.
+        let known = self.known;
+        let over = |due: &Due| !due.reported || due.term.truth(known) == Truth::False;
         let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
-            self.due = None;
+            self.due = self.due.filter(|due| !over(due));
             return;
         };
         self.consider_speed(t, state);
         match (self.variants.due(state, self.known), self.due) {
-            (None, _) => self.due = None,
-            (Some((guard, term)), None) => {
+            (None, due) => self.due = due.filter(|due| !over(due)),
+            (Some((guard, term)), due)
+                if due.as_ref().is_none_or(|due| due.term.truth(known) != Truth::True && over(due)) =>
+            {
                 let (to, clause) = (guard.to, guard.clause);
                 self.due = Some(Due { since: t, to, clause, term, ripe: false, reported: false });
                 self.wake_at(t + self.deadline);
             }
-            (Some(_), Some(_)) => {}
+            (Some(_), _) => {}
         }
     }
 
