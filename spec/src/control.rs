@@ -40,12 +40,14 @@ impl Control {
         go_seen_low: false,
         was_running: false,
         was_forward: false,
-        handshake: Handshake { bit: false, unanswered_ms: 0 },
+        handshake: Handshake::IDLE,
         power_cycle_needed: false,
         shutdown_cause: ShutdownCause::NoShutdown,
     };
 
-    /// Whether a VCU with these times and readings can be in this control state at all: what every step keeps.
+    /// The invariant: every step of a VCU with these times and readings keeps it, and the initial state has it.
+    ///
+    /// Every control state that can be reached is consistent; not every consistent one can be reached.
     pub const fn is_consistent(&self, timing: &Timing, readings: Readings) -> bool {
         let driving = matches!(self.state, AsState::Driving);
         let ready = matches!(self.state, AsState::Ready);
@@ -54,7 +56,11 @@ impl Control {
         let edges = driving && readings.is(Choice::FaultEdge);
         self.in_state_ms <= timing.in_state_limit(self.state)
             && self.handshake.unanswered_ms <= timing.handshake_ms
+            && (self.handshake.active || !self.handshake.bit && self.handshake.unanswered_ms == 0)
             && (ready || !self.go_seen_low)
+            && (!self.go_seen_low
+                || readings.is(Choice::GoEdgeEnough)
+                || self.in_state_ms >= timing.ready_dwell_ms)
             && (edges || !(self.was_running || self.was_forward))
             && (shut_down || !braking)
             && self.power_cycle_needed == (shut_down && readings.is(Choice::PowerCycleLatched))

@@ -21,6 +21,8 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
 pub struct Handshake {
+    /// Whether the handshake was performed at the last step.
+    pub active: bool,
     /// The HANDSHAKE bit that the VCU sends.
     pub bit: bool,
     /// For how long that bit has been unanswered, in milliseconds; it stops counting at the limit.
@@ -28,21 +30,28 @@ pub struct Handshake {
 }
 
 impl Handshake {
-    /// The handshake `dt_ms` later, when the AI Computer's bit is `answer`. One that is not `active` rests at 0.
+    /// The VCU's side at rest: it sends 0 and waits for nothing.
+    pub const IDLE: Self = Self { active: false, bit: false, unanswered_ms: 0 };
+
+    /// The handshake `dt_ms` later, when the AI Computer's bit is `answer`. One that is not `active` rests.
+    ///
+    /// The first active step begins the handshake: what went before it does not count as time without an answer.
     #[must_use]
     pub const fn step(self, active: bool, answer: bool, dt_ms: u32, limit_ms: u16) -> Self {
         if !active {
-            Self { bit: false, unanswered_ms: 0 }
+            Self::IDLE
         } else if answer == self.bit {
-            Self { bit: !self.bit, unanswered_ms: 0 }
+            Self { active, bit: !self.bit, unanswered_ms: 0 }
+        } else if self.active {
+            Self { unanswered_ms: count_up(self.unanswered_ms, dt_ms, limit_ms), ..self }
         } else {
-            Self { bit: self.bit, unanswered_ms: count_up(self.unanswered_ms, dt_ms, limit_ms) }
+            Self { active, ..Self::IDLE }
         }
     }
 
     /// Whether the edge has been unanswered for the limit: the fault `AI_COMMS_LOST`.
     pub const fn is_lost(self, limit_ms: u16) -> bool {
-        self.unanswered_ms >= limit_ms
+        self.active && self.unanswered_ms >= limit_ms
     }
 }
 

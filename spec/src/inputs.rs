@@ -9,8 +9,9 @@ use crate::faults::{Fault, Faults};
 use crate::interface::Thresholds;
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AxleTorque,
-    AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SpeedKmh, SteerAngle,
-    SteerAngleMax, Vcu2AiStatus, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogStatus, WheelSpeed,
+    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, EbsState, Message, MissionStatus,
+    SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiStatus, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogStatus,
+    WheelSpeed,
 };
 
 /// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
@@ -109,6 +110,33 @@ pub struct AiMessages {
     pub brake: Ai2VcuBrake,
 }
 
+impl AiMessages {
+    /// Takes over what a frame of the bus says, and tells whether it is one of these messages.
+    ///
+    /// A frame that does not decode changes nothing, as if it had not come; the error says what is wrong with it.
+    ///
+    /// ```
+    /// use adsdv_spec::AiMessages;
+    /// let mut ai = AiMessages::default();
+    /// assert_eq!(ai.receive(0x513, &[0x9C, 0xFF]), Ok(true)); // -10.0 degrees
+    /// assert_eq!(ai.steer.steer_request.raw(), -100);
+    /// assert!(ai.receive(0x513, &[0xF1, 0x00]).is_err()); // 24.1 degrees
+    /// assert_eq!(ai.steer.steer_request.raw(), -100);
+    /// assert_eq!(ai.receive(0x520, &[]), Ok(false)); // the VCU's
+    /// ```
+    pub fn receive(&mut self, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
+        match id {
+            Ai2VcuStatus::ID => self.status = Ai2VcuStatus::decode(data)?,
+            Ai2VcuDriveF::ID => self.drive_f = Ai2VcuDriveF::decode(data)?,
+            Ai2VcuDriveR::ID => self.drive_r = Ai2VcuDriveR::decode(data)?,
+            Ai2VcuSteer::ID => self.steer = Ai2VcuSteer::decode(data)?,
+            Ai2VcuBrake::ID => self.brake = Ai2VcuBrake::decode(data)?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+}
+
 /// What the vehicle's sensors and controllers measure. All but the steer angle and the wheel speeds is only reported.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(kani, derive(kani::Arbitrary))]
@@ -142,15 +170,31 @@ pub struct Vehicle {
 }
 
 /// What one step sees, reduced to what can matter: the atoms and the faults of the inputs.
+///
+/// It holds only what inputs can show: no atom that the VCU's memory decides, and the shutdown circuit and the emergency
+/// stop request as the faults have them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "serde", serde(from = "Parts"))]
 pub struct Observation {
-    /// The atoms that the inputs alone decide.
-    pub atoms: Atoms,
-    /// The faults that the inputs alone decide.
-    pub faults: Faults,
+    atoms: Atoms,
+    faults: Faults,
+}
+
+/// An observation as it is read: [`Observation::new`] makes it one.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Parts {
+    atoms: Atoms,
+    faults: Faults,
+}
+
+#[cfg(feature = "serde")]
+impl From<Parts> for Observation {
+    fn from(Parts { atoms, faults }: Parts) -> Self {
+        Self::new(atoms, faults)
+    }
 }
 
 impl Observation {
@@ -168,11 +212,57 @@ impl Observation {
     /// The faults that the inputs alone decide.
     pub const FAULTS: Faults = Faults::OPENING.with(Fault::AiComputerRequest);
 
-    /// With the shutdown circuit open if, and only if, one of the faults opens it (section 3.5).
+    /// The observation of these atoms and faults, as far as inputs decide them.
+    ///
+    /// The faults decide whether the shutdown circuit is open (section 3.5) and whether the AI Computer asks for an
+    /// emergency stop, whatever `atoms` says of these two.
     pub const fn new(atoms: Atoms, faults: Faults) -> Self {
+        let faults = faults.intersection(Self::FAULTS);
         let open = !faults.intersection(Faults::OPENING).is_empty();
-        let atoms = atoms.without(Atom::SdcOpen).union(Atoms::when(Atom::SdcOpen, open));
+        let atoms = atoms
+            .intersection(Self::SCOPE)
+            .without(Atom::SdcOpen)
+            .without(Atom::AiEstop)
+            .union(Atoms::when(Atom::SdcOpen, open))
+            .union(Atoms::when(Atom::AiEstop, faults.has(Fault::AiComputerRequest)));
         Self { atoms, faults }
+    }
+
+    /// The atoms that hold, of [`SCOPE`](Self::SCOPE).
+    pub const fn atoms(self) -> Atoms {
+        self.atoms
+    }
+
+    /// The faults that are present, of [`FAULTS`](Self::FAULTS).
+    pub const fn faults(self) -> Faults {
+        self.faults
+    }
+
+    /// Whether some inputs look like this: `MISSION_STATUS` has one value, a vehicle that moves is not at rest, and
+    /// charging is a fault only while a master switch is on.
+    pub const fn is_possible(self) -> bool {
+        let atoms = self.atoms;
+        let missions = atoms.has(Atom::MissionSelected) as u8
+            + atoms.has(Atom::MissionRunning) as u8
+            + atoms.has(Atom::MissionFinished) as u8;
+        let switched_on = atoms.has(Atom::Asms) || atoms.has(Atom::Tsms);
+        missions <= 1
+            && !(atoms.has(Atom::Moving) && atoms.has(Atom::AtRest))
+            && (switched_on || !self.faults.has(Fault::ChargeProcedureFault))
+    }
+}
+
+#[cfg(kani)]
+impl kani::Arbitrary for Observation {
+    fn any() -> Self {
+        Self::new(kani::any(), kani::any())
+    }
+}
+
+#[cfg(feature = "arbitrary")]
+impl arbitrary::Arbitrary<'_> for Observation {
+    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
+        Ok(Self::new(u.arbitrary()?, u.arbitrary()?))
     }
 }
 
@@ -199,7 +289,7 @@ impl Inputs {
         let reports = &self.reports;
         // What opens the circuit without a number of its own is reported as an open circuit: see "Decisions" in
         // REQUIREMENTS.md.
-        // Neither here nor below is there a shortcut to gain: without branches it is quicker.
+        // Without branches, which are slower here than what they would spare.
         let open = reports.hvil_open
             | sdc.remote_estop
             | sdc.res_link_lost
@@ -212,7 +302,7 @@ impl Inputs {
             .union(Faults::when(Fault::HvilShortFault, reports.hvil_short))
             .union(Faults::when(Fault::EbsFault, reports.ebs_fault))
             .union(Faults::when(Fault::OffboardChargerFault, reports.offboard_charger_fault))
-            .union(Faults::when(Fault::ChargeProcedureFault, reports.charging & (self.asms | self.tsms)))
+            .union(Faults::when(Fault::ChargeProcedureFault, reports.charging && (self.asms || self.tsms)))
             .union(Faults::when(Fault::BmsFault, sdc.bms_fault))
     }
 }
@@ -326,7 +416,7 @@ impl Vcu2AiWheelSpeeds {
     }
 
     /// The speed of the fastest wheel: one is faster than a limit if that is, and all are slower if that is.
-    const fn fastest(&self) -> WheelSpeed {
+    const fn fastest(self) -> WheelSpeed {
         const fn faster(a: WheelSpeed, b: WheelSpeed) -> WheelSpeed {
             if a.raw() > b.raw() { a } else { b }
         }

@@ -182,24 +182,24 @@ impl Machine {
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let timing = &self.interface.timing;
-        let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms.has(Atom::Tsms);
-        let answer = seen.atoms.has(Atom::AiHandshake);
+        let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms().has(Atom::Tsms);
+        let answer = seen.atoms().has(Atom::AiHandshake);
         let handshake = control.handshake.step(active, answer, dt_ms, timing.handshake_ms);
         let in_state_ms = count_up(control.in_state_ms, dt_ms, timing.in_state_limit(control.state));
         let comms_lost = handshake.is_lost(timing.handshake_ms);
 
-        let atoms = seen.atoms.union(self.control_atoms(control, in_state_ms, comms_lost, seen.atoms));
+        let atoms = seen.atoms().union(self.control_atoms(control, in_state_ms, comms_lost, seen.atoms()));
         let taken = self.first_arrow(control.state, atoms);
         let state = match taken {
             Some((_, to)) => to,
             None => control.state,
         };
 
-        let mut faults = seen.faults.union(Faults::when(crate::Fault::AiCommsFault, comms_lost));
+        let mut faults = seen.faults().union(Faults::when(crate::Fault::AiCommsFault, comms_lost));
         let mut shutdown_cause = control.shutdown_cause;
         let mut power_cycle_needed = control.power_cycle_needed;
         if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
-            let reasons = self.reasons(control.state, taken, atoms, seen.faults);
+            let reasons = self.reasons(control.state, taken, atoms, seen.faults());
             faults = faults.union(reasons);
             if matches!(shutdown_cause, ShutdownCause::NoShutdown) {
                 shutdown_cause = reasons.cause();

@@ -139,7 +139,7 @@ readings! {
     }
     /// Where ESTOP_REQUEST acts.
     AiEstop = "ai-estop", "does ESTOP_REQUEST act in every active state, or in AS_DRIVING only?", "2.1, 3.5" {
-        /// It opens the shutdown circuit in every active state.
+        /// It acts like an open shutdown circuit in every active state.
         EstopEveryState = "every-state", "every active state";
         /// It acts in AS_DRIVING only.
         EstopDriving = "driving", "AS_DRIVING only";

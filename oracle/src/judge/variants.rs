@@ -3,18 +3,17 @@
 //! Readings change which terms a row has and which row comes first. Most combinations of readings make no
 //! difference to a given state, so each state keeps the few variants that do.
 
-use adsdv_spec::{AsState, Choices, Interface, Knowledge, Machine, Reading, Taken, Term, Truth};
+use adsdv_spec::table::PRIORITIES;
+use adsdv_spec::{AsState, Choices, Interface, Knowledge, Machine, Reading, Table, Taken, Term, Truth};
 
 /// The readings that change the table, rather than what an atom means.
-const TABLE_READINGS: [Reading; 7] = [
-    Reading::MissionSelected,
-    Reading::FaultTrigger,
-    Reading::ReadyPriority,
-    Reading::FinishedPriority,
-    Reading::DrivingPriority,
-    Reading::AiEstop,
-    Reading::CommsLost,
-];
+fn table_readings(table: &Table) -> Vec<Reading> {
+    let terms = table.rows().iter().flat_map(|row| row.terms());
+    let in_terms = terms.flat_map(|term| term.readings.iter());
+    let in_order = PRIORITIES.iter().map(|priority| priority.choice);
+    let changing: Vec<Reading> = in_terms.chain(in_order).map(adsdv_spec::Choice::reading).collect();
+    Reading::ALL.iter().copied().filter(|reading| changing.contains(reading)).collect()
+}
 
 /// One row under one set of readings.
 #[derive(Clone, Debug)]
@@ -48,7 +47,7 @@ pub(super) struct Variants {
 impl Variants {
     pub(super) fn new(interface: &Interface, readings: Choices) -> Self {
         let machines: Vec<Machine> =
-            readings.combinations(&TABLE_READINGS).map(|answer| Machine::new(*interface, answer)).collect();
+            readings.combinations(&table_readings(&interface.table)).map(|answer| Machine::new(*interface, answer)).collect();
         let by_state: Vec<Vec<Variant>> = AsState::ALL
             .iter()
             .map(|&state| {

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::any::message_by_id;
 use super::bits::{self, FRAME_BYTES};
 use super::{Decimal, OutOfRange, Scale, SignalValue};
 
@@ -19,6 +20,22 @@ pub enum Node {
 }
 
 impl Node {
+    /// Whether this node may send frames with this identifier: its own messages, and, as far as this document goes,
+    /// identifiers that it neither gives to the other node nor reserves (sections 2.1 to 2.3).
+    ///
+    /// ```
+    /// use adsdv_spec::messages::Node;
+    /// assert!(Node::Ai.may_send(0x510) && !Node::Ai.may_send(0x520) && !Node::Ai.may_send(0x181));
+    /// assert!(Node::Vcu.may_send(0x520) && !Node::Vcu.may_send(0x510));
+    /// ```
+    pub const fn may_send(self, id: u16) -> bool {
+        match (self, message_by_id(id)) {
+            (_, Some(message)) => message.sender as u8 == self as u8,
+            (Self::Ai, None) => !crate::is_reserved(id),
+            (Self::Vcu, None) => true,
+        }
+    }
+
     /// The name of the node in the CAN database.
     pub const fn name(self) -> &'static str {
         match self {
@@ -103,6 +120,12 @@ impl SignalDef {
         (self.start as usize + self.width as usize).div_ceil(8)
     }
 
+    /// Whether the bits lie in a frame. Those of every table do; a changed copy of a row may not.
+    const fn fits_a_frame(&self) -> bool {
+        let end = self.start as usize + self.width as usize;
+        self.width >= 1 && self.width <= 32 && end <= 8 * FRAME_BYTES
+    }
+
     /// The raw value in `data`, sign extended, whether it is allowed or not; `None` if the data ends
     /// before the signal does.
     ///
@@ -114,7 +137,7 @@ impl SignalDef {
     /// assert_eq!(angle.raw(&[0xF6]), None);
     /// ```
     pub const fn raw(&self, data: &[u8]) -> Option<i32> {
-        if data.len() < self.bytes_needed() {
+        if data.len() < self.bytes_needed() || !self.fits_a_frame() {
             return None;
         }
         Some(bits::extract(bits::load_slice(data), self.start, self.width, self.signed))
@@ -125,6 +148,9 @@ impl SignalDef {
     /// For writing what the strict [`Message`](super::Message) codec cannot represent.
     #[must_use]
     pub const fn put(&self, data: [u8; bits::FRAME_BYTES], raw: i32) -> [u8; bits::FRAME_BYTES] {
+        if !self.fits_a_frame() {
+            return data;
+        }
         let word = bits::load_slice(&data) & !bits::place(-1, self.start, self.width);
         (word | bits::place(raw, self.start, self.width)).to_le_bytes()
     }

@@ -14,12 +14,9 @@ use core::fmt;
 /// assert_eq!(scale_of(Ai2LogDynamics2::DEF.signal("Yaw_rate_degps")).as_deref(), Some("0.0078125"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub struct Scale {
-    /// The numerator; never zero.
-    pub num: u32,
-    /// The denominator; never zero.
-    pub den: u32,
+    num: u32,
+    den: u32,
 }
 
 impl Scale {
@@ -30,6 +27,16 @@ impl Scale {
     pub(super) const fn new(num: u32, den: u32) -> Self {
         assert!(num > 0 && den > 0, "a scale is a positive fraction");
         Self { num, den }
+    }
+
+    /// The numerator; never zero.
+    pub const fn num(self) -> u32 {
+        self.num
+    }
+
+    /// The denominator; never zero.
+    pub const fn den(self) -> u32 {
+        self.den
     }
 
     /// A raw value in units, for display and plotting. Nothing in this crate compares the result.

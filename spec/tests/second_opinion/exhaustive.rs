@@ -101,7 +101,7 @@ fn all_inputs(atoms: Atoms) -> Vec<Inputs> {
         .enumerate()
         .map(|(index, atoms)| {
             let inputs = inputs_with(atoms, index);
-            let seen = inputs.observe(&Interface::V3_0.thresholds).atoms;
+            let seen = inputs.observe(&Interface::V3_0.thresholds).atoms();
             assert_eq!(seen, atoms, "inputs meant to show {atoms:?} show {seen:?}: {inputs:#?}");
             inputs
         })

@@ -118,11 +118,14 @@ pub(crate) fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Rea
 fn section_2_4(before: Handshake, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Handshake {
     let performed = inputs.tsms || readings.is(Choice::HandshakeAlways);
     if !performed {
-        Handshake { bit: false, unanswered_ms: 0 }
+        Handshake { active: false, bit: false, unanswered_ms: 0 }
     } else if inputs.ai.status.handshake == before.bit {
-        Handshake { bit: !before.bit, unanswered_ms: 0 }
+        Handshake { active: true, bit: !before.bit, unanswered_ms: 0 }
+    } else if before.active {
+        Handshake { active: true, bit: before.bit, unanswered_ms: later(before.unanswered_ms, dt_ms, 50) }
     } else {
-        Handshake { bit: before.bit, unanswered_ms: later(before.unanswered_ms, dt_ms, 50) }
+        // It has only begun: nothing has been waited for yet.
+        Handshake { active: true, bit: false, unanswered_ms: 0 }
     }
 }
 
