@@ -7,7 +7,6 @@ use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
-use crate::pins;
 
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
@@ -156,7 +155,7 @@ pub(crate) struct CheckArgs {
     /// Pin a question that the document leaves open; may be repeated.
     ///
     /// Without a pin, the judge allows for every choice. `adsdv readings` lists the ids and their choices.
-    #[arg(long = "reading", value_name = "ID=CHOICE", value_parser = pins::parse)]
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
 
     /// The CAN interface to judge, as the log names it.
@@ -191,7 +190,7 @@ pub(crate) struct DiagramArgs {
     /// Answer a question that the document leaves open; may be repeated.
     ///
     /// Without it, the default. `adsdv readings` lists the ids and their choices.
-    #[arg(long = "reading", value_name = "ID=CHOICE", value_parser = pins::parse)]
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
 }
 

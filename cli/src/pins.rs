@@ -1,32 +1,8 @@
 //! `--reading ID=CHOICE`: pins a question that the document leaves open.
 
-use adsdv_spec::{Choice, Choices, Reading, Readings};
+use adsdv_spec::{Choice, Choices, Readings};
 
 use crate::error::Error;
-
-/// Reads `ID=CHOICE`.
-pub(crate) fn parse(text: &str) -> Result<Choice, String> {
-    let Some((id, choice)) = text.split_once('=') else {
-        return Err(format!("expected ID=CHOICE, such as {}; ids: {}", Choice::FaultEdge, readings()));
-    };
-    let Some(reading) = Reading::ALL.iter().find(|reading| reading.id() == id) else {
-        return Err(format!("no reading has the id {id:?}; expected one of {}", readings()));
-    };
-    Choice::find(id, choice)
-        .ok_or_else(|| format!("{id} has no choice {choice:?}; expected one of {}", choices(*reading)))
-}
-
-fn readings() -> String {
-    list(Reading::ALL.iter().map(|reading| reading.id()))
-}
-
-fn choices(reading: Reading) -> String {
-    list(reading.choices().iter().map(|choice| choice.id()))
-}
-
-fn list<'a>(ids: impl Iterator<Item = &'a str>) -> String {
-    ids.collect::<Vec<_>>().join(", ")
-}
 
 /// The choices that remain possible for a judge.
 pub(crate) fn possible(pins: &[Choice]) -> Result<Choices, Error> {

@@ -1,10 +1,10 @@
 //! From a recorded log to a report: reads, picks the interface, and lets the judge see every frame.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::io::Read;
 
-use adsdv_spec::messages::{Ai2VcuStatus, Vcu2AiStatus, message_by_id};
+use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus, message_by_id};
 
 use crate::candump::{Direction, Entry, FrameKind, ReadError, Reader, Record};
 use crate::judge::{Judge, Options, Party, Report, Rule, Severity};
@@ -80,6 +80,9 @@ pub struct Progress {
     pub lines: u64,
 }
 
+/// A log can name any number of interfaces; the first few tell enough.
+const MAX_INTERFACES: usize = 64;
+
 /// How many lines are read between two calls of the progress function.
 const PROGRESS_LINES: u64 = 1 << 16;
 
@@ -133,9 +136,38 @@ struct Log<'a> {
     on_interface: u64,
     /// How many frames were not judged, by reason.
     passed_over: BTreeMap<String, u64>,
-    /// The direction in which each side's own messages go, as far as the log says.
-    ai: Option<Direction>,
-    vcu: Option<Direction>,
+    /// The interfaces that are not judged though they carry messages of the document.
+    neglected: BTreeSet<String>,
+    directions: Directions,
+}
+
+/// In which direction each side's status message went, as far as the log says.
+#[derive(Default)]
+struct Directions {
+    ai: [u64; 2],
+    vcu: [u64; 2],
+}
+
+impl Directions {
+    fn count(&mut self, id: u16, direction: Option<Direction>) {
+        let counts = match id {
+            Ai2VcuStatus::ID => &mut self.ai,
+            Vcu2AiStatus::ID => &mut self.vcu,
+            _ => return,
+        };
+        match direction {
+            Some(Direction::Rx) => counts[0] += 1,
+            Some(Direction::Tx) => counts[1] += 1,
+            None => {}
+        }
+    }
+
+    /// Whether the AI Computer itself recorded: its own messages are all sent, and the VCU's are received but for
+    /// single ones.
+    fn recorded_by_ai(&self) -> bool {
+        let ([ai_rx, ai_tx], [vcu_rx, vcu_tx]) = (self.ai, self.vcu);
+        ai_tx > 0 && ai_rx == 0 && vcu_rx > 4 && vcu_rx > 4 * vcu_tx
+    }
 }
 
 impl<'a> Log<'a> {
@@ -149,8 +181,8 @@ impl<'a> Log<'a> {
             frames: 0,
             on_interface: 0,
             passed_over: BTreeMap::new(),
-            ai: None,
-            vcu: None,
+            neglected: BTreeSet::new(),
+            directions: Directions::default(),
         }
     }
 
@@ -169,17 +201,16 @@ impl<'a> Log<'a> {
         if !record.terminated && is_cut_off(record) {
             return self.cut_off(t, record);
         }
-        self.judge.frame(t, record.id, record.data);
-        if record.direction.is_some() {
-            self.direction(record);
+        if record.direction.is_some() && self.forged(record) {
+            return self.judge.other_frame(t);
         }
+        self.judge.frame(t, record.id, record.data);
     }
 
     /// The first interface that carries a message of the document is the one to judge.
     #[cold]
     fn choose(&mut self, record: &Record<'_>) -> bool {
-        let known = u16::try_from(record.id).is_ok_and(|id| message_by_id(id).is_some());
-        if known && record.kind == FrameKind::Standard {
+        if is_known(record) {
             self.interface = Some(record.interface.to_owned());
         }
         true
@@ -188,6 +219,9 @@ impl<'a> Log<'a> {
     #[cold]
     fn pass_over(&mut self, t: i64, record: &Record<'_>, ours: bool) {
         self.judge.other_frame(t);
+        if !ours && is_known(record) && self.neglected.len() < MAX_INTERFACES {
+            self.neglected.insert(record.interface.to_owned());
+        }
         let reason = match record.kind {
             _ if !ours => format!("on interface {}", record.interface),
             FrameKind::Standard => return,
@@ -197,8 +231,7 @@ impl<'a> Log<'a> {
             FrameKind::Fd { .. } => "of CAN FD".to_owned(),
             FrameKind::Xl => "of CAN XL".to_owned(),
         };
-        // A log can name any number of interfaces; the first few tell enough.
-        if self.passed_over.len() < 64 || self.passed_over.contains_key(&reason) {
+        if self.passed_over.len() < MAX_INTERFACES || self.passed_over.contains_key(&reason) {
             *self.passed_over.entry(reason).or_default() += 1;
         } else {
             *self.passed_over.entry("on further interfaces".to_owned()).or_default() += 1;
@@ -215,18 +248,19 @@ impl<'a> Log<'a> {
         self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, message);
     }
 
-    /// Uses the direction of a frame: what goes the way that only the AI Computer's messages go is its own.
+    /// Uses the direction of a frame: whether the log was recorded by the AI Computer, and sent by it what only others
+    /// may send. Such a frame is the AI Computer's fault, and says nothing about the VCU.
     #[cold]
-    fn direction(&mut self, record: &Record<'_>) {
-        match u16::try_from(record.id) {
-            Ok(Ai2VcuStatus::ID) => self.ai = record.direction,
-            Ok(Vcu2AiStatus::ID) if self.vcu.is_none() => self.vcu = record.direction,
-            _ => {}
-        }
-        let recorded_on_ai = self.ai == Some(Direction::Tx) && self.vcu == Some(Direction::Rx);
-        if recorded_on_ai && record.direction == Some(Direction::Tx) {
+    fn forged(&mut self, record: &Record<'_>) -> bool {
+        let Ok(id) = u16::try_from(record.id) else { return false };
+        self.directions.count(id, record.direction);
+        let forged = self.directions.recorded_by_ai()
+            && record.direction == Some(Direction::Tx)
+            && !Node::Ai.may_send(id);
+        if forged {
             self.judge.sent_by_ai(record.id);
         }
+        forged
     }
 
     #[cold]
@@ -252,6 +286,12 @@ impl<'a> Log<'a> {
             let message = format!("{} {reason}, not judged", counted(*count, "frame"));
             self.judge.report(Severity::Note, Party::Log, "2", Rule::NotJudged, message);
         }
+        for interface in self.neglected.iter().filter(|_| self.options.interface.is_none()) {
+            let message = format!(
+                "{interface} carries messages of the document, too, and was not judged; --interface {interface} judges it"
+            );
+            self.judge.report(Severity::Warning, Party::Log, "2", Rule::NotJudged, message);
+        }
         Ok(self.judge.finish())
     }
 }
@@ -260,6 +300,12 @@ impl<'a> Log<'a> {
 fn counted(count: u64, noun: &str) -> String {
     let s = if count == 1 { "" } else { "s" };
     format!("{count} {noun}{s}")
+}
+
+/// Whether a frame has the identifier of a message of the document.
+fn is_known(record: &Record<'_>) -> bool {
+    let known = u16::try_from(record.id).is_ok_and(|id| message_by_id(id).is_some());
+    known && record.kind == FrameKind::Standard
 }
 
 /// Whether a frame lacks data that its message has.

@@ -158,7 +158,7 @@ fn named(name: &str) -> Ring<Frame> {
 
 fn bus() -> Ring<Frame> {
     let each: Vec<_> = MESSAGES.iter().map(|def| frames(def).into_items()).collect();
-    Ring::new((0..sample::COUNT).flat_map(|round| each.iter().map(move |frames| frames[round])))
+    Ring::new((0..usize::from(sample::COUNT)).flat_map(|round| each.iter().map(move |frames| frames[round])))
 }
 
 fn any(frames: Ring<Frame>) -> Ring<AnyMessage> {

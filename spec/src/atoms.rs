@@ -11,8 +11,6 @@ macro_rules! atoms {
         /// them.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
         #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
         #[repr(u8)]
         pub enum Atom { $($(#[$doc])* $variant,)* }
@@ -81,19 +79,22 @@ atoms! {
     GoOn = "go-on", "\"Go\" signal ON", "\"Go\" signal OFF";
     /// The rising edge of the "Go" switch that section 3.2, item 3, accepts.
     GoEdge = "go-edge", "\"Go\" signal OFF -> ON", "no accepted \"Go\" signal OFF -> ON";
-    /// At least one wheel turns faster than 10 rpm (sections 3.7, 4).
+    /// At least one wheel turns faster than the limit (sections 3.7, 4).
     Moving = "moving", "a wheel speed > 10 rpm", "no wheel speed > 10 rpm";
-    /// Every wheel turns slower than 10 rpm (section 3.3); exactly 10 rpm is neither moving nor at rest.
+    /// Every wheel turns slower than the limit (section 3.3); exactly at the limit is neither moving nor at rest.
     AtRest = "at-rest", "all wheel speeds < 10 rpm", "a wheel speed >= 10 rpm";
     /// The AI Computer's HANDSHAKE bit is 1 (section 2.4).
     AiHandshake = "ai-handshake", "AI HANDSHAKE == 1", "AI HANDSHAKE == 0";
-    /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for 50 ms (section 2.4).
+    /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for too long (section 2.4).
     AiCommsLost = "ai-comms-lost", "AI_COMMS_LOST", "AI comms present";
     /// `ESTOP_REQUEST` of the AI Computer is set (section 2.1).
     AiEstop = "ai-estop", "ESTOP_REQUEST == 1", "ESTOP_REQUEST == 0";
     /// The vehicle must be power-cycled before it can drive again (section 3.9).
     PowerCycleNeeded = "power-cycle-needed", "power cycle needed", "no power cycle needed";
 }
+
+crate::named::impl_find!(Atom by id, "asms");
+crate::named::impl_named!(Atom, "the id of an atom, such as \"asms\"");
 
 impl fmt::Display for Atom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -110,8 +111,48 @@ impl fmt::Display for Atom {
 /// assert_eq!(seen.iter().count(), 2);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "u32", into = "u32"))]
 pub struct Atoms(u32);
 
 crate::set::impl_set!(Atoms(u32) of Atom, "atom");
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::format;
+    use std::string::String;
+
+    use super::Atom;
+    use crate::Interface;
+
+    /// The number in an atom's text that a version of the interface decides, with its unit.
+    fn limit(atom: Atom) -> Option<String> {
+        let Interface { timing, thresholds, .. } = Interface::V3_0;
+        match atom {
+            Atom::DwellElapsed => Some(format!("{} second ", f64::from(timing.ready_dwell_ms) / 1000.0)),
+            Atom::SteerStraight => Some(format!(" {}", thresholds.straight)),
+            Atom::Moving | Atom::AtRest => Some(format!(" {}", thresholds.wheel_speed)),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn every_number_in_a_text_is_that_of_the_interface() {
+        for &atom in Atom::ALL {
+            for value in [false, true] {
+                let mut text = String::from(atom.text(value));
+                if let Some(limit) = limit(atom) {
+                    assert_eq!(text.matches(&limit).count(), 1, "{atom}: {text:?} should say {limit:?}");
+                    text = text.replace(&limit, " ");
+                }
+                // A flag is set or not, and a request is zero or not: these are no limits.
+                for comparison in ["== 0", "!= 0", "== 1", "!= 1"] {
+                    if let Some(rest) = text.strip_suffix(comparison) {
+                        text = String::from(rest);
+                    }
+                }
+                assert!(!text.contains(|c: char| c.is_ascii_digit()), "{atom}: where is {text:?} from?");
+            }
+        }
+    }
+}

@@ -3,6 +3,7 @@
 //! It is small and finite: timers stop counting at their limits, and what a state or a reading does not use rests at
 //! its initial value, so that equal behaviour is equal control state.
 
+use crate::atoms::Atom;
 use crate::handshake::Handshake;
 use crate::interface::Timing;
 use crate::messages::{AsState, ShutdownCause};
@@ -13,6 +14,7 @@ use crate::readings::{Choice, Readings};
 #[cfg_attr(kani, derive(kani::Arbitrary))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct Control {
     /// The state of Figure 2.
     pub state: AsState,
@@ -75,6 +77,17 @@ impl Timing {
             AsState::Ready => self.ready_dwell_ms,
             AsState::EmergencyBrake => self.ebs_timer_ms,
             AsState::Off | AsState::Driving | AsState::Finished => 0,
+        }
+    }
+}
+
+impl Atom {
+    /// The atom that tells whether a state has lasted for its time; `None` for states whose duration does not matter.
+    pub const fn of_timer(state: AsState) -> Option<Self> {
+        match state {
+            AsState::Ready => Some(Self::DwellElapsed),
+            AsState::EmergencyBrake => Some(Self::EbsTimerComplete),
+            AsState::Off | AsState::Driving | AsState::Finished => None,
         }
     }
 }

@@ -12,7 +12,6 @@ macro_rules! faults {
         /// A critical fault that 520h reports.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
         #[repr(u8)]
         pub enum Fault { $($(#[$doc])* $fault = ShutdownCause::$fault as u8,)* }
@@ -77,6 +76,9 @@ faults! {
     BmsFault => bms_fault, "BMS_FAULT", true;
 }
 
+crate::named::impl_find!(Fault by flag, "AI_COMMS_LOST");
+crate::named::impl_named!(Fault, "the flag of a fault, such as \"AI_COMMS_LOST\"");
+
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.flag())
@@ -85,8 +87,6 @@ impl fmt::Display for Fault {
 
 /// A set of [`Fault`]s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "u16", into = "u16"))]
 pub struct Faults(u16);
 
 crate::set::impl_set!(Faults(u16) of Fault, "fault");

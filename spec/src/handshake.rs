@@ -20,6 +20,7 @@
 #[cfg_attr(kani, derive(kani::Arbitrary))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct Handshake {
     /// Whether the handshake was performed at the last step.
     pub active: bool,

@@ -8,6 +8,7 @@ use crate::table::{FIGURE_2, Table};
 
 /// The data of one version of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Interface {
     /// The document's version.
     pub version: &'static str,
@@ -21,6 +22,8 @@ pub struct Interface {
 
 /// How long things last, in milliseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Timing {
     /// `AS_READY` lasts at least this long before the exit conditions count (section 3.2, item 1).
     pub ready_dwell_ms: u16,
@@ -36,6 +39,8 @@ pub struct Timing {
 
 /// Where measured values begin to count, in the raw units of their signals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Thresholds {
     /// A wheel faster than this is moving, one slower is at rest (sections 3.3, 3.7, 4).
     pub wheel_speed: WheelSpeed,

@@ -55,6 +55,7 @@ mod inputs;
 mod interface;
 mod machine;
 pub mod messages;
+mod named;
 mod outputs;
 pub mod readings;
 mod reserved;
@@ -71,6 +72,7 @@ pub use inputs::{AiMessages, Inputs, Observation, Reports, ShutdownCircuit, Vehi
 pub use interface::{Interface, Thresholds, Timing};
 pub use machine::{Machine, Reaction, Taken};
 pub use messages::AsState;
+pub use named::UnknownName;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
 pub use reserved::{RESERVED, is_reserved};

@@ -16,6 +16,8 @@ use crate::table::{Row, Term};
 /// The outcome of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct Outputs {
     /// The state before the step.
     pub from: AsState,
@@ -41,6 +43,8 @@ pub struct Outputs {
 /// brakes are the driver's; in `EMERGENCY_BRAKE` the Emergency Braking System brakes fully whatever is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct Actuation {
     /// The drive torque of the front axle.
     pub front_axle_trq: AxleTorqueRequest,
@@ -65,6 +69,8 @@ pub struct Actuation {
 /// Every message that the VCU sends after a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct VcuMessages {
     /// 520h.
     pub status: Vcu2AiStatus,

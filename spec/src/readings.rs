@@ -5,6 +5,8 @@
 
 use core::fmt;
 
+use crate::UnknownName;
+
 macro_rules! readings {
     ($($(#[$doc:meta])* $reading:ident = $id:literal, $question:literal, $section:literal {
         $($(#[$cdoc:meta])* $choice:ident = $cid:literal, $ctext:literal;)*
@@ -12,8 +14,6 @@ macro_rules! readings {
         /// A question that the document leaves open.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
         #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
         #[repr(u8)]
         pub enum Reading { $($(#[$doc])* $reading,)* }
@@ -45,8 +45,7 @@ macro_rules! readings {
 
         /// An answer to a [`Reading`].
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+        #[cfg_attr(kani, derive(kani::Arbitrary))]
         #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
         #[repr(u8)]
         pub enum Choice { $($($(#[$cdoc])* $choice,)*)* }
@@ -174,16 +173,37 @@ impl Choice {
     }
 }
 
+crate::named::impl_find!(Reading by id, "fault-trigger");
+crate::named::impl_named!(Reading, "the id of a reading, such as \"fault-trigger\"");
+
+impl fmt::Display for Reading {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.id())
+    }
+}
+
+crate::named::impl_named!(Choice, "a reading and a choice, such as \"fault-trigger=edge\"");
+
+/// As `reading=choice`, such as `fault-trigger=edge`.
 impl fmt::Display for Choice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}={}", self.reading().id(), self.id())
     }
 }
 
+/// Reads `reading=choice`.
+impl core::str::FromStr for Choice {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let (reading, choice) = name.split_once('=').ok_or(UnknownName::Choice)?;
+        let reading: Reading = reading.parse()?;
+        Self::find(reading.id(), choice).ok_or(UnknownName::ChoiceOf(reading))
+    }
+}
+
 /// A set of [`Choice`]s: those that are still possible, or those that a term of the table needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "u32", into = "u32"))]
 pub struct Choices(u32);
 
 crate::set::impl_set!(Choices(u32) of Choice, "choice");
@@ -278,25 +298,29 @@ impl Default for Readings {
 /// As a list of choices such as `fault-trigger=edge`, the non-default ones only; empty means all defaults.
 impl fmt::Display for Readings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut separator = "";
-        for choice in self.0.iter().filter(|&c| !Self::DEFAULT.is(c)) {
-            write!(f, "{separator}{choice}")?;
-            separator = " ";
-        }
-        Ok(())
+        crate::named::separated(f, " ", self.0.difference(Self::DEFAULT.0).iter())
     }
 }
 
+/// As a map of reading to choice, every reading in it.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Readings {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|c| (c.reading().id(), c.id())))
+        // Not as an iterator's items: a filter does not know how many will come, which some formats must.
+        let mut map = serializer.serialize_map(Some(Reading::ALL.len()))?;
+        for &reading in Reading::ALL {
+            serde::ser::SerializeMap::serialize_entry(&mut map, &reading, self.choice(reading).id())?;
+        }
+        serde::ser::SerializeMap::end(map)
     }
 }
 
+/// From a map of reading to choice, each reading at most once; those that are not in it are the default.
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for Readings {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        use serde::de::Error as _;
+
         struct Visitor;
         impl<'de> serde::de::Visitor<'de> for Visitor {
             type Value = Readings;
@@ -306,12 +330,14 @@ impl<'de> serde::Deserialize<'de> for Readings {
             }
 
             fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<Readings, A::Error> {
-                let mut readings = Readings::DEFAULT;
+                let mut given = Choices::NONE;
                 while let Some(reading) = map.next_key::<Reading>()? {
-                    let choice = map.next_value_seed(ChoiceOf(reading))?;
-                    readings = readings.with(choice);
+                    if given.of_reading(reading).next().is_some() {
+                        return Err(A::Error::custom(format_args!("{reading} is answered twice")));
+                    }
+                    given = given.with(map.next_value_seed(ChoiceOf(reading))?);
                 }
-                Ok(readings)
+                Ok(given.iter().fold(Readings::DEFAULT, Readings::with))
             }
         }
 
@@ -332,7 +358,7 @@ impl<'de> serde::Deserialize<'de> for Readings {
 
             fn visit_str<E: serde::de::Error>(self, value: &str) -> Result<Choice, E> {
                 Choice::find(self.0.id(), value)
-                    .ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(value), &self))
+                    .ok_or_else(|| E::custom(format_args!("{value:?}: {}", UnknownName::ChoiceOf(self.0))))
             }
         }
         deserializer.deserialize_map(Visitor)
@@ -363,5 +389,19 @@ impl arbitrary::Arbitrary<'_> for Readings {
             readings = readings.with(*u.choose(reading.choices())?);
         }
         Ok(readings)
+    }
+}
+
+#[cfg(feature = "proptest")]
+impl proptest::arbitrary::Arbitrary for Readings {
+    type Parameters = ();
+    type Strategy = proptest::strategy::BoxedStrategy<Self>;
+
+    /// Shrinks towards the defaults.
+    fn arbitrary_with((): ()) -> Self::Strategy {
+        use proptest::strategy::Strategy;
+        let answers: std::vec::Vec<_> =
+            Reading::ALL.iter().map(|reading| proptest::sample::select(reading.choices())).collect();
+        answers.prop_map(|answers| answers.into_iter().fold(Self::DEFAULT, Self::with)).boxed()
     }
 }

@@ -97,6 +97,56 @@ macro_rules! impl_set {
             }
         }
 
+        /// As the names of what is in the set, with a space between them.
+        impl core::fmt::Display for $set {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                $crate::named::separated(f, " ", self.iter())
+            }
+        }
+
+        /// As a list of names: the bits are this crate's own affair.
+        #[cfg(feature = "serde")]
+        impl serde::Serialize for $set {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                use serde::ser::SerializeSeq;
+                // Not as an iterator's items: a filter does not know how many will come, which some formats must.
+                let mut names = serializer.serialize_seq(Some(self.0.count_ones() as usize))?;
+                for element in self.iter() {
+                    names.serialize_element(&element)?;
+                }
+                names.end()
+            }
+        }
+
+        /// From a list of names in any order, none of them twice.
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for $set {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                use serde::de::{Error, SeqAccess, Visitor};
+
+                struct Names;
+                impl<'de> Visitor<'de> for Names {
+                    type Value = $set;
+
+                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                        f.write_str(concat!("a list with the name of each ", $name))
+                    }
+
+                    fn visit_seq<A: SeqAccess<'de>>(self, mut names: A) -> Result<$set, A::Error> {
+                        let mut set = $set::NONE;
+                        while let Some(element) = names.next_element::<$element>()? {
+                            if set.has(element) {
+                                return Err(A::Error::custom(format_args!("{element} is in the list twice")));
+                            }
+                            set = set.with(element);
+                        }
+                        Ok(set)
+                    }
+                }
+                deserializer.deserialize_seq(Names)
+            }
+        }
+
         impl From<$set> for $bits {
             fn from(set: $set) -> Self {
                 set.0

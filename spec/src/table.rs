@@ -17,6 +17,7 @@ pub const MAX_TERMS: usize = 10;
 
 /// One alternative of a guard: all `on` hold and none of `off` does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Term {
     /// The atoms that must hold.
     pub on: Atoms,
@@ -105,7 +106,18 @@ impl Row {
     const EMPTY: Self =
         Self { from: AsState::Off, to: AsState::Off, clause: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
 
-    /// A row. Only the first [`MAX_TERMS`] terms count.
+    /// A row that is written down with its terms. More than [`MAX_TERMS`] do not compile.
+    pub const fn of<const N: usize>(
+        from: AsState,
+        to: AsState,
+        clause: &'static str,
+        terms: &[Term; N],
+    ) -> Self {
+        const { assert!(N <= MAX_TERMS, "the row has more terms than a Row holds: raise MAX_TERMS") }
+        Self::new(from, to, clause, terms)
+    }
+
+    /// A row with terms that are known when the program runs. Only the first [`MAX_TERMS`] count.
     pub const fn new(from: AsState, to: AsState, clause: &'static str, terms: &[Term]) -> Self {
         let mut row = Self { from, to, clause, ..Self::EMPTY };
         let mut i = 0;
@@ -123,6 +135,19 @@ impl Row {
     }
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for Row {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut row = serializer.serialize_struct("Row", 4)?;
+        row.serialize_field("from", &self.from)?;
+        row.serialize_field("to", &self.to)?;
+        row.serialize_field("clause", self.clause)?;
+        row.serialize_field("terms", self.terms())?;
+        row.end()
+    }
+}
+
 /// The rows of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Table {
@@ -131,7 +156,14 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of rows, in the order of evaluation. Only the first [`MAX_ROWS`] rows count.
+    /// A table that is written down with its rows, in the order of evaluation. More than [`MAX_ROWS`] do not compile.
+    pub const fn of<const N: usize>(rows: &[Row; N]) -> Self {
+        const { assert!(N <= MAX_ROWS, "the figure has more rows than a Table holds: raise MAX_ROWS") }
+        Self::new(rows)
+    }
+
+    /// A table of rows that are known when the program runs, in the order of evaluation. Only the first [`MAX_ROWS`]
+    /// count.
     pub const fn new(rows: &[Row]) -> Self {
         let mut table = Self { rows: [Row::EMPTY; MAX_ROWS], len: 0 };
         let mut i = 0;
@@ -149,8 +181,17 @@ impl Table {
     }
 }
 
+/// As the list of its rows.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Table {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.rows().serialize(serializer)
+    }
+}
+
 /// A reading that changes which arrow of a state is evaluated first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Priority {
     /// The choice that changes the order.
     pub choice: Choice,
@@ -181,8 +222,8 @@ pub const FIGURE_2: Table = {
     #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
     use Atom::*;
 
-    Table::new(&[
-        Row::new(
+    Table::of(&[
+        Row::of(
             Off,
             Ready,
             "3.1",
@@ -198,9 +239,9 @@ pub const FIGURE_2: Table = {
                     .reading(Choice::MissionStatusOnly),
             ],
         ),
-        Row::new(Ready, EmergencyBrake, "3.5", &[Term::on("3.5", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
-        Row::new(Ready, Off, "3.6", &[Term::off("3.6", &[Asms])]),
-        Row::new(
+        Row::of(Ready, EmergencyBrake, "3.5", &[Term::on("3.5", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        Row::of(Ready, Off, "3.6", &[Term::off("3.6", &[Asms])]),
+        Row::of(
             Ready,
             Driving,
             "3.2",
@@ -217,7 +258,7 @@ pub const FIGURE_2: Table = {
                 ],
             )],
         ),
-        Row::new(
+        Row::of(
             Driving,
             EmergencyBrake,
             "3.7",
@@ -242,9 +283,9 @@ pub const FIGURE_2: Table = {
                 Term::on("2.1", &[AiEstop]).fault(Fault::AiComputerRequest),
             ],
         ),
-        Row::new(Driving, Finished, "3.3", &[Term::on("3.3", &[MissionFinished, AtRest])]),
-        Row::new(EmergencyBrake, Off, "3.9", &[Term::on("3.9", &[EbsTimerComplete]).and_off(&[Asms])]),
-        Row::new(Finished, EmergencyBrake, "3.8", &[Term::on("3.8", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
-        Row::new(Finished, Off, "3.4", &[Term::off("3.4", &[Asms])]),
+        Row::of(Driving, Finished, "3.3", &[Term::on("3.3", &[MissionFinished, AtRest])]),
+        Row::of(EmergencyBrake, Off, "3.9", &[Term::on("3.9", &[EbsTimerComplete]).and_off(&[Asms])]),
+        Row::of(Finished, EmergencyBrake, "3.8", &[Term::on("3.8", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        Row::of(Finished, Off, "3.4", &[Term::off("3.4", &[Asms])]),
     ])
 };

@@ -6,9 +6,11 @@ use crate::Atoms;
 
 /// True, false, or unknown: Kleene's three values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(kani, derive(kani::Arbitrary))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub enum Truth {
     /// It does not hold, whatever the unseen is.
     False,
@@ -82,6 +84,7 @@ impl fmt::Display for Truth {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Claims"))]
 pub struct Knowledge {
     on: Atoms,
     off: Atoms,
@@ -90,6 +93,18 @@ pub struct Knowledge {
 impl Knowledge {
     /// Nothing is known of any atom.
     pub const NOTHING: Self = Self { on: Atoms::NONE, off: Atoms::NONE };
+
+    /// These atoms are known to be true and those to be false; `None` if one is said to be both.
+    ///
+    /// ```
+    /// use adsdv_spec::{Atom, Atoms, Knowledge};
+    /// let asms = Atoms::of(&[Atom::Asms]);
+    /// assert!(Knowledge::new(asms, Atoms::NONE).is_some());
+    /// assert_eq!(Knowledge::new(asms, asms), None);
+    /// ```
+    pub const fn new(on: Atoms, off: Atoms) -> Option<Self> {
+        if on.intersection(off).is_empty() { Some(Self { on, off }) } else { None }
+    }
 
     /// Everything is known: the atoms of the set are true, all others false.
     pub const fn exact(atoms: Atoms) -> Self {
@@ -153,5 +168,63 @@ impl Knowledge {
     /// Whether an exact set of atoms is one that this knowledge allows.
     pub const fn allows(self, atoms: Atoms) -> bool {
         self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
+    }
+}
+
+/// What someone says is known, before it is looked at.
+#[cfg(feature = "serde")]
+#[derive(Default, serde::Deserialize)]
+#[serde(rename = "Knowledge", default, deny_unknown_fields)]
+struct Claims {
+    on: Atoms,
+    off: Atoms,
+}
+
+/// The atoms that are said to be both true and false.
+#[cfg(feature = "serde")]
+struct Contradiction(Atoms);
+
+#[cfg(feature = "serde")]
+impl fmt::Display for Contradiction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "both on and off: {}; an atom is known to be one of them, or neither", self.0)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Claims> for Knowledge {
+    type Error = Contradiction;
+
+    fn try_from(Claims { on, off }: Claims) -> Result<Self, Contradiction> {
+        Self::new(on, off).ok_or(Contradiction(on.intersection(off)))
+    }
+}
+
+#[cfg(kani)]
+impl kani::Arbitrary for Knowledge {
+    fn any() -> Self {
+        let (on, off): (Atoms, Atoms) = (kani::any(), kani::any());
+        Self { on, off: off.difference(on) }
+    }
+}
+
+#[cfg(feature = "arbitrary")]
+impl arbitrary::Arbitrary<'_> for Knowledge {
+    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
+        let (on, off): (Atoms, Atoms) = u.arbitrary()?;
+        Ok(Self { on, off: off.difference(on) })
+    }
+}
+
+#[cfg(feature = "proptest")]
+impl proptest::arbitrary::Arbitrary for Knowledge {
+    type Parameters = ();
+    type Strategy =
+        proptest::strategy::Map<proptest::arbitrary::StrategyFor<(Atoms, Atoms)>, fn((Atoms, Atoms)) -> Self>;
+
+    fn arbitrary_with((): ()) -> Self::Strategy {
+        use proptest::strategy::Strategy;
+        proptest::arbitrary::any::<(Atoms, Atoms)>()
+            .prop_map(|(on, off)| Self { on, off: off.difference(on) })
     }
 }

@@ -67,10 +67,10 @@ mod tests {
         assert_eq!(
             conditions(&term, known),
             [
+                "SDC open (not visible in the log),",
                 "AS master switch ON,",
                 "TS master switch OFF (needed: TS master switch ON),",
-                "EBS_state == ARMED (not certain),",
-                "SDC open (not visible in the log)",
+                "EBS_state == ARMED (not certain)",
             ]
         );
     }

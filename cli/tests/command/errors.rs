@@ -72,7 +72,7 @@ fn a_file_that_may_not_be_read() {
 #[test]
 fn an_interface_that_the_log_does_not_have() {
     let outcome = run(&["check", "--interface", "can7", MISSION]);
-    refused(&outcome, "no frame on interface can7; the log has vcan0", "--interface");
+    refused(&outcome, "on interface can7; the log has vcan0", "--interface");
     wrong_arguments(&["check", "--interface", "", MISSION], "--interface <NAME>");
 }
 

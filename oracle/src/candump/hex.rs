@@ -1,5 +1,7 @@
 //! Hexadecimal digits, through a table: one load for each digit, and no branch until the end.
 
+use super::frame::MAX_CLASSIC;
+
 /// What the table holds for a byte that is no digit: any value with high bits set.
 const NONE: u8 = 0xFF;
 
@@ -53,6 +55,20 @@ pub(super) fn bytes<const DIGITS: usize, const BYTES: usize>(digits: [u8; DIGITS
     (seen != NONE).then_some(bytes)
 }
 
+/// The bytes that up to [`MAX_CLASSIC`] pairs of digits stand for, and how many they are; `None` if there is more or
+/// anything else.
+#[inline]
+pub(super) fn some_bytes(digits: &[u8]) -> Option<([u8; MAX_CLASSIC], usize)> {
+    let (pairs, odd) = digits.as_chunks::<2>();
+    let (mut bytes, mut seen) = ([0; MAX_CLASSIC], 0);
+    for (byte, pair) in bytes.iter_mut().zip(pairs) {
+        let [high, low] = pair.map(|digit| VALUE[usize::from(digit)]);
+        seen |= high | low;
+        *byte = high << 4 | low & 0xF;
+    }
+    (seen != NONE && odd.is_empty() && pairs.len() <= MAX_CLASSIC).then_some((bytes, pairs.len()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,6 +81,7 @@ mod tests {
             assert_eq!(number([b'5', byte]), expected.map(|low| 0x50 | u32::from(low)).ok_or(1));
             assert_eq!(bytes([byte, b'a']), expected.map(|high| [high << 4 | 0xA]));
             assert_eq!(bytes([b'C', byte]), expected.map(|low| [0xC0 | low]));
+            assert_eq!(some_bytes(&[b'1', b'2', byte, b'a']).is_some(), expected.is_some());
         }
     }
 

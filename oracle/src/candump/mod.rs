@@ -42,6 +42,7 @@ mod record;
 #[cfg(test)]
 mod tests;
 mod time;
+mod usual;
 mod writer;
 
 pub use error::{Excerpt, LineError, ReadError};

@@ -8,7 +8,8 @@ use memchr::memchr;
 use super::MAX_LINE;
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
-use super::record::{MAX_DATA, Record};
+use super::record::{FrameKind, MAX_DATA, Record};
+use super::usual::{self, Usual};
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
 const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
@@ -16,6 +17,9 @@ const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
 /// Large enough that system calls do not count, small enough to stay in the processor's cache.
 const BUFFER: usize = 128 * 1024;
 const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to fit, with room to read more");
+
+/// The longest name of an interface that is remembered for [`usual::read`]; Linux has shorter ones alone.
+const MAX_INTERFACE: usize = 64;
 
 /// What a log has in store: a frame, or a line that is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +48,8 @@ pub struct Reader<R> {
     terminated: bool,
     /// Data of the last record handed out.
     data: Box<[u8; MAX_DATA]>,
+    /// The interface that the next line will name most of the time: that of a line before. Empty at first.
+    interface: String,
 }
 
 impl<R: Read> Reader<R> {
@@ -57,6 +63,7 @@ impl<R: Read> Reader<R> {
             line: 0,
             terminated: true,
             data: Box::new([0; MAX_DATA]),
+            interface: String::new(),
         }
     }
 
@@ -68,7 +75,7 @@ impl<R: Read> Reader<R> {
     /// Bytes of memory that the reader holds, whatever the log.
     #[cfg(test)]
     pub(super) fn capacity(&self) -> usize {
-        self.buffer.len() + self.data.len()
+        self.buffer.len() + self.data.len() + self.interface.capacity()
     }
 
     /// The next line that is not blank; `None` at the end of the log.
@@ -81,13 +88,34 @@ impl<R: Read> Reader<R> {
         let Some(span) = self.next_line()? else { return Ok(None) };
         let terminated = self.terminated;
         let text = self.buffer.get(span).unwrap_or_default();
+        if let Some(Usual { time_ns, id, data, len }) = usual::read(text, self.interface.as_bytes()) {
+            if let Some(place) = self.data.first_chunk_mut() {
+                *place = data;
+            }
+            return Ok(Some(Entry::Frame(Record {
+                line: self.line,
+                time_ns,
+                interface: &self.interface,
+                kind: FrameKind::Standard,
+                id,
+                data: self.data.get(..len).unwrap_or_default(),
+                direction: None,
+                terminated,
+            })));
+        }
         let parsed = if text.len() > MAX_LINE {
             Err(Flaw { at: 0, expected: SHORTER })
         } else {
             line::parse(self.line, text, &mut self.data)
         };
         Ok(Some(match parsed {
-            Ok(record) => Entry::Frame(Record { terminated, ..record }),
+            Ok(record) => {
+                if record.interface != self.interface && record.interface.len() <= MAX_INTERFACE {
+                    self.interface.clear();
+                    self.interface.push_str(record.interface);
+                }
+                Entry::Frame(Record { terminated, ..record })
+            }
             Err(flaw) => Entry::Broken(LineError::new(self.line, text, flaw)),
         }))
     }

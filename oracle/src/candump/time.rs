@@ -23,7 +23,7 @@ pub(super) fn take(cursor: &mut Cursor<'_>) -> Result<i64, Flaw> {
 /// The form that candump prints, ten digits of seconds and six of microseconds, read eight digits at a time.
 /// Whatever it cannot read is left for [`any`], which would read this form to the same value.
 #[inline]
-fn usual(cursor: &mut Cursor<'_>) -> Option<i64> {
+pub(super) fn usual(cursor: &mut Cursor<'_>) -> Option<i64> {
     let &[b'(', s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, b'.', u0, u1, u2, u3, u4, u5, b')'] =
         cursor.rest().first_chunk()?
     else {

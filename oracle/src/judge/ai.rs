@@ -37,10 +37,6 @@ const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakin
 pub(super) const AT_SPEED_ATOMS: Atoms =
     scope(AI_STATUS).union(adsdv_spec::messages::Vcu2AiWheelSpeeds::SCOPE);
 
-/// The conditions of section 3.2, item 2, that the AI Computer must meet.
-const REQUESTS: [Atom; 4] =
-    [Atom::FrontTorqueZero, Atom::RearTorqueZero, Atom::SteerRequestZero, Atom::DirectionNeutral];
-
 impl Judge {
     /// 510h came with something new. `continuous` tells whether the frame before is known, too.
     pub(super) fn ai_status(&mut self, t: i64, status: Ai2VcuStatus, continuous: bool) {
@@ -95,8 +91,18 @@ impl Judge {
             self.out.responses.add(response);
         }
         if self.handshake.ai(t, bit) {
-            self.update_comms(t);
+            self.answered(t);
         }
+    }
+
+    #[cold]
+    fn answered(&mut self, t: i64) {
+        let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
+        if self.handshake.response().is_some_and(|response| response > limit) {
+            // Too late on the bus, but within what the window allows the VCU to have seen.
+            self.report_ai_late(t, Severity::Warning);
+        }
+        self.update_comms(t);
     }
 
     pub(super) fn report_ai_late(&mut self, t: i64, severity: Severity) {
@@ -154,7 +160,7 @@ impl Judge {
         }
         let holds = state == AsState::Ready
             && self.known.of(Atom::DwellElapsed) == Truth::True
-            && REQUESTS.iter().any(|&atom| self.known.of(atom) == Truth::False);
+            && !self.requests.intersection(self.known.off()).is_empty();
         match (holds, self.ai.held_since) {
             (true, None) => {
                 self.ai.held_since = Some(t);
@@ -173,6 +179,9 @@ impl Judge {
 
     pub(super) fn judge_at_speed(&mut self, pending: &Pending, fault: Fault, now: i64) {
         let t = pending.t;
+        if self.left_driving_unseen(t) {
+            return;
+        }
         let around = self.throughout(t - self.window, t + self.window, now);
         let known = pending.before.set(Atom::Moving, around.of(Atom::Moving));
         let under = |variant: &super::variants::Variant| {
@@ -188,6 +197,9 @@ impl Judge {
             let index = AT_SPEED.iter().position(|&other| other == fault);
             if let Some(at_speed) = index.and_then(|index| self.ai.at_speed.get_mut(index)) {
                 *at_speed = false;
+            }
+            if let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) {
+                self.consider_speed(now, state);
             }
             return;
         };
@@ -208,6 +220,11 @@ impl Judge {
         self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, clause: "3.7", rule, message });
     }
 
+    /// Whether the VCU may have left AS_DRIVING before `t` in a frame that is missing from the log.
+    fn left_driving_unseen(&self, t: i64) -> bool {
+        self.vcu.left.is_some_and(|left| left.gap && left.before <= t && t <= left.at)
+    }
+
     pub(super) fn held_event(&self) -> i64 {
         match self.ai.held_since {
             Some(since) if !self.ai.held_reported => since + self.deadline,
@@ -218,11 +235,8 @@ impl Judge {
     pub(super) fn report_held(&mut self) {
         self.ai.held_reported = true;
         let Some(since) = self.ai.held_since else { return };
-        let failed: Vec<&str> = REQUESTS
-            .iter()
-            .filter(|&&atom| self.known.of(atom) == Truth::False)
-            .map(|atom| atom.text(false))
-            .collect();
+        let failed: Vec<&str> =
+            self.requests.intersection(self.known.off()).iter().map(|atom| atom.text(false)).collect();
         let message = format!(
             "{} after the dwell of AS_READY: the VCU must not go on to AS_DRIVING; expected zero requests and NEUTRAL",
             failed.join(" and ")

@@ -1,12 +1,12 @@
 //! Time: what is to be done when it passes.
 
-use adsdv_spec::{Atom, Atoms, Fault, Knowledge, Truth};
+use adsdv_spec::{Atoms, Fault, Knowledge, Observation, Truth};
 
 use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::history::Moment;
 use super::transitions::Seen;
-use super::{Judge, MS, SILENCE_NS, STATUS, scope};
+use super::{Judge, SILENCE_NS, STATUS, scope};
 
 /// Something that can only be judged once the window behind it has passed.
 #[derive(Clone, Debug)]
@@ -35,8 +35,8 @@ pub(super) enum What {
 /// Times further away than this (73 years) are taken for this, so that no sum of times overflows.
 const FAR_NS: i64 = 1 << 61;
 
-/// Time stamps that go back further than this start a new recording; smaller steps are jitter.
-const SET_BACK_NS: i64 = 1000 * MS;
+/// A bound on what waits to be judged, for logs in which everything happens at once.
+const MAX_PENDING: usize = 256;
 
 impl Judge {
     /// Time goes on to that of a frame. Returns the time that the judge gives it.
@@ -47,6 +47,9 @@ impl Judge {
             return self.set_back(t);
         }
         if t >= self.next_event {
+            if t - self.now > self.window {
+                self.postpone(t - self.now);
+            }
             self.events(t);
         }
         self.now = t;
@@ -61,21 +64,42 @@ impl Judge {
             return self.now;
         }
         let back = self.now - t;
-        let restart = back > SET_BACK_NS;
-        let then = if restart { "judged as a new recording from here on" } else { "judged as if it had not" };
+        // A recorder shuffles frames by no more than the window; beyond that, its clock was set back.
+        if back <= self.window {
+            if !std::mem::replace(&mut self.shuffled, true) {
+                self.report(
+                    Severity::Note,
+                    Party::Log,
+                    "2",
+                    Rule::TimeBackwards,
+                    format!("the log's time goes back by {:.3} ms here, and maybe again", milliseconds(back)),
+                );
+            }
+            return self.now;
+        }
         self.report(
             Severity::Note,
             Party::Log,
             "2",
             Rule::TimeBackwards,
-            format!("the log's time goes back by {:.3} ms; {then}", milliseconds(back)),
+            format!(
+                "the log's time goes back by {:.3} ms; judged as a new recording from here on",
+                milliseconds(back)
+            ),
         );
-        if restart {
-            self.settle_all(self.now);
-            self.offset = (self.offset + back).min(FAR_NS);
-            self.forget_everything();
-        }
+        self.settle_all(self.now);
+        self.offset = (self.offset + back).min(FAR_NS);
+        self.forget_everything();
         self.now
+    }
+
+    /// No frame came for a while: the recorder paused, or its clock was set. What has lasted long enough by its clock
+    /// may not have by the VCU's.
+    #[cold]
+    fn postpone(&mut self, by: i64) {
+        for timer in self.vcu.timers.iter_mut().filter(|timer| timer.becomes == Truth::True) {
+            timer.at += by;
+        }
     }
 
     /// Nothing is known any more.
@@ -178,6 +202,11 @@ impl Judge {
     }
 
     pub(super) fn suspend(&mut self, t: i64, wait: i64, before: Knowledge, what: What) {
+        if self.pending.len() >= MAX_PENDING {
+            // Far more than any bus does in a window: what comes too early to be judged is left open.
+            let oldest = self.pending.swap_remove(0);
+            self.settle(&oldest, oldest.t);
+        }
         let at = t + wait;
         self.pending.push(Pending { t, at, before, what });
         self.wake_at(at);
@@ -244,8 +273,8 @@ impl Judge {
         self.handshake.vcu_gone();
         self.meter.restart();
         self.due = None;
-        let unknown = [Atom::DwellElapsed, Atom::EbsTimerComplete, Atom::GoEdge, Atom::PowerCycleNeeded];
-        let known = unknown.iter().fold(self.known, |known, &atom| known.set(atom, Truth::Unknown));
+        // What the VCU remembers is gone with it.
+        let known = self.known.forget(Atoms::ALL.difference(Observation::SCOPE));
         self.learn(t, known);
     }
 }

@@ -200,6 +200,10 @@ impl Judge {
         let inputs = self.throughout(t - self.window - cycle, t + self.window, now);
         // What the flag itself says counts only from the flag on.
         let window = inputs.set(Atom::AiCommsLost, pending.before.of(Atom::AiCommsLost));
+        // Section 2.4 asks for this flag whether an arrow follows from it or not.
+        if fault == Fault::AiCommsFault && window.of(Atom::AiCommsLost) != Truth::False {
+            return;
+        }
         let mut clause = "2.2";
         for state in AsState::ALL {
             for term in self.variants.terms(state).iter().filter(|term| term.fault == Some(fault)) {
@@ -218,7 +222,11 @@ impl Judge {
             Fault::MissionStatusFault => "MISSION_STATUS was not FINISHED while a wheel speed > 10 rpm",
             _ => "DIRECTION_REQUEST was not NEUTRAL while a wheel speed > 10 rpm",
         };
-        let clause = if fault == Fault::AiComputerRequest { "2.2" } else { clause };
+        let clause = match fault {
+            Fault::AiComputerRequest => "2.2",
+            Fault::AiCommsFault => "2.4",
+            _ => clause,
+        };
         let message = format!("{fault} was raised, but {why}; expected 0");
         self.vcu_violation(t, clause, Rule::FlagUnfounded, message);
     }
@@ -292,6 +300,11 @@ impl Judge {
             return;
         };
         let Some(status) = self.vcu.status else { return };
+        let ai_was_there = self.slots.get(super::AI_STATUS).is_some_and(|slot| slot.last.is_some());
+        if !ai_was_there && self.vcu.state == Some(AsState::Off) {
+            // Nothing drives yet, and the AI Computer is still to start: every VCU waits for it.
+            return;
+        }
         let running = status.ts_switch_status && self.running_since(edge);
         if status.ai_comms_lost || !running || !self.vcu_is_seen() || !self.handshake.report_vcu() {
             return;

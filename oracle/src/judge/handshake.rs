@@ -53,14 +53,15 @@ impl Watch {
         suspect
     }
 
-    /// The AI Computer's bit was seen. Tells whether this answers the edge.
+    /// The AI Computer's bit was seen. Tells whether this changes what is known: it answers the edge, or shows that
+    /// one is missing from the log.
     pub(super) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
         if self.answered && self.vcu != Some(bit) {
             // The AI Computer goes on to the next bit: an edge of the VCU is missing from the log.
             self.restart();
-            return false;
+            return true;
         }
         if self.answered || self.vcu != Some(bit) {
             return false;
@@ -103,6 +104,11 @@ impl Watch {
         self.answered
     }
 
+    /// How long the answer to this edge took, if it is certain that no earlier one is missing from the log.
+    pub(super) fn response(&self) -> Option<i64> {
+        (self.answered && !self.blind && self.edge_at.is_some()).then_some(self.last_response)
+    }
+
     /// When the VCU's bit changed last.
     pub(super) fn edge_at(&self) -> Option<i64> {
         self.edge_at
@@ -122,7 +128,8 @@ impl Watch {
     pub(super) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
         let quick = self.last_response + window < limit;
         match self.unanswered(now) {
-            None if self.edge_at.is_some() && quick => Truth::False,
+            // While the AI Computer is not heard, two edges may be missing from the log: the bit looks the same.
+            None if self.edge_at.is_some() && quick && !self.blind => Truth::False,
             Some(elapsed) if elapsed + window < limit && quick => Truth::False,
             Some(elapsed) if elapsed >= limit + window && !self.blind => Truth::True,
             _ => Truth::Unknown,

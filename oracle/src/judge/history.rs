@@ -15,7 +15,7 @@ pub(super) struct Moment {
 /// How far back a window can reach.
 const HORIZON_NS: i64 = 600_000_000;
 /// A bound for logs in which something changes at every frame.
-const MAX_MOMENTS: usize = 4096;
+const MAX_MOMENTS: usize = 1024;
 
 /// The recent moments, ascending; the first may lie before the horizon, because it is in force there.
 #[derive(Debug)]

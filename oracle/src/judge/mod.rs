@@ -105,6 +105,10 @@ const fn scope(slot: usize) -> Atoms {
     }
 }
 
+/// The atoms that the AI Computer's messages show.
+const AI_SCOPE: Atoms =
+    scope(AI_STATUS).union(scope(AI_DRIVE_F)).union(scope(AI_DRIVE_R)).union(scope(AI_STEER));
+
 /// The judge of one log, or of one live bus.
 #[derive(Debug)]
 pub struct Judge {
@@ -129,6 +133,10 @@ pub struct Judge {
     due: Option<transitions::Due>,
     now: i64,
     started: bool,
+    /// Whether it was said that frames do not come in the order of time.
+    shuffled: bool,
+    /// What section 3.2, item 2, asks of the AI Computer.
+    requests: Atoms,
     /// Added to the time of frames, so that time goes on after it was set back.
     offset: i64,
     /// Nothing is to be done before this time.
@@ -141,10 +149,14 @@ impl Judge {
     /// A judge of version 3.0 of the interface.
     pub fn new(options: Options) -> Self {
         let interface = Interface::V3_0;
+        let variants = Variants::new(&interface, options.readings);
+        let requests = variants.atoms(AsState::Ready, AsState::Driving).intersection(AI_SCOPE);
         Self {
             options,
             interface,
-            variants: Variants::new(&interface, options.readings),
+            variants,
+            shuffled: false,
+            requests,
             window: i64::from(options.window_ms) * MS,
             deadline: i64::from(options.deadline_ms) * MS,
             slot_of: SlotOf::new(),

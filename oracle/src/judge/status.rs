@@ -26,9 +26,20 @@ pub(super) struct VcuSide {
     pub(super) brake: Option<super::flags::BrakeWatch>,
     pub(super) sums: Sums,
     pub(super) estop_since: Option<i64>,
+    /// The last change of state.
+    pub(super) left: Option<Left>,
     /// What 502h last said of the EBS.
     pub(super) ebs: Option<adsdv_spec::messages::EbsState>,
     pub(super) assi: Option<super::flags::AssiSuspect>,
+}
+
+/// A change of state: when the old one was last seen, when the new one first was, and whether a frame may be missing in
+/// between.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Left {
+    pub(super) before: i64,
+    pub(super) at: i64,
+    pub(super) gap: bool,
 }
 
 /// A condition that changes when time passes.
@@ -194,9 +205,8 @@ impl Judge {
         let limit = i64::from(timing.in_state_limit(state)) * super::MS;
         self.vcu.timers.clear();
         let mut known = self.known;
-        for (timed, atom) in
-            [(AsState::Ready, Atom::DwellElapsed), (AsState::EmergencyBrake, Atom::EbsTimerComplete)]
-        {
+        for timed in AsState::ALL {
+            let Some(atom) = Atom::of_timer(timed) else { continue };
             known = known.set(atom, Truth::False);
             if state == timed {
                 // The timer began between the two frames, give or take the window.

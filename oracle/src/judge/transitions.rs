@@ -1,7 +1,7 @@
 //! Transitions: those that were seen, and those that were due.
 
 use adsdv_spec::messages::Node;
-use adsdv_spec::{AsState, Atom, Atoms, Knowledge, Term, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Knowledge, Observation, Term, Truth};
 
 use super::events::{Pending, What};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
@@ -30,16 +30,9 @@ pub(super) struct Due {
     reported: bool,
 }
 
-/// The atoms that the VCU's memory decides: they count up to the step that is judged, not behind it.
-const MEMORY: Atoms = Atoms::of(&[
-    Atom::DwellElapsed,
-    Atom::EbsTimerComplete,
-    Atom::GoEdge,
-    Atom::PowerCycleNeeded,
-    Atom::AiCommsLost,
-    Atom::MissionFinishedEdge,
-    Atom::DirectionNeutralEdge,
-]);
+/// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
+/// the step that is judged, not behind it.
+const MEMORY: Atoms = Atoms::ALL.difference(Observation::SCOPE).with(Atom::SdcOpen);
 
 /// What three-valued judgement says of one variant of the table.
 struct Judged {
@@ -60,6 +53,7 @@ impl Judge {
     ) {
         let usual = self.slots.get(super::STATUS).map_or(0, |slot| slot.period);
         let gap = gap || t - before > usual + usual / 5;
+        self.vcu.left = Some(super::status::Left { before, at: t, gap });
         let deciding = self
             .variants
             .terms(from)
@@ -137,8 +131,12 @@ impl Judge {
         // What the VCU remembers was not seen; what it saw has to allow each arrow.
         let seen = window.forget(MEMORY);
         let open = |from: AsState, to: AsState| {
-            let mut guards = self.variants.of(from).iter().flatten().filter(|guard| guard.to == to);
-            guards.any(|guard| guard.truth(seen) != Truth::False)
+            self.variants.of(from).iter().any(|variant| {
+                let mut earlier = variant.iter().take_while(|guard| guard.to != to);
+                let mut guards = variant.iter().filter(|guard| guard.to == to);
+                guards.any(|guard| guard.truth(seen) != Truth::False)
+                    && !earlier.any(|guard| guard.truth(seen) == Truth::True)
+            })
         };
         let timing = &self.interface.timing;
         let mut reached: Vec<(AsState, i64)> = vec![(from, 0)];

@@ -14,6 +14,14 @@ use super::{
     scope,
 };
 
+/// The VCU's messages that tell requests back, and the AI Computer's that make them.
+const ECHOES: [(u16, u16); 4] = [
+    (Vcu2AiDriveF::ID, Ai2VcuDriveF::ID),
+    (Vcu2AiDriveR::ID, Ai2VcuDriveR::ID),
+    (Vcu2AiSteer::ID, Ai2VcuSteer::ID),
+    (Vcu2AiBrake::ID, Ai2VcuBrake::ID),
+];
+
 impl Judge {
     /// A frame came with another content than the one before, or after a silence.
     pub(super) fn changed(&mut self, index: usize, t: i64, word: u64, len: u8, before: Option<i64>) {
@@ -30,6 +38,7 @@ impl Judge {
             }
             if index == AI_STATUS {
                 self.handshake.ai_gone();
+                self.update_comms(t);
             }
             return self.learn(t, self.known.forget(scope(index)));
         }
@@ -74,6 +83,7 @@ impl Judge {
                 } else {
                     // Whether a VCU takes anything from such a frame is not known.
                     self.handshake.ai_gone();
+                    self.update_comms(t);
                     self.learn(t, self.known.forget(scope(index)));
                 }
             }
@@ -174,8 +184,12 @@ impl Judge {
             };
             // The logging messages show the database's start value until what they log is there.
             let start = lenient::is_start_value(signal, raw) && M::DEF.id == Vcu2LogStatus::ID;
-            let (severity, rule) =
-                if start { (Severity::Note, Rule::StartValue) } else { (Severity::Violation, Rule::Value) };
+            let echo = self.echoes_bad_request(M::DEF.id, signal.name);
+            let (severity, rule) = match (start, echo) {
+                (true, _) => (Severity::Note, Rule::StartValue),
+                (_, true) => (Severity::Note, Rule::Value),
+                _ => (Severity::Violation, Rule::Value),
+            };
             let error = adsdv_spec::messages::ValueError {
                 message: M::DEF.name,
                 id: M::DEF.id,
@@ -183,10 +197,10 @@ impl Judge {
                 given: raw,
                 def: signal,
             };
-            let message = if start {
-                format!("{error}: the start value of the CAN database")
-            } else {
-                error.to_string()
+            let message = match (start, echo) {
+                (true, _) => format!("{error}: the start value of the CAN database"),
+                (_, true) => format!("{error}: as the AI Computer requested it"),
+                _ => error.to_string(),
             };
             self.out.finding(Finding {
                 t_ns: t,
@@ -197,6 +211,13 @@ impl Judge {
                 message,
             });
         }
+    }
+
+    /// Whether this signal tells the AI Computer's own request back, and that is out of range.
+    fn echoes_bad_request(&self, id: u16, signal: &str) -> bool {
+        let request = ECHOES.iter().find(|(vcu, _)| *vcu == id).map(|&(_, ai)| ai);
+        let slot = request.and_then(|ai| self.slot_of.get(ai.into())).and_then(|index| self.slots.get(index));
+        signal.contains("_REQ") && slot.is_some_and(|slot| slot.bad != 0)
     }
 
     #[cold]

@@ -4,11 +4,13 @@
 //! difference to a given state, so each state keeps the few variants that do.
 
 use adsdv_spec::table::PRIORITIES;
-use adsdv_spec::{AsState, Choices, Interface, Knowledge, Machine, Reading, Table, Taken, Term, Truth};
+use adsdv_spec::{
+    AsState, Atoms, Choices, Interface, Knowledge, Machine, Reading, Table, Taken, Term, Truth,
+};
 
 /// The readings that change the table, rather than what an atom means.
 fn table_readings(table: &Table) -> Vec<Reading> {
-    let terms = table.rows().iter().flat_map(|row| row.terms());
+    let terms = table.rows().iter().flat_map(adsdv_spec::Row::terms);
     let in_terms = terms.flat_map(|term| term.readings.iter());
     let in_order = PRIORITIES.iter().map(|priority| priority.choice);
     let changing: Vec<Reading> = in_terms.chain(in_order).map(adsdv_spec::Choice::reading).collect();
@@ -46,8 +48,10 @@ pub(super) struct Variants {
 
 impl Variants {
     pub(super) fn new(interface: &Interface, readings: Choices) -> Self {
-        let machines: Vec<Machine> =
-            readings.combinations(&table_readings(&interface.table)).map(|answer| Machine::new(*interface, answer)).collect();
+        let machines: Vec<Machine> = readings
+            .combinations(&table_readings(&interface.table))
+            .map(|answer| Machine::new(*interface, answer))
+            .collect();
         let by_state: Vec<Vec<Variant>> = AsState::ALL
             .iter()
             .map(|&state| {
@@ -89,6 +93,14 @@ impl Variants {
     /// Every term that leads out of a state under some reading.
     pub(super) fn terms(&self, state: AsState) -> &[Term] {
         self.terms.get(state as usize - 1).map_or(&[], Vec::as_slice)
+    }
+
+    /// The atoms that any guard of an arrow names.
+    pub(super) fn atoms(&self, from: AsState, to: AsState) -> Atoms {
+        let guards = self.of(from).iter().flatten().filter(|guard| guard.to == to);
+        guards
+            .flat_map(|guard| &guard.terms)
+            .fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off))
     }
 
     /// Whether there is an arrow at all.

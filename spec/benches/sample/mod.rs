@@ -7,7 +7,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{AsState, Control, Inputs, Interface, Machine};
 
 /// How many samples there are of each thing: even, because the handshake alternates.
-pub(crate) const COUNT: usize = 8;
+pub(crate) const COUNT: u8 = 8;
 
 /// Samples, one after the other, over and over.
 pub(crate) struct Ring<T> {
@@ -79,8 +79,8 @@ pub(crate) fn before_emergency_brake() -> (Control, Ring<Inputs>) {
 }
 
 /// The sample of this index of a vehicle in this state: everything is switched on, and "Go" where one drives.
-fn inputs_in(state: AsState, index: usize) -> Inputs {
-    let varied = i32::try_from(index).unwrap_or(0);
+fn inputs_in(state: AsState, index: u8) -> Inputs {
+    let varied = i32::from(index);
     let mut inputs = Inputs {
         asms: true,
         tsms: true,
@@ -118,9 +118,9 @@ fn inputs_in(state: AsState, index: usize) -> Inputs {
 pub(crate) fn frames(def: &MessageDef) -> Ring<Frame> {
     Ring::new((0..COUNT).map(|index| {
         let data = def.signals.iter().fold([0; 8], |data, signal| {
-            let raw = match signal.values.get(index % signal.values.len().max(1)) {
+            let raw = match signal.values.get(usize::from(index) % signal.values.len().max(1)) {
                 Some((value, _)) => *value,
-                None => signal.min + (signal.max - signal.min) / (COUNT as i32 - 1) * index as i32,
+                None => signal.min + (signal.max - signal.min) / i32::from(COUNT - 1) * i32::from(index),
             };
             signal.put(data, raw)
         });

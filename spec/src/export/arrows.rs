@@ -2,41 +2,40 @@
 
 use core::fmt;
 
+use crate::machine::Taken;
 use crate::messages::AsState;
 use crate::readings::Readings;
-use crate::table::{PRIORITIES, Row, Term};
+use crate::table::{Row, Term};
 use crate::{Interface, Machine};
 
 /// An arrow that the readings of a machine have.
 #[derive(Clone, Copy)]
 pub(super) struct Arrow<'a> {
+    machine: &'a Machine,
     pub(super) row: &'a Row,
-    readings: Readings,
+    /// The first alternative of the guard.
+    first: Taken,
 }
 
 /// The arrows of a machine, those of one state in the order in which they are evaluated.
 pub(super) fn arrows(machine: &Machine) -> impl Iterator<Item = Arrow<'_>> {
-    let readings = machine.readings();
-    AsState::ALL.into_iter().flat_map(move |state| {
-        let rows = machine.interface().table.rows().iter().filter(move |row| row.from == state);
-        let overtakes = move |row: &Row| {
-            PRIORITIES.iter().any(|priority| {
-                readings.is(priority.choice) && (priority.from, priority.first) == (row.from, row.to)
-            })
-        };
-        let first = rows.clone().filter(move |row| overtakes(row));
-        first
-            .chain(rows.filter(move |row| !overtakes(row)))
-            .map(move |row| Arrow { row, readings })
-            .filter(|arrow| arrow.terms().next().is_some())
+    AsState::ALL.into_iter().flat_map(|state| machine.arrows(state)).filter_map(move |first| {
+        let row = first.row(&machine.interface().table)?;
+        let arrow = Arrow { machine, row, first };
+        (arrow.alternatives().next() == Some(first)).then_some(arrow)
     })
 }
 
 impl<'a> Arrow<'a> {
-    /// The alternatives of the guard that the readings have.
+    /// The alternatives of the guard that the machine evaluates.
+    fn alternatives(self) -> impl Iterator<Item = Taken> {
+        self.machine.arrows(self.row.from).filter(move |taken| taken.row == self.first.row)
+    }
+
+    /// The terms of these alternatives.
     fn terms(self) -> impl Iterator<Item = &'a Term> {
-        let choices = self.readings.choices();
-        self.row.terms().iter().filter(move |term| term.readings.is_subset(choices))
+        let table = &self.machine.interface().table;
+        self.alternatives().filter_map(move |taken| taken.term(table))
     }
 
     /// The guard in the words of the figure, one line for each alternative. A line is broken before more

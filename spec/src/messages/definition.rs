@@ -10,6 +10,8 @@ use super::{Decimal, OutOfRange, Scale, SignalValue};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(kani, derive(kani::Arbitrary))]
+#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
+#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub enum Node {
     /// The AI Computer.
     #[cfg_attr(feature = "serde", serde(rename = "AI"))]
@@ -53,6 +55,7 @@ impl fmt::Display for Node {
 
 /// One signal of a message: a row of the signal table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SignalDef {
     /// The name, as in the CAN database.
@@ -225,6 +228,7 @@ pub(super) fn with_unit(f: &mut fmt::Formatter<'_>, raw: i32, scale: Scale, unit
 
 /// One message of the interface, with its signals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct MessageDef {
     /// The name, as in the document and the CAN database.

@@ -7,6 +7,8 @@ use super::{MessageDef, SignalDef};
 
 /// Data that is not a message of section 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum DecodeError {
     /// No message of section 2 has this identifier.
     UnknownId {
@@ -33,6 +35,7 @@ pub enum DecodeError {
 /// A signal of a message has a value that the document does not allow: outside its range or its
 /// enumeration. This is an error of the message's sender, never read as some default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ValueError {
     /// The message's name.
     pub message: &'static str,
@@ -48,6 +51,7 @@ pub struct ValueError {
 
 /// A raw value that a signal does not allow, apart from any message; see [`SignalDef::check`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfRange {
     /// The raw value given.
     pub given: i32,

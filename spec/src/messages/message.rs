@@ -62,6 +62,7 @@ macro_rules! messages {
             #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
             #[cfg_attr(kani, derive(kani::Arbitrary))]
             #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+            #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
             pub struct $message {
                 $(
                     #[doc = $signal_doc]

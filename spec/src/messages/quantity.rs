@@ -10,6 +10,7 @@ use super::{Decimal, Scale, SignalValue};
 
 /// A value that a quantity cannot have.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct QuantityError {
     /// The name of the quantity's type.
     pub quantity: &'static str,
@@ -27,6 +28,8 @@ pub struct QuantityError {
 
 /// A value as it was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum GivenValue {
     /// In raw steps.
     Raw(i32),

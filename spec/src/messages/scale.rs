@@ -14,6 +14,7 @@ use core::fmt;
 /// assert_eq!(scale_of(Ai2LogDynamics2::DEF.signal("Yaw_rate_degps")).as_deref(), Some("0.0078125"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scale {
     num: u32,
     den: u32,
@@ -74,6 +75,7 @@ impl fmt::Display for Scale {
 /// Displays a raw value in units, as an exact decimal without trailing zeros: raw 125 in steps of 0.1
 /// is `12.5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Decimal {
     /// The raw value.
     pub raw: i32,
