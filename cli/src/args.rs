@@ -7,7 +7,6 @@ use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
-
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
 

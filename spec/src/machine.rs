@@ -40,7 +40,8 @@ pub struct Machine {
 #[derive(Clone, Copy, Debug)]
 struct Arrow {
     on: Atoms,
-    off: Atoms,
+    /// The atoms that count: those that must hold and those that must not.
+    care: Atoms,
     to: AsState,
     taken: Taken,
 }
@@ -48,7 +49,7 @@ struct Arrow {
 impl Arrow {
     #[inline(always)]
     const fn holds(&self, atoms: Atoms) -> bool {
-        self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
+        atoms.intersection(self.care).bits() == self.on.bits()
     }
 }
 
@@ -98,7 +99,7 @@ impl Machine {
     /// A machine for a version of the interface and an answer to every open question.
     pub const fn new(interface: Interface, readings: Readings) -> Self {
         let nowhere =
-            Arrow { on: Atoms::NONE, off: Atoms::NONE, to: AsState::Off, taken: Taken { row: 0, term: 0 } };
+            Arrow { on: Atoms::NONE, care: Atoms::NONE, to: AsState::Off, taken: Taken { row: 0, term: 0 } };
         let mut machine = Self {
             interface,
             readings,
@@ -136,9 +137,10 @@ impl Machine {
         let mut term = 0;
         while term < self.interface.table.rows()[row].terms().len() {
             let Term { on, off, readings, .. } = self.interface.table.rows()[row].terms()[term];
-            if readings.is_subset(self.readings.choices()) {
+            // A term that asks for an atom to be both on and off never holds.
+            if readings.is_subset(self.readings.choices()) && on.intersection(off).is_empty() {
                 self.arrows[filled] =
-                    Arrow { on, off, to, taken: Taken { row: row as u8, term: term as u8 } };
+                    Arrow { on, care: on.union(off), to, taken: Taken { row: row as u8, term: term as u8 } };
                 filled += 1;
                 if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
                     self.go_conditions = Some((on.without(Atom::GoEdge), off));

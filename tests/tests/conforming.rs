@@ -5,7 +5,7 @@ use adsdv_oracle::judge::{Options, Party, Severity};
 use adsdv_spec::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
 };
-use adsdv_spec::{AsState, Interface, Machine, Reading, Readings};
+use adsdv_spec::{AsState, Choices, Interface, Machine, Reading, Readings};
 use adsdv_tests::world::{MS, Random, World, judge, violations};
 
 /// A run of `cycles` with random changes, biased so that every state is reached.
@@ -86,15 +86,22 @@ fn never_blames_the_vcu(runs: u64, jitter_ms: i64, loss: u64) {
     for seed in 0..runs {
         let mut random = Random(seed);
         let world = random_run(&mut random, 400);
-        let report = judge(&world.disturbed(seed, jitter_ms * MS, loss), Options::default());
+        // Half of the recordings start in mid-run, and half are judged by the very readings that the VCU follows.
+        let recording = world.disturbed(seed, jitter_ms * MS, loss);
+        let start = if random.one_in(2) { random.below(recording.len() as u64 / 2) } else { 0 };
+        let pinned = random.one_in(2);
+        let readings = if pinned { world.vcu.readings().choices() } else { Choices::ALL };
+        let log = recording.get(usize::try_from(start).unwrap_or(0)..).unwrap_or_default();
+        let report = judge(log, Options { readings, ..Options::default() });
         let blamed = report
             .findings
             .iter()
             .any(|finding| finding.party == Party::Vcu && finding.severity == Severity::Violation);
         assert!(
             !blamed,
-            "seed {seed}, jitter {jitter_ms} ms, loss 1/{loss}, readings [{}]: {:#?}",
+            "seed {seed}, jitter {jitter_ms} ms, loss 1/{loss}, from {start}, readings [{}]{}: {:#?}",
             world.vcu.readings(),
+            if pinned { ", pinned" } else { "" },
             violations(&report)
         );
         transitions += report.transitions.len();

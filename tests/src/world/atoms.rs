@@ -10,6 +10,8 @@ use super::World;
 impl World {
     /// Makes a condition true or false from now on. Where a threshold decides, the value is the one next to it.
     ///
+    /// # Panics
+    ///
     /// What only time or the past decides cannot be set: it must be so already.
     pub fn set(&mut self, atom: Atom, value: bool) {
         let thresholds = self.vcu.interface().thresholds;

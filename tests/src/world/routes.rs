@@ -88,6 +88,10 @@ impl World {
     }
 
     /// To a state, in the shortest way.
+    ///
+    /// # Panics
+    ///
+    /// If the VCU does not go there.
     pub fn arrive(&mut self, state: AsState) {
         match state {
             AsState::Off => self.wait(500),

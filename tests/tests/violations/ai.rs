@@ -1,1 +1,106 @@
-//! todo
+//! The AI Computer's conduct in AS_DRIVING and AS_READY.
+
+use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
+use adsdv_spec::{Atom, Choice};
+use adsdv_tests::world::{World, judge};
+
+use crate::check::{blames, is_reported, is_silent, pinned};
+
+/// AS_DRIVING at speed, and the AI Computer does something.
+fn at_speed(vcu: fn(&mut World), does: fn(&mut World)) -> World {
+    let mut world = World::reference();
+    world.driving();
+    vcu(&mut world);
+    does(&mut world);
+    world.wait(500);
+    world
+}
+
+/// The AI Computer does at speed what violates under both readings.
+fn violates_at_speed(does: fn(&mut World), rule: Rule) {
+    let expected = [(rule, "3.7")];
+    let world = at_speed(|_| {}, does);
+    is_silent(&world, Options::default(), rule.id());
+    // A VCU leaves AS_DRIVING at once. Only one that stays shows for sure, under jitter, that it had not left before.
+    let stays = at_speed(World::hold_state, does);
+    for options in [Options::default(), pinned(Choice::FaultLevel), pinned(Choice::FaultEdge)] {
+        assert_eq!(blames(&judge(&world.log, options), Party::Ai), expected);
+        is_reported(&stays, options, Party::Ai, &expected, rule.id());
+    }
+}
+
+#[test]
+fn finished_at_speed_violates_under_both_readings() {
+    violates_at_speed(|world| world.ai.status.mission_status = MissionStatus::Finished, Rule::FinishedMoving);
+}
+
+#[test]
+fn neutral_at_speed_violates_under_both_readings() {
+    let neutral: fn(&mut World) = |world| world.ai.status.direction_request = DirectionRequest::Neutral;
+    violates_at_speed(neutral, Rule::NeutralMoving);
+}
+
+/// How much the one finding of a rule weighs; `None` if there is none.
+fn weight(world: &World, rule: Rule, options: Options) -> Option<Severity> {
+    let report = judge(&world.log, options);
+    let weights: Vec<Severity> =
+        report.findings.iter().filter(|f| f.rule == rule).map(|f| f.severity).collect();
+    assert!(weights.len() <= 1, "{:#?}", report.findings);
+    weights.first().copied()
+}
+
+fn violates_as_a_level_only(world: &World, rule: Rule) {
+    assert_eq!(weight(world, rule, Options::default()), Some(Severity::Warning));
+    assert_eq!(weight(world, rule, pinned(Choice::FaultLevel)), Some(Severity::Violation));
+    assert_eq!(weight(world, rule, pinned(Choice::FaultEdge)), None);
+}
+
+#[test]
+fn finished_that_does_not_follow_on_running() {
+    let does: fn(&mut World) = |world| {
+        world.ai.status.mission_status = MissionStatus::Selected;
+        world.wait(200);
+        world.ai.status.mission_status = MissionStatus::Finished;
+    };
+    let world = at_speed(|_| {}, does);
+    violates_as_a_level_only(&world, Rule::FinishedMoving);
+    is_silent(&world, Options::default(), "FINISHED from SELECTED");
+}
+
+#[test]
+fn neutral_from_before_the_vehicle_moved() {
+    let mut world = World::with_reading(Choice::FaultEdge);
+    world.dwelt();
+    world.inputs.go = true;
+    world.wait(500);
+    world.wheels(200);
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Driving);
+    violates_as_a_level_only(&world, Rule::NeutralMoving);
+    is_silent(&world, Options::default(), "NEUTRAL all the time");
+}
+
+#[test]
+fn finished_and_neutral_at_rest_are_fine() {
+    let mut world = World::reference();
+    world.finished();
+    world.ai.status.direction_request = DirectionRequest::Neutral;
+    world.wait(500);
+    is_reported(&world, Options::default(), Party::Ai, &[], "at rest");
+}
+
+#[test]
+fn requests_that_hold_the_vehicle_in_ready() {
+    for atom in [Atom::FrontTorqueZero, Atom::RearTorqueZero, Atom::SteerRequestZero, Atom::DirectionNeutral]
+    {
+        let mut world = World::reference();
+        world.ready();
+        world.set(atom, false);
+        world.wait(4000);
+        assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), None, "not before the dwell is over");
+        world.wait(2000);
+        assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), Some(Severity::Warning), "{atom}");
+        is_silent(&world, Options::default(), atom.id());
+    }
+}

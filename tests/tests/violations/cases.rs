@@ -15,7 +15,8 @@ pub(crate) struct Case {
 }
 
 /// What only time and the past decide.
-const HISTORY: Atoms = Atoms::of(&[Atom::DwellElapsed, Atom::EbsTimerComplete, Atom::PowerCycleNeeded]);
+pub(crate) const HISTORY: Atoms =
+    Atoms::of(&[Atom::DwellElapsed, Atom::EbsTimerComplete, Atom::PowerCycleNeeded]);
 
 /// The choices without which a condition does not show on the bus.
 const SHOWN_BY: [(Atom, Choice); 2] =

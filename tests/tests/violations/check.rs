@@ -9,11 +9,11 @@ pub(crate) type Blame = (Rule, &'static str);
 
 /// Frames lost: one in this many.
 const LOSS: u64 = 20;
-const SEEDS: u64 = 12;
+const SEEDS: u64 = 32;
 
 /// The judge, told that the VCU follows this choice.
 pub(crate) fn pinned(choice: Choice) -> Options {
-    all_pinned(Choices::only(choice))
+    all_pinned(Choices::NONE.with(choice))
 }
 
 /// The judge, told that the VCU follows these choices.
@@ -49,22 +49,36 @@ pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
 
 /// Exactly these violations are reported, also under jitter; where frames are lost, no other, and mostly these.
 pub(crate) fn is_reported(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) {
+    let missed = missed_in(world, options, party, expected, name);
+    assert!(missed <= SEEDS / 2, "{name}: missed in {missed} of {SEEDS} recordings that lose frames");
+}
+
+/// The same for what shows for a moment only, so that a recording that loses frames may not show it.
+pub(crate) fn is_reported_if_seen(
+    world: &World,
+    options: Options,
+    party: Party,
+    expected: &[Blame],
+    name: &str,
+) {
+    missed_in(world, options, party, expected, name);
+}
+
+/// In how many recordings that lose frames it is not reported. In all others it must be, and nothing else in any.
+fn missed_in(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) -> u64 {
     let mut missed = 0;
     for (how, log) in recordings(world) {
         let report = judge(&log, options);
         let found = blames(&report, party);
         if how.loses_frames() {
             missed += u64::from(found != expected);
-            if found != expected && std::env::var("DBG").is_ok() {
-                eprintln!("{name} {how} missed; {found:?} {:?}", report.transitions.last());
-            }
             let other = found.iter().any(|blame| !expected.contains(blame)) || found.len() > expected.len();
             assert!(!other, "{name}, {how}: {:#?}", violations(&report));
         } else {
             assert_eq!(found, expected, "{name}, {how}: {:#?}", violations(&report));
         }
     }
-    assert!(missed <= SEEDS / 2, "{name}: missed in {missed} of {SEEDS} recordings that lose frames");
+    missed
 }
 
 /// A finding is where it should be, give or take.

@@ -1,1 +1,98 @@
-//! todo
+//! Fault flags, the flags that sum them up, and 502h: what 520h tells against what is so.
+
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::Atom;
+use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_tests::world::{World, judge};
+
+use crate::check::{Blame, blames, is_reported, is_reported_if_seen, is_silent};
+
+/// AS_DRIVING at rest, and the VCU tells something from then on.
+fn tells(tells: fn(&mut Vcu2AiStatus)) -> World {
+    let mut world = World::reference();
+    world.stopped();
+    is_silent(&world, Options::default(), "before");
+    world.tells = tells;
+    world.wait(300);
+    world
+}
+
+fn expect(world: &World, expected: &[Blame], name: &str) {
+    is_reported(world, Options::default(), Party::Vcu, expected, name);
+}
+
+#[test]
+fn an_emergency_stop_that_nobody_asked_for() {
+    let world = tells(|status| status.ai_estop_request = true);
+    expect(&world, &[(Rule::FlagUnfounded, "2.2")], "AI_ESTOP_REQUEST");
+}
+
+#[test]
+fn a_mission_status_fault_at_rest() {
+    let world = tells(|status| (status.mission_status_fault, status.fault_status) = (true, true));
+    expect(&world, &[(Rule::FlagUnfounded, "4")], "MISSION_STATUS_FAULT");
+}
+
+#[test]
+fn an_autonomous_braking_fault_at_rest() {
+    let world = tells(|status| (status.autonomous_braking_fault, status.fault_status) = (true, true));
+    expect(&world, &[(Rule::FlagUnfounded, "4")], "AUTONOMOUS_BRAKING_FAULT");
+}
+
+#[test]
+fn a_fault_that_fault_status_does_not_sum_up() {
+    let world = |tells: fn(&mut Vcu2AiStatus)| {
+        let mut world = World::reference();
+        world.stopped();
+        world.inputs.reports.hvil_short = true;
+        world.tells = tells;
+        world.wait(500);
+        world
+    };
+    expect(&world(|status| status.fault_status = false), &[(Rule::StatusSum, "2.2")], "FAULT_STATUS");
+    is_silent(&world(|_| {}), Options::default(), "FAULT_STATUS");
+}
+
+#[test]
+fn a_warning_that_warning_status_does_not_sum_up() {
+    let world = |tells: fn(&mut Vcu2AiStatus)| {
+        let mut world = World::reference();
+        world.stopped();
+        world.inputs.reports.batt_soc_low = true;
+        world.tells = tells;
+        world.wait(500);
+        world
+    };
+    expect(&world(|status| status.warning_status = false), &[(Rule::StatusSum, "2.2")], "WARNING_STATUS");
+    is_silent(&world(|_| {}), Options::default(), "WARNING_STATUS");
+}
+
+#[test]
+fn an_emergency_stop_that_is_ignored() {
+    let mut world = World::reference();
+    world.stopped();
+    world.hold_state();
+    world.tells = |status| status.ai_estop_request = false;
+    world.set(Atom::AiEstop, true);
+    world.wait(500);
+    // Neither the flag nor the state follows.
+    let both = [(Rule::FlagMissing, "2.2"), (Rule::Due, "3.7")];
+    let mut found = blames(&judge(&world.log, Options::default()), Party::Vcu);
+    found.sort_unstable_by_key(|&(rule, _)| rule != Rule::FlagMissing);
+    assert_eq!(found, both);
+}
+
+#[test]
+fn the_logger_shows_another_state() {
+    let mut world = World::reference();
+    world.stopped();
+    let since = world.t;
+    world.wait(1000);
+    is_silent(&world, Options::default(), "the same state");
+    let signal = Vcu2LogStatus::DEF.signal("State_ASSI").expect("a signal of 502h");
+    for recorded in world.log.iter_mut().filter(|r| r.t >= since && r.frame.id == Vcu2LogStatus::ID) {
+        recorded.frame.data = signal.put(recorded.frame.data, AsState::Ready as i32);
+    }
+    let expected = [(Rule::AssiDiffers, Vcu2LogStatus::DEF.section)];
+    is_reported_if_seen(&world, Options::default(), Party::Vcu, &expected, "State_ASSI");
+}

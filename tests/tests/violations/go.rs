@@ -1,1 +1,80 @@
-//! todo
+//! The "Go" edge of section 3.2, item 3.
+
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::Choice;
+use adsdv_spec::messages::AsState;
+use adsdv_tests::world::World;
+
+use crate::check::{is_reported, is_reported_if_seen, is_silent, only};
+
+/// AS_READY with the dwell over, "Go" having been on since before; `GO_SIGNAL` is the switch.
+fn go_since_before() -> World {
+    let mut world = World::with_reading(Choice::GoRaw);
+    world.prepare();
+    world.inputs.go = true;
+    world.wait(200);
+    world.inputs.asms = true;
+    world.wait(6000);
+    assert_eq!(world.control.state, AsState::Ready);
+    world
+}
+
+#[test]
+fn driving_needs_a_new_edge() {
+    let mut world = go_since_before();
+    is_silent(&world, Options::default(), "the reference waits for an edge");
+    world.force(AsState::Driving);
+    world.wait(300);
+    let report = world.judge(Options::default());
+    assert!(only(&report).message.contains("no accepted"), "it names the edge");
+    // The whole stay in AS_READY must be without a gap, lest there was an edge in it.
+    is_reported_if_seen(&world, Options::default(), Party::Vcu, &[(Rule::Unjustified, "3.2")], "no edge");
+}
+
+/// AS_READY with all conditions, then an edge of "Go".
+fn edge(vcu: impl Fn(&mut World)) -> World {
+    let mut world = World::with_reading(Choice::GoRaw);
+    world.dwelt();
+    vcu(&mut world);
+    world.inputs.go = true;
+    world.wait(500);
+    world
+}
+
+#[test]
+fn an_edge_that_the_vcu_loses_is_reported() {
+    let world = edge(World::hold_state);
+    is_reported_if_seen(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.2")], "the edge is lost");
+    let world = edge(|_| {});
+    assert_eq!(world.control.state, AsState::Driving);
+    is_silent(&world, Options::default(), "the edge is taken");
+}
+
+#[test]
+fn an_edge_before_the_dwell_is_over_does_not_count() {
+    let mut world = World::with_reading(Choice::GoRaw);
+    world.ready();
+    world.inputs.go = true;
+    world.wait(6000);
+    assert_eq!(world.control.state, AsState::Ready);
+    is_silent(&world, Options::default(), "the edge came early");
+    world.force(AsState::Driving);
+    world.wait(300);
+    is_reported_if_seen(
+        &world,
+        Options::default(),
+        Party::Vcu,
+        &[(Rule::Unjustified, "3.2")],
+        "the edge came early",
+    );
+}
+
+#[test]
+fn driving_ends_with_go() {
+    let mut world = World::reference();
+    world.driving();
+    world.hold_state();
+    world.inputs.go = false;
+    world.wait(500);
+    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.7")], "Go is off");
+}

@@ -1,1 +1,105 @@
-//! todo
+//! The handshake: 50 ms, for both sides.
+
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::Choice;
+use adsdv_spec::messages::AsState;
+use adsdv_tests::world::World;
+
+use crate::check::{is_reported, is_reported_if_seen, is_silent, pinned};
+
+/// AS_DRIVING, and the AI Computer does not answer for so long.
+fn unanswered(ms: i64, vcu: impl Fn(&mut World)) -> World {
+    let mut world = World::reference();
+    world.driving();
+    vcu(&mut world);
+    world.ai_answers = false;
+    world.wait(ms);
+    world.ai_answers = true;
+    world.wait(500);
+    world
+}
+
+#[test]
+fn an_answer_after_20_ms_is_in_time() {
+    let world = unanswered(20, |_| {});
+    assert_eq!(world.control.state, AsState::Driving);
+    is_silent(&world, Options::default(), "answered after 20 ms");
+    is_reported(&world, Options::default(), Party::Ai, &[], "answered after 20 ms");
+}
+
+#[test]
+fn an_answer_after_100_ms_is_late() {
+    let world = unanswered(100, |_| {});
+    assert_eq!(world.control.state, AsState::EmergencyBrake);
+    is_silent(&world, Options::default(), "answered after 100 ms");
+    is_reported(
+        &world,
+        Options::default(),
+        Party::Ai,
+        &[(Rule::HandshakeLate, "2.4")],
+        "answered after 100 ms",
+    );
+}
+
+/// A VCU that never tells that communication is lost.
+fn never_raises(world: &mut World) {
+    world.hold_state();
+    world.tells = |status| {
+        status.ai_comms_lost = false;
+        status.fault_status = false;
+    };
+}
+
+#[test]
+fn comms_lost_is_due() {
+    let world = unanswered(600, never_raises);
+    is_reported_if_seen(
+        &world,
+        Options::default(),
+        Party::Vcu,
+        &[(Rule::CommsLostDue, "2.4")],
+        "AI_COMMS_LOST stays 0",
+    );
+    is_reported_if_seen(
+        &world,
+        Options::default(),
+        Party::Ai,
+        &[(Rule::HandshakeLate, "2.4")],
+        "AI_COMMS_LOST stays 0",
+    );
+}
+
+#[test]
+fn comms_lost_is_due_together_with_its_arrow() {
+    let world = unanswered(600, never_raises);
+    let both = [(Rule::CommsLostDue, "2.4"), (Rule::Due, "3.7")];
+    is_reported_if_seen(&world, pinned(Choice::CommsEveryState), Party::Vcu, &both, "and so does the state");
+}
+
+#[test]
+fn comms_lost_without_reason() {
+    let raises = |world: &mut World| {
+        world.hold_state();
+        world.tells = |status| {
+            status.ai_comms_lost = true;
+            status.fault_status = true;
+        };
+    };
+    let world = unanswered(20, raises);
+    let expected = [(Rule::FlagUnfounded, "2.4")];
+    is_reported(&world, Options::default(), Party::Vcu, &expected, "AI_COMMS_LOST though answered");
+    is_reported(&world, Options::default(), Party::Ai, &[], "AI_COMMS_LOST though answered");
+}
+
+#[test]
+fn a_bit_that_is_answered_changes() {
+    let mut world = World::reference();
+    world.driving();
+    world.hold_state();
+    world.tells = |status| {
+        (status.handshake, status.ai_comms_lost, status.fault_status) = (true, false, false);
+    };
+    world.wait(500);
+    let expected = [(Rule::HandshakeEdge, "2.4")];
+    is_reported(&world, Options::default(), Party::Vcu, &expected, "HANDSHAKE is stuck");
+}

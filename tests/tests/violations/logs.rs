@@ -1,1 +1,130 @@
-//! todo
+//! What can be wrong with the log itself.
+
+use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
+use adsdv_spec::messages::{AsState, MESSAGES, Node, message_by_id};
+use adsdv_tests::world::{MS, Random, Recorded, World, judge, violations};
+
+use crate::check::by;
+
+/// A run through every state, which conforms.
+fn run() -> World {
+    let mut world = World::reference();
+    world.finished();
+    world.inputs.asms = false;
+    world.inputs.go = false;
+    world.wait(1000);
+    world
+}
+
+fn notes(report: &Report, rule: Rule) -> usize {
+    report.findings.iter().filter(|f| f.severity == Severity::Note && f.rule == rule).count()
+}
+
+fn only_of(log: &[Recorded], node: Node) -> Vec<Recorded> {
+    let sent_by = |id| message_by_id(id).is_some_and(|message| message.sender == node);
+    log.iter().copied().filter(|recorded| sent_by(recorded.frame.id)).collect()
+}
+
+#[test]
+fn one_side_alone_conforms() {
+    for node in [Node::Ai, Node::Vcu] {
+        let report = judge(&only_of(&run().log, node), Options::default());
+        assert_eq!(report.verdict(), Verdict::Conforms, "{node} only: {:#?}", violations(&report));
+        assert_eq!(notes(&report, Rule::OneSided), 1, "{node} only");
+    }
+}
+
+#[test]
+fn a_log_that_begins_or_ends_anywhere_conforms() {
+    let mut worlds = vec![run(), World::reference()];
+    worlds[1].after_emergency();
+    let mut random = Random(1);
+    for world in &worlds {
+        for cut in 0..200 {
+            let end = world.t.unsigned_abs();
+            let (one, other) = (random.below(end).cast_signed(), random.below(end).cast_signed());
+            let within = one.min(other)..=one.max(other);
+            let log: Vec<Recorded> = world.log.iter().copied().filter(|r| within.contains(&r.t)).collect();
+            let report = judge(&log, Options::default());
+            assert_eq!(report.verdict(), Verdict::Conforms, "cut {cut}: {:#?}", violations(&report));
+        }
+    }
+}
+
+/// The run with each frame of one message made this long.
+fn resized(world: &World, id: u16, len: usize) -> Report {
+    let mut log = world.log.clone();
+    for recorded in log.iter_mut().filter(|recorded| recorded.frame.id == id) {
+        recorded.frame.len = u8::try_from(len).expect("a frame is short");
+        recorded.frame.data[len..].fill(0);
+    }
+    judge(&log, Options::default())
+}
+
+#[test]
+fn frames_too_short_are_reported_once() {
+    let world = run();
+    for message in MESSAGES.iter().filter(|m| world.log.iter().any(|r| r.frame.id == m.id)) {
+        let report = resized(&world, message.id, message.bytes_needed() - 1);
+        let party = message.sender.into();
+        let found: Vec<Rule> = by(&report, party).iter().map(|finding| finding.rule).collect();
+        assert_eq!(found, [Rule::TooShort], "{}: {:#?}", message.name, violations(&report));
+        assert_eq!(violations(&report).len(), 1, "{}: {:#?}", message.name, violations(&report));
+    }
+}
+
+#[test]
+fn another_length_that_holds_every_signal_is_a_note() {
+    let world = run();
+    let mut count = 0;
+    for message in MESSAGES.iter().filter(|m| m.bytes_needed() < usize::from(m.len)) {
+        if !world.log.iter().any(|r| r.frame.id == message.id) {
+            continue;
+        }
+        let report = resized(&world, message.id, message.bytes_needed());
+        assert_eq!(report.verdict(), Verdict::Conforms, "{}: {:#?}", message.name, violations(&report));
+        assert_eq!(notes(&report, Rule::Length), 1, "{}", message.name);
+        count += 1;
+    }
+    assert!(count > 0, "some messages end in unused bytes");
+}
+
+/// AS_DRIVING, with all time stamps from some moment on set back.
+fn set_back(ms: i64) -> Report {
+    let mut world = World::reference();
+    world.driving();
+    let since = world.t + 1000 * MS;
+    world.wait(3000);
+    for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= since) {
+        recorded.t -= ms * MS;
+    }
+    world.judge(Options::default())
+}
+
+#[test]
+fn time_that_goes_back_is_no_violation() {
+    let shuffled = set_back(5);
+    assert_eq!(shuffled.verdict(), Verdict::Conforms, "{:#?}", violations(&shuffled));
+    let restarted = set_back(100_000);
+    assert_eq!(restarted.verdict(), Verdict::Conforms, "{:#?}", violations(&restarted));
+    assert_eq!(notes(&restarted, Rule::TimeBackwards), 1);
+}
+
+#[test]
+fn a_vcu_that_comes_back_in_off_is_a_note() {
+    let mut world = World::reference();
+    world.driving();
+    let since = world.t;
+    world.wait(2000);
+    world.log.retain(|r| r.t < since || message_by_id(r.frame.id).is_none_or(|m| m.sender == Node::Ai));
+    let mut vcu = World::reference();
+    vcu.wait(1000);
+    let offset = world.t;
+    let later = vcu.log.iter().map(|recorded| Recorded { t: recorded.t + offset, ..*recorded });
+    world.log.extend(later);
+
+    let report = judge(&world.log, Options::default());
+    assert!(by(&report, Party::Vcu).is_empty(), "{:#?}", violations(&report));
+    assert_eq!(notes(&report, Rule::Gap), 1);
+    assert!(report.transitions.iter().all(|transition| transition.to != AsState::Off));
+}

@@ -1,1 +1,45 @@
-//! todo
+//! Transitions for which Figure 2 has no arrow.
+
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, FIGURE_2, Truth};
+use adsdv_tests::world::{World, judge};
+
+use crate::check::{is_at, is_reported, only};
+
+/// Every ordered pair of states without an arrow.
+fn pairs() -> impl Iterator<Item = (AsState, AsState)> {
+    let all = AsState::ALL.iter().flat_map(|&from| AsState::ALL.iter().map(move |&to| (from, to)));
+    all.filter(|&(from, to)| {
+        from != to && !FIGURE_2.rows().iter().any(|row| (row.from, row.to) == (from, to))
+    })
+}
+
+/// Sets the switches such that no arrow leads out of the state.
+fn settle(world: &mut World, state: AsState) {
+    world.set(Atom::Asms, state != AsState::Off);
+    world.set(Atom::GoOn, state == AsState::Driving);
+    world.set(Atom::MissionRunning, state == AsState::Driving);
+}
+
+#[test]
+fn every_arrow_that_does_not_exist_is_reported() {
+    assert_eq!(pairs().count(), 11, "20 pairs, 9 arrows");
+    for (from, to) in pairs() {
+        let name = format!("{from} -> {to}");
+        let mut world = World::reference();
+        world.arrive(from);
+        let forced = world.t;
+        world.force(to);
+        settle(&mut world, to);
+        world.wait(300);
+
+        let report = judge(&world.log, Options::default());
+        let finding = only(&report);
+        is_at(&finding, forced, 10);
+        assert!(finding.message.starts_with(&name), "{name}: {}", finding.message);
+        let last = report.transitions.last().expect("the transition is listed");
+        assert_eq!((last.from, last.to, last.justified), (from, to, Truth::False));
+        is_reported(&world, Options::default(), Party::Vcu, &[(Rule::NoArrow, "Figure 2")], &name);
+    }
+}

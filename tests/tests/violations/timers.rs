@@ -1,1 +1,68 @@
-//! todo
+//! The dwell of AS_READY and the EBS timer: left too early, and in time.
+
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::Interface;
+use adsdv_spec::messages::AsState;
+use adsdv_tests::world::{MS, World};
+
+use crate::check::{Blame, is_reported};
+
+/// What is tried after this many milliseconds less than the timer takes.
+const EARLY_MS: [(i64, bool); 2] = [(100, false), (0, true)];
+
+fn expected(in_time: bool, clause: &'static str) -> Vec<Blame> {
+    if in_time { Vec::new() } else { vec![(Rule::Unjustified, clause)] }
+}
+
+/// Waits until so many milliseconds after the state was entered.
+fn wait_in_state(world: &mut World, entered: i64, ms: i64) {
+    let left = entered + ms * MS - world.t;
+    world.wait(left / MS);
+}
+
+#[test]
+fn ready_lasts_five_seconds() {
+    let dwell = i64::from(Interface::V3_0.timing.ready_dwell_ms);
+    for (early, in_time) in EARLY_MS {
+        let mut world = World::reference();
+        world.prepare();
+        world.inputs.asms = true;
+        let entered = world.t;
+        wait_in_state(&mut world, entered, dwell - early);
+        world.inputs.go = true;
+        world.force(AsState::Driving);
+        world.wait(300);
+        let name = format!("AS_READY left {early} ms early");
+        is_reported(&world, Options::default(), Party::Vcu, &expected(in_time, "3.2"), &name);
+    }
+}
+
+#[test]
+fn emergency_brake_lasts_fifteen_seconds() {
+    let timer = i64::from(Interface::V3_0.timing.ebs_timer_ms);
+    for (early, in_time) in EARLY_MS {
+        let mut world = World::reference();
+        world.driving();
+        world.inputs.sdc.remote_estop = true;
+        let entered = world.t;
+        world.wait(1000);
+        world.inputs.asms = false;
+        wait_in_state(&mut world, entered, timer - early);
+        world.force(AsState::Off);
+        world.wait(300);
+        let name = format!("EMERGENCY_BRAKE left {early} ms early");
+        is_reported(&world, Options::default(), Party::Vcu, &expected(in_time, "3.9"), &name);
+    }
+}
+
+#[test]
+fn emergency_brake_ends_when_the_timer_does() {
+    let mut world = World::reference();
+    world.driving();
+    world.inputs.sdc.remote_estop = true;
+    world.wait(1000);
+    world.inputs.asms = false;
+    world.hold_state();
+    world.wait(i64::from(Interface::V3_0.timing.ebs_timer_ms));
+    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
+}

@@ -1,1 +1,54 @@
-//! todo
+//! Every signal whose bits can hold a value that is not allowed.
+
+use adsdv_oracle::judge::{Options, Rule, Severity};
+use adsdv_spec::messages::{Ai2LogDynamics2, MESSAGES, Message, SignalDef};
+use adsdv_tests::world::{MS, Recorded, World, judge};
+
+/// The largest value that the bits can hold and that is not allowed.
+fn refused(signal: &SignalDef) -> Option<i32> {
+    let bits = u32::from(signal.width) - u32::from(signal.signed);
+    let (lowest, highest) = (if signal.signed { -(1 << bits) } else { 0 }, (1 << bits) - 1);
+    (lowest..=highest).rev().find(|&raw| !signal.allows(raw))
+}
+
+#[test]
+fn each_is_reported_once_with_its_name() {
+    let mut world = World::reference();
+    world.driving();
+    let since = world.t;
+    world.wait(500);
+    // The simulated AI Computer does not send the logger's 501h.
+    let dynamics = Ai2LogDynamics2::default().encode();
+    world.log.extend((0..world.t / (100 * MS)).map(|n| Recorded { t: n * 100 * MS, frame: dynamics }));
+    world.log.sort_by_key(|recorded| recorded.t);
+    assert_eq!(judge(&world.log, Options::default()).findings, []);
+
+    let mut count = 0;
+    for message in MESSAGES {
+        for signal in message.signals {
+            let Some(raw) = refused(signal) else { continue };
+            let mut log = world.log.clone();
+            for recorded in &mut log {
+                let lasts = (since..since + 250 * MS).contains(&recorded.t);
+                if lasts && recorded.frame.id == message.id {
+                    recorded.frame.data = signal.put(recorded.frame.data, raw);
+                }
+            }
+            let report = judge(&log, Options::default());
+            let name = format!("{} {} = {raw}", message.name, signal.name);
+            // Of 502h, the start value of the CAN database is a note.
+            let (rule, severity) = if raw == 0 {
+                (Rule::StartValue, Severity::Note)
+            } else {
+                (Rule::Value, Severity::Violation)
+            };
+            let [finding] = &report.findings[..] else { panic!("{name}: {:#?}", report.findings) };
+            assert_eq!((finding.rule, finding.severity), (rule, severity), "{name}");
+            assert_eq!((finding.party, finding.clause), (message.sender.into(), message.section), "{name}");
+            let said = &finding.message;
+            assert!(said.contains(message.name) && said.contains(signal.name), "{name}: {said}");
+            count += 1;
+        }
+    }
+    assert!(count >= 20, "only {count} signals");
+}
