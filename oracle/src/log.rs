@@ -201,8 +201,8 @@ impl<'a> Log<'a> {
         if !record.terminated && is_cut_off(record) {
             return self.cut_off(t, record);
         }
-        if record.direction.is_some() && self.forged(record) {
-            return self.judge.other_frame(t);
+        if record.direction.is_some() && self.forged(t, record) {
+            return;
         }
         self.judge.frame(t, record.id, record.data);
     }
@@ -251,14 +251,14 @@ impl<'a> Log<'a> {
     /// Uses the direction of a frame: whether the log was recorded by the AI Computer, and sent by it what only others
     /// may send. Such a frame is the AI Computer's fault, and says nothing about the VCU.
     #[cold]
-    fn forged(&mut self, record: &Record<'_>) -> bool {
+    fn forged(&mut self, t: i64, record: &Record<'_>) -> bool {
         let Ok(id) = u16::try_from(record.id) else { return false };
         self.directions.count(id, record.direction);
         let forged = self.directions.recorded_by_ai()
             && record.direction == Some(Direction::Tx)
             && !Node::Ai.may_send(id);
         if forged {
-            self.judge.sent_by_ai(record.id);
+            self.judge.sent_by_ai(t, record.id);
         }
         forged
     }

@@ -1,11 +1,11 @@
 //! The AI Computer's conduct: the handshake, FINISHED and NEUTRAL at speed, and requests that hold the vehicle.
 
 use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus};
-use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Fault, Truth};
 
 use super::events::{Pending, What, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
-use super::{AI_STATUS, Judge, scope};
+use super::{AI_STATUS, Judge, STATUS, scope};
 
 /// What the judge keeps of the AI Computer.
 #[derive(Debug, Default)]
@@ -99,8 +99,9 @@ impl Judge {
     fn answered(&mut self, t: i64) {
         let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
         if self.handshake.response().is_some_and(|response| response > limit) {
-            // Too late on the bus, but within what the window allows the VCU to have seen.
-            self.report_ai_late(t, Severity::Warning);
+            // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
+            let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
+            self.report_ai_late(t, if told { Severity::Violation } else { Severity::Warning });
         }
         self.update_comms(t);
     }
@@ -118,7 +119,7 @@ impl Judge {
             if told { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
         );
         self.out.finding(Finding {
-            t_ns: edge + limit * super::MS,
+            t_ns: t.min(edge + limit * super::MS),
             severity,
             party: Party::Ai,
             clause: "2.4",
@@ -127,12 +128,13 @@ impl Judge {
         });
     }
 
-    /// The VCU says that communication is lost; unless the log shows answers, the AI Computer is at fault.
-    pub(super) fn ai_was_silent(&mut self, t: i64, before: Knowledge) {
+    /// The VCU says that communication is lost, and it is: unless the log shows an answer in time, the AI Computer is at
+    /// fault. Before the time is up, nobody can tell.
+    pub(super) fn ai_was_silent(&mut self, t: i64) {
         let seen = self.slots.get(AI_STATUS).is_some_and(|slot| slot.last.is_some());
+        let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
         let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
-        let unanswered = self.handshake.unanswered(t).is_some_and(|waited| waited + self.window >= limit);
-        if seen && unanswered && before.of(Atom::AiCommsLost) != Truth::False {
+        if seen && told && self.handshake.unanswered(t).is_some_and(|waited| waited >= limit) {
             let off = matches!(self.vcu.state, Some(AsState::Off) | None);
             self.report_ai_late(t, if off { Severity::Warning } else { Severity::Violation });
         }
@@ -180,6 +182,14 @@ impl Judge {
     pub(super) fn judge_at_speed(&mut self, pending: &Pending, fault: Fault, now: i64) {
         let t = pending.t;
         if self.left_driving_unseen(t) {
+            return;
+        }
+        let shown = self.slots.get(STATUS).is_some_and(|slot| slot.last.is_some_and(|last| last >= t));
+        if !shown {
+            // What the VCU's state was then shows only in its next frame, if one comes.
+            if now - t < super::SILENCE_NS {
+                self.suspend(t, now - t + self.window, pending.before, What::AtSpeed(fault));
+            }
             return;
         }
         let around = self.throughout(t - self.window, t + self.window, now);

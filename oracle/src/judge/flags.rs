@@ -65,7 +65,7 @@ impl Judge {
             if shown.has(fault) && !shown_before.has(fault) {
                 self.suspend(t, self.wait_for(super::ai::AT_SPEED_ATOMS), before, What::Flag(fault));
                 if fault == Fault::AiCommsFault {
-                    self.ai_was_silent(t, before);
+                    self.ai_was_silent(t);
                 }
             }
         }
@@ -291,6 +291,7 @@ impl Judge {
         if late && self.handshake.ai_is_wrong() && self.known.of(Atom::Tsms) == Truth::True {
             self.report_ai_late(t, Severity::Violation);
         }
+        self.ai_was_silent(t);
     }
 
     /// 520h shows the same handshake bit as before: has it been so for too long?

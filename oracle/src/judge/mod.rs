@@ -203,10 +203,10 @@ impl Judge {
         }
     }
 
-    /// Counts a frame that is not judged, at its time.
-    pub fn other_frame(&mut self, t_ns: i64) {
+    /// Counts a frame that is not judged, and lets time pass. Returns the time that the judge gives it.
+    pub fn other_frame(&mut self, t_ns: i64) -> i64 {
         self.frames += 1;
-        self.tick(t_ns);
+        self.tick(t_ns)
     }
 
     /// Adds what the reader of the log found out.

@@ -1,7 +1,7 @@
 //! Transitions: those that were seen, and those that were due.
 
 use adsdv_spec::messages::Node;
-use adsdv_spec::{AsState, Atom, Atoms, Knowledge, Observation, Term, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Term, Truth};
 
 use super::events::{Pending, What};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
@@ -90,6 +90,11 @@ impl Judge {
             justified = Truth::Unknown;
         }
         let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
+        let decided = if justified == Truth::Unknown {
+            self.told_by_cause(from, to, window).or(decided)
+        } else {
+            decided
+        };
         let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
         let clause = arrow.as_ref().map_or("Figure 2", |guard| guard.clause);
         if to == AsState::EmergencyBrake {
@@ -115,6 +120,14 @@ impl Judge {
             });
         }
         self.out.transition(Transition { t_ns: t, from, to, clause, justified, decided });
+    }
+
+    /// The alternative that the VCU itself gives as its reason, if that is possible.
+    fn told_by_cause(&self, from: AsState, to: AsState, window: Knowledge) -> Option<(Term, Knowledge)> {
+        let fault = Fault::of_cause(self.vcu.status?.shutdown_cause)?;
+        let mut terms = self.variants.of(from).iter().flatten().filter(|g| g.to == to).flat_map(|g| &g.terms);
+        let term = terms.find(|term| term.fault == Some(fault) && term.truth(window) != Truth::False)?;
+        Some((*term, window))
     }
 
     fn no_arrow(&self, from: AsState, to: AsState) -> String {

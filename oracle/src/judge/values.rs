@@ -276,9 +276,10 @@ impl Judge {
         }
     }
 
-    /// The log says that the AI Computer itself sent a frame with this identifier.
-    pub fn sent_by_ai(&mut self, id: u32) {
-        let t = self.now;
+    /// The log says that the AI Computer itself sent a frame with this identifier, which is not for it to send. It says
+    /// nothing about the VCU.
+    pub fn sent_by_ai(&mut self, t_ns: i64, id: u32) {
+        let t = self.other_frame(t_ns);
         let short = u16::try_from(id).unwrap_or(u16::MAX);
         if adsdv_spec::is_reserved(short) && self.out.first_by_ai(id) {
             self.out.finding(Finding {

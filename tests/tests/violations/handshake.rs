@@ -103,3 +103,22 @@ fn a_bit_that_is_answered_changes() {
     let expected = [(Rule::HandshakeEdge, "2.4")];
     is_reported(&world, Options::default(), Party::Vcu, &expected, "HANDSHAKE is stuck");
 }
+
+#[test]
+fn an_ai_computer_that_answers_in_time_is_never_blamed() {
+    // Whatever the VCU says: that communication is lost at each edge, or all the time.
+    let claims: [fn(&mut adsdv_spec::messages::Vcu2AiStatus); 2] =
+        [|status| status.ai_comms_lost = status.handshake, |status| status.ai_comms_lost = true];
+    for ms in [0, 10, 20, 30] {
+        for tells in claims {
+            let world = unanswered(ms, |world| {
+                world.hold_state();
+                world.tells = tells;
+            });
+            for window_ms in [1, 10, 30, 45, 60, 200] {
+                let options = Options { window_ms, ..Options::default() };
+                is_reported(&world, options, Party::Ai, &[], "answered in time");
+            }
+        }
+    }
+}
