@@ -1,0 +1,43 @@
+//! Data of every length, and the bits that no signal uses.
+
+use super::*;
+
+#[test]
+fn data_of_any_length_is_enough_from_the_last_signal_on() {
+    let mut numbers = Numbers(0x5EED_0003);
+    for message in MESSAGES {
+        let mut data = [0xFF; 64];
+        for signal in message.signals {
+            write(signal, &mut data, numbers.value(signal));
+        }
+        let needed = message.bytes_needed();
+        let whole = decode(message, &data[..8]).expect("every value is allowed");
+        for given in 0..=64 {
+            let decoded = decode(message, &data[..given]);
+            if given >= needed {
+                assert_eq!(decoded, Ok(whole), "{} of {given} bytes", message.name);
+            } else {
+                let first = message.signals.iter().find(|signal| signal.bytes_needed() > given);
+                let signal = first.expect("one does not fit").name;
+                let expected =
+                    DecodeError::TooShort { message: message.name, id: message.id, given, needed, signal };
+                assert_eq!(decoded, Err(expected));
+            }
+        }
+    }
+}
+
+#[test]
+fn unused_bits_are_ignored_when_read_and_zero_when_written() {
+    for message in MESSAGES {
+        let clean = lowest(message);
+        let decoded = decode(message, &clean).expect("every value is allowed");
+        assert_eq!(decoded.encode().data, clean, "{}", message.name);
+        let used = used_bits(message);
+        for index in (0..64).filter(|index| !used.contains(index)) {
+            let mut dirty = clean;
+            set_bit(&mut dirty, index, true);
+            assert_eq!(decode(message, &dirty), Ok(decoded), "{} bit {index}", message.name);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The codec against a second reading of the table, bit by bit, and against recorded frames.
+
+mod errors;
+#[cfg(any(feature = "serde", feature = "arbitrary", feature = "proptest"))]
+mod features;
+mod lengths;
+mod quantities;
+mod ranges;
+mod recorded;
+mod round_trips;
+mod table;
+
+use adsdv_spec::messages::{
+    Acceleration, Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer,
+    AmiState, AnyMessage, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ConesCountAll, DecodeError,
+    DirectionRequest, EbsState, Frame, LapCounter, LogBrake, LogDriveTorque, LogSteerAngle, MESSAGES,
+    Message, MessageDef, MissionStatus, MotorSpeedMax, Node, QuantityError, ServiceBrake, ShutdownCause,
+    SignalDef, SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus,
+    Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed, YawRate,
+    message_by_id,
+};
+
+/// Bit `index` of a frame's data, bit 0 being the lowest of the first byte.
+fn bit(data: &[u8], index: u8) -> bool {
+    data[usize::from(index / 8)] >> (index % 8) & 1 == 1
+}
+
+fn set_bit(data: &mut [u8], index: u8, on: bool) {
+    let mask = 1 << (index % 8);
+    let byte = &mut data[usize::from(index / 8)];
+    *byte = if on { *byte | mask } else { *byte & !mask };
+}
+
+/// Reads a signal bit by bit: the codec's reading must agree.
+fn read(signal: &SignalDef, data: &[u8]) -> i32 {
+    (0..signal.width).map(|place| value_of_bit(signal, place, bit(data, signal.start + place))).sum()
+}
+
+fn value_of_bit(signal: &SignalDef, place: u8, on: bool) -> i32 {
+    let weight = if signal.signed && place + 1 == signal.width { -(1 << place) } else { 1 << place };
+    if on { weight } else { 0 }
+}
+
+/// Writes a signal bit by bit.
+fn write(signal: &SignalDef, data: &mut [u8], raw: i32) {
+    for place in 0..signal.width {
+        set_bit(data, signal.start + place, raw >> place & 1 == 1);
+    }
+}
+
+fn used_bits(message: &MessageDef) -> Vec<u8> {
+    message.signals.iter().flat_map(|signal| signal.start..signal.start + signal.width).collect()
+}
+
+/// Whether the row allows a raw value, said a second time.
+fn allowed(signal: &SignalDef, raw: i32) -> bool {
+    let named = signal.values.iter().any(|(value, _)| *value == raw);
+    (signal.min..=signal.max).contains(&raw) && (signal.values.is_empty() || named)
+}
+
+fn decode(message: &MessageDef, data: &[u8]) -> Result<AnyMessage, DecodeError> {
+    AnyMessage::decode(message.id, data)
+}
+
+/// Data in which every signal has the lowest value it may have.
+fn lowest(message: &MessageDef) -> [u8; 8] {
+    let mut data = [0; 8];
+    for signal in message.signals {
+        write(signal, &mut data, signal.min);
+    }
+    data
+}
+
+/// The xorshift generator of Marsaglia: the same numbers in every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    /// A value that the signal allows, often one of the outermost.
+    fn value(&mut self, signal: &SignalDef) -> i32 {
+        let count = u64::from(signal.max.abs_diff(signal.min)) + 1;
+        let raw = match self.next() % 4 {
+            0 => signal.min,
+            1 => signal.max,
+            _ => signal.min + i32::try_from(self.next() % count).expect("a range of at most 32 bits"),
+        };
+        if allowed(signal, raw) { raw } else { signal.min }
+    }
+}
+
+/// A frame as candump writes it.
+fn frame(text: &str) -> Frame {
+    let (id, digits) = text.split_once('#').expect("an identifier and data");
+    let data: Vec<u8> = (0..digits.len())
+        .step_by(2)
+        .map(|at| u8::from_str_radix(&digits[at..at + 2], 16).expect("hexadecimal digits"))
+        .collect();
+    let frame = Frame::new(u16::from_str_radix(id, 16).expect("hexadecimal digits"), &data);
+    let frame = frame.expect("at most eight bytes");
+    assert_eq!(frame.to_string(), text);
+    frame
+}
