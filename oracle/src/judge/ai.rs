@@ -188,7 +188,8 @@ impl Judge {
         if !shown {
             // What the VCU's state was then shows only in its next frame, if one comes.
             if now - t < super::SILENCE_NS {
-                self.suspend(t, now - t + self.window, pending.before, What::AtSpeed(fault));
+                let cycle = i64::from(self.interface.timing.cycle_ms) * super::MS;
+                self.suspend(t, now - t + self.window.max(cycle), pending.before, What::AtSpeed(fault));
             }
             return;
         }

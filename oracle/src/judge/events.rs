@@ -205,7 +205,9 @@ impl Judge {
         if self.pending.len() >= MAX_PENDING {
             // Far more than any bus does in a window: what comes too early to be judged is left open.
             let oldest = self.pending.swap_remove(0);
-            self.settle(&oldest, oldest.t);
+            if let What::Seen(seen) = &oldest.what {
+                self.judge_seen(&oldest, seen, oldest.t);
+            }
         }
         let at = t + wait;
         self.pending.push(Pending { t, at, before, what });
