@@ -34,21 +34,27 @@ pub struct Machine {
     /// Where the arrows of each state begin; those of state `n` end where those of `n + 1` begin.
     begins: [u8; STATES + 2],
     /// What must hold before the "Go" edge counts: the guard of AS_READY to AS_DRIVING without "Go".
-    go_conditions: Option<(Atoms, Atoms)>,
+    go_conditions: Option<Condition>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Arrow {
-    on: Atoms,
-    /// The atoms that count: those that must hold and those that must not.
-    care: Atoms,
+    condition: Condition,
     to: AsState,
     taken: Taken,
 }
 
-impl Arrow {
+/// A term, ready to be evaluated: of the atoms that count, exactly those that must be on are.
+#[derive(Clone, Copy, Debug)]
+struct Condition {
+    on: Atoms,
+    /// The atoms that count: those that must hold and those that must not.
+    care: Atoms,
+}
+
+impl Condition {
     #[inline(always)]
-    const fn holds(&self, atoms: Atoms) -> bool {
+    const fn holds(self, atoms: Atoms) -> bool {
         atoms.intersection(self.care).bits() == self.on.bits()
     }
 }
@@ -98,8 +104,11 @@ impl Machine {
 
     /// A machine for a version of the interface and an answer to every open question.
     pub const fn new(interface: Interface, readings: Readings) -> Self {
-        let nowhere =
-            Arrow { on: Atoms::NONE, care: Atoms::NONE, to: AsState::Off, taken: Taken { row: 0, term: 0 } };
+        let nowhere = Arrow {
+            condition: Condition { on: Atoms::NONE, care: Atoms::NONE },
+            to: AsState::Off,
+            taken: Taken { row: 0, term: 0 },
+        };
         let mut machine = Self {
             interface,
             readings,
@@ -139,11 +148,13 @@ impl Machine {
             let Term { on, off, readings, .. } = self.interface.table.rows()[row].terms()[term];
             // A term that asks for an atom to be both on and off never holds.
             if readings.is_subset(self.readings.choices()) && on.intersection(off).is_empty() {
+                let condition = Condition { on, care: on.union(off) };
                 self.arrows[filled] =
-                    Arrow { on, care: on.union(off), to, taken: Taken { row: row as u8, term: term as u8 } };
+                    Arrow { condition, to, taken: Taken { row: row as u8, term: term as u8 } };
                 filled += 1;
                 if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
-                    self.go_conditions = Some((on.without(Atom::GoEdge), off));
+                    let (on, care) = (on.without(Atom::GoEdge), condition.care.without(Atom::GoEdge));
+                    self.go_conditions = Some(Condition { on, care });
                 }
             }
             term += 1;
@@ -273,7 +284,7 @@ impl Machine {
         let mut i = self.begins[state as usize];
         while i < end {
             let arrow = &self.arrows[i as usize];
-            if arrow.holds(atoms) {
+            if arrow.condition.holds(atoms) {
                 return Some((arrow.taken, arrow.to));
             }
             i += 1;
@@ -289,7 +300,7 @@ impl Machine {
         let mut i = self.begins[from as usize];
         while i < end {
             let arrow = &self.arrows[i as usize];
-            if arrow.taken.row == taken.row && arrow.holds(atoms) {
+            if arrow.taken.row == taken.row && arrow.condition.holds(atoms) {
                 let term =
                     &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
                 faults = faults.union(match term.fault {
@@ -309,10 +320,7 @@ impl Machine {
             return false;
         }
         match self.go_conditions {
-            Some((on, off)) => {
-                self.readings.is(Choice::GoEdgeEnough)
-                    || on.is_subset(atoms) && off.intersection(atoms).is_empty()
-            }
+            Some(conditions) => self.readings.is(Choice::GoEdgeEnough) || conditions.holds(atoms),
             None => false,
         }
     }

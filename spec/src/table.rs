@@ -64,11 +64,6 @@ impl Term {
         Self { readings: Choices::NONE.with(choice), ..self }
     }
 
-    /// Whether the term holds for exactly these atoms.
-    pub const fn holds(&self, atoms: Atoms) -> bool {
-        self.on.is_subset(atoms) && self.off.intersection(atoms).is_empty()
-    }
-
     /// Whether the term holds as far as is known: false as soon as one condition is known to fail.
     pub const fn truth(&self, known: crate::Knowledge) -> crate::Truth {
         if self.on.intersection(known.off()).is_empty() && self.off.intersection(known.on()).is_empty() {

@@ -38,6 +38,11 @@ pub(super) const AT_SPEED_ATOMS: Atoms =
     scope(AI_STATUS).union(adsdv_spec::messages::Vcu2AiWheelSpeeds::SCOPE);
 
 impl Judge {
+    /// Whether the AI Computer ever sent its status.
+    pub(super) fn ai_was_heard(&self) -> bool {
+        self.slots.get(AI_STATUS).is_some_and(|slot| slot.last.is_some())
+    }
+
     /// 510h came with something new. `continuous` tells whether the frame before is known, too.
     pub(super) fn ai_status(&mut self, t: i64, status: Ai2VcuStatus, continuous: bool) {
         let previous = self.ai.status.replace(status).filter(|_| continuous);
@@ -97,10 +102,10 @@ impl Judge {
 
     #[cold]
     fn answered(&mut self, t: i64) {
-        let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
+        let limit = self.handshake_limit();
         if self.handshake.response().is_some_and(|response| response > limit) {
             // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
-            let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
+            let told = self.vcu.tells_comms_lost();
             self.report_ai_late(t, if told { Severity::Violation } else { Severity::Warning });
         }
         self.update_comms(t);
@@ -112,14 +117,14 @@ impl Judge {
             return;
         }
         let limit = i64::from(self.interface.timing.handshake_ms);
-        let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
+        let told = self.vcu.tells_comms_lost();
         let message = format!(
             "the AI Computer has not answered HANDSHAKE for {:.0} ms{}; expected an answer within {limit} ms",
             milliseconds(t - edge),
             if told { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
         );
         self.out.finding(Finding {
-            t_ns: t.min(edge + limit * super::MS),
+            t_ns: t.min(edge + self.handshake_limit()),
             severity,
             party: Party::Ai,
             clause: "2.4",
@@ -131,9 +136,9 @@ impl Judge {
     /// The VCU says that communication is lost, and it is: unless the log shows an answer in time, the AI Computer is at
     /// fault. Before the time is up, nobody can tell.
     pub(super) fn ai_was_silent(&mut self, t: i64) {
-        let seen = self.slots.get(AI_STATUS).is_some_and(|slot| slot.last.is_some());
-        let told = self.vcu.status.is_some_and(|status| status.ai_comms_lost);
-        let limit = i64::from(self.interface.timing.handshake_ms) * super::MS;
+        let seen = self.ai_was_heard();
+        let told = self.vcu.tells_comms_lost();
+        let limit = self.handshake_limit();
         if seen && told && self.handshake.unanswered(t).is_some_and(|waited| waited >= limit) {
             let off = matches!(self.vcu.state, Some(AsState::Off) | None);
             self.report_ai_late(t, if off { Severity::Warning } else { Severity::Violation });
@@ -188,7 +193,7 @@ impl Judge {
         if !shown {
             // What the VCU's state was then shows only in its next frame, if one comes.
             if now - t < super::SILENCE_NS {
-                let cycle = i64::from(self.interface.timing.cycle_ms) * super::MS;
+                let cycle = self.cycle();
                 self.suspend(t, now - t + self.window.max(cycle), pending.before, What::AtSpeed(fault));
             }
             return;

@@ -1,13 +1,14 @@
 //! Fault flags, `FAULT_STATUS`, `SHUTDOWN_CAUSE`, and `AI_COMMS_LOST`: whether 520h tells the truth (section 2.2).
 
 use adsdv_spec::messages::{Message, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
-use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Truth};
+use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Term, Truth};
 
+use super::Judge;
 use super::events::{Pending, What, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::status::is_active;
-use super::{Judge, MS};
+use super::transitions::conditions;
 
 /// A cause that was named: its flag and the shutdown must be seen as well.
 #[derive(Clone, Copy, Debug)]
@@ -196,7 +197,7 @@ impl Judge {
     /// A flag was raised: could its condition have held?
     pub(super) fn judge_flag(&mut self, pending: &Pending, fault: Fault, now: i64) {
         let t = pending.t;
-        let cycle = i64::from(self.interface.timing.cycle_ms) * MS;
+        let cycle = self.cycle();
         let inputs = self.throughout(t - self.window - cycle, t + self.window, now);
         // What the flag itself says counts only from the flag on.
         let window = inputs.set(Atom::AiCommsLost, pending.before.of(Atom::AiCommsLost));
@@ -205,27 +206,27 @@ impl Judge {
             return;
         }
         let mut clause = "2.2";
-        for state in AsState::ALL {
-            for term in self.variants.terms(state).iter().filter(|term| term.fault == Some(fault)) {
-                clause = term.clause;
-                let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
-                // An edge may lie before the window; what it needs besides does not.
-                let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
-                if term.truth(known) != Truth::False && !edge_excluded(term, window) {
-                    return;
-                }
+        let mut missing: Option<&Term> = None;
+        for term in AsState::ALL.iter().flat_map(|&state| self.variants.terms(state)) {
+            if term.fault != Some(fault) {
+                continue;
+            }
+            // Told in the words of the first alternative, by the section of the last: those of section 3.7, and
+            // section 4 where the reading that it stands for is possible.
+            missing = missing.or(Some(term));
+            clause = term.clause;
+            let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
+            // An edge may lie before the window; what it needs besides does not.
+            let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
+            if term.truth(known) != Truth::False && !edge_excluded(term, window) {
+                return;
             }
         }
-        let why = match fault {
-            Fault::AiComputerRequest => "ESTOP_REQUEST == 0 all the time",
-            Fault::AiCommsFault => "the AI Computer answers the handshake in time",
-            Fault::MissionStatusFault => "MISSION_STATUS was not FINISHED while a wheel speed > 10 rpm",
-            _ => "DIRECTION_REQUEST was not NEUTRAL while a wheel speed > 10 rpm",
-        };
-        let clause = match fault {
-            Fault::AiComputerRequest => "2.2",
-            Fault::AiCommsFault => "2.4",
-            _ => clause,
+        let (clause, why) = match (fault, missing) {
+            (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
+            (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", Atom::AiEstop.text(false))),
+            (_, Some(term)) => (clause, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
+            (_, None) => (clause, "nothing can be its reason".to_owned()),
         };
         let message = format!("{fault} was raised, but {why}; expected 0");
         self.vcu_violation(t, clause, Rule::FlagUnfounded, message);
@@ -247,10 +248,10 @@ impl Judge {
     /// Brings what is known of lost communication up to date.
     pub(super) fn update_comms(&mut self, t: i64) {
         self.comms_known_at = t;
-        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let limit = self.handshake_limit();
         let tsms = self.known.of(Atom::Tsms);
         let pinned = self.pinned(Reading::HandshakeActive);
-        let raised = self.vcu.status.is_some_and(|status| status.ai_comms_lost) && is_active(self.vcu.state);
+        let raised = self.vcu.tells_comms_lost() && is_active(self.vcu.state);
         let truth = match (tsms, pinned) {
             _ if raised => Truth::True,
             (Truth::True, _) | (_, Some(Choice::HandshakeAlways)) => {
@@ -270,7 +271,7 @@ impl Judge {
 
     /// When an unanswered edge changes what is known.
     pub(super) fn comms_event(&self) -> i64 {
-        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let limit = self.handshake_limit();
         let Some(edge) = self.handshake.edge_at().filter(|_| !self.handshake.is_answered()) else {
             return i64::MAX;
         };
@@ -286,7 +287,7 @@ impl Judge {
 
     pub(super) fn comms_time(&mut self, t: i64) {
         self.update_comms(t);
-        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let limit = self.handshake_limit();
         let late = self.handshake.unanswered(t).is_some_and(|waited| waited >= limit + self.window);
         if late && self.handshake.ai_is_wrong() && self.known.of(Atom::Tsms) == Truth::True {
             self.report_ai_late(t, Severity::Violation);
@@ -296,12 +297,12 @@ impl Judge {
 
     /// 520h shows the same handshake bit as before: has it been so for too long?
     pub(super) fn comms_due(&mut self, t: i64) {
-        let limit = i64::from(self.interface.timing.handshake_ms) * MS;
+        let limit = self.handshake_limit();
         let Some(edge) = self.handshake.edge_at().filter(|edge| t - edge > limit + self.deadline) else {
             return;
         };
         let Some(status) = self.vcu.status else { return };
-        let ai_was_there = self.slots.get(super::AI_STATUS).is_some_and(|slot| slot.last.is_some());
+        let ai_was_there = self.ai_was_heard();
         if !ai_was_there && self.vcu.state == Some(AsState::Off) {
             // Nothing drives yet, and the AI Computer is still to start: every VCU waits for it.
             return;
@@ -367,7 +368,7 @@ impl Judge {
 }
 
 /// Whether the value that an edge leads to is certain not to have been there.
-fn edge_excluded(term: &adsdv_spec::Term, window: Knowledge) -> bool {
+fn edge_excluded(term: &Term, window: Knowledge) -> bool {
     let to = [
         (Atom::MissionFinishedEdge, Atom::MissionFinished),
         (Atom::DirectionNeutralEdge, Atom::DirectionNeutral),

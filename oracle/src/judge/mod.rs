@@ -263,6 +263,16 @@ impl Judge {
         self.next_event = self.next_event.min(t);
     }
 
+    /// How long an edge of the handshake may stay unanswered, in nanoseconds.
+    fn handshake_limit(&self) -> i64 {
+        i64::from(self.interface.timing.handshake_ms) * MS
+    }
+
+    /// The cycle of the reference VCU, in nanoseconds.
+    fn cycle(&self) -> i64 {
+        i64::from(self.interface.timing.cycle_ms) * MS
+    }
+
     fn pinned(&self, reading: Reading) -> Option<adsdv_spec::Choice> {
         let mut choices = self.options.readings.of_reading(reading);
         match (choices.next(), choices.next()) {

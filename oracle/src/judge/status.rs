@@ -33,6 +33,13 @@ pub(super) struct VcuSide {
     pub(super) assi: Option<super::flags::AssiSuspect>,
 }
 
+impl VcuSide {
+    /// Whether the VCU says that communication with the AI Computer is lost.
+    pub(super) fn tells_comms_lost(&self) -> bool {
+        self.status.is_some_and(|status| status.ai_comms_lost)
+    }
+}
+
 /// A change of state: when the old one was last seen, when the new one first was, and whether a frame may be missing in
 /// between.
 #[derive(Clone, Copy, Debug)]

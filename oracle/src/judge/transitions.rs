@@ -66,7 +66,7 @@ impl Judge {
     pub(super) fn judge_seen(&mut self, pending: &Pending, seen: &Seen, now: i64) {
         let Seen { from, to, before, gap } = *seen;
         let t = pending.t;
-        let cycle = i64::from(self.interface.timing.cycle_ms) * super::MS;
+        let cycle = self.cycle();
         let start = before.min(t - self.window) - cycle;
         let inputs = self.throughout(start, t + self.window, now);
         let memory = self.history.throughout(start, t - 1).meet(pending.before);

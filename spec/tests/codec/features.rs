@@ -70,7 +70,7 @@ fn proptest_messages_keep_their_ranges() {
 }
 
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
-const MESSAGES_LEN: usize = 15;
+const MESSAGES_LEN: usize = MESSAGES.len();
 
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
 fn mark(seen: &mut [bool; MESSAGES_LEN], message: &AnyMessage) {

@@ -21,7 +21,9 @@ pub use recording::{Recorded, judge, violations};
 
 /// Nanoseconds in a millisecond.
 pub const MS: i64 = 1_000_000;
-const CYCLE: i64 = 10 * MS;
+const CYCLE_MS: u16 = Interface::V3_0.timing.cycle_ms;
+const CYCLE: i64 = CYCLE_MS as i64 * MS;
+const LOG_STATUS_CYCLE: i64 = Interface::V3_0.timing.log_status_cycle_ms as i64 * MS;
 
 /// The simulated world.
 #[derive(Clone, Debug)]
@@ -74,11 +76,11 @@ impl World {
 
     /// One cycle.
     pub fn cycle(&mut self) {
-        let (control, outputs) = self.vcu.step(&self.control, &self.inputs, 10);
+        let (control, outputs) = self.vcu.step(&self.control, &self.inputs, CYCLE_MS.into());
         self.control = control;
         let mut messages = outputs.messages(&self.inputs);
         (self.tells)(&mut messages.status);
-        let slow = self.t % (100 * MS) == 0;
+        let slow = self.t % LOG_STATUS_CYCLE == 0;
         for (place, frame) in (0..).zip(messages.frames()) {
             if slow || frame.id != adsdv_spec::messages::Vcu2LogStatus::ID {
                 self.log.push(Recorded { t: self.t + place * MS / 4, frame });
