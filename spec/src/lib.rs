@@ -12,10 +12,13 @@
 //! | the conditions that they name | [`Atom`], [`Inputs::observe`] |
 //! | one step of the VCU | [`Machine::step`] |
 //! | what the VCU remembers | [`Control`] |
+//! | what a step can depend on | [`Machine::reads`] |
+//! | inputs that show a condition or a fault | [`Inputs::show`], [`Inputs::showing`] |
 //! | the handshake (section 2.4, Figure 1) | [`Handshake`] |
 //! | fault flags and `SHUTDOWN_CAUSE` | [`Fault`], [`Faults`] |
 //! | times and thresholds | [`Interface`] |
 //! | what the document leaves open | [`readings`] |
+//! | the interface with one thing changed | [`mutation`] |
 //! | the messages and their signals (section 2) | [`messages`] |
 //! | the reserved identifiers (section 2.3) | [`RESERVED`] |
 //! | what reaches the actuators; every VCU frame | [`Outputs`] |
@@ -55,11 +58,14 @@ mod inputs;
 mod interface;
 mod machine;
 pub mod messages;
+pub mod mutation;
 mod named;
 mod outputs;
 pub mod readings;
+mod reads;
 mod reserved;
 mod set;
+mod show;
 pub mod table;
 mod truth;
 
@@ -72,9 +78,11 @@ pub use inputs::{AiMessages, Inputs, Observation, Reports, ShutdownCircuit, Vehi
 pub use interface::{Interface, Thresholds, Timing};
 pub use machine::{Machine, Reaction, Taken};
 pub use messages::AsState;
+pub use mutation::Mutation;
 pub use named::UnknownName;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
+pub use reads::Reads;
 pub use reserved::{RESERVED, is_reserved};
 pub use table::{FIGURE_2, Row, Table, Term};
 pub use truth::{Knowledge, Truth};

@@ -20,6 +20,7 @@ use crate::messages::{AsState, ShutdownCause};
 use crate::outputs::Outputs;
 use crate::readings::{Choice, Readings};
 use crate::table::{MAX_ROWS, MAX_TERMS, PRIORITIES, Row, Table, Term};
+use crate::truth::Knowledge;
 
 /// How many states there are; states count from 1.
 const STATES: usize = AsState::ALL.len();
@@ -56,6 +57,12 @@ impl Condition {
     #[inline(always)]
     const fn holds(self, atoms: Atoms) -> bool {
         atoms.intersection(self.care).bits() == self.on.bits()
+    }
+
+    /// Whether it holds for some atoms of which this is known.
+    const fn can_hold(self, known: Knowledge) -> bool {
+        let off = self.care.difference(self.on);
+        self.on.intersection(known.off()).is_empty() && off.intersection(known.on()).is_empty()
     }
 }
 
@@ -313,6 +320,23 @@ impl Machine {
         faults
     }
 
+    /// The atoms that the control state decides at a step, were these all that is seen.
+    pub(crate) const fn memory_atoms(&self, control: &Control, dt_ms: u32, seen: Atoms) -> Atoms {
+        let limit = self.interface.timing.in_state_limit(control.state);
+        self.control_atoms(control, count_up(control.in_state_ms, dt_ms, limit), false, seen)
+    }
+
+    /// What decides whether a step arms the "Go" edge, as far as is known: the switch, and the conditions that must
+    /// hold while it is seen off, unless one is known to fail.
+    pub(crate) fn arming_reads(&self, known: Knowledge) -> Atoms {
+        let go = Atoms::NONE.with(Atom::GoOn);
+        match self.go_conditions {
+            Some(_) if self.readings.is(Choice::GoEdgeEnough) => go,
+            Some(conditions) if conditions.can_hold(known) => go.union(conditions.care),
+            _ => Atoms::NONE,
+        }
+    }
+
     /// Whether this step arms the "Go" edge (section 3.2, item 3): the switch is off, and, where it must be seen
     /// so while the conditions hold, they do.
     const fn sees_go_low(&self, atoms: Atoms) -> bool {
@@ -325,9 +349,9 @@ impl Machine {
         }
     }
 
-    /// What a reaction shows to the outside.
+    /// What a reaction, from this state, shows to the outside; `go` is the "Go" switch as it stands.
     #[inline(always)]
-    const fn outputs(&self, from: AsState, reaction: &Reaction, go: bool) -> Outputs {
+    pub const fn outputs(&self, from: AsState, reaction: &Reaction, go: bool) -> Outputs {
         let driving = matches!(reaction.control.state, AsState::Driving);
         Outputs {
             from,

@@ -33,7 +33,7 @@ pub struct Term {
 }
 
 impl Term {
-    const EMPTY: Self =
+    pub(crate) const EMPTY: Self =
         Self { on: Atoms::NONE, off: Atoms::NONE, readings: Choices::NONE, fault: None, clause: "" };
 
     /// A term that holds when all of these atoms do.
@@ -98,7 +98,7 @@ pub struct Row {
 }
 
 impl Row {
-    const EMPTY: Self =
+    pub(crate) const EMPTY: Self =
         Self { from: AsState::Off, to: AsState::Off, clause: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
 
     /// A row that is written down with its terms. More than [`MAX_TERMS`] do not compile.
@@ -168,6 +168,11 @@ impl Table {
         }
         table.len = i as u8;
         table
+    }
+
+    /// The table with two of its rows in each other's place.
+    pub(crate) fn swap(&mut self, a: usize, b: usize) {
+        self.rows.swap(a, b);
     }
 
     /// The rows.

@@ -1,9 +1,6 @@
 //! Making a condition of Figure 2 true or false, by what the operator, the vehicle or the AI Computer does.
 
-use adsdv_spec::Atom;
-use adsdv_spec::messages::{
-    AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle,
-};
+use adsdv_spec::{Atom, Inputs, Observation};
 
 use super::World;
 
@@ -14,45 +11,12 @@ impl World {
     ///
     /// What only time or the past decides cannot be set: it must be so already.
     pub fn set(&mut self, atom: Atom, value: bool) {
-        let thresholds = self.vcu.interface().thresholds;
-        let limit = thresholds.wheel_speed.raw();
-        let (inputs, ai) = (&mut self.inputs, &mut self.ai);
-        let least = AxleTorqueRequest::clamped(i32::from(!value));
         match atom {
-            Atom::Asms => inputs.asms = value,
-            Atom::Tsms => inputs.tsms = value,
-            Atom::AmiSelected => inputs.ami = either(value, AmiState::TrackDrive, AmiState::NotSelected),
-            Atom::EbsArmed => inputs.ebs = either(value, EbsState::Armed, EbsState::Unavailable),
-            Atom::SdcOpen => inputs.reports.hvil_open = value,
-            Atom::GoOn | Atom::GoEdge => inputs.go = value,
-            Atom::SteerStraight => {
-                let off = either(value, 1, 0);
-                inputs.vehicle.steer_angle = SteerAngle::clamped(thresholds.straight.raw() - off);
-            }
-            Atom::Moving => self.wheels(limit + i32::from(value)),
-            Atom::AtRest => self.wheels(limit - i32::from(value)),
-            Atom::MissionSelected => {
-                ai.status.mission_status = either(value, MissionStatus::Selected, MissionStatus::NotSelected);
-            }
-            Atom::MissionRunning => {
-                ai.status.mission_status = either(value, MissionStatus::Running, MissionStatus::Selected);
-            }
-            Atom::MissionFinished | Atom::MissionFinishedEdge => {
-                ai.status.mission_status = either(value, MissionStatus::Finished, MissionStatus::Running);
-            }
-            Atom::DirectionNeutral | Atom::DirectionNeutralEdge => {
-                ai.status.direction_request =
-                    either(value, DirectionRequest::Neutral, DirectionRequest::Forward);
-            }
-            Atom::FrontTorqueZero => ai.drive_f.front_axle_trq_request = least,
-            Atom::RearTorqueZero => ai.drive_r.rear_axle_trq_request = least,
-            Atom::SteerRequestZero => ai.steer.steer_request = SteerAngle::clamped(i32::from(!value)),
             Atom::AiHandshake => {
                 self.ai_answers = false;
-                ai.status.handshake = value;
+                self.show(atom, value);
             }
             Atom::AiCommsLost => self.ai_answers = !value,
-            Atom::AiEstop => ai.status.estop_request = value,
             Atom::DwellElapsed | Atom::EbsTimerComplete => {
                 let timing = &self.vcu.interface().timing;
                 let elapsed = self.control.in_state_ms >= timing.in_state_limit(self.control.state);
@@ -61,10 +25,18 @@ impl World {
             Atom::PowerCycleNeeded => {
                 assert_eq!(self.control.power_cycle_needed, value, "{atom} is decided by the past");
             }
+            _ => self.show(atom.input().unwrap_or(atom), value),
         }
     }
-}
 
-fn either<T>(value: bool, yes: T, no: T) -> T {
-    if value { yes } else { no }
+    /// Makes the inputs show a condition, with the value next to the threshold even if they showed it already.
+    fn show(&mut self, atom: Atom, value: bool) {
+        assert!(Observation::SCOPE.has(atom), "{atom} is shown by inputs");
+        let thresholds = &self.vcu.interface().thresholds;
+        let mut inputs = Inputs { ai: self.ai, ..self.inputs };
+        inputs.show(atom, !value, thresholds);
+        inputs.show(atom, value, thresholds);
+        self.ai = inputs.ai;
+        self.inputs = Inputs { ai: self.inputs.ai, ..inputs };
+    }
 }

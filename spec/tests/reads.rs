@@ -1,0 +1,118 @@
+//! What a step reads is all that it depends on.
+
+use adsdv_spec::{AsState, Choices, Control, Faults, Handshake, Interface, Machine, Observation};
+use adsdv_spec::{Atoms, Reading, messages::ShutdownCause};
+
+/// A small generator with a fixed seed: every run tests the same.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    fn flag(&mut self) -> bool {
+        self.next() & 64 == 64
+    }
+
+    fn below(&mut self, limit: usize) -> usize {
+        usize::try_from(self.next() >> 16).unwrap_or_default() % limit
+    }
+
+    /// A time from 0 to a limit, often near to one of them.
+    fn time(&mut self, limit: u16) -> u16 {
+        let near = u16::try_from(self.below(40)).unwrap_or_default();
+        match self.below(3) {
+            0 => near.min(limit),
+            1 => limit.saturating_sub(near),
+            _ => u16::try_from(self.below(usize::from(limit) + 1)).unwrap_or_default(),
+        }
+    }
+
+    /// A control state that keeps the invariant.
+    fn control(&mut self, machine: &Machine) -> Control {
+        let timing = &machine.interface().timing;
+        loop {
+            let state = AsState::ALL[self.below(AsState::ALL.len())];
+            let active = self.flag();
+            let control = Control {
+                state,
+                in_state_ms: self.time(timing.in_state_limit(state)),
+                go_seen_low: self.flag(),
+                was_running: self.flag(),
+                was_forward: self.flag(),
+                handshake: Handshake {
+                    active,
+                    bit: active && self.flag(),
+                    unanswered_ms: if active { self.time(timing.handshake_ms) } else { 0 },
+                },
+                power_cycle_needed: self.flag(),
+                shutdown_cause: ShutdownCause::ALL[self.below(ShutdownCause::ALL.len())],
+            };
+            if control.is_consistent(timing, machine.readings()) {
+                return control;
+            }
+        }
+    }
+
+    fn observation(&mut self) -> Observation {
+        // Half of the conditions hold, or nearly all do: otherwise no arrow of many conditions is ever taken.
+        let mut some = || {
+            let (one, other) = (self.next(), self.next());
+            if self.flag() { one } else { one | other | self.next() }
+        };
+        let mut atoms = Atoms::ALL.iter().collect::<Vec<_>>();
+        let bits = some();
+        atoms.retain(|&atom| bits >> (atom as u8) & 1 == 1);
+        let faults = if self.flag() { 0 } else { self.next() & self.next() };
+        let faults = Faults::ALL.iter().filter(|&fault| faults >> fault as u8 & 1 == 1);
+        Observation::new(Atoms::of(&atoms), faults.fold(Faults::NONE, Faults::with))
+    }
+}
+
+#[test]
+fn a_step_depends_on_nothing_but_what_it_reads() {
+    let mut random = Random(0x0A15_D5DE);
+    let machines: Vec<Machine> = Choices::ALL
+        .combinations(Reading::ALL)
+        .map(|readings| Machine::new(Interface::V3_0, readings))
+        .collect();
+    let mut taken = 0;
+    for round in 0..1_000_000 {
+        let machine = &machines[round % machines.len()];
+        let (control, seen) = (random.control(machine), random.observation());
+        let dt_ms = [10, 10, 1, 25, 5000, 20_000][random.below(6)];
+        let reads = machine.reads(&control, dt_ms);
+        let all = machine.react(&control, seen, dt_ms);
+        let read = machine.react(&control, reads.of(seen), dt_ms);
+        assert_eq!(
+            (all.control, all.taken),
+            (read.control, read.taken),
+            "{}\n{control:?}\nafter {dt_ms} ms sees {seen:?}\nreads {reads:?}",
+            machine.readings()
+        );
+        taken += usize::from(all.taken.is_some());
+    }
+    assert!(taken > 100_000, "only {taken} steps took an arrow: they are too alike");
+}
+
+#[test]
+fn what_cannot_matter_is_not_read() {
+    use adsdv_spec::Atom::{Asms, EbsArmed, FrontTorqueZero, GoOn};
+    let machine = Machine::REFERENCE;
+    let reads = |state, in_state_ms| {
+        let control = Control { state, in_state_ms, ..Control::INITIAL };
+        machine.reads(&control, u32::from(Interface::V3_0.timing.cycle_ms)).atoms
+    };
+    let limit = |state| Interface::V3_0.timing.in_state_limit(state);
+    assert!(!reads(AsState::Ready, 0).has(FrontTorqueZero), "the dwell is not over");
+    assert!(reads(AsState::Ready, limit(AsState::Ready)).has(FrontTorqueZero));
+    assert!(!reads(AsState::EmergencyBrake, 0).has(Asms), "the EBS timer is not complete");
+    assert!(reads(AsState::EmergencyBrake, limit(AsState::EmergencyBrake)).has(Asms));
+    assert!(reads(AsState::Driving, 0).has(GoOn) && !reads(AsState::Driving, 0).has(EbsArmed));
+    let latched = Control { power_cycle_needed: true, ..Control::INITIAL };
+    assert!(!machine.reads(&latched, 10).atoms.has(EbsArmed), "AS_OFF cannot be left");
+}
