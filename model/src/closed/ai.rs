@@ -1,0 +1,262 @@
+//! The reference AI Computer: a small program that follows the document.
+//!
+//! Its cycle is a pure function of what it last heard and of how far it has come. It never asks for an emergency stop.
+
+use adsdv_spec::messages::{
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, AmiState, AnyMessage, AsState, AxleTorqueRequest,
+    BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax, Vcu2AiWheelSpeeds,
+};
+use adsdv_spec::{AiMessages, Atom, Interface, VcuMessages};
+
+/// The AI Computer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct AiComputer {
+    /// What it has heard of the VCU.
+    pub heard: Heard,
+    /// The HANDSHAKE bit that it sends.
+    pub handshake: bool,
+    /// How far it has come.
+    pub stage: Stage,
+}
+
+/// What the AI Computer keeps of the VCU's frames: all that its program looks at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Heard {
+    /// HANDSHAKE of 520h.
+    pub handshake: bool,
+    /// AS_STATE of 520h.
+    pub as_state: AsState,
+    /// AMI_STATE of 520h.
+    pub ami: AmiState,
+    /// A torque request is in force at an axle, as 521h and 522h return it.
+    pub torque: [bool; 2],
+    /// A brake request is in force, as 524h returns it.
+    pub brake: bool,
+    /// A wheel is not at rest, as 525h shows.
+    pub turning: bool,
+    /// No 525h has arrived since the last change in 521h, 522h or 524h: the wheels may have turned since.
+    pub outdated: bool,
+}
+
+/// How far the AI Computer has come with its mission, in this order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// No mission is selected.
+    #[default]
+    Idle,
+    /// The mission selected is confirmed (RDY-7), with no request to move (DRV-5 to DRV-8).
+    Selected,
+    /// AS_DRIVING has come: RUNNING and FORWARD (DRV-10).
+    Started,
+    /// It drives.
+    Driving,
+    /// It stops the vehicle with the service brake at the end of the mission (FIN-2).
+    Braking,
+    /// The vehicle has stopped: FINISHED (FIN-1, FIN-3).
+    Finished,
+    /// FINISHED and NEUTRAL, the brakes still on.
+    Neutral,
+    /// After an emergency: nothing is requested but the brakes.
+    Stopped,
+}
+
+/// How the AI Computer behaves. All but the first are wrong: they show that a property can fail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Conduct {
+    /// As the document says.
+    #[default]
+    Reference,
+    /// It never answers the handshake (against HS-5).
+    Mute,
+    /// It says FINISHED and NEUTRAL without waiting until the vehicle has stopped (against FIN-3).
+    Hasty,
+    /// It says NEUTRAL while it brakes (against IMP-2).
+    Coasting,
+}
+
+/// The frames that the AI Computer listens to.
+pub(super) fn listens_to(messages: &VcuMessages) -> [Frame; 5] {
+    let VcuMessages { status, drive_f, drive_r, brake, wheel_speeds, .. } = messages;
+    [status.encode(), drive_f.encode(), drive_r.encode(), brake.encode(), wheel_speeds.encode()]
+}
+
+/// The frames that carry these messages, in the order in which they win the bus.
+pub(super) fn frames(messages: &AiMessages) -> [Frame; 5] {
+    let AiMessages { status, drive_f, drive_r, steer, brake } = messages;
+    [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()]
+}
+
+impl Heard {
+    /// What is known after one more frame; one that does not decode changes nothing.
+    #[must_use]
+    pub fn with(self, frame: &Frame) -> Self {
+        let after = self.with_values(frame);
+        let outdated = match frame.id {
+            Vcu2AiWheelSpeeds::ID => false,
+            _ => self.outdated || (after.torque, after.brake) != (self.torque, self.brake),
+        };
+        Self { outdated, ..after }
+    }
+
+    fn with_values(self, frame: &Frame) -> Self {
+        let Self { torque: [front, rear], .. } = self;
+        match AnyMessage::decode(frame.id, frame.data()) {
+            Ok(AnyMessage::Vcu2AiStatus(status)) => {
+                Self { handshake: status.handshake, as_state: status.as_state, ami: status.ami_state, ..self }
+            }
+            Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+                Self { torque: [drive.front_axle_trq_request.raw() > 0, rear], ..self }
+            }
+            Ok(AnyMessage::Vcu2AiDriveR(drive)) => {
+                Self { torque: [front, drive.rear_axle_trq_request.raw() > 0], ..self }
+            }
+            Ok(AnyMessage::Vcu2AiBrake(brake)) => {
+                Self { brake: brake.hyd_press_f_req.raw() > 0 && brake.hyd_press_r_req.raw() > 0, ..self }
+            }
+            Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
+                let at_rest = speeds.atoms(&Interface::V3_0.thresholds).has(Atom::AtRest);
+                Self { turning: !at_rest, ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// Whether the vehicle has stopped for good: the VCU returns the brake request and no torque request, so that none
+    /// is on its way that could start the vehicle again, and the wheels have been seen at rest since then.
+    const fn has_stopped(self) -> bool {
+        let [front, rear] = self.torque;
+        self.brake && !front && !rear && !self.turning && !self.outdated
+    }
+}
+
+impl AiComputer {
+    /// The AI Computer after one cycle of its program.
+    #[must_use]
+    pub fn cycle(self, conduct: Conduct) -> Self {
+        let handshake = match conduct {
+            Conduct::Mute => self.handshake,
+            _ => self.heard.handshake, // HS-5
+        };
+        Self { stage: self.next_stage(conduct), handshake, ..self }
+    }
+
+    fn next_stage(self, conduct: Conduct) -> Stage {
+        match (self.heard.as_state, self.stage) {
+            (AsState::Off | AsState::Ready, _) => match self.heard.ami {
+                AmiState::NotSelected => Stage::Idle,
+                _ => Stage::Selected,
+            },
+            (AsState::Driving, Stage::Idle | Stage::Selected) => Stage::Started,
+            (AsState::Driving, Stage::Started) => Stage::Driving,
+            (AsState::Driving, Stage::Braking) => match conduct {
+                Conduct::Hasty => Stage::Finished,
+                Conduct::Coasting => Stage::Stopped,
+                _ if self.heard.has_stopped() => Stage::Finished,
+                _ => Stage::Braking,
+            },
+            (AsState::Driving, Stage::Finished) | (AsState::Finished, _) => Stage::Neutral,
+            (AsState::Driving, stage) => stage,
+            (AsState::EmergencyBrake, _) => Stage::Stopped,
+        }
+    }
+
+    /// Whether it may decide that the mission is completed.
+    pub fn may_decide_to_stop(self) -> bool {
+        self.stage == Stage::Driving && self.heard.as_state == AsState::Driving
+    }
+
+    /// What it sends (section 2.1).
+    pub fn messages(self) -> AiMessages {
+        let driving = self.stage == Stage::Driving;
+        let torque = if driving { AxleTorqueRequest::MAX } else { AxleTorqueRequest::MIN };
+        let speed = if driving { MotorSpeedMax::MAX } else { MotorSpeedMax::MIN };
+        let brake = if self.stage >= Stage::Braking { BrakePressure::MAX } else { BrakePressure::MIN };
+        AiMessages {
+            status: Ai2VcuStatus {
+                handshake: self.handshake,
+                mission_status: match self.stage {
+                    Stage::Idle | Stage::Stopped => MissionStatus::NotSelected,
+                    Stage::Selected => MissionStatus::Selected,
+                    Stage::Started | Stage::Driving | Stage::Braking => MissionStatus::Running,
+                    Stage::Finished | Stage::Neutral => MissionStatus::Finished,
+                },
+                direction_request: match self.stage {
+                    Stage::Idle | Stage::Selected | Stage::Neutral | Stage::Stopped => {
+                        DirectionRequest::Neutral
+                    }
+                    Stage::Started | Stage::Driving | Stage::Braking | Stage::Finished => {
+                        DirectionRequest::Forward
+                    }
+                },
+                ..Ai2VcuStatus::default()
+            },
+            drive_f: Ai2VcuDriveF { front_axle_trq_request: torque, front_motor_speed_max: speed },
+            drive_r: Ai2VcuDriveR { rear_axle_trq_request: torque, rear_motor_speed_max: speed },
+            brake: Ai2VcuBrake { hyd_press_f_req: brake, hyd_press_r_req: brake },
+            ..AiMessages::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::messages::{
+        AsState, AxleTorqueRequest, BrakePressure, Message, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiStatus,
+        Vcu2AiWheelSpeeds, WheelSpeed,
+    };
+
+    use super::{AiComputer, Conduct, Heard, Stage};
+
+    fn wheels(rpm: i32) -> Vcu2AiWheelSpeeds {
+        Vcu2AiWheelSpeeds { rl_wheel_speed: WheelSpeed::clamped(rpm), ..Vcu2AiWheelSpeeds::default() }
+    }
+
+    #[test]
+    fn the_vehicle_has_stopped_when_that_is_measured_after_the_brakes_are_on() {
+        let (on, off) = (BrakePressure::MAX, AxleTorqueRequest::MIN);
+        let brake =
+            Vcu2AiBrake { hyd_press_f_req: on, hyd_press_r_req: on, ..Vcu2AiBrake::default() }.encode();
+        let rest = wheels(9).encode();
+        let before = Heard::default().with(&rest).with(&brake);
+        assert!(!before.has_stopped(), "the wheels may have turned since");
+        assert!(before.with(&rest).has_stopped());
+        assert!(!before.with(&wheels(10).encode()).has_stopped(), "exactly 10 rpm is not at rest (D-24)");
+        let torque = |front_axle_trq_request| {
+            Vcu2AiDriveF { front_axle_trq_request, ..Vcu2AiDriveF::default() }.encode()
+        };
+        let pulled = before.with(&torque(AxleTorqueRequest::MAX)).with(&rest);
+        assert!(!pulled.has_stopped(), "a torque request is still in force");
+        assert!(
+            !pulled.with(&torque(off)).has_stopped() && pulled.with(&torque(off)).with(&rest).has_stopped()
+        );
+    }
+
+    #[test]
+    fn the_handshake_is_echoed_and_no_emergency_stop_is_asked_for() {
+        for as_state in AsState::ALL {
+            for handshake in [false, true] {
+                let status = Vcu2AiStatus { as_state, handshake, ..Vcu2AiStatus::default() };
+                let mut ai =
+                    AiComputer { heard: Heard::default().with(&status.encode()), ..AiComputer::default() };
+                for _ in 0..8 {
+                    ai = ai.cycle(Conduct::Reference);
+                    let messages = ai.messages();
+                    assert_eq!(
+                        (messages.status.handshake, messages.status.estop_request),
+                        (handshake, false)
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn it_drives_only_after_it_has_asked_for_forward() {
+        let driving = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() };
+        let ai = AiComputer { heard: Heard::default().with(&driving.encode()), ..AiComputer::default() };
+        let started = ai.cycle(Conduct::Reference);
+        assert_eq!(started.stage, Stage::Started);
+        assert_eq!(started.messages().drive_f.front_axle_trq_request, AxleTorqueRequest::MIN);
+        assert!(!started.may_decide_to_stop() && started.cycle(Conduct::Reference).may_decide_to_stop());
+    }
+}

@@ -1,0 +1,370 @@
+//! The closed model: the VCU together with those it works with, each acting one change at a time.
+//!
+//! ```text
+//! Operator --switches--> VCU --drives, brakes--> Vehicle
+//!                       |   ^
+//!            520h, 521h v   | 510h to 514h            (frames that wait on the bus)
+//!                    AI Computer
+//! ```
+//!
+//! The VCU is the specification's [`Machine`], stepped every [`Timing::cycle_ms`]. The AI Computer is a small reference
+//! program that follows the document ([`ai`]). They know of each other only what real frames say, encoded and decoded by
+//! the specification's codec, which arrive one by one and late ([`bus`]).
+//!
+//! # What a conforming AI Computer is assumed to do
+//!
+//! Whatever can happen between two steps of the VCU may happen in any order, and may be put off past its next steps, within
+//! these limits, which forbid the step that would exceed them:
+//!
+//! - A frame waits on the bus for less than two cycles. One that waits is replaced by a newer one with its identifier, as in
+//!   a controller with one mailbox for each. A frame that tells its receiver nothing new is not shown.
+//! - From the step at which the VCU changes its HANDSHAKE bit to the arrival of the answer less than
+//!   [`Timing::handshake_ms`] pass (HS-9): at most [`Closed::response_cycles`] steps without the answer, which makes 40 ms
+//!   of 50. This includes the bus, both ways. While the handshake rests, everything else that the VCU says is answered
+//!   within as many steps.
+//!
+//! The limit is that of the document, not of the machine that is checked: a machine with less patience is found out.
+//!
+//! # The operators
+//!
+//! [`Operator::Any`] moves any switch at any time. [`Operator::WellBehaved`] follows sections 3.1 to 3.4 ([`operator`]), and
+//! dawdles for at most [`DAWDLE_CYCLES`] before each act, as do the AI Computer before it decides to stop and the vehicle
+//! before it slows down when it brakes. So time runs out on every path, and the graph has no cycles.
+//!
+//! A run ends in AS_OFF when the mission is over, or after an emergency.
+//!
+//! # Why "eventually" can be trusted here
+//!
+//! The checker's `eventually` looks at the ends of paths only. It misses paths that end in a cycle, and, where paths join,
+//! forgets on which of them the condition held. So the graph is acyclic: every action raises the state's [`Rank`], which the
+//! property `every-action-moves-on` checks. And the condition is latched in the state ([`Mission`]): once it holds it holds
+//! to the end, so that the end tells the truth about every path to it.
+//!
+//! # Scaled timers
+//!
+//! [`Closed::scaled`] shortens the dwell to [`DWELL_CYCLES`] and the EBS timer to [`EBS_CYCLES`] steps; the handshake keeps
+//! its real 50 ms. It rests on a lemma: *while a timer runs, a step depends on it only through whether it has elapsed*. What
+//! the others do meanwhile is not bounded by the timer. The scaled dwell is longer than an answer may take, so that
+//! whatever is going on when AS_READY is entered can end before it elapses, or still go on then. In EMERGENCY_BRAKE only
+//! the handshake still counts of what the AI Computer says, and it lasts past the timer for as long as ASMS is on.
+//!
+//! With a well-behaved operator the real times are explored as well, in less than a second: [`Closed::new`].
+
+pub mod action;
+pub mod ai;
+pub mod bus;
+pub mod operator;
+mod properties;
+mod real_time;
+mod sequence;
+mod state;
+mod svg;
+mod time;
+mod words;
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+
+use adsdv_spec::messages::{AsState, DirectionRequest, ShutdownCause};
+use adsdv_spec::{AiMessages, Control, Inputs, Interface, Machine, Outputs, Readings, Timing};
+use stateright::{Model, Path, Property};
+
+/// Whether a property is to hold always, in the end, or once.
+pub use stateright::Expectation;
+
+pub use action::{Act, Action};
+pub use ai::{AiComputer, Conduct, Stage};
+pub use bus::{Bus, Line};
+pub use operator::{Operator, Switches};
+pub use properties::{CLOSED_PROPERTIES, ClosedProperty, EXHAUSTIVE, Exploration, Found};
+pub use state::{Mission, Motion, Rank, State, Wheels};
+
+/// For how many steps of the VCU a well-behaved operator may put an act off.
+pub const DAWDLE_CYCLES: u16 = 2;
+
+/// How many steps of the VCU the dwell takes when it is scaled: one more than an answer may.
+pub const DWELL_CYCLES: u16 = V3_0.timing.handshake_ms / V3_0.timing.cycle_ms + 1;
+
+/// How many steps of the VCU the EBS timer takes when it is scaled.
+pub const EBS_CYCLES: u16 = 2;
+
+const V3_0: Interface = Interface::V3_0;
+
+/// The closed model.
+#[derive(Clone, Debug)]
+pub struct Closed {
+    /// The VCU.
+    pub machine: Machine,
+    /// The times that the AI Computer and the operator go by: the document's, whatever the VCU's are.
+    pub timing: Timing,
+    /// Who moves the switches.
+    pub operator: Operator,
+    /// Whether the remote E-stop button is pressed and released at any time.
+    pub faults: bool,
+    /// How the AI Computer behaves.
+    pub conduct: Conduct,
+    /// Whether [`Action::TimePasses`] is offered: for people, who do not want to click through 500 cycles.
+    pub skips_time: bool,
+    /// How many states an exploration has looked at.
+    looked_at: Arc<AtomicUsize>,
+}
+
+impl Closed {
+    /// A machine with a conforming AI Computer. Any operator comes with faults, a well-behaved one without.
+    pub fn new(machine: Machine, operator: Operator) -> Self {
+        Self {
+            machine,
+            timing: V3_0.timing,
+            operator,
+            faults: matches!(operator, Operator::Any),
+            conduct: Conduct::Reference,
+            skips_time: false,
+            looked_at: Arc::default(),
+        }
+    }
+
+    /// The same with the dwell and the EBS timer scaled down, for the machine and for those who go by it.
+    ///
+    /// ```
+    /// use adsdv_model::closed::{Closed, Operator, DWELL_CYCLES};
+    /// use adsdv_spec::{Interface, Readings};
+    /// let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+    /// assert_eq!(model.timing.ready_dwell_ms, DWELL_CYCLES * model.timing.cycle_ms);
+    /// assert_eq!(model.timing.handshake_ms, 50);
+    /// ```
+    pub fn scaled(interface: Interface, readings: Readings, operator: Operator) -> Self {
+        let timing = scaled(interface.timing);
+        let machine = Machine::new(Interface { timing, ..interface }, readings);
+        Self { timing: scaled(V3_0.timing), ..Self::new(machine, operator) }
+    }
+
+    /// The model for people: real times, any operator, faults, and a way to let time pass.
+    pub fn explorer(machine: Machine) -> Self {
+        Self { skips_time: true, ..Self::new(machine, Operator::Any) }
+    }
+
+    /// The same with another AI Computer.
+    #[must_use]
+    pub fn with_conduct(self, conduct: Conduct) -> Self {
+        Self { conduct, ..self }
+    }
+
+    /// What the VCU sees in each of its cycles along a run.
+    pub fn inputs(run: &Path<State, Action>) -> Vec<Inputs> {
+        let run = run.clone().into_vec();
+        let cycles = run.iter().filter(|(_, action)| *action == Some(Action::VcuCycle));
+        cycles.map(|(state, _)| state.inputs()).collect()
+    }
+
+    /// For how many steps of the VCU an answer of a conforming AI Computer may be missing: the next one would be
+    /// [`Timing::handshake_ms`] after the edge.
+    pub const fn response_cycles(&self) -> u16 {
+        match self.timing.handshake_ms.checked_div(self.timing.cycle_ms) {
+            Some(cycles) => cycles.saturating_sub(1),
+            None => 0,
+        }
+    }
+
+    /// Whether an emergency has brought the run to its end: the vehicle cannot be driven before a power cycle (ETO-3), of
+    /// which the model has none, and what else a reading may allow after it changes nothing that the properties look at.
+    /// People may still want to look around then.
+    fn is_shut_down(&self, state: &State) -> bool {
+        state.control.shutdown_cause != ShutdownCause::NoShutdown && !self.skips_time
+    }
+
+    /// Whether nothing more can come of the run.
+    fn is_over(&self, state: &State) -> bool {
+        let off = state.control.state == AsState::Off;
+        state.mission == Mission::Over || off && self.is_shut_down(state)
+    }
+
+    /// What the VCU does in its next cycle.
+    fn step(&self, state: &State) -> (Control, Outputs, Inputs) {
+        let inputs = state.inputs();
+        let cycle = u32::from(self.timing.cycle_ms);
+        let (control, outputs) = self.machine.step(&state.control, &inputs, cycle);
+        (control, outputs, inputs)
+    }
+
+    /// Whether the AI Computer has answered what the VCU says: its HANDSHAKE bit, or, while the handshake rests, all.
+    fn answered(&self, state: &State) -> bool {
+        let handshake = state.control.handshake;
+        if handshake.active {
+            state.received.status.handshake == handshake.bit
+        } else {
+            state.bus.to_ai.is_empty() && state.bus.to_vcu.is_empty() && !self.ai_has_news(state)
+        }
+    }
+
+    /// Whether the AI Computer's next cycle changes anything.
+    fn ai_has_news(&self, state: &State) -> bool {
+        state.ai.cycle(self.conduct) != state.ai
+    }
+
+    /// Whether the VCU's cycle may end now, with all others as late as they are.
+    fn may_step(&self, state: &State) -> bool {
+        let in_time = self.conduct == Conduct::Mute
+            || self.answered(state)
+            || u16::from(state.late_cycles) < self.response_cycles();
+        in_time && !state.bus.to_ai.is_overdue() && !state.bus.to_vcu.is_overdue() && self.has_patience(state)
+    }
+
+    fn vcu_cycle(&self, state: &mut State) {
+        let answered = self.answered(state);
+        let (control, outputs, inputs) = self.step(state);
+        let edge = control.handshake.bit != state.control.handshake.bit;
+        state.late_cycles = if answered || edge || self.conduct == Conduct::Mute {
+            0
+        } else {
+            state.late_cycles.saturating_add(1)
+        };
+        state.bus.to_ai.a_cycle_ends();
+        state.bus.to_vcu.a_cycle_ends();
+        state.control = control;
+        state.rested = self.operator == Operator::WellBehaved;
+        state.acted = false;
+        if self.is_shut_down(state) {
+            // Nothing reads these switches any more: how they stand makes no difference.
+            state.switches = Switches { ebs_armed: false, go: false, ..state.switches };
+        }
+        let messages = outputs.messages(&inputs);
+        let heard = state.ai.heard;
+        state.bus.to_ai.send(&ai::listens_to(&messages), |frame| heard.with(frame) != heard);
+        let actuation = outputs.actuation(&inputs);
+        let pressed = actuation.hyd_press_f.raw() > 0 || actuation.hyd_press_r.raw() > 0;
+        let torque = actuation.front_axle_trq.raw() > 0 || actuation.rear_axle_trq.raw() > 0;
+        state.motion.braked = pressed || actuation.ebs_triggered;
+        state.motion.driven =
+            torque && !state.motion.braked && actuation.direction == DirectionRequest::Forward;
+        if self.operator == Operator::WellBehaved {
+            state.mission = state.mission.after(control.state);
+        }
+    }
+
+    /// The state after an action, where that is possible.
+    fn after(&self, before: &State, action: Action) -> Option<State> {
+        let mut state = before.clone();
+        match action {
+            Action::VcuCycle => self.vcu_cycle(&mut state),
+            Action::AiCycle => {
+                state.ai = state.ai.cycle(self.conduct);
+                ai_sends(&mut state);
+            }
+            Action::FrameToAi => state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?),
+            Action::FrameToVcu => state.received = with(&state.received, &state.bus.to_vcu.next()?),
+            Action::AiDecidesToStop => {
+                state.ai.stage = Stage::Braking;
+                ai_sends(&mut state);
+            }
+            Action::Operator(act) => {
+                state.switches.turn(act);
+                match self.operator {
+                    Operator::WellBehaved => {
+                        state.acts = state.acts.saturating_add(1);
+                        state.rested = false;
+                    }
+                    Operator::Any => state.acted = !self.skips_time,
+                }
+            }
+            Action::RemoteEstop(pressed) => {
+                state.remote_estop = pressed;
+                state.acted = !self.skips_time;
+            }
+            Action::Faster => state.motion.wheels = state.motion.wheels.faster()?,
+            Action::Slower => state.motion.wheels = state.motion.wheels.slower()?,
+            Action::TimePasses => (state, _) = self.time_passes(before),
+        }
+        self.count_patience(before, action, &mut state);
+        Some(state)
+    }
+}
+
+fn ai_sends(state: &mut State) {
+    let received = state.received;
+    state.bus.to_vcu.send(&ai::frames(&state.ai.messages()), |frame| with(&received, frame) != received);
+}
+
+/// What the VCU has received, after one more frame.
+fn with(received: &AiMessages, frame: &adsdv_spec::messages::Frame) -> AiMessages {
+    let mut after = *received;
+    // A frame that does not decode changes nothing (D-20).
+    let _ = after.receive(frame.id, frame.data());
+    after
+}
+
+const fn scaled(timing: Timing) -> Timing {
+    let cycle = V3_0.timing.cycle_ms;
+    Timing { ready_dwell_ms: DWELL_CYCLES * cycle, ebs_timer_ms: EBS_CYCLES * cycle, ..timing }
+}
+
+impl Model for Closed {
+    type State = State;
+    type Action = Action;
+
+    fn init_states(&self) -> Vec<State> {
+        // The "Go" switch may be found on (DRV-13).
+        let found = |go| State { switches: Switches { go, ..Switches::default() }, ..State::default() };
+        match self.operator {
+            Operator::WellBehaved => vec![found(false), found(true)],
+            Operator::Any => vec![found(false)],
+        }
+    }
+
+    fn actions(&self, state: &State, actions: &mut Vec<Action>) {
+        if self.is_over(state) {
+            return;
+        }
+        if self.skips_time {
+            actions.push(Action::TimePasses);
+        }
+        self.acts(state, actions);
+        if state.acted {
+            // What comes before the VCU's cycle could as well have come before the act, which only the VCU sees.
+            if self.may_step(state) {
+                actions.push(Action::VcuCycle);
+            }
+            return;
+        }
+        if state.ai.may_decide_to_stop() {
+            actions.push(Action::AiDecidesToStop);
+        }
+        if state.motion.driven && state.motion.wheels.faster().is_some() {
+            actions.push(Action::Faster);
+        }
+        if state.motion.must_slow_down() {
+            actions.push(Action::Slower);
+        }
+        if !state.bus.to_ai.is_empty() {
+            actions.push(Action::FrameToAi);
+        }
+        if self.ai_has_news(state) {
+            actions.push(Action::AiCycle);
+        }
+        if !state.bus.to_vcu.is_empty() {
+            actions.push(Action::FrameToVcu);
+        }
+        if self.may_step(state) {
+            actions.push(Action::VcuCycle);
+        }
+    }
+
+    fn next_state(&self, last_state: &State, action: Action) -> Option<State> {
+        self.after(last_state, action)
+    }
+
+    fn format_action(&self, action: &Action) -> String {
+        action.to_string()
+    }
+
+    fn format_step(&self, last_state: &State, action: Action) -> Option<String> {
+        self.after(last_state, action).map(|state| words::step(self, last_state, action, &state))
+    }
+
+    fn as_svg(&self, path: Path<State, Action>) -> Option<String> {
+        Some(svg::draw(&sequence::of(self, &path.into_vec())))
+    }
+
+    fn properties(&self) -> Vec<Property<Self>> {
+        properties::of(self.operator)
+    }
+}

@@ -1,0 +1,135 @@
+//! The operator: whoever stands at the switches and the remote control.
+
+use adsdv_spec::messages::{AmiState, AsState};
+
+use super::{Act, Action, Closed, DAWDLE_CYCLES, Mission, State};
+
+/// Who moves the switches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operator {
+    /// Follows the procedure of sections 3.1 to 3.4, one act in a cycle of the VCU, each without much delay: mission,
+    /// TSMS, ASMS and EBS in any order; in AS_READY "Go" off where it is found on (DRV-13), and on after the dwell; ASMS
+    /// off after AS_FINISHED.
+    WellBehaved,
+    /// Moves any switch at any time, one of them, or the fault, in a cycle of the VCU: the open model has all at once. Only
+    /// the VCU sees the switches, at its step, so that an act comes last in its cycle.
+    Any,
+}
+
+/// The switches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Switches {
+    /// The Autonomous System Master Switch.
+    pub asms: bool,
+    /// The Tractive System Master Switch.
+    pub tsms: bool,
+    /// The mission selected on the Autonomous Mission Indicator.
+    pub ami: AmiState,
+    /// The Emergency Braking System is armed.
+    pub ebs_armed: bool,
+    /// The remote "Go" switch.
+    pub go: bool,
+}
+
+impl Switches {
+    pub(super) const fn turn(&mut self, act: Act) {
+        match act {
+            Act::Mission(mission) => self.ami = mission,
+            Act::Tsms(on) => self.tsms = on,
+            Act::Asms(on) => self.asms = on,
+            Act::EbsArmed(on) => self.ebs_armed = on,
+            Act::Go(on) => self.go = on,
+        }
+    }
+}
+
+/// The mission that operators select; to the VCU they are all alike.
+const MISSION: AmiState = AmiState::TrackDrive;
+
+impl Closed {
+    /// What the operator may do now.
+    pub(super) fn acts(&self, state: &State, actions: &mut Vec<Action>) {
+        match self.operator {
+            Operator::Any if !state.acted && self.may_step(state) || self.skips_time => {
+                let read =
+                    |act: &Act| !self.is_shut_down(state) || matches!(act, Act::Tsms(_) | Act::Asms(_));
+                actions.extend(all(state.switches).filter(read).map(Action::Operator));
+                if self.faults {
+                    actions.push(Action::RemoteEstop(!state.remote_estop));
+                }
+            }
+            Operator::WellBehaved if state.rested => self.procedure(state, |act| {
+                actions.push(Action::Operator(act));
+            }),
+            Operator::Any | Operator::WellBehaved => {}
+        }
+    }
+
+    /// The next steps of the procedure. The operator sees the ASSI, and has a stopwatch.
+    fn procedure(&self, state: &State, mut act: impl FnMut(Act)) {
+        let Switches { asms, tsms, ami, ebs_armed, go } = state.switches;
+        match (state.control.state, state.mission) {
+            (AsState::Off, Mission::Ahead) => {
+                if ami == AmiState::NotSelected {
+                    act(Act::Mission(MISSION)); // RDY-8
+                }
+                for (on, switch) in
+                    [(tsms, Act::Tsms(true)), (asms, Act::Asms(true)), (ebs_armed, Act::EbsArmed(true))]
+                {
+                    if !on {
+                        act(switch);
+                    }
+                }
+            }
+            // "Go" has been moved after the four acts before only if it was found on, or is on for good.
+            (AsState::Ready, Mission::Ahead) if go && state.acts == ACTS_TO_READY => act(Act::Go(false)), // DRV-13
+            (AsState::Ready, Mission::Ahead) if !go && self.dwell_is_over(state) => act(Act::Go(true)),
+            (AsState::Finished, _) if asms => act(Act::Asms(false)), // section 3.4
+            _ => {}
+        }
+    }
+
+    /// Whether AS_READY has lasted for the minimum dwell of the document.
+    pub(super) fn dwell_is_over(&self, state: &State) -> bool {
+        state.control.state == AsState::Ready && state.control.in_state_ms >= self.timing.ready_dwell_ms
+    }
+
+    /// Whether time may go on: not for long when somebody is to act, and not for ever when nobody does.
+    pub(super) fn has_patience(&self, state: &State) -> bool {
+        if self.operator == Operator::Any {
+            return true;
+        }
+        let mut acts = Vec::new();
+        self.acts(state, &mut acts);
+        let awaited = !acts.is_empty() || state.ai.may_decide_to_stop() || state.motion.must_slow_down();
+        state.patience < if awaited { DAWDLE_CYCLES } else { self.longest_wait() }
+    }
+
+    /// How many cycles pass at most without anything that [`super::Rank`] counts: the dwell, and an answer that starts
+    /// late, takes its time, and needs another one.
+    const fn longest_wait(&self) -> u16 {
+        let dwell = match self.timing.ready_dwell_ms.checked_div(self.timing.cycle_ms) {
+            Some(cycles) => cycles,
+            None => 0,
+        };
+        dwell.saturating_add(4 * (self.response_cycles() + 1))
+    }
+}
+
+/// Mission, TSMS, ASMS and EBS.
+const ACTS_TO_READY: u8 = 4;
+
+fn all(now: Switches) -> impl Iterator<Item = Act> {
+    let mission = match now.ami {
+        AmiState::NotSelected => MISSION,
+        _ => AmiState::NotSelected,
+    };
+    [
+        Act::Mission(mission),
+        Act::Tsms(!now.tsms),
+        Act::Asms(!now.asms),
+        Act::EbsArmed(!now.ebs_armed),
+        Act::Go(!now.go),
+    ]
+    .into_iter()
+}

@@ -1,0 +1,101 @@
+//! A run with scaled timers, told with the real ones.
+
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Control, Inputs, Machine};
+use stateright::Path;
+
+use super::{Action, Closed, State};
+
+impl Closed {
+    /// What the VCU sees in each of its cycles along a run, with the timers of another machine: where a state lasts for its
+    /// time, it lasts for that machine's time.
+    ///
+    /// The cycles that this takes come where no edge of the handshake is unanswered, are answered at once, and are even in
+    /// number, so that the handshake is where it was: after them the run goes on as it did.
+    pub fn inputs_for(&self, machine: &Machine, run: &Path<State, Action>) -> Vec<Inputs> {
+        let cycle = u32::from(self.timing.cycle_ms);
+        let mut control = Control::INITIAL;
+        let mut seen: Vec<Inputs> = Vec::new();
+        let mut waits = self.waits(machine, run).into_iter();
+        let mut owed = 0;
+        for inputs in Self::inputs(run) {
+            owed += waits.next().unwrap_or_default();
+            if owed > 0 && control.handshake.unanswered_ms == 0 {
+                let mut last = seen.last().copied().unwrap_or_default();
+                for _ in 0..owed {
+                    last.ai.status.handshake = control.handshake.bit;
+                    control = machine.step(&control, &last, cycle).0;
+                    seen.push(last);
+                }
+                owed = 0;
+            }
+            control = machine.step(&control, &inputs, cycle).0;
+            seen.push(inputs);
+        }
+        seen
+    }
+
+    /// For each cycle of the VCU, for how many cycles more a state has to last from there on that lasts for its time.
+    fn waits(&self, machine: &Machine, run: &Path<State, Action>) -> Vec<u16> {
+        let run = run.clone().into_vec();
+        let before: Vec<Control> = run
+            .iter()
+            .filter(|(_, action)| *action == Some(Action::VcuCycle))
+            .map(|(state, _)| state.control)
+            .collect();
+        let mut waits = vec![0; before.len()];
+        let mut entered = 0;
+        for (place, control) in before.iter().enumerate() {
+            let limit = self.machine.interface().timing.in_state_limit(control.state);
+            match place.checked_sub(1).and_then(|last| before.get(last)) {
+                Some(last) if last.state == control.state => {}
+                _ => entered = place,
+            }
+            // From this step on, the timer counts as elapsed.
+            let elapses = control.in_state_ms < limit && control.in_state_ms + self.timing.cycle_ms >= limit;
+            if limit > 0
+                && elapses
+                && let Some(wait) = waits.get_mut(entered + 1)
+            {
+                *wait = self.missing(machine, control.state);
+            }
+        }
+        waits
+    }
+
+    /// How many cycles a timer of the machine takes more than this model's, made even.
+    fn missing(&self, machine: &Machine, state: AsState) -> u16 {
+        let [real, scaled] =
+            [machine, &self.machine].map(|machine| machine.interface().timing.in_state_limit(state));
+        let cycles = real.saturating_sub(scaled).div_ceil(self.timing.cycle_ms);
+        cycles + cycles % 2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::{Interface, Machine, Readings};
+
+    use super::{AsState, Closed, Control};
+    use crate::closed::Operator;
+
+    #[test]
+    fn a_stretched_run_goes_through_the_same_states() {
+        for name in ["mission-can-be-finished", "emergency-can-happen"] {
+            let model = || Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::Any);
+            let run = model().run_for(name).expect("it can");
+            let machine = Machine::REFERENCE;
+            let (mut control, mut states) = (Control::INITIAL, vec![AsState::Off]);
+            for inputs in model().inputs_for(&machine, &run) {
+                control = machine.step(&control, &inputs, 10).0;
+                if states.last() != Some(&control.state) {
+                    states.push(control.state);
+                }
+            }
+            let mut expected: Vec<AsState> =
+                run.into_states().iter().map(|state| state.control.state).collect();
+            expected.dedup();
+            assert_eq!(states, expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The state and what happens, in words.
+
+use std::fmt;
+
+use adsdv_spec::messages::{AmiState, AnyMessage, BrakePressure, Frame, ShutdownCause};
+use adsdv_spec::{Atom, Timing};
+
+use super::action::on_off;
+use super::{Action, Closed, Line, State, Wheels};
+
+/// A frame as `candump` writes it, and what it says.
+pub(super) fn frame(frame: &Frame) -> String {
+    format!("{frame} ({})", meaning(frame))
+}
+
+/// What a frame says, as far as it matters here.
+pub(super) fn meaning(frame: &Frame) -> String {
+    let pressed = |front: BrakePressure, rear: BrakePressure| format!("brakes {front} front, {rear} rear");
+    match AnyMessage::decode(frame.id, frame.data()) {
+        Ok(AnyMessage::Ai2VcuStatus(status)) => format!(
+            "HANDSHAKE {}, {}, {}",
+            u8::from(status.handshake),
+            status.mission_status,
+            status.direction_request
+        ),
+        Ok(AnyMessage::Ai2VcuDriveF(drive)) => format!("front torque {}", drive.front_axle_trq_request),
+        Ok(AnyMessage::Ai2VcuDriveR(drive)) => format!("rear torque {}", drive.rear_axle_trq_request),
+        Ok(AnyMessage::Ai2VcuSteer(steer)) => format!("steer {}", steer.steer_request),
+        Ok(AnyMessage::Ai2VcuBrake(brake)) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
+        Ok(AnyMessage::Vcu2AiStatus(status)) => {
+            let mut words =
+                vec![format!("HANDSHAKE {}", u8::from(status.handshake)), status.as_state.to_string()];
+            if status.ami_state != AmiState::NotSelected {
+                words.push(status.ami_state.to_string());
+            }
+            if status.shutdown_cause != ShutdownCause::NoShutdown {
+                words.push(status.shutdown_cause.to_string());
+            }
+            words.join(", ")
+        }
+        Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+            format!("front torque request {}", drive.front_axle_trq_request)
+        }
+        Ok(AnyMessage::Vcu2AiDriveR(drive)) => format!("rear torque request {}", drive.rear_axle_trq_request),
+        Ok(AnyMessage::Vcu2AiBrake(brake)) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
+        Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => format!("wheels at {}", speeds.fl_wheel_speed),
+        Ok(other) => other.def().name.to_owned(),
+        Err(error) => error.to_string(),
+    }
+}
+
+impl fmt::Display for Wheels {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let limit = adsdv_spec::Interface::V3_0.thresholds.wheel_speed;
+        match self {
+            Self::AtRest => f.write_str("wheels at rest"),
+            Self::AtThreshold => write!(f, "wheels at exactly {limit}"),
+            Self::Moving => write!(f, "wheels faster than {limit}"),
+        }
+    }
+}
+
+/// The names of the lines that a state is told in.
+const WIDTH: usize = 13;
+
+impl State {
+    /// The state, a line for each party: its name, and how it is.
+    fn lines(&self, timing: Option<&Timing>) -> [(&'static str, String); 8] {
+        [
+            ("VCU", self.vcu(timing)),
+            ("handshake", self.handshake()),
+            ("AI Computer", self.ai_computer()),
+            ("  has heard", self.heard()),
+            ("bus to AI", waiting(&self.bus.to_ai)),
+            ("bus to VCU", waiting(&self.bus.to_vcu)),
+            ("operator", self.operator()),
+            ("vehicle", self.vehicle()),
+        ]
+    }
+
+    fn vcu(&self, timing: Option<&Timing>) -> String {
+        let control = &self.control;
+        let lasted = control.in_state_ms;
+        let mut words = vec![control.state.to_string()];
+        if let Some(atom) = Atom::of_timer(control.state) {
+            words.push(match timing.map(|timing| lasted >= timing.in_state_limit(control.state)) {
+                Some(elapsed) => format!("{} ({lasted} ms)", atom.text(elapsed)),
+                None => format!("{lasted} ms counted"),
+            });
+        }
+        if control.go_seen_low {
+            words.push("\"Go\" seen off".to_owned());
+        }
+        if control.shutdown_cause != ShutdownCause::NoShutdown {
+            words.push(format!("SHUTDOWN_CAUSE {}", control.shutdown_cause));
+        }
+        if control.power_cycle_needed {
+            words.push(Atom::PowerCycleNeeded.text(true).to_owned());
+        }
+        words.join(", ")
+    }
+
+    fn handshake(&self) -> String {
+        let handshake = self.control.handshake;
+        if !handshake.active {
+            return "rests".to_owned();
+        }
+        let (bit, answer) = (u8::from(handshake.bit), u8::from(self.received.status.handshake));
+        format!("VCU asks for {bit}, has {answer}, unanswered for {} ms", handshake.unanswered_ms)
+    }
+
+    fn ai_computer(&self) -> String {
+        let messages = self.ai.messages();
+        format!(
+            "{}, {}, HANDSHAKE {}, torque {}, brakes {}",
+            messages.status.mission_status,
+            messages.status.direction_request,
+            u8::from(messages.status.handshake),
+            messages.drive_f.front_axle_trq_request,
+            messages.brake.hyd_press_f_req,
+        )
+    }
+
+    fn heard(&self) -> String {
+        let heard = &self.ai.heard;
+        let wheels = if heard.turning { "wheels turning" } else { "wheels at rest" };
+        format!("HANDSHAKE {}, {}, {}, {wheels}", u8::from(heard.handshake), heard.as_state, heard.ami)
+    }
+
+    fn operator(&self) -> String {
+        let switches = &self.switches;
+        let mission = match switches.ami {
+            AmiState::NotSelected => "no mission".to_owned(),
+            mission => format!("mission {mission}"),
+        };
+        format!(
+            "{mission}, TSMS {}, ASMS {}, EBS {}, \"Go\" {}, remote E-stop {}",
+            on_off(switches.tsms),
+            on_off(switches.asms),
+            if switches.ebs_armed { "armed" } else { "unavailable" },
+            on_off(switches.go),
+            if self.remote_estop { "pressed" } else { "released" },
+        )
+    }
+
+    fn vehicle(&self) -> String {
+        let motion = self.motion;
+        let force = match (motion.driven, motion.braked) {
+            (_, true) => "braked",
+            (true, false) => "driven",
+            (false, false) => "neither driven nor braked",
+        };
+        format!("{}, {force}", motion.wheels)
+    }
+}
+
+fn waiting(line: &Line) -> String {
+    let frames: Vec<String> = line.frames().map(frame).collect();
+    if frames.is_empty() { "nothing new".to_owned() } else { frames.join("; ") }
+}
+
+impl fmt::Debug for State {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (name, words)) in self.lines(None).iter().enumerate() {
+            let end = if i == 0 { "" } else { "\n" };
+            write!(f, "{end}{name:WIDTH$}{words}")?;
+        }
+        Ok(())
+    }
+}
+
+/// What a step did: what happened, and then the state, with a mark at each line that is new.
+pub(super) fn step(model: &Closed, before: &State, action: Action, after: &State) -> String {
+    let timing = Some(&model.machine.interface().timing);
+    let mut lines =
+        vec![super::sequence::event(model, before, action, after).words.join(", "), String::new()];
+    for ((name, now), (_, was)) in after.lines(timing).into_iter().zip(before.lines(timing)) {
+        let mark = if now == was { ' ' } else { '>' };
+        lines.push(format!("{mark} {name:WIDTH$}{now}"));
+    }
+    lines.join("\n")
+}
+
+/// Milliseconds as seconds, for the time axis.
+pub(super) fn seconds(ms: u32) -> String {
+    format!("{}.{:02} s", ms / 1000, ms % 1000 / 10)
+}

@@ -1,0 +1,69 @@
+//! The specification's state machine, explored to its end.
+//!
+//! The model is no second description: every step is one of [`adsdv_spec::Machine`]. There are two of them.
+//!
+//! - [`Open`]: any AI Computer, any driver, any fault. Its states are the control states of the VCU, with the real times of
+//!   the document; at every cycle every input vector is tried. [`explore`] goes to its end and decides every property;
+//!   [`verify`] adds the shortest runs that show what it decided; [`sweep`] does so for every combination of readings.
+//! - [`closed::Closed`]: the VCU with an AI Computer that follows the document, over real CAN frames, an operator, a fault and
+//!   the vehicle, each acting one change at a time. It says what a team may rely on, and it is what people walk through in
+//!   the Explorer ([`serve`]).
+//!
+//! # Where things are
+//!
+//! | to read about | look in |
+//! |---|---|
+//! | the properties, as data | [`PROPERTIES`], [`GOALS`], [`closed::CLOSED_PROPERTIES`] |
+//! | which inputs are tried, and by which lemmas fewer would do | [`Vectors`] |
+//! | the open model as stateright sees it | [`Open`] |
+//! | which parts of the table decide a step | [`Part`] |
+//! | a path as a vehicle's run: raw inputs, frames on the bus | [`Run`] |
+//! | a path in words | [`story()`] |
+//! | the same state machine for Spin | [`Promela`] |
+//!
+//! `README.md`, beside this crate's sources, lists the lemmas; `READINGS.md` says what each reading of the document costs.
+//!
+//! # One exploration
+//!
+//! ```
+//! use adsdv_model::{Options, Vectors, explore};
+//! use adsdv_spec::Machine;
+//!
+//! let quickly = Options { vectors: Vectors::Few, ..Options::default() };
+//! let exploration = explore(Machine::REFERENCE, quickly, |_| {});
+//! assert!(exploration.complete && exploration.broken.is_empty());
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod action;
+pub mod closed;
+mod explore;
+mod goals;
+mod look;
+mod open;
+mod parts;
+mod promela;
+mod property;
+mod readings_text;
+mod run;
+mod step;
+mod story;
+mod sweep;
+mod vectors;
+mod verify;
+
+pub use action::Action;
+pub use closed::Closed;
+pub use explore::serve;
+pub use goals::{GOALS, Goal};
+pub use open::{Open, State};
+pub use parts::Part;
+pub use promela::Promela;
+pub use property::{Claim, Harm, PROPERTIES, Property, When};
+pub use run::{Cycle, Phase, Run};
+pub use step::Step;
+pub use story::{Line, story};
+pub use sweep::{Cost, Sweep, sweep};
+pub use vectors::Vectors;
+pub use verify::{Exploration, Options, Progress, Report, explore, verify};

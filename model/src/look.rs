@@ -1,0 +1,50 @@
+//! A look at a control state: every step out of it, made once.
+//!
+//! Stateright asks for properties of states. A property of steps holds in a state if every step out of it keeps it.
+
+use adsdv_spec::{Control, Machine, Observation, Timing};
+
+use crate::action::Action;
+use crate::goals::GOALS;
+use crate::property::{PROPERTIES, Property};
+use crate::step::Step;
+
+/// What the steps out of a control state showed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Look {
+    /// The properties that some step breaks, a bit for each place in [`PROPERTIES`].
+    pub(crate) broken: u64,
+    /// The goals that some step reaches, a bit for each place in [`GOALS`].
+    pub(crate) reached: u64,
+    /// One way to each control state that comes next.
+    pub(crate) ways: Vec<Action>,
+    /// How many steps were made.
+    pub(crate) steps: u64,
+}
+
+/// Looks at a control state with these input vectors; `document` has the times that the properties speak of.
+pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vectors: &[Observation]) -> Look {
+    let concerned: Vec<(usize, &Property)> =
+        PROPERTIES.iter().enumerate().filter(|(_, property)| property.concerns(control.state)).collect();
+    let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
+    let mut next: Vec<Control> = Vec::new();
+    for &seen in vectors {
+        let step = Step::of(machine, document, *control, seen);
+        for (place, property) in &concerned {
+            look.broken |= u64::from(!property.holds(machine, &step)) << place;
+        }
+        if !next.contains(step.after()) {
+            next.push(*step.after());
+            look.ways.push(Action::Step(seen));
+        }
+    }
+    for after in &next {
+        for (place, goal) in GOALS.iter().enumerate() {
+            look.reached |= u64::from(goal.is_reached(control, after)) << place;
+        }
+    }
+    if *control != Control::INITIAL {
+        look.ways.push(Action::PowerCycle);
+    }
+    look
+}

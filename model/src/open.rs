@@ -1,0 +1,184 @@
+//! The open model: any AI Computer, any driver, any fault.
+//!
+//! Its states are the control states of the VCU, its actions what the VCU can see in a cycle, with the real times of the
+//! document. Every action is tried at every state, without a bound.
+
+use std::hash::{Hash, Hasher};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use adsdv_spec::{Control, Machine, Observation, Timing};
+use stateright::Model;
+
+use crate::action::Action;
+use crate::goals::{questions, to_the_end};
+use crate::look::{Look, look};
+use crate::parts::Parts;
+use crate::vectors::{Cache, Vectors, varied};
+
+/// A control state, and what the steps out of it show, once somebody asks.
+#[derive(Clone, Debug)]
+pub struct State {
+    control: Control,
+    look: OnceLock<Box<Look>>,
+}
+
+impl State {
+    pub(crate) const fn new(control: Control) -> Self {
+        Self { control, look: OnceLock::new() }
+    }
+
+    /// The control state.
+    pub const fn control(&self) -> &Control {
+        &self.control
+    }
+}
+
+/// States are their control states; what a look shows follows from it.
+impl PartialEq for State {
+    fn eq(&self, other: &Self) -> bool {
+        self.control == other.control
+    }
+}
+
+impl Eq for State {}
+
+/// All of the control state in one word, which is hashed faster than field by field.
+impl Hash for State {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let Control {
+            state: as_state,
+            in_state_ms,
+            go_seen_low,
+            was_running,
+            was_forward,
+            handshake,
+            power_cycle_needed,
+            shutdown_cause,
+        } = self.control;
+        let flags =
+            [go_seen_low, was_running, was_forward, handshake.active, handshake.bit, power_cycle_needed];
+        let small = flags.iter().fold(as_state as u64, |bits, &flag| bits << 1 | u64::from(flag));
+        let times = u64::from(in_state_ms) << 16 | u64::from(handshake.unanswered_ms);
+        state.write_u64((small << 8 | shutdown_cause as u64) << 32 | times);
+    }
+}
+
+/// The open model of one machine.
+#[derive(Debug)]
+pub struct Open {
+    machine: Machine,
+    document: Timing,
+    vectors: Vectors,
+    cache: Cache,
+    parts: Option<Parts>,
+    seen: Arc<Seen>,
+    /// Stateright is asked for no property: see [`Open::unasked`].
+    unasked: bool,
+}
+
+/// How far an exploration has come, and what it has shown.
+#[derive(Debug, Default)]
+pub(crate) struct Seen {
+    /// Control states that were looked at.
+    pub(crate) states: AtomicU64,
+    /// Steps that were made.
+    pub(crate) steps: AtomicU64,
+    /// Control states whose successors were asked for.
+    pub(crate) expanded: AtomicU64,
+    /// The properties that some step breaks, a bit for each place in [`PROPERTIES`](crate::PROPERTIES).
+    pub(crate) broken: AtomicU64,
+    /// The goals that some step reaches, a bit for each place in [`GOALS`](crate::GOALS).
+    pub(crate) reached: AtomicU64,
+}
+
+impl Open {
+    /// The open model of a machine; `document` has the times that the properties speak of.
+    pub fn new(machine: Machine, document: Timing, vectors: Vectors) -> Self {
+        Self {
+            machine,
+            document,
+            vectors,
+            cache: Cache::default(),
+            parts: None,
+            seen: Arc::default(),
+            unasked: false,
+        }
+    }
+
+    /// With a look at the parts of the table: which of them decide a step.
+    #[must_use]
+    pub(crate) fn with_parts(self) -> Self {
+        Self { parts: Some(Parts::of(&self.machine)), ..self }
+    }
+
+    /// The machine that is explored.
+    pub const fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The times that the properties speak of.
+    pub const fn document(&self) -> &Timing {
+        &self.document
+    }
+
+    /// The parts of the table, and which of them have been shown to matter.
+    pub(crate) const fn parts(&self) -> Option<&Parts> {
+        self.parts.as_ref()
+    }
+
+    /// How far the exploration has come.
+    pub(crate) fn seen(&self) -> Arc<Seen> {
+        Arc::clone(&self.seen)
+    }
+
+    /// The same model, of which stateright is asked for nothing but to go to the end. What a look shows is gathered
+    /// anyway, and stateright has to find no examples, which takes it longer than the exploration.
+    #[must_use]
+    pub(crate) fn unasked(self) -> Self {
+        Self { unasked: true, ..self }
+    }
+
+    /// What the steps out of a state show.
+    pub(crate) fn look<'a>(&self, state: &'a State) -> &'a Look {
+        state.look.get_or_init(|| {
+            let look = look(&self.machine, &self.document, &state.control, &self.steps(&state.control));
+            if let Some(parts) = &self.parts {
+                parts.look(&self.machine, &state.control, &self.cache);
+            }
+            self.seen.states.fetch_add(1, Ordering::Relaxed);
+            self.seen.steps.fetch_add(look.steps, Ordering::Relaxed);
+            self.seen.broken.fetch_or(look.broken, Ordering::Relaxed);
+            self.seen.reached.fetch_or(look.reached, Ordering::Relaxed);
+            Box::new(look)
+        })
+    }
+
+    /// The input vectors that are tried at a control state.
+    pub(crate) fn steps(&self, control: &Control) -> Arc<[Observation]> {
+        self.cache.get(varied(&self.machine, &self.document, control, self.vectors), self.vectors)
+    }
+}
+
+impl Model for Open {
+    type State = State;
+    type Action = Action;
+
+    fn init_states(&self) -> Vec<State> {
+        vec![State::new(Control::INITIAL)]
+    }
+
+    /// One action to each state that comes next: the look has tried all of them.
+    fn actions(&self, state: &State, actions: &mut Vec<Action>) {
+        actions.extend_from_slice(&self.look(state).ways);
+        self.seen.expanded.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn next_state(&self, state: &State, action: Action) -> Option<State> {
+        Some(State::new(action.apply(&self.machine, &state.control)))
+    }
+
+    fn properties(&self) -> Vec<stateright::Property<Self>> {
+        if self.unasked { vec![to_the_end()] } else { questions() }
+    }
+}

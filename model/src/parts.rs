@@ -1,0 +1,115 @@
+//! The parts of the table: no row, term or condition of it may be dead.
+//!
+//! A part decides a step if the table without it takes that step otherwise.
+
+use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::table::{Row, Term};
+use adsdv_spec::{Atom, Control, Machine, Mutation, Reads};
+
+use crate::step::CYCLE_MS;
+use crate::vectors::{Cache, Vectors};
+
+/// A part of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The row, or the row that the part is in.
+    pub row: Row,
+    /// The alternative of the row's guard, or the alternative that the part is in; `None`: the part is the whole row.
+    pub term: Option<Term>,
+    /// The condition of the alternative, with the value that it must have; `None`: the part is the whole alternative.
+    pub literal: Option<(Atom, bool)>,
+}
+
+impl Part {
+    /// The part that a mutation drops; `None` if it does something else, or drops what the readings do not have.
+    fn dropped(mutation: Mutation, machine: &Machine) -> Option<Self> {
+        let rows = machine.interface().table.rows();
+        match mutation.change {
+            Change::RowDropped(row) => Some(Self { row: *rows.get(row)?, term: None, literal: None }),
+            Change::Term(row, term, change) => {
+                let row = *rows.get(row)?;
+                let term = *row.terms().get(term)?;
+                let literal = match change {
+                    TermChange::Dropped => None,
+                    TermChange::LiteralDropped(atom) => Some((atom, term.on.has(atom))),
+                    _ => return None,
+                };
+                let there = term.readings.is_subset(machine.readings().choices());
+                there.then_some(Self { row, term: Some(term), literal })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { row: Row { from, to, clause, .. }, term, literal } = self;
+        write!(f, "{from} -> {to} ({clause})")?;
+        match (term, literal) {
+            (Some(term), None) => {
+                let conditions: Vec<&str> = term.conditions().map(|(atom, on)| atom.text(on)).collect();
+                write!(f, ": {}", conditions.join(" and "))
+            }
+            (Some(term), Some((atom, on))) => {
+                write!(f, ": {} in the alternative of {}", atom.text(*on), term.clause)
+            }
+            (None, _) => Ok(()),
+        }
+    }
+}
+
+/// The parts of a machine's table, and which of them have decided a step.
+#[derive(Debug)]
+pub(crate) struct Parts {
+    all: Vec<Candidate>,
+}
+
+#[derive(Debug)]
+struct Candidate {
+    part: Part,
+    /// The machine without it.
+    without: Machine,
+    decides: AtomicBool,
+}
+
+impl Parts {
+    pub(crate) fn of(machine: &Machine) -> Self {
+        let interface = machine.interface();
+        let candidate = |mutation: Mutation| {
+            Some(Candidate {
+                part: Part::dropped(mutation, machine)?,
+                without: Machine::new(mutation.apply(interface), machine.readings()),
+                decides: AtomicBool::new(false),
+            })
+        };
+        Self { all: Mutation::all(interface).filter_map(candidate).collect() }
+    }
+
+    /// Finds out which parts decide a step out of a control state, of those that have decided none so far.
+    pub(crate) fn look(&self, machine: &Machine, control: &Control, cache: &Cache) {
+        let open = self.all.iter().filter(|candidate| {
+            candidate.part.row.from == control.state && !candidate.decides.load(Ordering::Relaxed)
+        });
+        for Candidate { without, decides, .. } in open {
+            let (with, less) = (machine.reads(control, CYCLE_MS), without.reads(control, CYCLE_MS));
+            let reads = Reads { atoms: with.atoms.union(less.atoms), faults: with.faults.union(less.faults) };
+            let decided = cache.get(reads, Vectors::Read).iter().any(|&seen| {
+                let after = |machine: &Machine| machine.react(control, seen, CYCLE_MS).control;
+                after(machine) != after(without)
+            });
+            if decided {
+                decides.store(true, Ordering::Relaxed);
+            }
+        }
+    }
+
+    /// Every part, and whether it has decided a step.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (Part, bool)> {
+        self.all.iter().map(|candidate| (candidate.part, candidate.decides.load(Ordering::Relaxed)))
+    }
+}

@@ -1,0 +1,254 @@
+//! What the environment chooses in a cycle.
+
+use std::fmt;
+
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observation, Reads};
+
+use super::Promela;
+use super::words::{INPUTS, name, one_of};
+use crate::step::CYCLE_MS;
+use crate::vectors::{Vectors, varied};
+
+/// Writes the cycles that begin in a state: one for each set of inputs that what is remembered lets it read.
+pub(super) fn cycles(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>, from: AsState) -> fmt::Result {
+    let vectors = promela.vectors;
+    let flags = Flag::of(promela.machine, from);
+    let all = 0..1_usize << flags.len();
+    let reads = |in_state_ms: u16, set: usize| {
+        let mut control = Control { state: from, in_state_ms, ..Control::INITIAL };
+        flags
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| set >> place & 1 == 1)
+            .for_each(|(_, flag)| flag.set(&mut control));
+        varied(promela.machine, &promela.document, &control, vectors)
+    };
+    for Span { begin, end } in
+        spans(promela, from, |ms| all.clone().map(|set| reads(ms, set)).collect::<Vec<_>>())
+    {
+        // Only what makes a difference is asked.
+        let matters =
+            |place: &usize| all.clone().any(|set| reads(begin, set) != reads(begin, set ^ 1 << place));
+        let asked: Vec<usize> = (0..flags.len()).filter(matters).collect();
+        let mask = asked.iter().fold(0, |mask, place| mask | 1 << place);
+        for set in all.clone().filter(|set| set & !mask == 0) {
+            write!(f, "    :: atomic {{\n        state == {from}")?;
+            if begin > 0 {
+                write!(f, " && in_state_ms >= {begin}")?;
+            }
+            if let Some(end) = end {
+                write!(f, " && in_state_ms < {end}")?;
+            }
+            for (place, flag) in flags.iter().enumerate().filter(|(place, _)| asked.contains(place)) {
+                write!(f, " && {}{flag}", if set >> place & 1 == 1 { "" } else { "!" })?;
+            }
+            f.write_str(" ->\n        SHOW_STATE\n")?;
+            choices(f, reads(begin, set), vectors)?;
+            writeln!(f, "        step_{from}()\n    }}")?;
+        }
+    }
+    Ok(())
+}
+
+/// Times in a state between which nothing changes; the last span has no end.
+struct Span {
+    begin: u16,
+    end: Option<u16>,
+}
+
+/// The spans of the times in a state in which the same is read.
+fn spans<T: PartialEq>(promela: &Promela<'_>, from: AsState, reads: impl Fn(u16) -> T) -> Vec<Span> {
+    let limit = promela.machine.interface().timing.in_state_limit(from);
+    let times = (0..limit).step_by(CYCLE_MS as usize).chain([limit]);
+    let mut spans: Vec<Span> = Vec::new();
+    let mut last = None;
+    for ms in times {
+        let read = reads(ms);
+        if last.as_ref() != Some(&read) {
+            if let Some(span) = spans.last_mut() {
+                span.end = Some(ms);
+            }
+            spans.push(Span { begin: ms, end: None });
+        }
+        last = Some(read);
+    }
+    spans
+}
+
+/// A yes or no that a step remembers and that decides what the next one reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flag {
+    GoSeenLow,
+    WasRunning,
+    WasForward,
+    PowerCycleNeeded,
+}
+
+impl Flag {
+    /// Those that can be set in a state.
+    fn of(machine: &Machine, from: AsState) -> Vec<Self> {
+        let edges = from == AsState::Driving && machine.readings().is(Choice::FaultEdge);
+        let latched = machine.readings().is(Choice::PowerCycleLatched);
+        let flags = [
+            (from == AsState::Ready, Self::GoSeenLow),
+            (edges, Self::WasRunning),
+            (edges, Self::WasForward),
+            (latched, Self::PowerCycleNeeded),
+        ];
+        flags.into_iter().filter_map(|(possible, flag)| possible.then_some(flag)).collect()
+    }
+
+    fn set(self, control: &mut Control) {
+        match self {
+            Self::GoSeenLow => control.go_seen_low = true,
+            Self::WasRunning => control.was_running = true,
+            Self::WasForward => control.was_forward = true,
+            Self::PowerCycleNeeded => control.power_cycle_needed = true,
+        }
+    }
+}
+
+impl fmt::Display for Flag {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::GoSeenLow => "go_seen_low",
+            Self::WasRunning => "was_running",
+            Self::WasForward => "was_forward",
+            Self::PowerCycleNeeded => "power_cycle_needed",
+        })
+    }
+}
+
+/// An input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Input {
+    Atom(Atom),
+    Fault(Fault),
+}
+
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Atom(atom) => f.write_str(&name(*atom)),
+            Self::Fault(fault) => f.write_str(fault.flag()),
+        }
+    }
+}
+
+/// Inputs as an observation.
+fn observation<'a>(inputs: impl Iterator<Item = &'a Input>) -> Observation {
+    let (atoms, faults) = inputs.fold((Atoms::NONE, Faults::NONE), |(atoms, faults), input| match *input {
+        Input::Atom(atom) => (atoms.with(atom), faults),
+        Input::Fault(fault) => (atoms, faults.with(fault)),
+    });
+    Observation::new(atoms, faults)
+}
+
+/// The inputs of which one must be on for this one to be possible; none if it is possible alone.
+fn needs(input: Input) -> Vec<Input> {
+    let alone = observation([input].iter()).is_possible();
+    let helps = |helper: &Input| !alone && observation([input, *helper].iter()).is_possible();
+    INPUTS.iter().map(Input::Atom).filter(helps).collect()
+}
+
+/// Whether two inputs are never on at once.
+fn exclude(one: Input, other: Input, vectors: Vectors) -> bool {
+    let helpers = [one, other].into_iter().flat_map(needs);
+    let both: Vec<Input> = [one, other].into_iter().chain(helpers).collect();
+    let both = observation(both.iter());
+    !both.is_possible() || vectors != Vectors::Every && has_several(both)
+}
+
+/// Whether several faults open the shutdown circuit, of which only the one with the lowest number counts.
+fn has_several(seen: Observation) -> bool {
+    seen.faults().intersection(Faults::OPENING).iter().nth(1).is_some()
+}
+
+/// The inputs that are chosen together, because some exclude others.
+fn groups(reads: Reads, vectors: Vectors) -> Vec<Vec<Input>> {
+    let atoms = reads.atoms.intersection(INPUTS).iter().map(Input::Atom);
+    let mut groups: Vec<Vec<Input>> = Vec::new();
+    let faults = match vectors {
+        Vectors::Every | Vectors::Read => reads.faults,
+        Vectors::Few => reads.faults.difference(Faults::OPENING.without(Fault::HvilOpenFault)),
+    };
+    for input in atoms.chain(faults.iter().map(Input::Fault)) {
+        let (joined, apart): (Vec<_>, Vec<_>) =
+            groups.into_iter().partition(|group| group.iter().any(|&other| exclude(input, other, vectors)));
+        groups = apart;
+        groups.push(joined.into_iter().flatten().chain([input]).collect());
+    }
+    groups
+}
+
+/// The inputs of a group that can be on together, each such set once.
+fn combinations(group: &[Input], vectors: Vectors) -> impl Iterator<Item = Vec<Input>> {
+    let on = |bits: usize| group.iter().enumerate().filter(move |(place, _)| bits >> place & 1 == 1);
+    let all =
+        (0..1_usize << group.len()).map(move |bits| on(bits).map(|(_, &input)| input).collect::<Vec<_>>());
+    all.filter(move |together| {
+        let apart = |(place, &one): (usize, &Input)| {
+            together.iter().skip(place + 1).all(|&other| !exclude(one, other, vectors))
+        };
+        together.iter().enumerate().all(apart)
+    })
+}
+
+/// Writes the choice of what is read; everything else is off.
+fn choices(f: &mut fmt::Formatter<'_>, reads: Reads, vectors: Vectors) -> fmt::Result {
+    let groups = groups(reads, vectors);
+    let needed: Vec<Input> = groups.iter().flatten().copied().flat_map(needs).collect();
+    let is_free = |group: &Vec<Input>| group.len() == 1 && group.iter().all(|&input| needs(input).is_empty());
+    let (free, bound): (Vec<_>, Vec<_>) = groups.into_iter().partition(is_free);
+    // What others need is chosen before them.
+    let (first, free): (Vec<Input>, Vec<Input>) =
+        free.into_iter().flatten().partition(|input| needed.contains(input));
+    f.write_str("        all_off();\n")?;
+    any(f, &first)?;
+    for group in bound {
+        let options: Vec<String> = combinations(&group, vectors).map(|together| option(&together)).collect();
+        writeln!(f, "        if :: {} fi;", options.join("\n           :: "))?;
+    }
+    any(f, &free)
+}
+
+/// Writes the choice of inputs that have nothing to do with each other.
+fn any(f: &mut fmt::Formatter<'_>, free: &[Input]) -> fmt::Result {
+    for some in free.rchunks(AT_ONCE).rev() {
+        let names: Vec<String> = some.iter().map(Input::to_string).collect();
+        writeln!(f, "        any_of_{}({});", some.len(), names.join(", "))?;
+    }
+    Ok(())
+}
+
+/// How many inputs are chosen at once.
+const AT_ONCE: usize = 3;
+
+/// One way to choose: these inputs are on.
+fn option(together: &[Input]) -> String {
+    let needs = together.iter().map(|&input| needs(input)).filter(|needs| !needs.is_empty());
+    let guards = needs.map(|needs| format!("{} -> ", one_of(needs.iter().map(Input::to_string))));
+    let on: Vec<String> = together.iter().map(|input| format!("{input} = 1")).collect();
+    let on = if on.is_empty() { "skip".into() } else { on.join("; ") };
+    guards.chain([on]).collect()
+}
+
+/// Writes what choices are made of.
+pub(super) fn inlines(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    f.write_str("/* A choice: everything is off, but for what is chosen. */\ninline all_off() {\n")?;
+    let inputs = INPUTS.iter().map(Input::Atom).chain(Observation::FAULTS.iter().map(Input::Fault));
+    let off: Vec<_> = inputs.map(|input| format!("{input} = 0")).collect();
+    let lines: Vec<_> = off.chunks(PER_LINE).map(|some| format!("    {}", some.join("; "))).collect();
+    writeln!(f, "{}\n}}\n{ANY_OF}", lines.join(";\n"))
+}
+
+/// How many assignments stand in a line.
+const PER_LINE: usize = 5;
+
+/// Of these, any: one choice of eight is faster than three choices of two.
+const ANY_OF: &str = "#define any_of_1(a) if :: skip :: a = 1 fi
+#define any_of_2(a, b) if :: skip :: a = 1 :: b = 1 :: a = 1; b = 1 fi
+#define any_of_3(a, b, c) \\
+    if :: skip :: a = 1 :: b = 1 :: c = 1 :: a = 1; b = 1 :: a = 1; c = 1 :: b = 1; c = 1 :: a = 1; b = 1; c = 1 fi
+";

@@ -1,0 +1,152 @@
+//! What the readings cost, as the Markdown of `model/READINGS.md`.
+
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
+
+use adsdv_spec::{Choice, Choices, Interface, Readings};
+
+use crate::goals::GOALS;
+use crate::property::{Harm, PROPERTIES, Property};
+use crate::story::story;
+use crate::sweep::{Cost, Sweep};
+
+const INTRODUCTION: &str = "\
+# What each reading costs
+
+The document leaves questions open, and `adsdv readings` lists them with their answers. Here is what the answers cost:
+the open model, in which the AI Computer, the driver and every fault do what they can, was explored under every
+combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each.
+
+The properties say what the text asks for at its strictest, and hold under the default answers. Another answer that fails
+one is not wrong: the document allows it. But two teams, or a team and its simulator, that answer differently differ in
+just this, and the shortest run below shows where.
+
+This file is what `adsdv verify --readings` prints, and a test keeps it so.
+";
+
+impl Display for Sweep {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{INTRODUCTION}")?;
+        writeln!(
+            f,
+            "{} combinations, {} steps, every exploration {}.{}",
+            self.combinations,
+            self.transitions,
+            if self.complete { "complete" } else { "INCOMPLETE: nothing below is certain" },
+            if self.costs.iter().all(|cost| cost.choices.iter().count() == 1) {
+                " No two answers together fail what neither fails alone."
+            } else {
+                ""
+            }
+        )?;
+        writeln!(f, "\n## The answers, ranked by what they can cost\n")?;
+        self.ranking(f)?;
+        writeln!(f, "\n## The properties that fail, and the shortest runs that show it")?;
+        for property in PROPERTIES {
+            let costs: Vec<&Cost> = self.costs.iter().filter(|cost| cost.name == property.name).collect();
+            if !costs.is_empty() {
+                details(f, property, &costs)?;
+            }
+        }
+        self.goals(f)?;
+        self.holding(f)
+    }
+}
+
+impl Sweep {
+    fn ranking(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut ranked: BTreeMap<Choices, Vec<(&Property, Harm)>> = BTreeMap::new();
+        for cost in &self.costs {
+            if let Some(property) = Property::find(cost.name) {
+                ranked.entry(cost.choices).or_default().push((property, cost.harm(property)));
+            }
+        }
+        let mut ranked: Vec<_> = ranked.into_iter().collect();
+        // The worst first; of equals the one that fails most, then in the order of the questions.
+        ranked.sort_by_key(|(choices, failed)| {
+            (failed.iter().map(|(_, harm)| *harm).min(), std::cmp::Reverse(failed.len()), *choices)
+        });
+        writeln!(f, "| rank | answer | instead of | what it can cost | properties that fail |")?;
+        writeln!(f, "|---|---|---|---|---|")?;
+        for (rank, (choices, failed)) in ranked.iter().enumerate() {
+            let harm = failed.iter().map(|(_, harm)| *harm).min().map_or("", Harm::text);
+            let names: Vec<String> =
+                failed.iter().map(|(property, _)| format!("`{}`", property.name)).collect();
+            writeln!(
+                f,
+                "| {} | {} | {} | {harm} | {} |",
+                rank + 1,
+                listed(*choices, |choice| format!("`{choice}`: {}", choice.text())),
+                listed(*choices, |choice| Readings::DEFAULT.choice(choice.reading()).text().to_owned()),
+                names.join(", ")
+            )?;
+        }
+        let free = Choices::ALL.difference(Readings::DEFAULT.choices());
+        let costly = self.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
+        for choice in free.difference(costly).iter() {
+            writeln!(f, "| - | `{choice}`: {} | | fails nothing | |", choice.text())?;
+        }
+        Ok(())
+    }
+
+    /// What cannot be reached any more.
+    fn goals(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let lost: Vec<_> = self
+            .costs
+            .iter()
+            .filter_map(|cost| Some((cost, GOALS.iter().find(|goal| goal.name == cost.name)?)))
+            .collect();
+        if lost.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "\n## What cannot happen any more\n")?;
+        for (cost, goal) in lost {
+            writeln!(f, "- {} (`{}`): not under {}", goal.statement, goal.name, under(cost))?;
+        }
+        Ok(())
+    }
+
+    fn holding(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "\n## The properties that hold under every combination\n")?;
+        let holds = |property: &&Property| self.costs.iter().all(|cost| cost.name != property.name);
+        for property in PROPERTIES.iter().filter(holds) {
+            writeln!(
+                f,
+                "- `{}`: {} ({})",
+                property.name,
+                property.statement,
+                property.requirements.join(", ")
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::Result {
+    let Property { name, statement, requirements, .. } = property;
+    writeln!(f, "\n### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
+    for cost in costs {
+        writeln!(f, "\nFails under {}: {}.", under(cost), cost.harm(property).text())?;
+        let Some(run) = &cost.run else { continue };
+        writeln!(f, "\n```text")?;
+        for line in story(&cost.machine(Interface::V3_0), run, Some(property)) {
+            writeln!(f, "{:>6}.{:03} s  {}", line.ms / 1000, line.ms % 1000, line.text)?;
+        }
+        writeln!(f, "```")?;
+    }
+    Ok(())
+}
+
+/// The choices, and what undoes the failure.
+fn under(cost: &Cost) -> String {
+    let mut text = listed(cost.choices, |choice| format!("`{choice}` ({})", choice.text()));
+    if !cost.undone_by.is_empty() {
+        text.push_str(", but not with ");
+        text.push_str(&listed(cost.undone_by, |choice| format!("`{choice}`")));
+    }
+    text
+}
+
+fn listed(choices: Choices, text: impl Fn(Choice) -> String) -> String {
+    choices.iter().map(text).collect::<Vec<_>>().join(" and ")
+}

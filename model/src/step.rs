@@ -1,0 +1,119 @@
+//! One step of the VCU, as properties look at it.
+
+use adsdv_spec::messages::{
+    AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MotorSpeedMax, SteerAngle,
+};
+use adsdv_spec::{
+    Actuation, Atom, Atoms, Control, Inputs, Interface, Machine, Observation, Outputs, Reaction, Timing,
+};
+
+/// The reference VCU's cycle, which is the model's. That steps of any length are right is for the proofs.
+pub(crate) const CYCLE_MS: u32 = Interface::V3_0.timing.cycle_ms as u32;
+
+/// A step: what was, what was seen, and what the VCU made of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// The times that the document gives.
+    pub document: Timing,
+    /// The control state before the step.
+    pub before: Control,
+    /// What the VCU saw.
+    pub seen: Observation,
+    /// What it did.
+    pub reaction: Reaction,
+}
+
+impl Step {
+    /// The step of a machine, one cycle after its last.
+    pub fn of(machine: &Machine, document: &Timing, before: Control, seen: Observation) -> Self {
+        Self { document: *document, before, seen, reaction: machine.react(&before, seen, CYCLE_MS) }
+    }
+
+    /// The control state after the step.
+    pub fn after(&self) -> &Control {
+        &self.reaction.control
+    }
+
+    /// Whether the inputs show this condition.
+    pub fn sees(&self, atom: Atom) -> bool {
+        self.seen.atoms().has(atom)
+    }
+
+    /// Whether the inputs show all of these conditions, and none of those.
+    pub fn shows(&self, on: Atoms, off: Atoms) -> bool {
+        on.is_subset(self.seen.atoms()) && off.intersection(self.seen.atoms()).is_empty()
+    }
+
+    /// How long the state before the step has lasted when the step is made, in milliseconds, as far as it was counted.
+    pub fn lasted_ms(&self) -> u32 {
+        u32::from(self.before.in_state_ms) + CYCLE_MS
+    }
+
+    /// Whether the state before the step has lasted for the time that the document gives it.
+    pub fn has_lasted(&self) -> bool {
+        self.lasted_ms() >= u32::from(self.document.in_state_limit(self.before.state))
+    }
+
+    /// Whether the state after the step will have lasted for its time at the next step.
+    pub fn next_has_lasted(&self) -> bool {
+        let next_ms = u32::from(self.after().in_state_ms) + CYCLE_MS;
+        next_ms >= u32::from(self.document.in_state_limit(self.after().state))
+    }
+
+    /// Whether the handshake has been unanswered for as long as the document allows (section 2.4).
+    pub fn comms_lost(&self) -> bool {
+        self.after().handshake.is_lost(self.document.handshake_ms)
+    }
+
+    /// Whether the document names a reason for `EMERGENCY_BRAKE` in what is seen (sections 2.1, 2.4, 3.5, 3.7, 3.8).
+    pub fn has_reason_to_brake(&self) -> bool {
+        let driving = self.before.state == AsState::Driving;
+        let fast = self.sees(Atom::MissionFinished) || self.sees(Atom::DirectionNeutral);
+        self.sees(Atom::SdcOpen)
+            || self.sees(Atom::AiEstop)
+            || self.comms_lost()
+            || driving
+                && (!self.sees(Atom::Asms) || !self.sees(Atom::GoOn) || fast && self.sees(Atom::Moving))
+    }
+
+    /// Whether drive or steering requests reach the actuators, were the AI Computer to request all it can.
+    pub fn drives(&self, machine: &Machine) -> bool {
+        let Actuation {
+            front_axle_trq,
+            front_motor_speed_max,
+            rear_axle_trq,
+            rear_motor_speed_max,
+            direction,
+            steer,
+            hyd_press_f: BrakePressure { .. },
+            hyd_press_r: BrakePressure { .. },
+            ebs_triggered: _,
+        } = self.outputs(machine).actuation(&full_requests());
+        [front_axle_trq, rear_axle_trq] != [AxleTorqueRequest::default(); 2]
+            || [front_motor_speed_max, rear_motor_speed_max] != [MotorSpeedMax::default(); 2]
+            || direction != DirectionRequest::Neutral
+            || steer.is_some()
+    }
+
+    /// Whether 520h carries `GO_SIGNAL` 1.
+    pub fn go_signal(&self, machine: &Machine) -> bool {
+        self.outputs(machine).go_signal
+    }
+
+    fn outputs(&self, machine: &Machine) -> Outputs {
+        machine.outputs(self.before.state, &self.reaction, self.sees(Atom::GoOn))
+    }
+}
+
+/// An AI Computer that requests all it can.
+fn full_requests() -> Inputs {
+    let mut inputs = Inputs::default();
+    let ai = &mut inputs.ai;
+    ai.status.direction_request = DirectionRequest::Forward;
+    ai.drive_f.front_axle_trq_request = AxleTorqueRequest::MAX;
+    ai.drive_f.front_motor_speed_max = MotorSpeedMax::MAX;
+    ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::MAX;
+    ai.drive_r.rear_motor_speed_max = MotorSpeedMax::MAX;
+    ai.steer.steer_request = SteerAngle::MAX;
+    inputs
+}

@@ -1,0 +1,64 @@
+//! A run in words: a line for each change of state, and for each step that breaks the property it is about.
+
+use adsdv_spec::{Atom, Atoms, Control, Machine};
+
+use crate::action::Action;
+use crate::property::Property;
+use crate::step::{CYCLE_MS, Step};
+
+/// A line of a story.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// When it happens, in milliseconds after the VCU was switched on.
+    pub ms: u64,
+    /// What happens.
+    pub text: String,
+}
+
+/// Tells the run of a machine along a path. A step that breaks the property tells what the property looks
+/// at, too.
+pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) -> Vec<Line> {
+    let timing = &machine.interface().timing;
+    let (mut control, mut ms, mut lines) = (Control::INITIAL, 0, Vec::new());
+    for (place, action) in path.iter().enumerate() {
+        ms += u64::from(CYCLE_MS);
+        match *action {
+            Action::PowerCycle => {
+                control = Control::INITIAL;
+                lines.push(Line { ms, text: "the power is cycled".to_owned() });
+            }
+            Action::Step(seen) => {
+                let step = Step::of(machine, timing, control, seen);
+                let last = place + 1 == path.len();
+                let broken = property.filter(|property| !property.holds(machine, &step));
+                let looked_at = broken.map_or(Atoms::NONE, |property| {
+                    property.reads(&control, timing, |to| to == step.after().state)
+                });
+                if last || broken.is_some() || step.before.state != step.after().state {
+                    lines.push(Line { ms, text: tell(machine, &step, looked_at) });
+                }
+                control = *step.after();
+            }
+        }
+    }
+    lines
+}
+
+/// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
+fn tell(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
+    let (before, after) = (step.before.state, step.after().state);
+    let table = &machine.interface().table;
+    let taken = step.reaction.taken;
+    let (row, term) = (taken.and_then(|taken| taken.row(table)), taken.and_then(|taken| taken.term(table)));
+    let arrow = match row {
+        Some(row) => format!("{before} -> {after} ({})", row.clause),
+        None => format!("stays in {after}"),
+    };
+    let deciding = term.map_or(Atoms::NONE, |term| term.on.union(term.off));
+    let mut conditions: Vec<&str> =
+        deciding.union(looked_at).iter().map(|atom| atom.text(step.reaction.atoms.has(atom))).collect();
+    if step.comms_lost() && !deciding.has(Atom::AiCommsLost) {
+        conditions.push(Atom::AiCommsLost.text(true));
+    }
+    if conditions.is_empty() { arrow } else { format!("{arrow}: {}", conditions.join(", ")) }
+}

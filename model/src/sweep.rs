@@ -1,0 +1,162 @@
+//! Every combination of readings: which properties fail under which, and the shortest run that shows it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use adsdv_spec::{AsState, Choices, Control, Interface, Machine, Reading, Readings, Timing};
+
+use crate::action::Action;
+use crate::property::{Harm, Property};
+use crate::vectors::Vectors;
+use crate::verify::{Exploration, Options, explore_quietly, runs};
+
+/// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
+/// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
+const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
+
+/// Choices that together fail something, which fewer of them do not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cost {
+    /// The property or goal that fails, by name.
+    pub name: &'static str,
+    /// The choices, none of them the default.
+    pub choices: Choices,
+    /// The choices of which each undoes the failure when it is made as well.
+    pub undone_by: Choices,
+    /// The shortest run that breaks the property, under these choices and the defaults; none for a goal.
+    pub run: Option<Vec<Action>>,
+}
+
+impl Cost {
+    /// The machine that fails.
+    pub fn machine(&self, interface: Interface) -> Machine {
+        machine_with(&interface, self.choices)
+    }
+
+    /// What it can cost: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
+    pub fn harm(&self, property: &Property) -> Harm {
+        let run = self.run.as_deref().unwrap_or_default();
+        let end = run
+            .iter()
+            .fold(Control::INITIAL, |control, action| action.apply(&self.machine(Interface::V3_0), &control));
+        if property.harm == Harm::DrivesOn && end.state != AsState::Driving {
+            Harm::NotBraked
+        } else {
+            property.harm
+        }
+    }
+}
+
+/// The machine with these choices, and the default for every other question.
+fn machine_with(interface: &Interface, choices: Choices) -> Machine {
+    Machine::new(*interface, choices.iter().fold(Readings::DEFAULT, Readings::with))
+}
+
+/// What the readings cost.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// How many combinations there are.
+    pub combinations: usize,
+    /// How many steps were made in all.
+    pub transitions: u64,
+    /// Whether every exploration was complete.
+    pub complete: bool,
+    /// What fails.
+    pub costs: Vec<Cost>,
+}
+
+/// Checks a version of the interface under every combination of readings. `progress` is told how many are done, and how
+/// many there are.
+pub fn sweep(interface: Interface, threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
+    let short = Interface { timing: SHORT, ..interface };
+    let all = combinations();
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new((0, true, BTreeMap::<&'static str, BTreeSet<Choices>>::new()));
+    thread::scope(|scope| {
+        for _ in 0..threads.max(1) {
+            scope.spawn(|| {
+                while let Some(readings) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let report = explore_quietly(&Machine::new(short, *readings), &options());
+                    let mut results = results.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                    results.0 += report.transitions;
+                    results.1 &= report.complete;
+                    for name in failed(&report) {
+                        results.2.entry(name).or_default().insert(others(*readings));
+                    }
+                    drop(results);
+                    progress(next.load(Ordering::Relaxed).min(all.len()), all.len());
+                }
+            });
+        }
+    });
+    let (transitions, complete, failing) =
+        results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let explored: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
+    let mut costs = minimal(failing, &explored);
+    // What is shown comes from the real timers.
+    for choices in costs.iter().map(|cost| cost.choices).collect::<BTreeSet<_>>() {
+        let machine = machine_with(&interface, choices);
+        let runs = runs(&machine, interface.timing);
+        for cost in
+            costs.iter_mut().filter(|cost| cost.choices == choices && Property::find(cost.name).is_some())
+        {
+            cost.run = runs.get(cost.name).cloned();
+        }
+    }
+    Sweep { combinations: all.len(), transitions, complete, costs }
+}
+
+/// Every combination of the readings that can matter to each other. `go-signal` changes what 520h tells and no control
+/// state, so that its choices need no company.
+fn combinations() -> Vec<Readings> {
+    let (alone, together): (Vec<Reading>, Vec<Reading>) =
+        Reading::ALL.iter().partition(|reading| **reading == Reading::GoSignal);
+    let defaults = Readings::DEFAULT.choices();
+    let with_any = |readings: &[Reading]| {
+        let choices = readings.iter().flat_map(|reading| reading.choices().iter().copied());
+        choices.fold(defaults, Choices::with).combinations(readings).collect::<Vec<_>>()
+    };
+    let alone = with_any(&alone).into_iter().filter(|readings| *readings != Readings::DEFAULT);
+    alone.chain(with_any(&together)).collect()
+}
+
+/// Each exploration has one thread: there are enough explorations for all.
+const fn options() -> Options {
+    Options { vectors: Vectors::Few, threads: 1, document: SHORT }
+}
+
+/// Of all combinations under which something fails, those that fail it with fewest choices.
+fn minimal(failing: BTreeMap<&'static str, BTreeSet<Choices>>, explored: &BTreeSet<Choices>) -> Vec<Cost> {
+    let mut costs = Vec::new();
+    for (name, sets) in failing {
+        // What fails under the defaults already is no cost of a reading.
+        for &choices in sets.iter().filter(|_| !sets.contains(&Choices::NONE)) {
+            if !sets.iter().any(|fewer| *fewer != choices && fewer.is_subset(choices)) {
+                costs.push(Cost { name, choices, undone_by: undone_by(choices, &sets, explored), run: None });
+            }
+        }
+    }
+    costs
+}
+
+/// The names of what fails.
+fn failed(exploration: &Exploration) -> impl Iterator<Item = &'static str> {
+    let broken = exploration.broken.iter().map(|property| property.name);
+    broken.chain(exploration.missed.iter().map(|goal| goal.name))
+}
+
+/// The choices that are not the default.
+fn others(readings: Readings) -> Choices {
+    readings.choices().difference(Readings::DEFAULT.choices())
+}
+
+/// The choices that, made as well, undo a failure.
+fn undone_by(choices: Choices, failing: &BTreeSet<Choices>, explored: &BTreeSet<Choices>) -> Choices {
+    let undoing = Choices::ALL.iter().filter(|&choice| {
+        let more = choices.with(choice);
+        more != choices && explored.contains(&more) && !failing.contains(&more)
+    });
+    undoing.fold(Choices::NONE, Choices::with)
+}

@@ -1,0 +1,230 @@
+//! Verification: the open model, explored to its end, and the shortest runs that show what came of it.
+//!
+//! [`explore`] decides: it tries every step of every control state, and remembers what any of them breaks or reaches.
+//! [`verify`] also finds a shortest run for each of these, with stateright's own search for examples and
+//! counterexamples.
+
+use std::collections::HashMap;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use adsdv_spec::{AsState, Control, Interface, Machine, Observation, Timing};
+use stateright::{Checker, HasDiscoveries, Model, Path};
+
+use crate::action::Action;
+use crate::goals::{GOALS, Goal};
+use crate::open::{Open, Seen, State};
+use crate::parts::Part;
+use crate::property::{Harm, PROPERTIES, Property};
+use crate::step::{CYCLE_MS, Step};
+use crate::vectors::Vectors;
+
+/// How to explore.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Which input vectors are tried.
+    pub vectors: Vectors,
+    /// How many threads explore.
+    pub threads: usize,
+    /// The times that the properties speak of: the document's, but for a model with other timers.
+    pub document: Timing,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            vectors: Vectors::Every,
+            threads: thread::available_parallelism().map_or(1, usize::from),
+            document: Interface::V3_0.timing,
+        }
+    }
+}
+
+/// How far an exploration has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Control states that were looked at.
+    pub states: u64,
+    /// Steps that were made.
+    pub steps: u64,
+    /// How many steps away from the power cycle the farthest of them is.
+    pub depth: usize,
+    /// How far away the farthest of all is expected to be: both timers, one after the other.
+    pub expected_depth: usize,
+}
+
+/// What an exploration showed.
+#[derive(Clone, Debug)]
+pub struct Exploration {
+    /// How many control states can be reached.
+    pub states: u64,
+    /// How many steps lead out of them, one for each input vector.
+    pub transitions: u64,
+    /// How many steps away from the power cycle the farthest of them is.
+    pub depth: usize,
+    /// How long it took.
+    pub time: Duration,
+    /// Whether every step out of every control state was made. Without this, nothing is verified.
+    pub complete: bool,
+    /// The properties that some step breaks.
+    pub broken: Vec<&'static Property>,
+    /// What must be reachable and is not.
+    pub missed: Vec<Goal>,
+    /// The parts of the table, and whether each decides some step.
+    pub parts: Vec<(Part, bool)>,
+}
+
+impl Exploration {
+    /// Whether all properties hold, all goals are reached, and no part of the table is dead, for certain.
+    pub fn holds(&self) -> bool {
+        self.complete
+            && self.broken.is_empty()
+            && self.missed.is_empty()
+            && self.parts.iter().all(|(_, decides)| *decides)
+    }
+}
+
+/// An exploration, and the runs that show what it found.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The exploration.
+    pub exploration: Exploration,
+    /// The shortest run that breaks each property that is broken, and that reaches each goal that is reached, by name.
+    pub runs: HashMap<&'static str, Vec<Action>>,
+}
+
+/// Explores the open model of a machine to its end, and finds the runs that show what it found.
+pub fn verify(machine: Machine, options: Options, progress: impl FnMut(Progress)) -> Report {
+    let exploration = explore(machine, options, progress);
+    Report { exploration, runs: runs(&machine, options.document) }
+}
+
+/// Explores the open model of a machine to its end.
+pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Progress)) -> Exploration {
+    /// Between two looks at how far it has come: short beside the shortest exploration.
+    const PACE: Duration = Duration::from_millis(2);
+    let timing = &machine.interface().timing;
+    let longest = usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms);
+    let expected_depth = longest / CYCLE_MS as usize;
+    let model = Open::new(machine, options.document, options.vectors).with_parts();
+    to_the_end(model, options.threads, |depth, seen| {
+        while let Some(depth) = depth() {
+            progress(Progress {
+                states: seen.states.load(Ordering::Relaxed),
+                steps: seen.steps.load(Ordering::Relaxed),
+                depth,
+                expected_depth,
+            });
+            thread::sleep(PACE);
+        }
+    })
+}
+
+/// The same without progress, and without a look at the parts of the table.
+pub(crate) fn explore_quietly(machine: &Machine, options: &Options) -> Exploration {
+    to_the_end(Open::new(*machine, options.document, options.vectors), options.threads, |_, _| {})
+}
+
+/// Explores to the end; `wait` may ask, meanwhile, how deep it is, which is `None` once it is done.
+fn to_the_end(
+    model: Open,
+    threads: usize,
+    wait: impl FnOnce(&dyn Fn() -> Option<usize>, &Seen),
+) -> Exploration {
+    let begin = Instant::now();
+    let seen = model.seen();
+    let checker = checker(model.unasked(), threads);
+    wait(&|| (!checker.is_done()).then(|| checker.max_depth()), &seen);
+    let checker = checker.join();
+    let time = begin.elapsed();
+    let (broken, reached) = (seen.broken.load(Ordering::Relaxed), seen.reached.load(Ordering::Relaxed));
+    let states = checker.unique_state_count() as u64;
+    Exploration {
+        states,
+        transitions: seen.steps.load(Ordering::Relaxed),
+        depth: checker.max_depth(),
+        time,
+        complete: seen.expanded.load(Ordering::Relaxed) == states,
+        broken: at(PROPERTIES.iter(), |place| broken >> place & 1 == 1),
+        missed: at(GOALS.iter().copied(), |place| reached >> place & 1 == 0),
+        parts: checker.model().parts().map_or_else(Vec::new, |parts| parts.all().collect()),
+    }
+}
+
+/// Those whose place in a list is as asked for.
+fn at<T>(all: impl Iterator<Item = T>, place: impl Fn(usize) -> bool) -> Vec<T> {
+    all.enumerate().filter(|(index, _)| place(*index)).map(|(_, item)| item).collect()
+}
+
+/// A breadth-first search that nothing that it finds brings to an end.
+fn checker(model: Open, threads: usize) -> impl Checker<Open> {
+    // The name of no property.
+    let never = HasDiscoveries::AllOf(["no property"].into());
+    model.checker().threads(threads).finish_when(never).spawn_bfs()
+}
+
+/// The shortest run that breaks each property that is broken, and that reaches each goal that is reached.
+pub(crate) fn runs(machine: &Machine, document: Timing) -> HashMap<&'static str, Vec<Action>> {
+    // With one thread, the first path to a state is a shortest one.
+    let checker = checker(Open::new(*machine, document, Vectors::Read), 1).join();
+    let model = checker.model();
+    let found = checker.discoveries().into_iter();
+    found.map(|(name, path)| (name, model.run(path, name))).collect()
+}
+
+impl Open {
+    /// The way to a state, and a step out of it that breaks the property or reaches the goal of this name.
+    fn run(&self, path: Path<State, Action>, name: &str) -> Vec<Action> {
+        if let Some(property) = Property::find(name) {
+            let breaks = |control: &Control, seen| {
+                !property.holds(self.machine(), &Step::of(self.machine(), self.document(), *control, seen))
+            };
+            let run = self.run_to(path, breaks);
+            return if property.harm == Harm::SetsOff { self.setting_off(run) } else { run };
+        }
+        let goal = GOALS.iter().find(|goal| goal.name == name);
+        let after = |control: &Control, seen| self.machine().react(control, seen, CYCLE_MS).control;
+        self.run_to(path, |control, seen| {
+            goal.is_some_and(|goal| goal.is_reached(control, &after(control, seen)))
+        })
+    }
+
+    /// The way to a state, and a step out of it that shows what was looked for: of all such steps the one that differs
+    /// least from the step before, so that nothing else happens in it.
+    fn run_to(
+        &self,
+        path: Path<State, Action>,
+        shows: impl Fn(&Control, Observation) -> bool,
+    ) -> Vec<Action> {
+        let last = *path.last_state().control();
+        let mut actions = path.into_actions();
+        let before = actions.iter().rev().find_map(|action| match action {
+            Action::Step(seen) => Some(*seen),
+            Action::PowerCycle => None,
+        });
+        let steps = self.steps(&last);
+        let showing = steps.iter().copied().filter(|&seen| shows(&last, seen));
+        let nearest = showing.min_by_key(|&seen| distance(seen, before.unwrap_or_default()));
+        actions.extend(nearest.map(Action::Step));
+        actions
+    }
+
+    /// A run that ends in AS_READY, with the step that sets off if one can follow: what the run is about is seen there.
+    fn setting_off(&self, mut run: Vec<Action>) -> Vec<Action> {
+        let apply = |control, action: &Action| action.apply(self.machine(), &control);
+        let end = run.iter().fold(Control::INITIAL, apply);
+        if end.state == AsState::Ready {
+            let sets_off = |action: &Action| action.apply(self.machine(), &end).state == AsState::Driving;
+            run.extend(self.steps(&end).iter().copied().map(Action::Step).find(sets_off));
+        }
+        run
+    }
+}
+
+/// How many conditions and faults differ.
+fn distance(a: Observation, b: Observation) -> u32 {
+    let atoms = u32::from(a.atoms()) ^ u32::from(b.atoms());
+    let faults = u16::from(a.faults()) ^ u16::from(b.faults());
+    atoms.count_ones() + faults.count_ones()
+}

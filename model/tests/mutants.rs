@@ -1,0 +1,172 @@
+//! No property holds for the wrong reason: each is broken by some mutant of the table.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, Vectors};
+use adsdv_spec::mutation::{Change, TermChange, Time};
+use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings, Timing};
+
+/// Timers short enough for hundreds of explorations, and longer than the handshake's, so that everything that can
+/// happen while the real ones run can happen while these do.
+const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 100, ..Interface::V3_0.timing };
+const SHORTENED: Interface = Interface { timing: SHORT, ..Interface::V3_0 };
+
+/// Mutants that no step of the model can show, each with the reason.
+const UNSEEN: &[(&str, &str)] = &[
+    ("3.1 term 0: in every reading", "what asks for both implies what the other two readings ask for"),
+    ("3.7 term 4: in every reading", "under the other reading no change of MISSION_STATUS is recorded"),
+    ("3.7 term 6: in every reading", "under the other reading no change of DIRECTION_REQUEST is recorded"),
+    ("ready dwell -1", "the model steps every 10 ms"),
+    ("EBS timer -1", "the model steps every 10 ms"),
+    ("wheel speed -1", "the model sees whether a wheel is moving, not how fast"),
+    ("wheel speed +1", "the model sees whether a wheel is moving, not how fast"),
+    ("straight -1", "the model sees whether the wheels are straight, not their angle"),
+    ("straight +1", "the model sees whether the wheels are straight, not their angle"),
+];
+
+fn explore(interface: Interface, readings: Readings) -> Exploration {
+    let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT };
+    let exploration = adsdv_model::explore(Machine::new(interface, readings), options, |_| {});
+    assert!(exploration.complete);
+    exploration
+}
+
+/// The names of what does not hold or is not reached.
+fn failed(exploration: &Exploration) -> BTreeSet<&'static str> {
+    let broken = exploration.broken.iter().map(|property| property.name);
+    broken.chain(exploration.missed.iter().map(|goal| goal.name)).collect()
+}
+
+/// Every mutant, with the readings under which it can matter.
+fn mutants() -> impl Iterator<Item = (String, Interface, Readings)> {
+    let by_one = Mutation::all(&SHORTENED).map(|mutation| {
+        let readings = match mutation.change {
+            Change::Term(row, term, change) => {
+                // A term that is there whatever the readings are is only seen where it would not be.
+                let everywhere = change == TermChange::InEveryReading;
+                let choices = SHORTENED.table.rows()[row].terms()[term].readings.iter();
+                let choices = choices.map(|choice| if everywhere { other(choice) } else { choice });
+                choices.fold(Readings::DEFAULT, Readings::with)
+            }
+            _ => Readings::DEFAULT,
+        };
+        (mutation.to_string(), mutation.apply(&SHORTENED), readings)
+    });
+    let cycle = i16::try_from(SHORT.cycle_ms).unwrap();
+    let by_a_cycle = [Time::ReadyDwell, Time::EbsTimer, Time::Handshake].into_iter().flat_map(move |time| {
+        [-cycle, cycle]
+            .map(|by| (format!("{time} {by:+}"), Change::Time(time, by).apply(&SHORTENED), Readings::DEFAULT))
+    });
+    by_one.chain(by_a_cycle)
+}
+
+/// Another answer to the same question.
+fn other(choice: Choice) -> Choice {
+    let mut choices = choice.reading().choices().iter().copied();
+    choices.find(|&other| other != choice).unwrap_or(choice)
+}
+
+#[test]
+fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_something() {
+    let mut fails: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    let mut unseen = Vec::new();
+    let mut usual: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+    for (name, interface, readings) in mutants() {
+        let usual =
+            usual.entry(readings.to_string()).or_insert_with(|| failed(&explore(SHORTENED, readings)));
+        let failed = failed(&explore(interface, readings));
+        if failed == *usual {
+            unseen.push(name);
+        } else if readings == Readings::DEFAULT {
+            for property in failed {
+                fails.entry(property).or_default().push(name.clone());
+            }
+        }
+    }
+    let names = PROPERTIES.iter().map(|property| property.name).chain(GOALS.iter().map(|goal| goal.name));
+    for name in names {
+        let mutants = fails.get(name).map_or(&[][..], Vec::as_slice);
+        assert!(!mutants.is_empty(), "no mutant fails {name}: it may hold for the wrong reason");
+    }
+    let expected: Vec<&str> = UNSEEN.iter().map(|(name, _)| *name).collect();
+    let (unseen, expected): (BTreeSet<_>, BTreeSet<_>) =
+        (unseen.iter().map(String::as_str).collect(), expected.into_iter().collect());
+    assert_eq!(unseen, expected, "left: the mutants that fail nothing; right: those that are known to");
+}
+
+/// The kinds of mistakes that are easiest to make, and the property that each was written for.
+#[test]
+fn a_mutant_fails_the_property_that_was_written_for_it() {
+    let cases = [
+        ("3.7 term 0: dropped", "driving-sdc"),
+        ("3.7 term 1: dropped", "driving-go-off"),
+        ("3.7 term 2: asms flipped", "driving-asms"),
+        ("3.7 term 3: moving flipped", "driving-finished"),
+        ("3.7 term 5: dropped", "driving-neutral"),
+        ("3.7 term 5: moving dropped", "brake-founded"),
+        ("3.7 term 7: dropped", "driving-comms"),
+        ("3.7 term 8: dropped", "driving-estop"),
+        ("3.2 term 0: steer-straight dropped", "driving-requests"),
+        ("3.2 term 0: go-edge dropped", "driving-go"),
+        ("3.6: one place earlier", "ready-sdc"),
+        ("3.4: one place earlier", "finished-sdc"),
+        ("3.3: one place earlier", "driving-sdc"),
+        ("3.9 term 0: asms dropped", "brake-asms"),
+        ("3.1 term 0: power-cycle-needed dropped", "power-cycle"),
+        ("3.7 term 1: fault dropped", "shutdown-cause"),
+        ("ready dwell -10", "driving-go"),
+        ("3.2 term 0: dwell-elapsed dropped", "driving-dwell"),
+        ("ready dwell +10", "driving-go"),
+        ("EBS timer -10", "brake-time"),
+        ("EBS timer +10", "brake-due"),
+        ("handshake -10", "brake-founded"),
+        ("handshake +10", "driving-comms"),
+        ("3.6: leads to AS_FINISHED", "figure-2-arrows"),
+    ];
+    for (mutant, property) in cases {
+        let Some((_, interface, readings)) = mutants().find(|(name, ..)| name == mutant) else {
+            panic!("there is no mutant {mutant}");
+        };
+        assert_eq!(readings, Readings::DEFAULT, "{mutant}");
+        let failed = failed(&explore(interface, readings));
+        assert!(failed.contains(property), "{mutant} should fail {property}, and fails {failed:?}");
+    }
+}
+
+/// A part of the table that decides nothing is reported: a term that stands there twice, and one that cannot hold.
+#[test]
+fn dead_parts_are_found() {
+    use adsdv_spec::{Atom, Row, Table, Term};
+    let dead = |interface| {
+        let report = explore(interface, Readings::DEFAULT);
+        report
+            .parts
+            .iter()
+            .filter(|(_, decides)| !decides)
+            .map(|(part, _)| part.to_string())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(dead(SHORTENED), Vec::<String>::new());
+    let mut rows = SHORTENED.table.rows().to_vec();
+    let finished = rows.iter().position(|row| row.clause == "3.3").unwrap();
+    let row = rows[finished];
+    let mut terms = row.terms().to_vec();
+    terms.push(Term::on("3.3", &[Atom::MissionFinished, Atom::EbsTimerComplete]));
+    rows[finished] = Row::new(row.from, row.to, row.clause, &terms);
+    let dead = dead(Interface { table: Table::new(&rows), ..SHORTENED });
+    assert!(
+        dead.contains(
+            &"AS_DRIVING -> AS_FINISHED (3.3): EBS timer complete and MISSION_STATUS == FINISHED".to_owned()
+        ),
+        "{dead:?}"
+    );
+}
+
+/// Under the other reading, nothing but the latch needs the power cycle.
+#[test]
+fn a_condition_that_a_reading_makes_moot_is_dead_under_it() {
+    let report = explore(SHORTENED, Readings::DEFAULT.with(Choice::PowerCycleNotLatched));
+    let dead: Vec<_> =
+        report.parts.iter().filter(|(_, decides)| !decides).map(|(part, _)| part.to_string()).collect();
+    assert_eq!(dead, ["AS_OFF -> AS_READY (3.1): no power cycle needed in the alternative of 3.1"]);
+}

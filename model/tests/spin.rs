@@ -1,0 +1,357 @@
+//! Spin, which shares no code with stateright, explores the same machine, written as a Promela model, and finds the same:
+//! the same control states, the same steps, the same properties violated, the same goals reached.
+//!
+//! Where Spin or a C compiler is not installed, the tests say so and pass. With `ADSDV_REQUIRE_SPIN` set they fail there.
+
+use std::collections::{BTreeSet, HashSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::thread;
+
+use adsdv_model::{GOALS, Open, Options, PROPERTIES, Promela, Vectors, explore};
+use adsdv_spec::messages::ShutdownCause;
+use adsdv_spec::mutation::Change;
+use adsdv_spec::{
+    AsState, Atoms, Choice, Control, Fault, Faults, Handshake, Interface, Machine, Mutation, Observation,
+    Readings, Timing,
+};
+use stateright::Model;
+
+/// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
+/// while the real ones run can happen while these do.
+const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Interface::V3_0.timing };
+const SHORTENED: Interface = Interface { timing: SHORT, ..Interface::V3_0 };
+
+/// A step of both.
+const CYCLE_MS: u32 = SHORT.cycle_ms as u32;
+
+/// What is explored.
+struct Subject {
+    name: String,
+    machine: Machine,
+    document: Timing,
+    vectors: Vectors,
+}
+
+/// What an exploration found.
+#[derive(Debug, PartialEq, Eq)]
+struct Found {
+    /// The control states, each as its fields.
+    states: HashSet<[u16; 10]>,
+    /// How many there are.
+    stored: u64,
+    /// How many steps lead out of them.
+    steps: u64,
+    /// The properties that are violated and the goals that are reached.
+    told: BTreeSet<String>,
+}
+
+#[test]
+fn spin_finds_the_same_in_the_reference() {
+    check([Vectors::Every, Vectors::Read, Vectors::Few].map(|vectors| Subject {
+        name: format!("the reference with {vectors:?}"),
+        machine: Machine::new(SHORTENED, Readings::DEFAULT),
+        document: SHORT,
+        vectors,
+    }));
+}
+
+#[test]
+fn spin_finds_the_same_with_the_times_of_the_document() {
+    check([Subject {
+        name: "the reference with its own times".into(),
+        machine: Machine::REFERENCE,
+        document: Interface::V3_0.timing,
+        vectors: Vectors::Read,
+    }]);
+}
+
+#[test]
+fn spin_finds_the_same_in_every_reading() {
+    let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
+    check(others.map(|&choice| Subject {
+        name: choice.to_string(),
+        machine: Machine::new(SHORTENED, Readings::DEFAULT.with(choice)),
+        document: SHORT,
+        vectors: Vectors::Read,
+    }));
+}
+
+/// Each mutant is a program to compile, so only one of so many is tried, and all that concern the order or a time.
+const ONE_MUTANT_IN: usize = 12;
+
+#[test]
+fn spin_finds_the_same_in_mutants() {
+    let is_tried = |&(place, mutation): &(usize, Mutation)| {
+        matches!(mutation.change, Change::RowFirst(_) | Change::Time(..)) || place % ONE_MUTANT_IN == 0
+    };
+    check(Mutation::all(&SHORTENED).enumerate().filter(is_tried).map(|(_, mutation)| Subject {
+        name: mutation.to_string(),
+        machine: Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT),
+        document: SHORT,
+        vectors: Vectors::Read,
+    }));
+}
+
+#[test]
+fn nothing_is_told_that_has_no_name() {
+    let violated = PROPERTIES.iter().map(|property| format!("violated: {}", property.name));
+    let reached = GOALS.iter().map(|goal| format!("reached: {}", goal.name));
+    let text = Promela { machine: &Machine::REFERENCE, document: SHORT, vectors: Vectors::Read }.to_string();
+    let checks = text.split("FOUND(").skip(1);
+    let told = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
+    let (told, names): (BTreeSet<_>, BTreeSet<_>) = (told.collect(), violated.chain(reached).collect());
+    assert_eq!(told, names);
+}
+
+/// Lets both explore all of these, as many at a time as there are cores.
+fn check(subjects: impl IntoIterator<Item = Subject>) {
+    let Some(tools) = Tools::find() else { return };
+    let queue = Mutex::new(subjects.into_iter().enumerate().collect::<Vec<_>>());
+    let workers = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let next = queue.lock().unwrap().pop();
+                    let Some((place, subject)) = next else { break };
+                    subject.compare(&tools, place);
+                }
+            });
+        }
+    });
+}
+
+impl Subject {
+    fn compare(&self, tools: &Tools, place: usize) {
+        let (spin, stateright) = (self.spin(tools, place), self.stateright());
+        let name = &self.name;
+        assert_eq!(
+            spin.told, stateright.told,
+            "{name}: what is violated and reached, by Spin and by stateright"
+        );
+        assert_eq!(spin.stored, stateright.stored, "{name}: the number of control states");
+        assert_eq!(spin.steps, stateright.steps, "{name}: the number of steps");
+        let only_spin: Vec<_> = spin.states.difference(&stateright.states).take(3).collect();
+        let only_stateright: Vec<_> = stateright.states.difference(&spin.states).take(3).collect();
+        assert!(only_spin.is_empty(), "{name}: only Spin reaches {only_spin:?}");
+        assert!(only_stateright.is_empty(), "{name}: only stateright reaches {only_stateright:?}");
+        assert_eq!(
+            spin.states.len() as u64,
+            spin.stored,
+            "{name}: Spin stores control states and nothing else"
+        );
+    }
+
+    /// Whether each step is compared by itself, which only so many allow.
+    fn shows_steps(&self) -> bool {
+        self.vectors != Vectors::Every && self.machine.interface().timing.ebs_timer_ms < 100
+    }
+
+    /// What Spin makes of one step is what the machine makes of it.
+    fn compare_step(&self, shown: &str) {
+        let numbers: Vec<u32> = shown.split(' ').map(|number| number.parse().unwrap()).collect();
+        let (before, rest) = numbers.split_first_chunk::<10>().unwrap();
+        let ([atoms, faults], after) = rest.split_first_chunk::<2>().unwrap();
+        let atoms = Atoms::from_bits(*atoms).unwrap();
+        let faults = Faults::from_bits(u16::try_from(*faults).unwrap()).unwrap();
+        let seen = Observation::new(atoms, faults);
+        let reaction = self.machine.react(&control(*before), seen, CYCLE_MS);
+        assert_eq!(
+            fields(&reaction.control).map(u32::from),
+            after,
+            "{}: {before:?} sees {seen:?}",
+            self.name
+        );
+    }
+
+    fn stateright(&self) -> Found {
+        let options = Options { vectors: self.vectors, threads: 1, document: self.document };
+        let exploration = explore(self.machine, options, |_| {});
+        assert!(exploration.complete, "{}", self.name);
+        let violated = exploration.broken.iter().map(|property| format!("violated: {}", property.name));
+        let reached = GOALS.iter().filter(|goal| !exploration.missed.contains(goal));
+        Found {
+            states: self.states(),
+            stored: exploration.states,
+            steps: exploration.transitions,
+            told: violated.chain(reached.map(|goal| format!("reached: {}", goal.name))).collect(),
+        }
+    }
+
+    /// Every control state that can be reached.
+    fn states(&self) -> HashSet<[u16; 10]> {
+        let model = Open::new(self.machine, self.document, self.vectors);
+        let mut open = model.init_states();
+        let mut states: HashSet<[u16; 10]> = open.iter().map(|state| fields(state.control())).collect();
+        while let Some(state) = open.pop() {
+            let mut actions = Vec::new();
+            model.actions(&state, &mut actions);
+            for action in actions {
+                let next = model.next_state(&state, action).expect("every action has a result");
+                if states.insert(fields(next.control())) {
+                    open.push(next);
+                }
+            }
+        }
+        states
+    }
+
+    fn spin(&self, tools: &Tools, place: usize) -> Found {
+        let dir = Scratch::new(place);
+        let promela = Promela { machine: &self.machine, document: self.document, vectors: self.vectors };
+        fs::write(dir.path("vcu.pml"), promela.to_string()).unwrap();
+        let steps = if self.shows_steps() { "-DSTEPS" } else { "-DNO_STEPS" };
+        run(Command::new(&tools.spin).args(["-DSTATES", steps, "-a", "vcu.pml"]), &dir);
+        run(
+            Command::new(&tools.cc).args(["-O0", "-DSAFETY", "-DNOREDUCE", "-DNOCOMP", "-o", "pan", "pan.c"]),
+            &dir,
+        );
+        let output = run(Command::new(dir.path("pan")).args(["-m100000", "-w18"]), &dir);
+        for stopped in ["error:", "max search depth too small", "Warning"] {
+            assert!(!output.contains(stopped), "{}: pan stopped early:\n{}", self.name, tail(&output));
+        }
+        let stored = number(&output, " states, stored");
+        // The initial state, and a power cycle from every other state.
+        let steps = number(&output, " transitions (= stored+matched)") - stored;
+        let lines = output.lines();
+        let shown = lines.clone().filter_map(|line| line.strip_prefix("step: "));
+        let as_many = shown.map(|step| self.compare_step(step)).count() as u64;
+        assert!(
+            !self.shows_steps() || as_many == steps,
+            "{}: {as_many} of {steps} steps were shown",
+            self.name
+        );
+        Found {
+            states: lines.clone().filter_map(|line| line.strip_prefix("state: ")).map(parse).collect(),
+            stored,
+            steps,
+            told: lines
+                .filter(|line| line.starts_with("violated: ") || line.starts_with("reached: "))
+                .map(String::from)
+                .collect(),
+        }
+    }
+}
+
+/// The fields of a control state, in the order in which the Promela model prints them.
+fn fields(control: &Control) -> [u16; 10] {
+    let Control {
+        state,
+        in_state_ms,
+        go_seen_low,
+        was_running,
+        was_forward,
+        handshake,
+        power_cycle_needed,
+        shutdown_cause,
+    } = *control;
+    [
+        state as u16,
+        in_state_ms,
+        go_seen_low.into(),
+        was_running.into(),
+        was_forward.into(),
+        handshake.active.into(),
+        handshake.bit.into(),
+        handshake.unanswered_ms,
+        power_cycle_needed.into(),
+        shutdown_cause as u16,
+    ]
+}
+
+/// The control state with these fields.
+fn control(fields: [u32; 10]) -> Control {
+    let [state, in_state_ms, go, running, forward, active, bit, unanswered_ms, needed, cause] = fields;
+    let cause = Fault::ALL.iter().map(|fault| fault.cause()).find(|&named| named as u32 == cause);
+    Control {
+        state: AsState::ALL.into_iter().find(|&named| named as u32 == state).unwrap(),
+        in_state_ms: in_state_ms.try_into().unwrap(),
+        go_seen_low: go == 1,
+        was_running: running == 1,
+        was_forward: forward == 1,
+        handshake: Handshake {
+            active: active == 1,
+            bit: bit == 1,
+            unanswered_ms: unanswered_ms.try_into().unwrap(),
+        },
+        power_cycle_needed: needed == 1,
+        shutdown_cause: cause.unwrap_or(ShutdownCause::NoShutdown),
+    }
+}
+
+fn parse(state: &str) -> [u16; 10] {
+    let fields: Vec<u16> = state.split(' ').map(|field| field.parse().unwrap()).collect();
+    fields.try_into().unwrap()
+}
+
+/// The number before these words, of which pan prints eight digits.
+fn number(output: &str, words: &str) -> u64 {
+    let number = output.lines().find_map(|line| line.strip_suffix(words)).map(str::trim);
+    let number = number.unwrap_or_else(|| panic!("no {words:?}:\n{}", tail(output)));
+    number.parse().unwrap_or_else(|_| panic!("{number}{words}: more than pan prints exactly"))
+}
+
+fn tail(output: &str) -> String {
+    let lines: Vec<&str> =
+        output.lines().filter(|line| !line.starts_with("state: ") && !line.starts_with("step: ")).collect();
+    lines.join("\n")
+}
+
+/// The programs that are needed.
+struct Tools {
+    spin: PathBuf,
+    cc: PathBuf,
+}
+
+impl Tools {
+    fn find() -> Option<Self> {
+        let spin = installed("spin", "-V");
+        let cc = std::env::var_os("CC").map(PathBuf::from).or_else(|| installed("cc", "--version"));
+        if let (Some(spin), Some(cc)) = (spin, cc) {
+            return Some(Self { spin, cc });
+        }
+        let missing = "Spin and a C compiler are not both installed; try: apt-get install spin gcc libc6-dev";
+        assert!(std::env::var_os("ADSDV_REQUIRE_SPIN").is_none(), "{missing}");
+        eprintln!("SKIPPED: {missing}");
+        None
+    }
+}
+
+fn installed(program: &str, version: &str) -> Option<PathBuf> {
+    let output = Command::new(program).arg(version).output().ok()?;
+    output.status.success().then(|| program.into())
+}
+
+fn run(command: &mut Command, dir: &Scratch) -> String {
+    let output = command.current_dir(&dir.0).output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    let stdout = String::from_utf8_lossy(&output.stdout).into_owned();
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {}\n{}\n{stderr}", output.status, tail(&stdout));
+    stdout
+}
+
+/// A directory that is gone when the test is over.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(place: usize) -> Self {
+        let thread = format!("{:?}", thread::current().id()).replace(|c: char| !c.is_ascii_digit(), "");
+        let dir = std::env::temp_dir().join(format!("adsdv-spin-{}-{thread}-{place}", std::process::id()));
+        fs::create_dir_all(&dir).unwrap();
+        Self(dir)
+    }
+
+    fn path(&self, file: impl AsRef<Path>) -> PathBuf {
+        self.0.join(file)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // What cannot be removed stays; the test says what it has to say all the same.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
