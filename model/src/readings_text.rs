@@ -5,10 +5,11 @@ use std::fmt::{self, Display, Formatter};
 
 use adsdv_spec::{Choice, Choices, Interface, Readings};
 
+use crate::closed::ClosedProperty;
 use crate::goals::GOALS;
 use crate::property::{Harm, PROPERTIES, Property};
-use crate::story::story;
-use crate::sweep::{Cost, Sweep};
+use crate::story::{Line, story, story_of};
+use crate::sweep::{ClosedCost, Cost, Sweep};
 
 const INTRODUCTION: &str = "\
 # What each reading costs
@@ -23,6 +24,12 @@ just this, and the shortest run below shows where.
 
 This file is what `adsdv verify --readings` prints, and a test keeps it so.
 ";
+
+const CLOSED: &str = "
+## With an AI Computer that follows the document
+
+In the closed model the AI Computer follows the document, and any operator moves any switch at any time. It was explored
+under each other answer alone. Its properties say what a team may rely on; these fail.";
 
 impl Display for Sweep {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -48,6 +55,7 @@ impl Display for Sweep {
                 details(f, property, &costs)?;
             }
         }
+        self.with_a_conforming_ai(f)?;
         self.goals(f)?;
         self.holding(f)
     }
@@ -85,6 +93,21 @@ impl Sweep {
         let costly = self.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
         for choice in free.difference(costly).iter() {
             writeln!(f, "| - | `{choice}`: {} | | fails nothing | |", choice.text())?;
+        }
+        Ok(())
+    }
+
+    /// What fails although the AI Computer follows the document.
+    fn with_a_conforming_ai(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{CLOSED}")?;
+        if self.closed.is_empty() {
+            return writeln!(f, "\nNone fails any.");
+        }
+        for ClosedCost { property, choice, run } in &self.closed {
+            let ClosedProperty { name, statement, requirements, .. } = property;
+            writeln!(f, "\n### `{name}`\n\n{statement} ({})", requirements.join(", "))?;
+            writeln!(f, "\nFails under `{choice}` ({}):\n", choice.text())?;
+            lines(f, &story_of(run))?;
         }
         Ok(())
     }
@@ -127,14 +150,20 @@ fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::
     writeln!(f, "\n### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
     for cost in costs {
         writeln!(f, "\nFails under {}: {}.", under(cost), cost.harm(property).text())?;
-        let Some(run) = &cost.run else { continue };
-        writeln!(f, "\n```text")?;
-        for line in story(&cost.machine(Interface::V3_0), run, Some(property)) {
-            writeln!(f, "{:>6}.{:03} s  {}", line.ms / 1000, line.ms % 1000, line.text)?;
+        if let Some(run) = &cost.run {
+            writeln!(f)?;
+            lines(f, &story(&cost.machine(Interface::V3_0), run, Some(property)))?;
         }
-        writeln!(f, "```")?;
     }
     Ok(())
+}
+
+fn lines(f: &mut Formatter<'_>, story: &[Line]) -> fmt::Result {
+    writeln!(f, "```text")?;
+    for Line { ms, text } in story {
+        writeln!(f, "{:>6}.{:03} s  {text}", ms / 1000, ms % 1000)?;
+    }
+    writeln!(f, "```")
 }
 
 /// The choices, and what undoes the failure.

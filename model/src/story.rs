@@ -4,6 +4,7 @@ use adsdv_spec::{Atom, Atoms, Control, Machine};
 
 use crate::action::Action;
 use crate::property::Property;
+use crate::run::Run;
 use crate::step::{CYCLE_MS, Step};
 
 /// A line of a story.
@@ -42,6 +43,24 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
         }
     }
     lines
+}
+
+/// Tells the changes of state of a run.
+pub fn story_of(run: &Run) -> Vec<Line> {
+    let steps = run.steps().zip(1..);
+    let changes = steps.filter(|(cycle, _)| cycle.before.state != cycle.after.state);
+    changes
+        .map(|(cycle, step)| {
+            let (before, after) = (cycle.before.state, cycle.after.state);
+            let clause = cycle.outputs.row(run.machine()).map_or("", |row| row.clause);
+            let deciding =
+                cycle.outputs.term(run.machine()).map_or(Atoms::NONE, |term| term.on.union(term.off));
+            let conditions: Vec<&str> =
+                deciding.iter().map(|atom| atom.text(cycle.outputs.atoms.has(atom))).collect();
+            let text = format!("{before} -> {after} ({clause}): {}", conditions.join(", "));
+            Line { ms: step * u64::from(CYCLE_MS), text }
+        })
+        .collect()
 }
 
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.

@@ -1,6 +1,6 @@
 //! The closed model: its properties hold for the reference, and none of them holds for the wrong reason.
 
-use adsdv_model::closed::{CLOSED_PROPERTIES, Closed, Conduct, Exploration, Operator, Stage};
+use adsdv_model::closed::{Closed, Conduct, Exploration, Operator, Stage};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{Atom, Fault, Interface, Machine, Readings};

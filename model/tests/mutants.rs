@@ -24,9 +24,9 @@ const UNSEEN: &[(&str, &str)] = &[
     ("straight +1", "the model sees whether the wheels are straight, not their angle"),
 ];
 
-fn explore(interface: Interface, readings: Readings) -> Exploration {
+fn explore(interface: &Interface, readings: Readings) -> Exploration {
     let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT };
-    let exploration = adsdv_model::explore(Machine::new(interface, readings), options, |_| {});
+    let exploration = adsdv_model::explore(Machine::new(*interface, readings), options, |_| {});
     assert!(exploration.complete);
     exploration
 }
@@ -73,8 +73,8 @@ fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_somethin
     let mut usual: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
     for (name, interface, readings) in mutants() {
         let usual =
-            usual.entry(readings.to_string()).or_insert_with(|| failed(&explore(SHORTENED, readings)));
-        let failed = failed(&explore(interface, readings));
+            usual.entry(readings.to_string()).or_insert_with(|| failed(&explore(&SHORTENED, readings)));
+        let failed = failed(&explore(&interface, readings));
         if failed == *usual {
             unseen.push(name);
         } else if readings == Readings::DEFAULT {
@@ -128,7 +128,7 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
             panic!("there is no mutant {mutant}");
         };
         assert_eq!(readings, Readings::DEFAULT, "{mutant}");
-        let failed = failed(&explore(interface, readings));
+        let failed = failed(&explore(&interface, readings));
         assert!(failed.contains(property), "{mutant} should fail {property}, and fails {failed:?}");
     }
 }
@@ -137,7 +137,7 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
 #[test]
 fn dead_parts_are_found() {
     use adsdv_spec::{Atom, Row, Table, Term};
-    let dead = |interface| {
+    let dead = |interface: &Interface| {
         let report = explore(interface, Readings::DEFAULT);
         report
             .parts
@@ -146,14 +146,14 @@ fn dead_parts_are_found() {
             .map(|(part, _)| part.to_string())
             .collect::<Vec<_>>()
     };
-    assert_eq!(dead(SHORTENED), Vec::<String>::new());
+    assert_eq!(dead(&SHORTENED), Vec::<String>::new());
     let mut rows = SHORTENED.table.rows().to_vec();
     let finished = rows.iter().position(|row| row.clause == "3.3").unwrap();
     let row = rows[finished];
     let mut terms = row.terms().to_vec();
     terms.push(Term::on("3.3", &[Atom::MissionFinished, Atom::EbsTimerComplete]));
     rows[finished] = Row::new(row.from, row.to, row.clause, &terms);
-    let dead = dead(Interface { table: Table::new(&rows), ..SHORTENED });
+    let dead = dead(&Interface { table: Table::new(&rows), ..SHORTENED });
     assert!(
         dead.contains(
             &"AS_DRIVING -> AS_FINISHED (3.3): EBS timer complete and MISSION_STATUS == FINISHED".to_owned()
@@ -165,7 +165,7 @@ fn dead_parts_are_found() {
 /// Under the other reading, nothing but the latch needs the power cycle.
 #[test]
 fn a_condition_that_a_reading_makes_moot_is_dead_under_it() {
-    let report = explore(SHORTENED, Readings::DEFAULT.with(Choice::PowerCycleNotLatched));
+    let report = explore(&SHORTENED, Readings::DEFAULT.with(Choice::PowerCycleNotLatched));
     let dead: Vec<_> =
         report.parts.iter().filter(|(_, decides)| !decides).map(|(part, _)| part.to_string()).collect();
     assert_eq!(dead, ["AS_OFF -> AS_READY (3.1): no power cycle needed in the alternative of 3.1"]);

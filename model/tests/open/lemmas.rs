@@ -16,7 +16,7 @@ fn from_80_ms_on_a_running_timer_changes_nothing_else() {
     let short = |state| SHORT.in_state_limit(state);
     for readings in each_choice_alone() {
         let mut beside: BTreeMap<(AsState, u16), HashSet<Control>> = BTreeMap::new();
-        for control in reachable(machine(timing, readings), Vectors::Few) {
+        for control in reachable(&machine(timing, readings), Vectors::Few) {
             beside
                 .entry((control.state, control.in_state_ms))
                 .or_default()
@@ -43,7 +43,7 @@ fn from_80_ms_on_a_running_timer_changes_nothing_else() {
 fn opening_faults_differ_in_their_cause_alone() {
     for readings in each_choice_alone() {
         let machine = machine(SHORT, readings);
-        for control in reachable(machine, Vectors::Few) {
+        for control in reachable(&machine, Vectors::Few) {
             let reads = machine.reads(&control, u32::from(SHORT.cycle_ms));
             // A vehicle that is ready to drive, one that is off, and one of which all that is read is on.
             for atoms in [Atoms::NONE, Observation::SCOPE, reads.atoms] {

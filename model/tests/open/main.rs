@@ -29,8 +29,8 @@ fn options(vectors: Vectors, document: Timing) -> Options {
 }
 
 /// Every control state that can be reached, found without stateright: whole states are kept, not fingerprints.
-fn reachable(machine: Machine, vectors: Vectors) -> HashSet<Control> {
-    let model = Open::new(machine, machine.interface().timing, vectors);
+fn reachable(machine: &Machine, vectors: Vectors) -> HashSet<Control> {
+    let model = Open::new(*machine, machine.interface().timing, vectors);
     let mut level = model.init_states();
     let mut seen: HashSet<Control> = level.iter().map(|state| *state.control()).collect();
     let mut actions: Vec<Action> = Vec::new();

@@ -39,7 +39,9 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
         let fault = Fault::ALL[random.below(Fault::ALL.len())];
         inputs.show_fault(fault, true);
     } else if random.one_in(20) {
-        Fault::ALL.iter().for_each(|&fault| inputs.show_fault(fault, false));
+        for &fault in Fault::ALL {
+            inputs.show_fault(fault, false);
+        }
     }
     // The rest drifts to what the next arrow of a mission needs.
     if random.one_in(20) {
@@ -64,8 +66,11 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
             Finished if !random.one_in(20) => (&[], &[]),
             Finished | EmergencyBrake => (&[], &[Atom::Asms]),
         };
-        on.iter().for_each(|&atom| inputs.show(atom, true, thresholds));
-        off.iter().for_each(|&atom| inputs.show(atom, false, thresholds));
+        for (atoms, value) in [(on, true), (off, false)] {
+            for &atom in atoms {
+                inputs.show(atom, value, thresholds);
+            }
+        }
     }
     if random.one_in(50) && control.state != adsdv_spec::AsState::Driving {
         inputs.go = !inputs.go;
@@ -91,7 +96,7 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
 fn random_raw_inputs_stay_within_what_was_explored() {
     let machine = Machine::REFERENCE;
     let cycle_ms = u32::from(Interface::V3_0.timing.cycle_ms);
-    let explored = reachable(machine, Vectors::Read);
+    let explored = reachable(&machine, Vectors::Read);
     let mut random = Random(3);
     let (mut control, mut inputs) = (Control::INITIAL, Inputs::default());
     let mut arrows = vec![0_u32; machine.interface().table.rows().len()];

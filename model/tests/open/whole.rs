@@ -17,7 +17,7 @@ fn the_reference_keeps_every_property_with_the_real_times() {
     assert_eq!((broken, missed, dead), (vec![], vec![], vec![]));
     assert!(exploration.complete && exploration.holds());
     // Stateright keeps fingerprints. Had two states had the same one, it would have found fewer.
-    let exactly = reachable(Machine::REFERENCE, Vectors::Read);
+    let exactly = reachable(&Machine::REFERENCE, Vectors::Read);
     assert_eq!(exploration.states, exactly.len() as u64);
 }
 
@@ -40,7 +40,7 @@ fn an_exploration_that_finds_much_still_goes_to_its_end() {
     let exploration = explore(machine, options(Vectors::Read, SHORT), |_| {});
     assert!(exploration.broken.len() >= 7, "much is broken");
     assert!(exploration.complete);
-    assert_eq!(exploration.states, reachable(machine, Vectors::Read).len() as u64);
+    assert_eq!(exploration.states, reachable(&machine, Vectors::Read).len() as u64);
 }
 
 /// What is gathered from every step, and what stateright finds, is the same.
@@ -97,7 +97,7 @@ fn all_input_vectors_and_those_that_are_read_show_the_same() {
             (exploration.states, broken, missed)
         });
         assert_eq!(every, read, "{readings}");
-        let [every, read] = [Vectors::Every, Vectors::Read].map(|vectors| reachable(machine, vectors));
+        let [every, read] = [Vectors::Every, Vectors::Read].map(|vectors| reachable(&machine, vectors));
         let only = |a: &HashSet<Control>, b: &HashSet<Control>| a.difference(b).next().copied();
         assert_eq!((only(&every, &read), only(&read, &every)), (None, None), "{readings}");
     }
