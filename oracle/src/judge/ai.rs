@@ -46,32 +46,27 @@ impl Judge {
     /// 510h came with something new. `continuous` tells whether the frame before is known, too.
     pub(super) fn ai_status(&mut self, t: i64, status: Ai2VcuStatus, continuous: bool) {
         let previous = self.ai.status.replace(status).filter(|_| continuous);
-        let known = self.known.learn(scope(AI_STATUS), status.atoms());
-        let moving = known.of(Atom::Moving);
+        let mut known = self.known.learn(scope(AI_STATUS), status.atoms());
         let driving = self.vcu.state == Some(AsState::Driving);
-        let edge =
-            |there: bool, stays: Option<bool>, changes: Option<bool>, before: Truth| match (stays, changes) {
-                _ if !there || !driving => Truth::False,
-                (Some(true), _) => before,
-                (_, Some(true)) => moving,
-                (_, Some(false)) => Truth::False,
-                _ => Truth::Unknown,
+        let finished = |s: Ai2VcuStatus| s.mission_status == MissionStatus::Finished;
+        let running = |s: Ai2VcuStatus| s.mission_status == MissionStatus::Running;
+        let neutral = |s: Ai2VcuStatus| s.direction_request == DirectionRequest::Neutral;
+        let forward = |s: Ai2VcuStatus| s.direction_request == DirectionRequest::Forward;
+        for (edge, is, was) in [
+            (Atom::MissionFinishedEdge, finished(status), previous.map(|p| (finished(p), running(p)))),
+            (Atom::DirectionNeutralEdge, neutral(status), previous.map(|p| (neutral(p), forward(p)))),
+        ] {
+            let truth = match was {
+                _ if !is || !driving => Truth::False,
+                Some((true, _)) => continue,
+                Some((_, false)) => Truth::False,
+                // At rest it does no harm, but when the VCU sees it the vehicle may move.
+                Some((_, true)) => Truth::Unknown.or(known.of(Atom::Moving)),
+                None => Truth::Unknown,
             };
-        let mission = |wanted| previous.map(|p| p.mission_status == wanted);
-        let direction = |wanted| previous.map(|p| p.direction_request == wanted);
-        let finished = edge(
-            status.mission_status == MissionStatus::Finished,
-            mission(MissionStatus::Finished),
-            mission(MissionStatus::Running),
-            known.of(Atom::MissionFinishedEdge),
-        );
-        let neutral = edge(
-            status.direction_request == DirectionRequest::Neutral,
-            direction(DirectionRequest::Neutral),
-            direction(DirectionRequest::Forward),
-            known.of(Atom::DirectionNeutralEdge),
-        );
-        let known = known.set(Atom::MissionFinishedEdge, finished).set(Atom::DirectionNeutralEdge, neutral);
+            known = known.set(edge, truth);
+            self.change_seen(t, edge, truth);
+        }
         if driving && status.estop_request && !previous.is_some_and(|p| p.estop_request) {
             self.vcu.estop_since = Some(t);
         }

@@ -1,6 +1,6 @@
 //! Time: what is to be done when it passes.
 
-use adsdv_spec::{Atoms, Fault, Knowledge, Observation, Truth};
+use adsdv_spec::{Atom, Atoms, Fault, Knowledge, Observation, Truth};
 
 use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
@@ -30,6 +30,8 @@ pub(super) enum What {
     Edge(Suspect),
     /// The AI Computer did what section 3.7 forbids while moving.
     AtSpeed(Fault),
+    /// Something changed, and this is the condition that the change counts.
+    Change(Atom),
 }
 
 /// Times further away than this (73 years) are taken for this, so that no sum of times overflows.
@@ -198,6 +200,7 @@ impl Judge {
             What::Flag(fault) => self.judge_flag(pending, *fault, now),
             What::Edge(suspect) => self.judge_edge(pending.t, *suspect),
             What::AtSpeed(fault) => self.judge_at_speed(pending, *fault, now),
+            What::Change(edge) => self.judge_change(pending, *edge, now),
         }
     }
 

@@ -336,6 +336,12 @@ impl Judge {
         all.of(Atom::Tsms) == Truth::True
     }
 
+    /// Whether 520h has shown the same state all the time between `start` and `end`, with no frame missing.
+    fn state_stood(&self, start: i64, end: i64) -> bool {
+        let same = self.moments(start, end).iter().all(|moment| moment.state == self.vcu.state);
+        same && self.history.throughout(start, end).of(Atom::Tsms) != Truth::Unknown
+    }
+
     /// 502h shows a state; it should be that of 520h.
     pub(super) fn assi_seen(&mut self, t: i64, shown: AsState) {
         // A moment of its own, so that a change until the next sample can be told from this one.
@@ -347,11 +353,17 @@ impl Judge {
         match self.vcu.assi {
             _ if shown == state => self.vcu.assi = None,
             Some(suspect) if suspect.shown == shown && suspect.state == state => {
-                if suspect.since < i64::MAX && t - suspect.since > self.deadline {
+                if suspect.since == i64::MAX || t - suspect.since <= self.deadline {
+                    return;
+                }
+                if self.state_stood(suspect.since - self.window, t) {
                     self.vcu.assi = Some(AssiSuspect { since: i64::MAX, ..suspect });
                     let message =
                         format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
                     self.vcu_violation(suspect.since, Vcu2LogStatus::DEF.section, Rule::AssiDiffers, message);
+                } else {
+                    // What 502h shows may have been so when it was sent.
+                    self.vcu.assi = Some(AssiSuspect { since: t, ..suspect });
                 }
             }
             _ => self.vcu.assi = Some(AssiSuspect { since: t, shown, state }),

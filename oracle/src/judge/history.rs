@@ -10,6 +10,8 @@ pub(super) struct Moment {
     pub(super) t: i64,
     pub(super) known: Knowledge,
     pub(super) state: Option<AsState>,
+    /// What is known only because a silence seems to have hidden nothing.
+    pub(super) filled: Atoms,
 }
 
 /// How far back a window can reach.
@@ -34,7 +36,7 @@ impl History {
 
     /// From `t` on, this is known.
     pub(super) fn push(&mut self, t: i64, known: Knowledge, state: Option<AsState>) {
-        self.moments.push_back(Moment { t, known, state });
+        self.moments.push_back(Moment { t, known, state, filled: Atoms::NONE });
         while self.moments.len() > MAX_MOMENTS
             || self.moments.get(1).is_some_and(|second| second.t <= t - HORIZON_NS)
         {
@@ -71,6 +73,7 @@ impl History {
     pub(super) fn fill(&mut self, start: i64, scope: Atoms, values: Atoms) {
         for moment in self.moments.iter_mut().rev().take_while(|moment| moment.t >= start) {
             moment.known = moment.known.learn(scope, values);
+            moment.filled = moment.filled.union(scope);
         }
     }
 }

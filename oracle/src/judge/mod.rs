@@ -32,6 +32,7 @@
 //! ```
 
 mod ai;
+mod edges;
 mod events;
 mod finding;
 mod flags;

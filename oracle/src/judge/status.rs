@@ -162,6 +162,9 @@ impl Judge {
             .set(Atom::PowerCycleNeeded, power_cycle);
         let go_before = previous.filter(|_| !gap).map(|p| p.go_signal);
         let edge = self.go_edge(t, known, go_before, status.go_signal, raw, new_state);
+        if go_before == Some(false) && status.go_signal {
+            self.change_seen(t, Atom::GoEdge, edge);
+        }
         self.learn(t, known.set(Atom::GoEdge, edge));
     }
 
@@ -231,8 +234,9 @@ impl Judge {
         if state != AsState::Ready {
             known = known.set(Atom::GoEdge, Truth::Unknown);
         }
-        for atom in [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge] {
-            known = known.set(atom, if before.is_some() { Truth::False } else { Truth::Unknown });
+        for edge in super::edges::IN_DRIVING {
+            known = known.set(edge, if before.is_some() { Truth::False } else { Truth::Unknown });
+            self.change_passes(t, edge);
         }
         self.vcu.brake = match state {
             AsState::EmergencyBrake if before.is_some() => {

@@ -26,8 +26,18 @@ pub(super) struct Due {
     to: AsState,
     clause: &'static str,
     term: Term,
+    /// Whether the guard held in a step that is over: then it does not matter that it holds no more.
+    held: bool,
     ripe: bool,
     reported: bool,
+}
+
+impl Due {
+    /// Whether it need not be watched any more. What has been reported stays until it is certain to be over, however many
+    /// frames are missing.
+    fn is_over(&self, known: Knowledge) -> bool {
+        if self.reported { self.term.truth(known) == Truth::False } else { !self.held }
+    }
 }
 
 /// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
@@ -54,12 +64,7 @@ impl Judge {
         let usual = self.slots.get(super::STATUS).map_or(0, |slot| slot.period);
         let gap = gap || t - before > usual + usual / 5;
         self.vcu.left = Some(super::status::Left { before, at: t, gap });
-        let deciding = self
-            .variants
-            .terms(from)
-            .iter()
-            .fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off));
-        let wait = self.wait_for(deciding);
+        let wait = self.wait_for(self.deciding(from));
         self.suspend(t, wait, at_step, What::Seen(Seen { from, to, before, gap }));
     }
 
@@ -181,24 +186,36 @@ impl Judge {
 
     /// What is known has changed: is a transition due now?
     pub(super) fn reconsider(&mut self, t: i64) {
-        // What has been reported stays so until it is certain to be over, however many frames are missing.
         let known = self.known;
-        let over = |due: &Due| !due.reported || due.term.truth(known) == Truth::False;
         let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
-            self.due = self.due.filter(|due| !over(due));
+            self.due = self.due.filter(|due| !due.is_over(known));
             return;
         };
         self.consider_speed(t, state);
         match (self.variants.due(state, self.known), self.due) {
-            (None, due) => self.due = due.filter(|due| !over(due)),
+            (None, due) => self.due = due.filter(|due| !due.is_over(known)),
             (Some((guard, term)), due)
-                if due.as_ref().is_none_or(|due| due.term.truth(known) != Truth::True && over(due)) =>
+                if due
+                    .as_ref()
+                    .is_none_or(|due| due.term.truth(known) != Truth::True && due.is_over(known)) =>
             {
                 let (to, clause) = (guard.to, guard.clause);
-                self.due = Some(Due { since: t, to, clause, term, ripe: false, reported: false });
+                self.due =
+                    Some(Due { since: t, to, clause, term, held: false, ripe: false, reported: false });
                 self.wake_at(t + self.deadline);
             }
             (Some(_), _) => {}
+        }
+    }
+
+    /// This is known of a window on either side of `t`, and the VCU made a step in it: if a guard held, what the VCU saw later
+    /// does not matter.
+    pub(super) fn guard_held(&mut self, t: i64, state: AsState, known: Knowledge) {
+        let Some((guard, term)) = self.variants.due(state, known) else { return };
+        if self.due.is_none_or(|due| due.is_over(self.known)) {
+            let (to, clause) = (guard.to, guard.clause);
+            self.due = Some(Due { since: t, to, clause, term, held: true, ripe: false, reported: false });
+            self.wake_at(t + self.deadline);
         }
     }
 

@@ -96,3 +96,19 @@ fn the_logger_shows_another_state() {
     let expected = [(Rule::AssiDiffers, Vcu2LogStatus::DEF.section)];
     is_reported_if_seen(&world, Options::default(), Party::Vcu, &expected, "State_ASSI");
 }
+
+#[test]
+fn a_state_that_lasts_for_a_step_is_what_the_logger_shows() {
+    let mut world = World::reference();
+    world.ready();
+    for _ in 0..10 {
+        // 502h shows the step in which ASMS is off, and 520h shows it a little later.
+        world.inputs.asms = false;
+        world.cycle();
+        assert_eq!(world.control.state, AsState::Off);
+        world.inputs.asms = true;
+        world.wait(90);
+        assert_eq!(world.control.state, AsState::Ready);
+    }
+    is_silent(&world, Options::default(), "AS_OFF in the steps that 502h shows");
+}

@@ -8,6 +8,7 @@ mod check;
 
 mod ai;
 mod causes;
+mod edges;
 mod flags;
 mod go;
 mod handshake;
