@@ -5,11 +5,11 @@ use std::io;
 use std::path::Path;
 
 use adsdv_oracle::judge::{Options, Report};
-use adsdv_oracle::log::{LogError, LogOptions, judge_log};
+use adsdv_oracle::log::{LogError, LogOptions, Progress, judge_log};
 
 use crate::args::CheckArgs;
 use crate::error::Error;
-use crate::progress::Count;
+use crate::progress::Line;
 use crate::report::{self, Subject};
 use crate::status::Status;
 use crate::{json, output, pins};
@@ -40,8 +40,8 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
 }
 
 fn read(log: &Path, name: &str, options: &LogOptions) -> Result<Report, Error> {
-    let mut count = Count::new();
-    let progress = |progress| count.show(progress);
+    let mut line = Line::new();
+    let progress = |progress: Progress| line.show(format_args!("{} lines", progress.lines));
     let judged = if log == Path::new(STDIN) {
         judge_log(io::stdin().lock(), options, progress)
     } else {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::io::{self, Write as _};
+use std::path::Path;
 
 use adsdv_oracle::log::LogError;
 
@@ -67,6 +68,26 @@ impl Error {
             why: format!("cannot write the answer: {error}"),
             hint: hint.to_owned(),
         }
+    }
+
+    /// A counterexample could not be written.
+    pub(crate) fn write(log: &Path, error: &io::Error) -> Self {
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => {
+                "make the directory first, or name another with --logs"
+            }
+            io::ErrorKind::StorageFull => "free some space, or name a directory on another disk with --logs",
+            _ => "name a directory that can be written with --logs",
+        };
+        let why = format!("cannot write counterexamples: {error}");
+        Self { what: log.display().to_string(), why, hint: hint.to_owned() }
+    }
+
+    /// The Explorer could not have its port.
+    pub(crate) fn port(port: u16, error: &io::Error) -> Self {
+        let hint = "name another port with --port, or 0 for any that is free";
+        let why = format!("cannot serve on this port: {error}");
+        Self { what: format!("port {port}"), why, hint: hint.to_owned() }
     }
 
     /// Tells the user, and says how the command ends.

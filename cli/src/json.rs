@@ -5,7 +5,10 @@ use adsdv_spec::{Choice, Reading, Readings};
 use serde::Serialize;
 
 /// The JSON Schema of what [`text`] writes.
-pub(crate) const SCHEMA: &str = include_str!("../schema/check.schema.json");
+pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
+
+/// The JSON Schema of what `adsdv verify --json` writes.
+pub(crate) const VERIFY_SCHEMA: &str = include_str!("../schema/verify.schema.json");
 
 /// A report as one JSON object on one line.
 pub(crate) fn text(report: &Report) -> String {
@@ -18,7 +21,7 @@ pub(crate) fn readings() -> String {
 }
 
 /// Nothing here can fail to be written: all keys are text, and all numbers finite.
-fn line(value: &impl Serialize) -> String {
+pub(crate) fn line(value: &impl Serialize) -> String {
     let mut text = serde_json::to_string(value).unwrap_or_default();
     text.push('\n');
     text

@@ -4,7 +4,9 @@
 //! args ----> check ----> report (text, for a person)
 //!   |          |         json   (for a program)
 //!   |          +-------> the verdict is the exit status
-//!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schema
+//!   +------> verify ---> the properties of the state machine, and the exit status
+//!   +------> explore:    a web page, until it is stopped
+//!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model
 //! ```
 //!
 //! Every command makes its whole text first and hands it to [`output`], which alone writes to standard output.
@@ -14,6 +16,7 @@
 mod args;
 mod check;
 mod error;
+mod explore;
 mod json;
 mod layout;
 mod output;
@@ -22,6 +25,7 @@ mod progress;
 mod report;
 mod status;
 mod tables;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -45,7 +49,10 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Dbc => tables::dbc(),
         Command::Diagram(args) => tables::diagram(args),
         Command::Readings(args) => tables::readings(args),
-        Command::Schema => tables::schema(),
+        Command::Schema(args) => tables::schema(args),
+        Command::Explore(args) => explore::run(args),
+        Command::Export(args) => tables::export(args),
+        Command::Verify(args) => verify::run(args),
     }
 }
 

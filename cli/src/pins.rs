@@ -26,7 +26,7 @@ fn agree(pins: &[Choice]) -> Result<(), Error> {
             return Err(Error {
                 what: format!("--reading {pin}"),
                 why: format!("{} is already pinned to {}", pin.reading().id(), other.id()),
-                hint: "pin each reading once; without a pin, the judge allows for every choice".to_owned(),
+                hint: "pin each reading once; `adsdv readings` lists the choices".to_owned(),
             });
         }
     }

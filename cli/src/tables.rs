@@ -1,11 +1,12 @@
-//! The specification's tables, printed: the CAN database, Figure 2, the readings, the JSON Schema.
+//! The specification's tables, printed: the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model.
 
 use std::fmt::Write as _;
 
+use adsdv_model::Promela;
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
 use adsdv_spec::{Interface, Machine, Reading, Readings};
 
-use crate::args::{DiagramArgs, Format, ReadingsArgs};
+use crate::args::{DiagramArgs, ExportArgs, Exported, Format, ReadingsArgs, SchemaArgs, WithJson};
 use crate::error::Error;
 use crate::layout::wrapped;
 use crate::status::Status;
@@ -28,8 +29,19 @@ pub(crate) fn readings(args: &ReadingsArgs) -> Result<Status, Error> {
     print(&if args.json { json::readings() } else { questions() })
 }
 
-pub(crate) fn schema() -> Result<Status, Error> {
-    print(json::SCHEMA)
+pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
+    print(match args.command {
+        WithJson::Check => json::CHECK_SCHEMA,
+        WithJson::Verify => json::VERIFY_SCHEMA,
+    })
+}
+
+pub(crate) fn export(args: &ExportArgs) -> Result<Status, Error> {
+    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    let (document, vectors) = (Interface::V3_0.timing, args.vectors.into());
+    print(&match args.format {
+        Exported::Promela => Promela { machine: &machine, document, vectors }.to_string(),
+    })
 }
 
 fn print(text: &str) -> Result<Status, Error> {

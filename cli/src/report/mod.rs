@@ -1,7 +1,7 @@
 //! A report as text for a person: what was judged, the timeline, the findings, the notes, the verdict.
 
 mod findings;
-mod style;
+pub(crate) mod style;
 mod timeline;
 
 use std::fmt::{self, Write as _};

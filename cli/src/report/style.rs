@@ -6,18 +6,18 @@ use adsdv_oracle::judge::Severity;
 use anstyle::{AnsiColor, Style};
 
 /// A heading.
-pub(super) const HEADING: Style = Style::new().bold();
+pub(crate) const HEADING: Style = Style::new().bold();
 /// A violation.
-pub(super) const BAD: Style = AnsiColor::Red.on_default().bold();
+pub(crate) const BAD: Style = AnsiColor::Red.on_default().bold();
 /// A warning, or what is not certain.
-pub(super) const CARE: Style = AnsiColor::Yellow.on_default();
+pub(crate) const CARE: Style = AnsiColor::Yellow.on_default();
 /// All is well.
-pub(super) const GOOD: Style = AnsiColor::Green.on_default().bold();
+pub(crate) const GOOD: Style = AnsiColor::Green.on_default().bold();
 /// Not important.
-pub(super) const QUIET: Style = Style::new().dimmed();
+pub(crate) const QUIET: Style = Style::new().dimmed();
 
 /// The style of a severity.
-pub(super) const fn of(severity: Severity) -> Style {
+pub(crate) const fn of(severity: Severity) -> Style {
     match severity {
         Severity::Violation => BAD,
         Severity::Warning => CARE,
@@ -27,7 +27,7 @@ pub(super) const fn of(severity: Severity) -> Style {
 
 /// Text in a style. Padding given in the format counts for the text, not for its escapes.
 #[derive(Debug)]
-pub(super) struct Styled<T>(pub(super) Style, pub(super) T);
+pub(crate) struct Styled<T>(pub(crate) Style, pub(crate) T);
 
 impl<T: fmt::Display> fmt::Display for Styled<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -79,7 +79,14 @@ fn an_interface_that_the_log_does_not_have() {
 #[cfg(target_os = "linux")]
 #[test]
 fn an_output_that_cannot_be_written() {
-    for args in [&["check", MISSION][..], &["check", "--json", MISSION], &["dbc"], &["schema"], &["--help"]] {
+    for args in [
+        &["check", MISSION][..],
+        &["check", "--json", MISSION],
+        &["dbc"],
+        &["export", "--format", "promela"],
+        &["schema"],
+        &["--help"],
+    ] {
         let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
         let mut command = adsdv(args);
         refused(
@@ -117,4 +124,42 @@ fn other_arguments() {
     wrong_arguments(&["check", "--jsno", MISSION], "--json");
     wrong_arguments(&["check", "--color", "sometimes", MISSION], "auto, always, never");
     wrong_arguments(&["diagram", "--format", "svg"], "mermaid, dot, markdown");
+    wrong_arguments(&["verify", "--vectors", "few"], "every, read");
+    wrong_arguments(&["export"], "--format <FORMAT>");
+    wrong_arguments(&["export", "--format", "tla"], "promela");
+    wrong_arguments(&["schema", "dbc"], "check, verify");
+    wrong_arguments(&["schema", "check", "verify"], "unexpected argument 'verify'");
+}
+
+#[test]
+fn readings_of_a_machine_that_are_none() {
+    for command in [&["verify"][..], &["explore"], &["export", "--format", "promela"]] {
+        let with = |pins: &[&'static str]| {
+            let pins = pins.iter().flat_map(|pin| ["--reading", pin]);
+            command.iter().copied().chain(pins).collect::<Vec<_>>()
+        };
+        wrong_arguments(&with(&["no-such=edge"]), "expected one of mission-selected, fault-trigger, ");
+        wrong_arguments(&with(&["go-edge=no-such"]), "expected one of seen-low, edge");
+        let contradiction = run(&with(&["go-edge=edge", "go-edge=seen-low"]));
+        refused(&contradiction, "--reading go-edge=seen-low: go-edge is already pinned to edge", "once");
+    }
+}
+
+#[test]
+fn threads_and_ports_that_are_none() {
+    for value in ["0", "257", "two", "", "1.5"] {
+        wrong_arguments(&["verify", "--threads", value], "expected a number of threads from 1 to 256");
+    }
+    for value in ["65536", "any", "", "1.5"] {
+        wrong_arguments(&["explore", "--port", value], "--port <N>");
+    }
+}
+
+#[test]
+fn all_readings_at_once_leave_no_choice() {
+    for option in [&["--json"][..], &["--reading", "go-edge=edge"], &["--vectors", "read"], &["--logs", "."]]
+    {
+        let args = [&["verify", "--readings"], option].concat();
+        wrong_arguments(&args, &format!("'--readings' cannot be used with '{}", option[0]));
+    }
 }

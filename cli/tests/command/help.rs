@@ -2,7 +2,7 @@
 
 use crate::run::run;
 
-const COMMANDS: [&str; 5] = ["check", "dbc", "diagram", "readings", "schema"];
+const COMMANDS: [&str; 8] = ["check", "dbc", "diagram", "explore", "export", "readings", "schema", "verify"];
 
 #[test]
 fn every_help_text_has_examples_and_exit_status() {
@@ -23,9 +23,18 @@ fn every_help_text_has_examples_and_exit_status() {
 #[test]
 fn the_overview_names_every_command() {
     let help = run(&["--help"]).stdout;
-    for command in COMMANDS {
-        assert!(help.lines().any(|line| line.trim_start().starts_with(command)), "{command} is missing");
+    let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let named: Vec<_> = commands
+        .map_while(|line| line.strip_prefix("  "))
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    let mut expected = COMMANDS.to_vec();
+    expected.push("help");
+    for command in &expected {
+        assert!(named.contains(command), "{command} is missing: {named:?}");
     }
+    assert_eq!(named.len(), expected.len(), "{named:?}");
 }
 
 #[test]

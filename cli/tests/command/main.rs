@@ -4,6 +4,8 @@
 
 mod color;
 mod errors;
+mod explore;
+mod export;
 mod golden;
 mod help;
 mod readings;
@@ -12,3 +14,4 @@ mod run;
 mod schema;
 mod streams;
 mod tables;
+mod verify;

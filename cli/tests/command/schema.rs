@@ -1,4 +1,4 @@
-//! `check --json` against the committed JSON Schema, which `adsdv schema` prints.
+//! The committed JSON Schemas, which `adsdv schema` prints, and `check --json` against its own.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -10,16 +10,25 @@ use serde_json::{Value, json};
 
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, file, run};
 
-fn schema() -> Value {
-    let printed = run(&["schema"]).stdout;
-    assert_eq!(printed.as_bytes(), file("cli/schema/check.schema.json"));
-    serde_json::from_str(&printed).expect("JSON")
+/// The schema of what a command prints with `--json`.
+fn schema(command: &str) -> Value {
+    let printed = run(&["schema", command]);
+    assert_eq!((printed.status, printed.stderr.as_str()), (Some(0), ""), "{command}");
+    assert_eq!(printed.stdout.as_bytes(), file(&format!("cli/schema/{command}.schema.json")));
+    serde_json::from_str(&printed.stdout).expect("JSON")
 }
 
-fn validator() -> Validator {
-    let schema = schema();
+pub(crate) fn validator(command: &str) -> Validator {
+    let schema = schema(command);
     jsonschema::draft202012::meta::validate(&schema).expect("a JSON Schema");
     jsonschema::draft202012::new(&schema).expect("a schema that can be used")
+}
+
+#[test]
+fn the_schema_is_that_of_check_unless_another_is_named() {
+    assert_eq!(run(&["schema"]).stdout, run(&["schema", "check"]).stdout);
+    assert_eq!(schema("check")["title"], "adsdv check --json");
+    assert_eq!(schema("verify")["title"], "adsdv verify");
 }
 
 /// The report of a log, which has to keep to the schema.
@@ -28,7 +37,7 @@ fn report(log: &[u8]) -> Value {
     assert!(matches!(outcome.status, Some(0 | 1)), "{}", outcome.stderr);
     let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     assert_eq!(outcome.stdout.lines().count(), 1, "one object on one line");
-    let errors: Vec<_> = validator().iter_errors(&report).map(|error| error.to_string()).collect();
+    let errors: Vec<_> = validator("check").iter_errors(&report).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
     report
 }
@@ -137,7 +146,7 @@ fn times_are_in_order_and_rounded_to_microseconds() {
 
 #[test]
 fn the_schema_names_every_rule_and_state() {
-    let schema = schema();
+    let schema = schema("check");
     let ids: Vec<_> = Rule::ALL.iter().map(|rule| rule.id()).collect();
     assert_eq!(schema["$defs"]["finding"]["properties"]["rule"]["enum"], json!(ids));
     let states: Vec<_> = AsState::ALL.iter().map(|state| state.name()).collect();
@@ -150,7 +159,7 @@ type Spoil = (&'static str, fn(&mut Value));
 #[test]
 fn the_schema_refuses_what_is_not_a_report() {
     let good = report(&file(FINISHED_WHILE_MOVING));
-    let validator = validator();
+    let validator = validator("check");
     let spoil: [Spoil; 9] = [
         ("another key", |r| r["extra"] = json!(1)),
         ("a missing key", |r| _ = r.as_object_mut().map(|o| o.remove("handshake_response_ms"))),

@@ -1,0 +1,20 @@
+//! `adsdv explore`: the Explorer, in a web browser on this machine.
+
+use adsdv_model::closed::Closed;
+use adsdv_model::serve;
+use adsdv_spec::{Interface, Machine};
+
+use crate::args::ExploreArgs;
+use crate::error::Error;
+use crate::status::Status;
+use crate::{output, pins};
+
+pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
+    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    let told = |address| {
+        // Nobody may be listening, and the Explorer is still there.
+        let _ = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n"));
+    };
+    serve(Closed::explorer(machine), args.port, told).map_err(|error| Error::port(args.port, &error))?;
+    Ok(Status::Conforms)
+}

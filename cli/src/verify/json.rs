@@ -1,0 +1,89 @@
+//! The outcome for a program. Its form is described by `schema/verify.schema.json`.
+
+use std::collections::BTreeMap;
+
+use adsdv_spec::Reading;
+use serde::Serialize;
+
+use super::counterexample::Failure;
+use super::outcome::{Checked, Claim, Explored, Outcome};
+use crate::json::line;
+
+/// The outcome as one JSON object on one line.
+pub(super) fn text(outcome: &Outcome, failures: &[Failure]) -> String {
+    let readings = outcome.machine.readings();
+    line(&VerifyJson {
+        readings: Reading::ALL.iter().map(|&reading| (reading.id(), readings.choice(reading).id())).collect(),
+        models: outcome.models.iter().map(|model| ModelJson::of(model, failures)).collect(),
+        dead_parts: outcome
+            .parts
+            .iter()
+            .filter(|(_, decides)| !decides)
+            .map(|(part, _)| part.to_string())
+            .collect(),
+        holds: outcome.holds(),
+    })
+}
+
+#[derive(Serialize)]
+struct VerifyJson<'a> {
+    readings: BTreeMap<&'static str, &'static str>,
+    models: Vec<ModelJson<'a>>,
+    dead_parts: Vec<String>,
+    holds: bool,
+}
+
+#[derive(Serialize)]
+struct ModelJson<'a> {
+    name: &'a str,
+    states: u64,
+    transitions: u64,
+    depth: usize,
+    seconds: f64,
+    complete: bool,
+    properties: Vec<PropertyJson<'a>>,
+}
+
+#[derive(Serialize)]
+struct PropertyJson<'a> {
+    name: &'a str,
+    statement: &'a str,
+    requirements: &'a [&'static str],
+    claim: &'static str,
+    holds: bool,
+    steps: Option<usize>,
+    log: Option<String>,
+}
+
+impl<'a> ModelJson<'a> {
+    fn of(model: &'a Explored, failures: &[Failure]) -> Self {
+        Self {
+            name: model.name,
+            states: model.states,
+            transitions: model.transitions,
+            depth: model.depth,
+            seconds: model.time.as_secs_f64(),
+            complete: model.complete,
+            properties: model.results.iter().map(|result| PropertyJson::of(result, failures)).collect(),
+        }
+    }
+}
+
+impl<'a> PropertyJson<'a> {
+    fn of(result: &'a Checked, failures: &[Failure]) -> Self {
+        let failure = failures.iter().find(|failure| failure.name == result.name && !result.holds);
+        Self {
+            name: result.name,
+            statement: result.statement,
+            requirements: &result.requirements,
+            claim: match result.claim {
+                Claim::Always => "always",
+                Claim::Eventually => "eventually",
+                Claim::Sometimes => "sometimes",
+            },
+            holds: result.holds,
+            steps: result.steps,
+            log: failure.map(|failure| failure.log.display().to_string()),
+        }
+    }
+}
