@@ -6,13 +6,14 @@ use adsdv_spec::{Control, Machine, Observation, Timing};
 
 use crate::action::Action;
 use crate::goals::GOALS;
-use crate::property::{PROPERTIES, Property};
+use crate::property::Property;
 use crate::step::Step;
 
 /// What the steps out of a control state showed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// The properties that some step breaks, a bit for each place in [`PROPERTIES`].
+    /// The properties that some step breaks, a bit for each place in
+    /// [`PROPERTIES`](crate::PROPERTIES).
     pub(crate) broken: u64,
     /// The goals that some step reaches, a bit for each place in [`GOALS`].
     pub(crate) reached: u64,
@@ -24,13 +25,12 @@ pub(crate) struct Look {
 
 /// Looks at a control state with these input vectors; `document` has the times that the properties speak of.
 pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vectors: &[Observation]) -> Look {
-    let concerned: Vec<(usize, &Property)> =
-        PROPERTIES.iter().enumerate().filter(|(_, property)| property.concerns(control.state)).collect();
+    let concerned = Property::of(control.state);
     let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
     let mut next: Vec<Control> = Vec::new();
     for &seen in vectors {
         let step = Step::of(machine, document, *control, seen);
-        for (place, property) in &concerned {
+        for (place, property) in concerned {
             look.broken |= u64::from(!property.holds(machine, &step)) << place;
         }
         if !next.contains(step.after()) {

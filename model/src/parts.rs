@@ -95,8 +95,15 @@ impl Parts {
         let open = self.all.iter().filter(|candidate| {
             candidate.part.row.from == control.state && !candidate.decides.load(Ordering::Relaxed)
         });
+        let idle = |machine: &Machine| machine.possible(control, CYCLE_MS).next().is_none();
+        let with = machine.reads(control, CYCLE_MS);
+        // While a timer runs nothing may be possible, with the part or without it: then they are alike.
+        let with_is_idle = idle(machine);
         for Candidate { without, decides, .. } in open {
-            let (with, less) = (machine.reads(control, CYCLE_MS), without.reads(control, CYCLE_MS));
+            if with_is_idle && idle(without) {
+                continue;
+            }
+            let less = without.reads(control, CYCLE_MS);
             let reads = Reads { atoms: with.atoms.union(less.atoms), faults: with.faults.union(less.faults) };
             let decided = cache.get(reads, Vectors::Read).iter().any(|&seen| {
                 let after = |machine: &Machine| machine.react(control, seen, CYCLE_MS).control;

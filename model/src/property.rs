@@ -3,6 +3,8 @@
 //! They are stated in the document's words, over conditions and states, and never look at the table of the machine that
 //! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version.
 
+use std::sync::LazyLock;
+
 use adsdv_spec::messages::{AsState, ShutdownCause};
 use adsdv_spec::{Atom, Atoms, Control, FIGURE_2, Machine, Timing};
 
@@ -145,8 +147,20 @@ impl Property {
         }
     }
 
+    /// The properties to which steps from a state can matter, with their places in [`PROPERTIES`].
+    pub(crate) fn of(state: AsState) -> &'static [(usize, &'static Self)] {
+        static BY_STATE: LazyLock<Vec<Vec<(usize, &Property)>>> = LazyLock::new(|| {
+            let of = |state| {
+                PROPERTIES.iter().enumerate().filter(move |(_, property)| property.concerns(state)).collect()
+            };
+            AsState::ALL.iter().map(|&state| of(state)).collect()
+        });
+        let place = AsState::ALL.iter().position(|&other| other == state);
+        place.and_then(|place| BY_STATE.get(place)).map_or(&[], Vec::as_slice)
+    }
+
     /// Whether steps from a state can matter to the property.
-    pub(crate) fn concerns(&self, state: AsState) -> bool {
+    fn concerns(&self, state: AsState) -> bool {
         match self.claim {
             Claim::Leads { from, .. } => from.contains(&state),
             Claim::Only { from, .. } => from == state,

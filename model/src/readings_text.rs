@@ -105,7 +105,7 @@ impl Sweep {
         }
         for ClosedCost { property, choice, run } in &self.closed {
             let ClosedProperty { name, statement, requirements, .. } = property;
-            writeln!(f, "\n### `{name}`\n\n{statement} ({})", requirements.join(", "))?;
+            writeln!(f, "\n### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
             writeln!(f, "\nFails under `{choice}` ({}):\n", choice.text())?;
             lines(f, &story_of(run))?;
         }

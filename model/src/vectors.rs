@@ -8,7 +8,7 @@ use adsdv_spec::{
     Atom, Atoms, Choice, Control, FIGURE_2, Fault, Faults, Machine, Observation, Reads, Row, Timing,
 };
 
-use crate::property::PROPERTIES;
+use crate::property::Property;
 use crate::step::CYCLE_MS;
 
 /// Which input vectors are tried at a control state.
@@ -89,7 +89,8 @@ fn mentioned(rows: &[Row], from: AsState) -> Atoms {
 }
 
 fn properties_read(from: &Control, document: &Timing, leads: impl Fn(AsState) -> bool + Copy) -> Atoms {
-    PROPERTIES.iter().fold(Atoms::NONE, |all, property| all.union(property.reads(from, document, leads)))
+    let concerned = Property::of(from.state).iter();
+    concerned.fold(Atoms::NONE, |all, (_, property)| all.union(property.reads(from, document, leads)))
 }
 
 /// Every observation that inputs can show and that differs in what is read; what is not read is off.

@@ -35,7 +35,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "conforming-ai-always-finishes",
         statement: "With a conforming AI Computer, a well-behaved operator and no fault, every run reaches AS_FINISHED \
-                    and then AS_OFF.",
+                    and then AS_OFF",
         requirements: &[
             "SM-9", "SM-11", "SM-14", "SM-16", "RDY-5", "RDY-6", "DRV-11", "DRV-13", "DRV-15", "FIN-4",
             "FTO-1",
@@ -46,7 +46,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "no-emergency-without-a-reason",
-        statement: "With a conforming AI Computer, a well-behaved operator and no fault, EMERGENCY_BRAKE is never reached.",
+        statement: "With a conforming AI Computer, a well-behaved operator and no fault, EMERGENCY_BRAKE is never reached",
         requirements: &["SM-18", "DTE-4", "DTE-5", "HS-13"],
         operators: WELL_BEHAVED,
         expectation: Expectation::Always,
@@ -55,7 +55,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "every-action-moves-on",
         statement: "With a well-behaved operator no run comes back to a state in which it was, so that what holds at the \
-                    end of every path holds eventually.",
+                    end of every path holds eventually",
         requirements: &[],
         operators: WELL_BEHAVED,
         expectation: Expectation::Always,
@@ -67,7 +67,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "conforming-ai-causes-no-emergency",
         statement: "Whatever the operator does and whatever fails, SHUTDOWN_CAUSE never blames a conforming AI Computer: \
-                    it is none of 1, 6, 7 and 8.",
+                    it is none of 1, 6, 7 and 8",
         requirements: &["MSG-54", "MSG-60", "MSG-61", "MSG-64", "HS-9", "HS-10", "DTE-4", "DTE-5"],
         operators: BOTH,
         expectation: Expectation::Always,
@@ -83,7 +83,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "conforming-ai-is-never-lost",
-        statement: "AI_COMMS_LOST is never raised while the AI Computer answers each edge in less than 50 ms.",
+        statement: "AI_COMMS_LOST is never raised while the AI Computer answers each edge in less than 50 ms",
         requirements: &["HS-9", "HS-13", "HS-16", "D-8", "D-44", "MSG-59"],
         operators: BOTH,
         expectation: Expectation::Always,
@@ -93,7 +93,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "handshake-goes-round",
-        statement: "The VCU asks for 1, is answered, and asks for 0 again.",
+        statement: "The VCU asks for 1, is answered, and asks for 0 again",
         requirements: &["HS-4", "HS-6", "HS-12"],
         operators: WELL_BEHAVED,
         expectation: Expectation::Sometimes,
@@ -104,7 +104,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "mission-can-be-finished",
-        statement: "AS_FINISHED can be reached.",
+        statement: "AS_FINISHED can be reached",
         requirements: &["SM-14", "FIN-4"],
         operators: BOTH,
         expectation: Expectation::Sometimes,
@@ -112,7 +112,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "emergency-can-happen",
-        statement: "EMERGENCY_BRAKE can be reached, by a fault or by the operator.",
+        statement: "EMERGENCY_BRAKE can be reached, by a fault or by the operator",
         requirements: &["SM-12", "SM-13", "SM-15", "RTE-1", "DTE-1", "FTE-1"],
         operators: ANY,
         expectation: Expectation::Sometimes,
