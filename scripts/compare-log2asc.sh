@@ -55,29 +55,8 @@ done
 [ -s "$log" ] || fail 2 "there is no log '$log'; name one with -l"
 command -v log2asc >/dev/null || fail 2 "log2asc is not installed; try: apt-get install can-utils"
 
-if [ -n "${ADSDV-}" ]; then
-    adsdv=$ADSDV
-else
-    command -v cargo >/dev/null || fail 2 "cargo is not installed; see https://rustup.rs, or set ADSDV"
-    cargo build --quiet --release --manifest-path "$root/Cargo.toml" -p adsdv || fail 1 "adsdv does not build"
-    adsdv=${CARGO_TARGET_DIR:-$root/target}/release/adsdv
-fi
-command -v "$adsdv" >/dev/null || fail 2 "there is no program '$adsdv'"
-
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-trap 'exit 129' HUP
-trap 'exit 130' INT
-trap 'exit 143' TERM
-
-# One core for both, the first that this process may use.
-pin=
-core='no core (taskset is not installed)'
-if command -v taskset >/dev/null; then
-    core=$(taskset -cp $$ | sed 's/.*: *//; s/[^0-9].*//')
-    pin="taskset -c $core"
-    core="core $core"
-fi
+# shellcheck source=scripts/compare-common.sh
+. "$root/scripts/compare-common.sh"
 
 # The first copy is the log itself. Each further one begins a second after the end of the one before it; whole
 # seconds are added, so that no digit of the fraction is lost.

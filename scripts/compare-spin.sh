@@ -58,30 +58,9 @@ cc=${CC:-cc}
 command -v spin >/dev/null || fail 2 "spin is not installed; try: apt-get install spin"
 command -v "$cc" >/dev/null || fail 2 "there is no C compiler '$cc'; try: apt-get install gcc libc6-dev"
 
-if [ -n "${ADSDV-}" ]; then
-    adsdv=$ADSDV
-else
-    command -v cargo >/dev/null || fail 2 "cargo is not installed; see https://rustup.rs, or set ADSDV"
-    cargo build --quiet --release --manifest-path "$root/Cargo.toml" -p adsdv || fail 1 "adsdv does not build"
-    adsdv=${CARGO_TARGET_DIR:-$root/target}/release/adsdv
-fi
-command -v "$adsdv" >/dev/null || fail 2 "there is no program '$adsdv'"
-
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-trap 'exit 129' HUP
-trap 'exit 130' INT
-trap 'exit 143' TERM
-
-# One core for both, the first that this process may use. adsdv has as many threads as it may use cores.
-pin=
+# shellcheck source=scripts/compare-common.sh
+. "$root/scripts/compare-common.sh"
 cores=$(nproc)
-core='one core (taskset is not installed: adsdv is not pinned)'
-if command -v taskset >/dev/null; then
-    core=$(taskset -cp $$ | sed 's/.*: *//; s/[^0-9].*//')
-    pin="taskset -c $core"
-    core="core $core"
-fi
 
 spin_explores() {
     # shellcheck disable=SC2086 # $pin is several words, or none.

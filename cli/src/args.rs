@@ -111,7 +111,7 @@ pub(crate) enum WithJson {
 ///
 /// Explores every control state that the VCU can reach, with the real times of the document and every input at every
 /// step: any AI Computer, any driver, any fault (the open model). Then the VCU with an AI Computer that follows the
-/// document, over real CAN frames, an operator and faults (the closed models). A property holds only if the exploration
+/// document, over real CAN frames, an operator and a fault (the closed models). A property holds only if the exploration
 /// was complete, and each names the requirements of spec/REQUIREMENTS.md that it covers.
 ///
 /// For a property that fails, the shortest run that shows it is written as a candump log, and printed as `adsdv check`
@@ -133,9 +133,17 @@ EXAMPLES
 
 OUTPUT
   For each model how many states and steps were explored, and whether that is
-  complete; then a line for each property: holds, or FAILS and after how many steps;
-  for what must be reachable: reached, and after how many steps, or NOT REACHED. Last
-  the parts of the table of Figure 2 that decide some step: none may be dead.
+  complete: one exploration decides all of its properties. Then a line for each:
+  holds, or FAILS and after how many steps; for what must be reachable: reached, and
+  after how many steps, or NOT REACHED. What a property says is printed where it
+  fails, and for all of them with --json. Last the rows of the table of Figure 2, the
+  alternatives of their guards and the conditions of these, and how many decide some
+  step: one that does not is DEAD (under these readings).
+
+  A log is sampled, so that check may call certain less than verify does: what fails
+  for a cycle only, or behind a hidden shutdown circuit, is no violation in a log.
+
+  It takes some 20 seconds, and --readings a minute or two.
 
 ENVIRONMENT
   NO_COLOR  if set and not empty, --color auto means never
@@ -257,8 +265,10 @@ pub(crate) struct ExploreArgs {
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
-  adsdv export --format promela > adsdv.pml
-  spin -a adsdv.pml && cc -O2 -DSAFETY -o pan pan.c && ./pan
+  adsdv export --format promela > vcu.pml
+  spin -a vcu.pml
+  gcc -O2 -DSAFETY -DNOREDUCE -DNOCOMP -o pan pan.c
+  ./pan -m1000000 -w20
 
 EXIT STATUS
   0  the model has been printed

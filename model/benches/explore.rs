@@ -3,14 +3,11 @@
 //! `scripts/compare-spin.sh` states the same beside Spin, in the same run. `plain` is what a program without a model checker
 //! needs that makes the same steps: a search that keeps no paths, asks for no properties and has one thread.
 
-use std::collections::HashSet;
-
 use adsdv_model::closed::{Closed, Operator};
-use adsdv_model::{Action, Open, Options, Vectors, explore};
-use adsdv_spec::{Control, Interface, Machine};
+use adsdv_model::{Options, Vectors, explore, reachable};
+use adsdv_spec::{Interface, Machine};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use stateright::Model;
 
 fn main() {
     divan::main();
@@ -41,22 +38,9 @@ fn open_every_vector(bencher: Bencher<'_, '_>, threads: usize) {
 /// The same control states by a plain search.
 #[divan::bench(sample_count = 5)]
 fn plain(bencher: Bencher<'_, '_>) {
-    bencher.counter(ItemsCount::new(steps(Vectors::Read))).bench(|| {
-        let model = Open::new(black_box(Machine::REFERENCE), Interface::V3_0.timing, Vectors::Read);
-        let mut level = model.init_states();
-        let mut seen: HashSet<Control> = HashSet::from([Control::INITIAL]);
-        let mut actions: Vec<Action> = Vec::new();
-        while !level.is_empty() {
-            let mut next = Vec::new();
-            for state in &level {
-                model.actions(state, &mut actions);
-                let after = actions.drain(..).filter_map(|action| model.next_state(state, action));
-                next.extend(after.filter(|after| seen.insert(*after.control())));
-            }
-            level = next;
-        }
-        seen.len()
-    });
+    bencher
+        .counter(ItemsCount::new(steps(Vectors::Read)))
+        .bench(|| reachable(black_box(&Machine::REFERENCE), Interface::V3_0.timing, Vectors::Read));
 }
 
 /// The closed model with the real times and a well-behaved operator.

@@ -28,12 +28,14 @@ pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vect
     let concerned = Property::of(control.state);
     let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
     let mut next: Vec<Control> = Vec::new();
+    // Most steps lead where the one before them led.
+    let mut last = None;
     for &seen in vectors {
         let step = Step::of(machine, document, *control, seen);
         for (place, property) in concerned {
             look.broken |= u64::from(!property.holds(machine, &step)) << place;
         }
-        if !next.contains(step.after()) {
+        if last.replace(*step.after()) != Some(*step.after()) && !next.contains(step.after()) {
             next.push(*step.after());
             look.ways.push(Action::Step(seen));
         }

@@ -382,7 +382,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-estop",
         statement: "ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE",
-        requirements: &["MSG-7", "MSG-54"],
+        requirements: &["D-9"],
         harm: Harm::DrivesOn,
         claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::AiEstop]), to: STOPPED },
     },
@@ -431,21 +431,21 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "ready-estop",
         statement: "ESTOP_REQUEST in AS_READY leads to EMERGENCY_BRAKE",
-        requirements: &["MSG-7", "D-9"],
+        requirements: &["D-9"],
         harm: Harm::NotBraked,
         claim: Claim::Leads { from: &[Ready], when: When::on(&[Atom::AiEstop]), to: STOPPED },
     },
     Property {
         name: "finished-estop",
         statement: "ESTOP_REQUEST in AS_FINISHED leads to EMERGENCY_BRAKE",
-        requirements: &["MSG-7", "D-9"],
+        requirements: &["D-9"],
         harm: Harm::NotBraked,
         claim: Claim::Leads { from: &[Finished], when: When::on(&[Atom::AiEstop]), to: STOPPED },
     },
     Property {
         name: "comms-tsms",
         statement: "With TSMS off, no silence of the AI Computer causes an emergency",
-        requirements: &["HS-1", "D-8"],
+        requirements: &["D-8"],
         harm: Harm::RunLost,
         claim: Claim::Each {
             holds: |_, step| {
@@ -453,7 +453,7 @@ pub const PROPERTIES: &[Property] = &[
                     || step.after().shutdown_cause == step.before.shutdown_cause
                     || step.after().shutdown_cause != ShutdownCause::AiCommsFault
             },
-            reads: nothing,
+            reads: |_, _| Atoms::of(&[Atom::Tsms]),
         },
     },
     Property {
@@ -519,24 +519,23 @@ pub const PROPERTIES: &[Property] = &[
             holds: |machine, step| {
                 !step.drives(machine)
                     || step.after().state == Driving
-                        && (step.before.state != Driving
-                            || step.shows(Atoms::of(&[Atom::Asms, Atom::GoOn]), Atoms::of(&[Atom::SdcOpen])))
+                        && step.shows(Atoms::of(&[Atom::Asms, Atom::GoOn]), Atoms::of(&[Atom::SdcOpen]))
             },
             reads: nothing,
         },
     },
     Property {
         name: "go-signal",
-        statement: "GO_SIGNAL is 1 only once the rising edge of \"Go\" has been accepted",
+        statement: "GO_SIGNAL is 1 exactly in AS_DRIVING while \"Go\" is on, once its rising edge has been accepted",
         requirements: &["DRV-14", "D-7"],
         harm: Harm::Misled,
         claim: Claim::Each {
             holds: |machine, step| {
-                !step.go_signal(machine)
-                    || step.after().state == Driving
-                        && (step.before.state == Driving || step.before.go_seen_low)
+                let told = step.go_signal(machine);
+                let accepted = step.before.state == Driving || step.before.go_seen_low;
+                told == (step.after().state == Driving && step.sees(Atom::GoOn)) && (!told || accepted)
             },
-            reads: |before, _| Atoms::when(Atom::GoOn, before.state == Ready),
+            reads: |_, _| Atoms::of(&[Atom::GoOn]),
         },
     },
     Property {
@@ -590,7 +589,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "shutdown-cause",
         statement: "SHUTDOWN_CAUSE is never 0 after an emergency, and never changes",
-        requirements: &["MSG-64", "D-15"],
+        requirements: &["D-15"],
         harm: Harm::Misled,
         claim: Claim::Each {
             holds: |_, step| {
@@ -606,8 +605,8 @@ pub const PROPERTIES: &[Property] = &[
     },
     Property {
         name: "control-invariant",
-        statement: "The control state keeps its invariant, and the time in a state is counted as it passes",
-        requirements: &["D-8", "D-11"],
+        statement: "The control state keeps its invariant; the handshake and the time in a state are counted as they pass",
+        requirements: &["HS-4", "HS-6", "HS-7", "HS-9", "D-8", "D-11", "D-44"],
         harm: Harm::Misled,
         claim: Claim::Each {
             holds: |machine, step| {
@@ -617,6 +616,7 @@ pub const PROPERTIES: &[Property] = &[
                 step.after().is_consistent(timing, machine.readings())
                     && u32::from(step.after().in_state_ms)
                         == if stays { step.lasted_ms().min(limit) } else { 0 }
+                    && step.handshake_is_counted(timing)
             },
             reads: nothing,
         },

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
-use adsdv_spec::{Choice, Choices, Interface, Readings};
+use adsdv_spec::{Choice, Choices, Readings};
 
 use crate::closed::ClosedProperty;
 use crate::goals::GOALS;
@@ -28,8 +28,9 @@ This file is what `adsdv verify --readings` prints, and a test keeps it so.
 const CLOSED: &str = "
 ## With an AI Computer that follows the document
 
-In the closed model the AI Computer follows the document, and any operator moves any switch at any time. It was explored
-under each other answer alone. Its properties say what a team may rely on; these fail.";
+In the closed models the AI Computer follows the document; the operator follows the procedure, or moves any switch at any
+time. They were explored with short timers under each other answer alone. Of the properties that say what a team may rely
+on, these fail.";
 
 impl Display for Sweep {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -40,7 +41,9 @@ impl Display for Sweep {
             self.combinations,
             self.transitions,
             if self.complete { "complete" } else { "INCOMPLETE: nothing below is certain" },
-            if self.costs.iter().all(|cost| cost.choices.iter().count() == 1) {
+            if self.costs.iter().any(|cost| cost.choices.is_empty()) {
+                " SOME PROPERTIES FAIL UNDER THE DEFAULT ANSWERS."
+            } else if self.costs.iter().all(|cost| cost.choices.iter().count() == 1) {
                 " No two answers together fail what neither fails alone."
             } else {
                 ""
@@ -152,7 +155,7 @@ fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::
         writeln!(f, "\nFails under {}: {}.", under(cost), cost.harm(property).text())?;
         if let Some(run) = &cost.run {
             writeln!(f)?;
-            lines(f, &story(&cost.machine(Interface::V3_0), run, Some(property)))?;
+            lines(f, &story(&cost.machine(), run, Some(property)))?;
         }
     }
     Ok(())
@@ -168,6 +171,9 @@ fn lines(f: &mut Formatter<'_>, story: &[Line]) -> fmt::Result {
 
 /// The choices, and what undoes the failure.
 fn under(cost: &Cost) -> String {
+    if cost.choices.is_empty() {
+        return "the default answers".to_owned();
+    }
     let mut text = listed(cost.choices, |choice| format!("`{choice}` ({})", choice.text()));
     if !cost.undone_by.is_empty() {
         text.push_str(", but not with ");

@@ -65,6 +65,21 @@ impl Step {
         self.after().handshake.is_lost(self.document.handshake_ms)
     }
 
+    /// Whether the handshake went on as section 2.4 has it: an answer turns the bit round, and without one it stays, and
+    /// the time is counted from the first active step on.
+    pub fn handshake_is_counted(&self, timing: &Timing) -> bool {
+        let (before, after) = (self.before.handshake, self.after().handshake);
+        if !after.active {
+            !self.sees(Atom::Tsms)
+        } else if self.sees(Atom::AiHandshake) == before.bit {
+            after.bit != before.bit && after.unanswered_ms == 0
+        } else {
+            let counted = if before.active { u32::from(before.unanswered_ms) + CYCLE_MS } else { 0 };
+            after.bit == before.bit
+                && u32::from(after.unanswered_ms) == counted.min(timing.handshake_ms.into())
+        }
+    }
+
     /// Whether the document names a reason for `EMERGENCY_BRAKE` in what is seen (sections 2.1, 2.4, 3.5, 3.7, 3.8).
     pub fn has_reason_to_brake(&self) -> bool {
         let driving = self.before.state == AsState::Driving;

@@ -23,7 +23,7 @@ const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface
 pub struct Cost {
     /// The property or goal that fails, by name.
     pub name: &'static str,
-    /// The choices, none of them the default.
+    /// The choices, none of them the default; none at all: it fails under the defaults.
     pub choices: Choices,
     /// The choices of which each undoes the failure when it is made as well.
     pub undone_by: Choices,
@@ -33,16 +33,15 @@ pub struct Cost {
 
 impl Cost {
     /// The machine that fails.
-    pub fn machine(&self, interface: Interface) -> Machine {
-        machine_with(&interface, self.choices)
+    pub fn machine(&self) -> Machine {
+        machine_with(&Interface::V3_0, self.choices)
     }
 
-    /// What it can cost: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
+    /// What the shortest run costs: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
     pub fn harm(&self, property: &Property) -> Harm {
         let run = self.run.as_deref().unwrap_or_default();
-        let end = run
-            .iter()
-            .fold(Control::INITIAL, |control, action| action.apply(&self.machine(Interface::V3_0), &control));
+        let end =
+            run.iter().fold(Control::INITIAL, |control, action| action.apply(&self.machine(), &control));
         if property.harm == Harm::DrivesOn && end.state != AsState::Driving {
             Harm::NotBraked
         } else {
@@ -67,7 +66,7 @@ pub struct Sweep {
     pub complete: bool,
     /// What fails.
     pub costs: Vec<Cost>,
-    /// What fails in the closed model: with a conforming AI Computer, any operator and a fault.
+    /// What fails in the closed models: with a conforming AI Computer.
     pub closed: Vec<ClosedCost>,
 }
 
@@ -82,9 +81,10 @@ pub struct ClosedCost {
     pub run: Run,
 }
 
-/// Checks a version of the interface under every combination of readings. `progress` is told how much is done, and of
+/// Checks version 3.0 of the interface under every combination of readings. `progress` is told how much is done, and of
 /// how much.
-pub fn sweep(interface: Interface, threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
+pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
+    let interface = Interface::V3_0;
     let short = Interface { timing: SHORT, ..interface };
     let all = combinations();
     let next = AtomicUsize::new(0);
@@ -126,16 +126,22 @@ pub fn sweep(interface: Interface, threads: usize, progress: impl Fn(usize, usiz
     let mut closed = Vec::new();
     for choice in alone() {
         let readings = Readings::DEFAULT.with(choice);
-        let model = Closed::scaled(interface, readings, Operator::Any);
-        let exploration = model.clone().explore(threads);
-        complete &= exploration.complete;
-        transitions += exploration.transitions as u64;
-        for found in exploration.results.into_iter().filter(|found| !found.holds) {
-            let machine = Machine::new(interface, readings);
-            // Shortest runs come from one thread.
-            let run = model.clone().run_for(found.property.name).or(found.run);
-            let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
-            closed.push(ClosedCost { property: found.property, choice, run: Run::seeing(&machine, inputs) });
+        for operator in [Operator::WellBehaved, Operator::Any] {
+            let model = Closed::scaled(interface, readings, operator);
+            let exploration = model.clone().explore(threads);
+            complete &= exploration.complete;
+            transitions += exploration.transitions as u64;
+            for found in exploration.results.into_iter().filter(|found| !found.holds) {
+                let machine = Machine::new(interface, readings);
+                // Shortest runs come from one thread.
+                let run = model.clone().run_for(found.property.name).or(found.run);
+                let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
+                closed.push(ClosedCost {
+                    property: found.property,
+                    choice,
+                    run: Run::seeing(&machine, inputs),
+                });
+            }
         }
         done(all.len() / 5);
     }
@@ -170,8 +176,9 @@ const fn options() -> Options {
 fn minimal(failing: BTreeMap<&'static str, BTreeSet<Choices>>, explored: &BTreeSet<Choices>) -> Vec<Cost> {
     let mut costs = Vec::new();
     for (name, sets) in failing {
-        // What fails under the defaults already is no cost of a reading.
-        for &choices in sets.iter().filter(|_| !sets.contains(&Choices::NONE)) {
+        // Of causes that differ in their number alone, one is tried.
+        let by_lemma = Property::find(name).is_none() && sets.contains(&Choices::NONE);
+        for &choices in sets.iter().filter(|_| !by_lemma) {
             if !sets.iter().any(|fewer| *fewer != choices && fewer.is_subset(choices)) {
                 costs.push(Cost { name, choices, undone_by: undone_by(choices, &sets, explored), run: None });
             }

@@ -61,7 +61,8 @@ pub struct Exploration {
     pub states: u64,
     /// How many steps lead out of them, one for each input vector.
     pub transitions: u64,
-    /// How many steps away from the power cycle the farthest of them is.
+    /// How many steps away from the power cycle the farthest of them is, by the paths that were found: with one thread,
+    /// shortest ones.
     pub depth: usize,
     /// How long it took.
     pub time: Duration,

@@ -162,6 +162,22 @@ fn dead_parts_are_found() {
     );
 }
 
+/// Also of the alternatives that only other readings have, none is dead, nor any of its conditions.
+#[test]
+fn every_alternative_decides_under_the_reading_that_has_it() {
+    for row in SHORTENED.table.rows() {
+        for term in row.terms() {
+            let readings = term.readings.iter().fold(Readings::DEFAULT, Readings::with);
+            let parts = explore(&SHORTENED, readings).parts;
+            let of_term = parts.iter().filter(|(part, _)| part.row == *row && part.term == Some(*term));
+            let dead: Vec<_> =
+                of_term.clone().filter(|(_, decides)| !decides).map(|(part, _)| part).collect();
+            assert!(dead.is_empty(), "{readings}: {dead:?}");
+            assert_eq!(of_term.count(), 1 + term.conditions().count(), "{readings}: {term:?}");
+        }
+    }
+}
+
 /// Under the other reading, nothing but the latch needs the power cycle.
 #[test]
 fn a_condition_that_a_reading_makes_moot_is_dead_under_it() {

@@ -10,14 +10,13 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 
-use adsdv_model::{GOALS, Open, Options, PROPERTIES, Promela, Vectors, explore};
+use adsdv_model::{GOALS, Options, PROPERTIES, Promela, Vectors, explore, reachable};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{
     AsState, Atoms, Choice, Control, Fault, Faults, Handshake, Interface, Machine, Mutation, Observation,
     Readings, Timing,
 };
-use stateright::Model;
 
 /// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
 /// while the real ones run can happen while these do.
@@ -183,20 +182,7 @@ impl Subject {
 
     /// Every control state that can be reached.
     fn states(&self) -> HashSet<[u16; 10]> {
-        let model = Open::new(self.machine, self.document, self.vectors);
-        let mut open = model.init_states();
-        let mut states: HashSet<[u16; 10]> = open.iter().map(|state| fields(state.control())).collect();
-        while let Some(state) = open.pop() {
-            let mut actions = Vec::new();
-            model.actions(&state, &mut actions);
-            for action in actions {
-                let next = model.next_state(&state, action).expect("every action has a result");
-                if states.insert(fields(next.control())) {
-                    open.push(next);
-                }
-            }
-        }
-        states
+        reachable(&self.machine, self.document, self.vectors).iter().map(fields).collect()
     }
 
     fn spin(&self, tools: &Tools, place: usize) -> Found {

@@ -14,7 +14,6 @@ mod table;
 use std::thread;
 
 use adsdv_model::{Options, sweep};
-use adsdv_spec::Interface;
 
 use crate::args::VerifyArgs;
 use crate::error::Error;
@@ -52,12 +51,13 @@ fn readings(threads: usize) -> Result<Status, Error> {
                 line.show_bar(done, all, "of every combination of readings");
             }
         });
-        sweep(Interface::V3_0, threads, move |done, all| {
+        sweep(threads, move |done, all| {
             let _ = sender.send((done, all));
         })
     });
     output::plain(&swept.to_string())?;
-    Ok(if swept.complete { Status::Conforms } else { Status::Violates })
+    let defaults_hold = swept.costs.iter().all(|cost| !cost.choices.is_empty());
+    Ok(if swept.complete && defaults_hold { Status::Conforms } else { Status::Violates })
 }
 
 impl Outcome {

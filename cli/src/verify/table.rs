@@ -4,6 +4,7 @@ use std::fmt::{self, Write as _};
 use std::time::Duration;
 
 use adsdv_model::Part;
+use adsdv_oracle::judge::Verdict;
 use adsdv_spec::{Choice, Interface};
 
 use super::counterexample::{self, Failure};
@@ -12,6 +13,9 @@ use crate::layout::{counted, wrapped};
 use crate::report::style::{self, Styled};
 use crate::report::{self, Subject};
 
+/// For a counterexample that the judge of logs lets pass.
+const UNCERTAIN: &str = "The property fails all the same: a log is sampled and silent about the shutdown circuit, and what \
+                         happens here is too short, or too hidden, for a judge of logs to be certain of it.";
 /// The columns of a property's name.
 const NAME: usize = 33;
 /// The columns of a result.
@@ -140,6 +144,10 @@ fn failed(out: &mut String, outcome: &Outcome, failure: &Failure, width: usize) 
     writeln!(out, " {}", quoted(&log))?;
     let options = counterexample::options(pins);
     out.push_str(&report::text(&Subject { name: &log, options: &options, pins }, report, width));
+    if report.verdict() == Verdict::Conforms {
+        writeln!(out)?;
+        wrapped(out, UNCERTAIN.split(' '), 2, width);
+    }
     Ok(())
 }
 

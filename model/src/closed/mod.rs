@@ -25,6 +25,12 @@
 //!
 //! The limit is that of the document, not of the machine that is checked: a machine with less patience is found out.
 //!
+//! # What the vehicle is assumed to do
+//!
+//! It moves only when it is driven, stops when it is braked, and its wheels are straight. The one fault is the remote E-stop
+//! button, which opens the shutdown circuit as every other cause does. Vehicles that roll and wheels that are turned are in
+//! the open model.
+//!
 //! # The operators
 //!
 //! [`Operator::Any`] moves any switch at any time. [`Operator::WellBehaved`] follows sections 3.1 to 3.4 ([`operator`]), and
@@ -365,6 +371,6 @@ impl Model for Closed {
     }
 
     fn properties(&self) -> Vec<Property<Self>> {
-        properties::of(self.operator)
+        properties::of(self)
     }
 }

@@ -66,9 +66,9 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "conforming-ai-causes-no-emergency",
-        statement: "Whatever the operator does and whatever fails, SHUTDOWN_CAUSE never blames a conforming AI Computer: \
+        statement: "Whatever the operator does, and whenever a fault opens the shutdown circuit, SHUTDOWN_CAUSE never blames a conforming AI Computer: \
                     it is none of 1, 6, 7 and 8",
-        requirements: &["MSG-54", "MSG-60", "MSG-61", "MSG-64", "HS-9", "HS-10", "DTE-4", "DTE-5"],
+        requirements: &["MSG-64", "HS-9", "HS-10", "DTE-4", "DTE-5"],
         operators: BOTH,
         expectation: Expectation::Always,
         condition: |_, state| {
@@ -84,7 +84,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "conforming-ai-is-never-lost",
         statement: "AI_COMMS_LOST is never raised while the AI Computer answers each edge in less than 50 ms",
-        requirements: &["HS-9", "HS-13", "HS-16", "D-8", "D-44", "MSG-59"],
+        requirements: &["HS-9", "HS-13", "HS-16", "D-8", "D-44"],
         operators: BOTH,
         expectation: Expectation::Always,
         condition: |model, state| {
@@ -131,18 +131,20 @@ fn properties_of(operator: Operator) -> impl Iterator<Item = &'static ClosedProp
     CLOSED_PROPERTIES.iter().filter(move |property| property.operators.contains(&operator))
 }
 
-pub(super) fn of(operator: Operator) -> Vec<Property<Closed>> {
+pub(super) fn of(model: &Closed) -> Vec<Property<Closed>> {
     let sentinel = Property::always(EXHAUSTIVE, |model: &Closed, _| {
         model.looked_at.fetch_add(1, Ordering::Relaxed);
         true
     });
-    properties_of(operator)
+    // People look at what they like: there, nothing is exhaustive.
+    let sentinel = (!model.skips_time).then_some(sentinel);
+    properties_of(model.operator)
         .map(|property| Property {
             expectation: property.expectation.clone(),
             name: property.name,
             condition: property.condition,
         })
-        .chain([sentinel])
+        .chain(sentinel)
         .collect()
 }
 
@@ -155,7 +157,7 @@ pub struct Exploration {
     pub states: usize,
     /// How many times a state was reached from another one.
     pub transitions: usize,
-    /// The longest of the shortest paths to a state.
+    /// How many steps the farthest state is away, by the paths that were found: with one thread, shortest ones.
     pub depth: usize,
     /// How long it took.
     pub time: Duration,

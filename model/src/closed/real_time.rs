@@ -52,7 +52,8 @@ impl Closed {
                 _ => entered = place,
             }
             // From this step on, the timer counts as elapsed.
-            let elapses = control.in_state_ms < limit && control.in_state_ms + self.timing.cycle_ms >= limit;
+            let elapses = control.in_state_ms < limit
+                && control.in_state_ms.saturating_add(self.timing.cycle_ms) >= limit;
             if limit > 0
                 && elapses
                 && let Some(wait) = waits.get_mut(entered + 1)
@@ -67,8 +68,8 @@ impl Closed {
     fn missing(&self, machine: &Machine, state: AsState) -> u16 {
         let [real, scaled] =
             [machine, &self.machine].map(|machine| machine.interface().timing.in_state_limit(state));
-        let cycles = real.saturating_sub(scaled).div_ceil(self.timing.cycle_ms);
-        cycles + cycles % 2
+        let cycles = real.saturating_sub(scaled).checked_div(self.timing.cycle_ms).unwrap_or_default();
+        cycles.saturating_add(cycles % 2)
     }
 }
 

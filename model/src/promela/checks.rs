@@ -44,9 +44,10 @@ const STATED: &[Stated] = &[
         property: "driving-go",
         from: &[],
         // That it is armed too late or too early matters in the next cycle only.
-        holds: "(before != AS_READY || (state != AS_READY && state != AS_DRIVING) -> !go_seen_low :
-            (state == AS_DRIVING -> armed_before && go_on :
-            go_seen_low == go_lawful || (!go_lawful && lasted_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS)))",
+        holds: "(before == AS_READY && state == AS_DRIVING -> armed_before && go_on :
+            (state != AS_READY -> !go_seen_low :
+            go_seen_low == (before == AS_READY && go_lawful)
+            || (go_seen_low && in_state_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS)))",
     },
     Stated {
         property: "driving-due",
@@ -76,14 +77,13 @@ const STATED: &[Stated] = &[
         property: "actuators",
         from: &[],
         // Requests reach the actuators in AS_DRIVING.
-        holds: "(state != AS_DRIVING || before != AS_DRIVING || (asms && go_on && !sdc_open))",
+        holds: "(state != AS_DRIVING || (asms && go_on && !sdc_open))",
     },
     Stated {
         property: "go-signal",
         from: &[],
         // GO_SIGNAL is the switch, as far as AS_DRIVING or the reading lets it through.
-        holds: "(!(go_on && (state == AS_DRIVING || GO_RAW)) ||
-            (state == AS_DRIVING && (before == AS_DRIVING || armed_before)))",
+        holds: "(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW))",
     },
     Stated {
         property: "brake-time",

@@ -20,7 +20,7 @@ impl Run {
             std::iter::once(EbsState::default()).chain(self.cycles.iter().map(|cycle| cycle.inputs.ebs));
         self.cycles.iter().zip(ebs_before).flat_map(move |(cycle, ebs_before)| {
             let begin_ns = cycle.t_ns - CYCLE_NS / 2;
-            let log_status = begin_ns % log_status_ns == 0 || cycle.inputs.ebs != ebs_before;
+            let log_status = begin_ns.checked_rem(log_status_ns) == Some(0) || cycle.inputs.ebs != ebs_before;
             let sent = move |frame: &Frame| log_status || frame.id != Vcu2LogStatus::ID;
             let vcu = cycle.outputs.messages(&cycle.inputs).frames();
             at(begin_ns, ai_frames(&cycle.inputs.ai)).chain(at(cycle.t_ns, vcu.into_iter().filter(sent)))

@@ -6,9 +6,8 @@ mod whole;
 
 use std::collections::HashSet;
 
-use adsdv_model::{Action, Open, Options, Vectors};
+use adsdv_model::{Options, Vectors};
 use adsdv_spec::{Choice, Choices, Control, Interface, Machine, Readings, Timing};
-use stateright::Model;
 
 /// Timers short enough for many explorations.
 const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
@@ -28,20 +27,7 @@ fn options(vectors: Vectors, document: Timing) -> Options {
     Options { vectors, threads: 1, document }
 }
 
-/// Every control state that can be reached, found without stateright: whole states are kept, not fingerprints.
+/// Every control state that can be reached.
 fn reachable(machine: &Machine, vectors: Vectors) -> HashSet<Control> {
-    let model = Open::new(*machine, machine.interface().timing, vectors);
-    let mut level = model.init_states();
-    let mut seen: HashSet<Control> = level.iter().map(|state| *state.control()).collect();
-    let mut actions: Vec<Action> = Vec::new();
-    while !level.is_empty() {
-        let mut next = Vec::new();
-        for state in &level {
-            model.actions(state, &mut actions);
-            let after = actions.drain(..).filter_map(|action| model.next_state(state, action));
-            next.extend(after.filter(|after| seen.insert(*after.control())));
-        }
-        level = next;
-    }
-    seen
+    adsdv_model::reachable(machine, machine.interface().timing, vectors)
 }
