@@ -8,7 +8,7 @@ use adsdv_spec::messages::{AsState, ShutdownCause};
 use adsdv_spec::{Control, FIGURE_2, Fault};
 
 use crate::open::{Open, State};
-use crate::property::PROPERTIES;
+use crate::properties::PROPERTIES;
 
 /// Something that must be reachable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

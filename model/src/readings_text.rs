@@ -7,7 +7,8 @@ use adsdv_spec::{Choice, Choices, Readings};
 
 use crate::closed::ClosedProperty;
 use crate::goals::GOALS;
-use crate::property::{Harm, PROPERTIES, Property};
+use crate::properties::PROPERTIES;
+use crate::property::{Harm, Property};
 use crate::story::{Line, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};
 

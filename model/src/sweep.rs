@@ -16,7 +16,7 @@ use crate::verify::{Exploration, Options, explore_quietly, runs};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
-const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
+pub const SHORT_TIMERS: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
 
 /// Choices that together fail something, which fewer of them do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -85,7 +85,7 @@ pub struct ClosedCost {
 /// how much.
 pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
     let interface = Interface::V3_0;
-    let short = Interface { timing: SHORT, ..interface };
+    let short = Interface { timing: SHORT_TIMERS, ..interface };
     let all = combinations();
     let next = AtomicUsize::new(0);
     // An exploration of the closed model takes about a fifth of the time of all those of the open one.
@@ -169,7 +169,7 @@ fn combinations() -> Vec<Readings> {
 
 /// Each exploration has one thread: there are enough explorations for all.
 const fn options() -> Options {
-    Options { vectors: Vectors::Few, threads: 1, document: SHORT }
+    Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS }
 }
 
 /// Of all combinations under which something fails, those that fail it with fewest choices.

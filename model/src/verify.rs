@@ -16,7 +16,8 @@ use crate::action::Action;
 use crate::goals::{GOALS, Goal};
 use crate::open::{Open, Seen, State};
 use crate::parts::Part;
-use crate::property::{Harm, PROPERTIES, Property};
+use crate::properties::PROPERTIES;
+use crate::property::{Harm, Property};
 use crate::step::{CYCLE_MS, Step};
 use crate::vectors::Vectors;
 

@@ -2,13 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, Vectors};
+use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, SHORT_TIMERS as SHORT, Vectors};
 use adsdv_spec::mutation::{Change, TermChange, Time};
-use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings, Timing};
+use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
 
-/// Timers short enough for hundreds of explorations, and longer than the handshake's, so that everything that can
-/// happen while the real ones run can happen while these do.
-const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 100, ..Interface::V3_0.timing };
 const SHORTENED: Interface = Interface { timing: SHORT, ..Interface::V3_0 };
 
 /// Mutants that no step of the model can show, each with the reason.

@@ -7,7 +7,8 @@ use adsdv_spec::{FIGURE_2, Fault};
 
 use super::words::{cause, is_one_of, one_of, shows};
 use crate::goals::GOALS;
-use crate::property::{Claim, PROPERTIES, Property, When};
+use crate::properties::PROPERTIES;
+use crate::property::{Claim, Property, When};
 
 /// What a property claims that is a function in Rust, stated again in Promela: the one place where that is done.
 struct Stated {

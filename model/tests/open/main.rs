@@ -6,11 +6,8 @@ mod whole;
 
 use std::collections::HashSet;
 
-use adsdv_model::{Options, Vectors};
+use adsdv_model::{Options, SHORT_TIMERS as SHORT, Vectors};
 use adsdv_spec::{Choice, Choices, Control, Interface, Machine, Readings, Timing};
-
-/// Timers short enough for many explorations.
-const SHORT: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
 
 /// The default readings, and each other choice alone.
 fn each_choice_alone() -> impl Iterator<Item = Readings> {

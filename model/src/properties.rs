@@ -1,0 +1,456 @@
+//! The properties of the open model, as data: each with its name, what it says, and the requirements that it covers.
+//!
+//! They are stated in the document's words, over conditions and states, and never look at the table of the machine that
+//! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version.
+
+use adsdv_spec::messages::{AsState, ShutdownCause};
+use adsdv_spec::{Atom, Atoms, Control, FIGURE_2, Timing};
+
+use crate::property::{Claim, Harm, Property, When};
+use crate::step::Step;
+
+use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+
+/// The states in which the vehicle stands and the Autonomous System is switched on.
+const STANDING: &[AsState] = &[Ready, Finished];
+const STOPPED: &[AsState] = &[EmergencyBrake];
+
+/// "AI_COMMS_LOST": the VCU's edge has been unanswered for 50 ms.
+const COMMS_LOST: When = When::Step { holds: Step::comms_lost, reads: Atoms::NONE };
+
+/// For what does not look at the inputs, or only where the machine does anyway.
+fn nothing(_: &Control, _: &Timing) -> Atoms {
+    Atoms::NONE
+}
+
+/// What the text and Figure 2 together ask for before AS_READY.
+const READY_CONDITIONS: Atoms =
+    Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed]);
+
+/// What section 3.2, item 2, asks for before AS_DRIVING.
+const DRIVING_CONDITIONS: Atoms = Atoms::of(&[
+    Atom::FrontTorqueZero,
+    Atom::RearTorqueZero,
+    Atom::SteerRequestZero,
+    Atom::SteerStraight,
+    Atom::DirectionNeutral,
+]);
+
+/// Every safety property, in the order of the document.
+pub const PROPERTIES: &[Property] = &[
+    Property {
+        name: "figure-2-arrows",
+        statement: "The state changes only along an arrow of Figure 2",
+        requirements: &["SM-18"],
+        harm: Harm::SetsOff,
+        claim: Claim::Each {
+            holds: |_, step| {
+                let (from, to) = (step.before.state, step.after().state);
+                from == to || FIGURE_2.rows().iter().any(|row| (row.from, row.to) == (from, to))
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "ready-switches",
+        statement: "AS_READY is entered only with ASMS and TSMS on and the EBS ARMED",
+        requirements: &["RDY-1", "RDY-2", "RDY-4"],
+        harm: Harm::MadeReady,
+        claim: Claim::Only {
+            from: Off,
+            to: Ready,
+            when: When::on(&[Atom::Asms, Atom::Tsms, Atom::EbsArmed]),
+        },
+    },
+    Property {
+        name: "ready-ami",
+        statement: "AS_READY is entered only with a mission selected on the AMI",
+        requirements: &["RDY-3"],
+        harm: Harm::MadeReady,
+        claim: Claim::Only { from: Off, to: Ready, when: When::on(&[Atom::AmiSelected]) },
+    },
+    Property {
+        name: "ready-mission-status",
+        statement: "AS_READY is entered only with MISSION_STATUS SELECTED",
+        requirements: &["SM-9"],
+        harm: Harm::MadeReady,
+        claim: Claim::Only { from: Off, to: Ready, when: When::on(&[Atom::MissionSelected]) },
+    },
+    Property {
+        name: "ready-due",
+        statement: "AS_READY is entered as soon as all of its conditions hold, unless a power cycle is needed",
+        requirements: &["RDY-5", "SM-9"],
+        harm: Harm::RunLost,
+        claim: Claim::Leads {
+            from: &[Off],
+            when: When::Step {
+                holds: |step| {
+                    step.before.shutdown_cause == ShutdownCause::NoShutdown
+                        && step.shows(READY_CONDITIONS, Atoms::NONE)
+                },
+                reads: READY_CONDITIONS,
+            },
+            to: &[Ready],
+        },
+    },
+    Property {
+        name: "driving-dwell",
+        statement: "AS_DRIVING is entered only after 5 s in AS_READY",
+        requirements: &["DRV-4"],
+        harm: Harm::SetsOff,
+        claim: Claim::Only {
+            from: Ready,
+            to: Driving,
+            when: When::Step { holds: Step::has_lasted, reads: Atoms::NONE },
+        },
+    },
+    Property {
+        name: "driving-requests",
+        statement: "AS_DRIVING is entered only with zero torque and steering requests, straight wheels and NEUTRAL",
+        requirements: &["DRV-5", "DRV-6", "DRV-7", "DRV-8", "DRV-9"],
+        harm: Harm::SetsOff,
+        claim: Claim::Only {
+            from: Ready,
+            to: Driving,
+            when: When::Inputs { on: DRIVING_CONDITIONS, off: Atoms::NONE },
+        },
+    },
+    Property {
+        name: "driving-go",
+        statement: "AS_DRIVING is entered only when \"Go\" comes on, just after it was seen off while all else held",
+        requirements: &["DRV-11", "DRV-12", "D-6"],
+        harm: Harm::SetsOff,
+        claim: Claim::Each {
+            holds: |_, step| match (step.before.state, step.after().state) {
+                (Ready, Driving) => step.before.go_seen_low && step.sees(Atom::GoOn),
+                (before, Ready) => {
+                    let lawful = before == Ready
+                        && step.has_lasted()
+                        && step.shows(DRIVING_CONDITIONS, Atoms::of(&[Atom::GoOn]));
+                    // What is seen of "Go" matters to the next step, if that can set off.
+                    step.after().go_seen_low == lawful || !lawful && !step.next_has_lasted()
+                }
+                _ => !step.after().go_seen_low,
+            },
+            reads: |before, document| {
+                let next_ms =
+                    before.in_state_ms.saturating_add(document.cycle_ms).saturating_add(document.cycle_ms);
+                let counts = before.state == Ready && next_ms >= document.ready_dwell_ms;
+                if counts { DRIVING_CONDITIONS.with(Atom::GoOn) } else { Atoms::NONE }
+            },
+        },
+    },
+    Property {
+        name: "driving-due",
+        statement: "AS_DRIVING is entered at the accepted edge of \"Go\", unless AS_READY has to be left otherwise",
+        requirements: &["DRV-15", "SM-11"],
+        harm: Harm::RunLost,
+        claim: Claim::Leads {
+            from: &[Ready],
+            when: When::Step {
+                holds: |step| {
+                    step.has_lasted()
+                        && step.before.go_seen_low
+                        && step.shows(DRIVING_CONDITIONS.with(Atom::GoOn).with(Atom::Asms), Atoms::NONE)
+                        && !step.has_reason_to_brake()
+                },
+                reads: Atoms::NONE,
+            },
+            to: &[Driving],
+        },
+    },
+    Property {
+        name: "driving-sdc",
+        statement: "An open shutdown circuit in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-1"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
+    },
+    Property {
+        name: "driving-asms",
+        statement: "ASMS off in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-3"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads { from: &[Driving], when: When::off(&[Atom::Asms]), to: STOPPED },
+    },
+    Property {
+        name: "driving-go-off",
+        statement: "\"Go\" off in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-2"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads { from: &[Driving], when: When::off(&[Atom::GoOn]), to: STOPPED },
+    },
+    Property {
+        name: "driving-finished",
+        statement: "FINISHED while moving leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-4", "IMP-3", "IMP-4"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads {
+            from: &[Driving],
+            when: When::on(&[Atom::MissionFinished, Atom::Moving]),
+            to: STOPPED,
+        },
+    },
+    Property {
+        name: "driving-neutral",
+        statement: "NEUTRAL while moving leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-5", "IMP-2", "IMP-4"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads {
+            from: &[Driving],
+            when: When::on(&[Atom::DirectionNeutral, Atom::Moving]),
+            to: STOPPED,
+        },
+    },
+    Property {
+        name: "driving-comms",
+        statement: "A handshake unanswered for 50 ms in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["HS-9", "HS-10"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads { from: &[Driving], when: COMMS_LOST, to: STOPPED },
+    },
+    Property {
+        name: "driving-estop",
+        statement: "ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["D-9"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::AiEstop]), to: STOPPED },
+    },
+    Property {
+        name: "ready-sdc",
+        statement: "An open shutdown circuit in AS_READY leads to EMERGENCY_BRAKE",
+        requirements: &["RTE-1", "SM-12"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Ready], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
+    },
+    Property {
+        name: "finished-sdc",
+        statement: "An open shutdown circuit in AS_FINISHED leads to EMERGENCY_BRAKE",
+        requirements: &["FTE-1", "SM-15"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Finished], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
+    },
+    Property {
+        name: "ready-asms",
+        statement: "ASMS off leads out of AS_READY",
+        requirements: &["RTO-1", "SM-10"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Ready], when: When::off(&[Atom::Asms]), to: &[Off, EmergencyBrake] },
+    },
+    Property {
+        name: "finished-asms",
+        statement: "ASMS off leads out of AS_FINISHED",
+        requirements: &["FTO-1", "SM-16"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Finished], when: When::off(&[Atom::Asms]), to: &[Off, EmergencyBrake] },
+    },
+    Property {
+        name: "ready-comms",
+        statement: "A handshake unanswered for 50 ms in AS_READY leads to EMERGENCY_BRAKE",
+        requirements: &["HS-9", "HS-10"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Ready], when: COMMS_LOST, to: STOPPED },
+    },
+    Property {
+        name: "finished-comms",
+        statement: "A handshake unanswered for 50 ms in AS_FINISHED leads to EMERGENCY_BRAKE",
+        requirements: &["HS-9", "HS-10"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Finished], when: COMMS_LOST, to: STOPPED },
+    },
+    Property {
+        name: "ready-estop",
+        statement: "ESTOP_REQUEST in AS_READY leads to EMERGENCY_BRAKE",
+        requirements: &["D-9"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Ready], when: When::on(&[Atom::AiEstop]), to: STOPPED },
+    },
+    Property {
+        name: "finished-estop",
+        statement: "ESTOP_REQUEST in AS_FINISHED leads to EMERGENCY_BRAKE",
+        requirements: &["D-9"],
+        harm: Harm::NotBraked,
+        claim: Claim::Leads { from: &[Finished], when: When::on(&[Atom::AiEstop]), to: STOPPED },
+    },
+    Property {
+        name: "comms-tsms",
+        statement: "With TSMS off, no silence of the AI Computer causes an emergency",
+        requirements: &["D-8"],
+        harm: Harm::RunLost,
+        claim: Claim::Each {
+            holds: |_, step| {
+                step.sees(Atom::Tsms)
+                    || step.after().shutdown_cause == step.before.shutdown_cause
+                    || step.after().shutdown_cause != ShutdownCause::AiCommsFault
+            },
+            reads: |_, _| Atoms::of(&[Atom::Tsms]),
+        },
+    },
+    Property {
+        name: "finished-at-rest",
+        statement: "AS_FINISHED is entered only with FINISHED and all wheels at rest",
+        requirements: &["FIN-4", "SM-14"],
+        harm: Harm::NotBraked,
+        claim: Claim::Only {
+            from: Driving,
+            to: Finished,
+            when: When::on(&[Atom::MissionFinished, Atom::AtRest]),
+        },
+    },
+    Property {
+        name: "finished-due",
+        statement: "FINISHED with all wheels at rest leads to AS_FINISHED, unless the vehicle has to brake",
+        requirements: &["FIN-4", "SM-14"],
+        harm: Harm::RunLost,
+        claim: Claim::Leads {
+            from: &[Driving],
+            when: When::Step {
+                holds: |step| {
+                    step.shows(Atoms::of(&[Atom::MissionFinished, Atom::AtRest]), Atoms::NONE)
+                        && !step.has_reason_to_brake()
+                },
+                reads: Atoms::of(&[Atom::MissionFinished, Atom::AtRest]),
+            },
+            to: &[Finished],
+        },
+    },
+    Property {
+        name: "brake-founded",
+        statement: "EMERGENCY_BRAKE is entered only for a reason that the document names",
+        requirements: &["SM-12", "SM-13", "SM-15", "HS-10"],
+        harm: Harm::RunLost,
+        claim: Claim::Each {
+            holds: |_, step| {
+                step.before.state == EmergencyBrake
+                    || step.after().state != EmergencyBrake
+                    || step.has_reason_to_brake()
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "off-founded",
+        statement: "AS_READY and AS_FINISHED are left for AS_OFF only with ASMS off",
+        requirements: &["SM-10", "SM-16"],
+        harm: Harm::NotBraked,
+        claim: Claim::Each {
+            holds: |_, step| {
+                !STANDING.contains(&step.before.state) || step.after().state != Off || !step.sees(Atom::Asms)
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "actuators",
+        statement: "Drive and steering requests reach the actuators only in AS_DRIVING, with ASMS and \"Go\" on and the shutdown circuit closed",
+        requirements: &["DRV-2", "DRV-3", "FIN-5", "FIN-6", "D-21"],
+        harm: Harm::DrivesOn,
+        claim: Claim::Each {
+            holds: |machine, step| {
+                !step.drives(machine)
+                    || step.after().state == Driving
+                        && step.shows(Atoms::of(&[Atom::Asms, Atom::GoOn]), Atoms::of(&[Atom::SdcOpen]))
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "go-signal",
+        statement: "GO_SIGNAL is 1 exactly in AS_DRIVING while \"Go\" is on, once its rising edge has been accepted",
+        requirements: &["DRV-14", "D-7"],
+        harm: Harm::Misled,
+        claim: Claim::Each {
+            holds: |machine, step| {
+                let told = step.go_signal(machine);
+                let accepted = step.before.state == Driving || step.before.go_seen_low;
+                told == (step.after().state == Driving && step.sees(Atom::GoOn)) && (!told || accepted)
+            },
+            reads: |_, _| Atoms::of(&[Atom::GoOn]),
+        },
+    },
+    Property {
+        name: "brake-time",
+        statement: "EMERGENCY_BRAKE lasts at least 15 s",
+        requirements: &["ETO-1"],
+        harm: Harm::SetsOff,
+        claim: Claim::Each {
+            holds: |_, step| {
+                step.before.state != EmergencyBrake
+                    || step.after().state == EmergencyBrake
+                    || step.has_lasted()
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "brake-asms",
+        statement: "EMERGENCY_BRAKE is left only with ASMS off",
+        requirements: &["ETO-2"],
+        harm: Harm::SetsOff,
+        claim: Claim::Only { from: EmergencyBrake, to: Off, when: When::off(&[Atom::Asms]) },
+    },
+    Property {
+        name: "brake-due",
+        statement: "EMERGENCY_BRAKE is left for AS_OFF when it has lasted 15 s and ASMS is off",
+        requirements: &["ETO-2", "SM-17", "D-23"],
+        harm: Harm::RunLost,
+        claim: Claim::Leads {
+            from: STOPPED,
+            when: When::Step {
+                holds: |step| step.has_lasted() && !step.sees(Atom::Asms),
+                reads: Atoms::NONE,
+            },
+            to: &[Off],
+        },
+    },
+    Property {
+        name: "power-cycle",
+        statement: "After EMERGENCY_BRAKE, AS_READY and all that follows need a power cycle",
+        requirements: &["ETO-3", "D-11"],
+        harm: Harm::SetsOff,
+        claim: Claim::Each {
+            holds: |_, step| {
+                step.before.shutdown_cause == ShutdownCause::NoShutdown
+                    || matches!(step.after().state, Off | EmergencyBrake)
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "shutdown-cause",
+        statement: "SHUTDOWN_CAUSE is never 0 after an emergency, and never changes",
+        requirements: &["D-15"],
+        harm: Harm::Misled,
+        claim: Claim::Each {
+            holds: |_, step| {
+                let (before, after) = (step.before.shutdown_cause, step.after().shutdown_cause);
+                if before == ShutdownCause::NoShutdown {
+                    (after != before) == (step.after().state == EmergencyBrake)
+                } else {
+                    after == before
+                }
+            },
+            reads: nothing,
+        },
+    },
+    Property {
+        name: "control-invariant",
+        statement: "The control state keeps its invariant; the handshake and the time in a state are counted as they pass",
+        requirements: &["HS-4", "HS-6", "HS-7", "HS-9", "D-8", "D-11", "D-44"],
+        harm: Harm::Misled,
+        claim: Claim::Each {
+            holds: |machine, step| {
+                let timing = &machine.interface().timing;
+                let limit = u32::from(timing.in_state_limit(step.before.state));
+                let stays = step.before.state == step.after().state;
+                step.after().is_consistent(timing, machine.readings())
+                    && u32::from(step.after().in_state_ms)
+                        == if stays { step.lasted_ms().min(limit) } else { 0 }
+                    && step.handshake_is_counted(timing)
+            },
+            reads: nothing,
+        },
+    },
+];
+
+const _: () = assert!(PROPERTIES.len() <= 64, "sets of properties are 64 bits");
