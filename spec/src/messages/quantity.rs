@@ -188,7 +188,7 @@ macro_rules! quantities {
         impl kani::Arbitrary for $name {
             fn any() -> Self {
                 let value: $repr = kani::any();
-                kani::assume(Self::allows(value as i64));
+                kani::assume(Self::allows(i64::from(value)));
                 Self(value)
             }
         }
@@ -213,9 +213,10 @@ macro_rules! quantities {
     )+};
 }
 
+//= D-31
 quantities! {
     /// Steer angle of the bicycle model; positive turns the front wheels to the left (ISO 8855).
-    SteerAngle(i16): -240..=240, 1/10 "deg", from_deg;
+    SteerAngle(i16): -240..=240, 1/10 "deg", from_deg; //= MSG-25
     /// The largest steer angle, to either side.
     SteerAngleMax(u16): 0..=240, 1/10 "deg", from_deg;
     /// Torque at an axle (motor torque times gear ratio); negative brakes.

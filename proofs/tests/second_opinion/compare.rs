@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use adsdv_spec::messages::Vcu2AiStatus;
-use adsdv_spec::{Control, Faults, Inputs, Interface, Machine};
+use adsdv_spec::{Control, Inputs, Interface, Machine};
 
-use crate::transcription::{self, Flags, Verdict};
+use adsdv_proofs::words::{self, Arrow, Verdict};
 
 /// How many rows Figure 2 has.
 pub(crate) const ROWS: usize = Interface::V3_0.table.rows().len();
@@ -35,17 +34,11 @@ pub(crate) fn step(
     if let Some(row) = outputs.taken {
         taken[usize::from(row.row)] += 1;
     }
-    let verdict = Verdict {
-        control,
-        state: outputs.state,
-        arrow: outputs.row(machine).map(|row| row.clause),
-        flags: flags(outputs.faults),
-        shutdown_cause: outputs.shutdown_cause,
-        handshake: outputs.handshake,
-        go_signal: outputs.go_signal,
-    };
-    let transcription = transcription::step(before, inputs, dt_ms, machine.readings());
-    if verdict == transcription && outputs.from == before.state {
+    let verdict = Verdict::of(control, &outputs);
+    let transcription = words::step(before, inputs, dt_ms, machine.readings());
+    let section = outputs.row(machine).map(|row| row.clause);
+    let same_row = section == transcription.arrow.map(Arrow::section);
+    if verdict == transcription && same_row && outputs.from == before.state {
         Ok(control)
     } else {
         Err(Box::new(Disagreement {
@@ -55,24 +48,6 @@ pub(crate) fn step(
             machine: verdict,
             transcription,
         }))
-    }
-}
-
-/// The faults as 520h shows them.
-fn flags(faults: Faults) -> Flags {
-    let mut shown = Vcu2AiStatus::default();
-    faults.show(&mut shown);
-    Flags {
-        ai_estop_request: shown.ai_estop_request,
-        hvil_open_fault: shown.hvil_open_fault,
-        hvil_short_fault: shown.hvil_short_fault,
-        ebs_fault: shown.ebs_fault,
-        offboard_charger_fault: shown.offboard_charger_fault,
-        ai_comms_lost: shown.ai_comms_lost,
-        autonomous_braking_fault: shown.autonomous_braking_fault,
-        mission_status_fault: shown.mission_status_fault,
-        charge_procedure_fault: shown.charge_procedure_fault,
-        bms_fault: shown.bms_fault,
     }
 }
 

@@ -1,72 +1,204 @@
-//! The document's sections 2.4, 3 and 4 once more, as plain `if`s over the raw inputs.
+//! The document's sections 2.4, 3 and 4 once more, in its own words: plain `if`s over the raw inputs.
 //!
 //! Nothing of the specification's machinery is used here: no atoms, no table, no thresholds. Every number is written
 //! out again, so that a slip in the one is not a slip in the other. Only the types are shared: what goes in
 //! ([`Inputs`], [`Control`], [`Readings`]) and the [`Control`] that comes out.
 //!
-//! To review: hold each function against the section that its comment names.
+//! To review: hold each function against the section that its comment names. The proofs hold [`Machine::step`] against
+//! it for every input; the tests do so on long runs, and with mutants.
+//!
+//! [`Machine::step`]: adsdv_spec::Machine::step
 
-use adsdv_spec::messages::{AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ShutdownCause};
-use adsdv_spec::{Choice, Control, Handshake, Inputs, Readings};
+use adsdv_spec::messages::{
+    AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ShutdownCause, Vcu2AiStatus,
+};
+use adsdv_spec::{Choice, Control, Faults, Handshake, Inputs, Outputs, Readings};
+
+/// An arrow of Figure 2, by the section of the document that describes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrow {
+    /// 3.1, AS_OFF to AS_READY.
+    OffToReady,
+    /// 3.2, AS_READY to AS_DRIVING.
+    ReadyToDriving,
+    /// 3.3, AS_DRIVING to AS_FINISHED.
+    DrivingToFinished,
+    /// 3.4, AS_FINISHED to AS_OFF.
+    FinishedToOff,
+    /// 3.5, AS_READY to EMERGENCY_BRAKE.
+    ReadyToEmergencyBrake,
+    /// 3.6, AS_READY to AS_OFF.
+    ReadyToOff,
+    /// 3.7, AS_DRIVING to EMERGENCY_BRAKE.
+    DrivingToEmergencyBrake,
+    /// 3.8, AS_FINISHED to EMERGENCY_BRAKE.
+    FinishedToEmergencyBrake,
+    /// 3.9, EMERGENCY_BRAKE to AS_OFF.
+    EmergencyBrakeToOff,
+}
+
+impl Arrow {
+    /// Every arrow, by its section.
+    pub const ALL: [Self; 9] = [
+        Self::OffToReady,
+        Self::ReadyToDriving,
+        Self::DrivingToFinished,
+        Self::FinishedToOff,
+        Self::ReadyToEmergencyBrake,
+        Self::ReadyToOff,
+        Self::DrivingToEmergencyBrake,
+        Self::FinishedToEmergencyBrake,
+        Self::EmergencyBrakeToOff,
+    ];
+
+    /// The arrow between two states; there is at most one.
+    pub const fn between(from: AsState, to: AsState) -> Option<Self> {
+        use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+        match (from, to) {
+            (Off, Ready) => Some(Self::OffToReady),
+            (Ready, Driving) => Some(Self::ReadyToDriving),
+            (Driving, Finished) => Some(Self::DrivingToFinished),
+            (Finished, Off) => Some(Self::FinishedToOff),
+            (Ready, EmergencyBrake) => Some(Self::ReadyToEmergencyBrake),
+            (Ready, Off) => Some(Self::ReadyToOff),
+            (Driving, EmergencyBrake) => Some(Self::DrivingToEmergencyBrake),
+            (Finished, EmergencyBrake) => Some(Self::FinishedToEmergencyBrake),
+            (EmergencyBrake, Off) => Some(Self::EmergencyBrakeToOff),
+            _ => None,
+        }
+    }
+
+    /// The section of the document that describes it.
+    pub const fn section(self) -> &'static str {
+        match self {
+            Self::OffToReady => "3.1",
+            Self::ReadyToDriving => "3.2",
+            Self::DrivingToFinished => "3.3",
+            Self::FinishedToOff => "3.4",
+            Self::ReadyToEmergencyBrake => "3.5",
+            Self::ReadyToOff => "3.6",
+            Self::DrivingToEmergencyBrake => "3.7",
+            Self::FinishedToEmergencyBrake => "3.8",
+            Self::EmergencyBrakeToOff => "3.9",
+        }
+    }
+
+    /// The state that it leads to.
+    pub const fn to(self) -> AsState {
+        match self {
+            Self::OffToReady => AsState::Ready,
+            Self::ReadyToDriving => AsState::Driving,
+            Self::DrivingToFinished => AsState::Finished,
+            Self::FinishedToOff | Self::ReadyToOff | Self::EmergencyBrakeToOff => AsState::Off,
+            Self::ReadyToEmergencyBrake | Self::DrivingToEmergencyBrake | Self::FinishedToEmergencyBrake => {
+                AsState::EmergencyBrake
+            }
+        }
+    }
+}
 
 /// What one step of the VCU comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Verdict {
+pub struct Verdict {
     /// What the VCU remembers for the next step.
-    pub(crate) control: Control,
+    pub control: Control,
     /// `AS_STATE` after the step.
-    pub(crate) state: AsState,
-    /// The section of the arrow that was taken; `None` if the state stays.
-    pub(crate) arrow: Option<&'static str>,
+    pub state: AsState,
+    /// The arrow that was taken; `None` if the state stays.
+    pub arrow: Option<Arrow>,
     /// The fault flags of 520h.
-    pub(crate) flags: Flags,
+    pub flags: Flags,
     /// `SHUTDOWN_CAUSE` of 520h.
-    pub(crate) shutdown_cause: ShutdownCause,
+    pub shutdown_cause: ShutdownCause,
     /// HANDSHAKE of 520h.
-    pub(crate) handshake: bool,
+    pub handshake: bool,
     /// `GO_SIGNAL` of 520h.
-    pub(crate) go_signal: bool,
+    pub go_signal: bool,
+}
+
+impl Verdict {
+    /// What a step of the specification came to, in the same terms.
+    ///
+    /// That a row was taken without an arrow between its states is no arrow at all.
+    pub fn of(control: Control, outputs: &Outputs) -> Self {
+        let arrow = match outputs.taken {
+            Some(_) => Arrow::between(outputs.from, outputs.state),
+            None => None,
+        };
+        Self {
+            control,
+            state: outputs.state,
+            arrow,
+            flags: Flags::of(outputs.faults),
+            shutdown_cause: outputs.shutdown_cause,
+            handshake: outputs.handshake,
+            go_signal: outputs.go_signal,
+        }
+    }
 }
 
 /// The fault flags of 520h, each under its name there (section 2.2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Flags {
-    pub(crate) ai_estop_request: bool,
-    pub(crate) hvil_open_fault: bool,
-    pub(crate) hvil_short_fault: bool,
-    pub(crate) ebs_fault: bool,
-    pub(crate) offboard_charger_fault: bool,
-    pub(crate) ai_comms_lost: bool,
-    pub(crate) autonomous_braking_fault: bool,
-    pub(crate) mission_status_fault: bool,
-    pub(crate) charge_procedure_fault: bool,
-    pub(crate) bms_fault: bool,
+pub struct Flags {
+    /// The AI Computer requests an emergency stop.
+    pub ai_estop_request: bool,
+    /// The shutdown circuit, or the HVIL, is open.
+    pub hvil_open_fault: bool,
+    /// The shutdown circuit, or the HVIL, has a short circuit.
+    pub hvil_short_fault: bool,
+    /// The Emergency Braking System is faulty.
+    pub ebs_fault: bool,
+    /// The offboard charger is faulty.
+    pub offboard_charger_fault: bool,
+    /// The AI Computer does not answer the handshake.
+    pub ai_comms_lost: bool,
+    /// NEUTRAL was requested while the vehicle was moving.
+    pub autonomous_braking_fault: bool,
+    /// FINISHED was declared while the vehicle was moving.
+    pub mission_status_fault: bool,
+    /// A master switch is on while the battery is being charged.
+    pub charge_procedure_fault: bool,
+    /// The battery management system reports a critical fault.
+    pub bms_fault: bool,
+}
+
+impl Flags {
+    /// The flags that 520h shows for these faults.
+    pub fn of(faults: Faults) -> Self {
+        let mut shown = Vcu2AiStatus::default();
+        faults.show(&mut shown);
+        Self {
+            ai_estop_request: shown.ai_estop_request,
+            hvil_open_fault: shown.hvil_open_fault,
+            hvil_short_fault: shown.hvil_short_fault,
+            ebs_fault: shown.ebs_fault,
+            offboard_charger_fault: shown.offboard_charger_fault,
+            ai_comms_lost: shown.ai_comms_lost,
+            autonomous_braking_fault: shown.autonomous_braking_fault,
+            mission_status_fault: shown.mission_status_fault,
+            charge_procedure_fault: shown.charge_procedure_fault,
+            bms_fault: shown.bms_fault,
+        }
+    }
 }
 
 /// One step in the making: what it starts from, and what the clocks say once `dt` has passed.
-struct Step<'a> {
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
     control: &'a Control,
     inputs: &'a Inputs,
     readings: Readings,
+    /// The handshake after this step.
+    handshake: Handshake,
     /// Time spent in `AS_READY` or `EMERGENCY_BRAKE`, this step included.
     in_state_ms: u16,
     ai_comms_lost: bool,
 }
 
 /// Section 3: one step of the state machine of Figure 2.
-pub(crate) fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
-    let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
-    let now = Step {
-        control,
-        inputs,
-        readings,
-        in_state_ms: match control.state {
-            AsState::Ready => later(control.in_state_ms, dt_ms, 5000),
-            AsState::EmergencyBrake => later(control.in_state_ms, dt_ms, 15000),
-            AsState::Off | AsState::Driving | AsState::Finished => 0,
-        },
-        ai_comms_lost: handshake.unanswered_ms == 50,
-    };
+pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
+    let now = Step::of(control, inputs, dt_ms, readings);
+    let handshake = now.handshake;
     let arrow = match control.state {
         AsState::Off => now.leaving_as_off(),
         AsState::Ready => now.leaving_as_ready(),
@@ -75,12 +207,8 @@ pub(crate) fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Rea
         AsState::EmergencyBrake => now.leaving_emergency_brake(),
     };
     let state = match arrow {
+        Some(arrow) => arrow.to(),
         None => control.state,
-        Some("3.1") => AsState::Ready,
-        Some("3.2") => AsState::Driving,
-        Some("3.3") => AsState::Finished,
-        Some("3.4" | "3.6" | "3.9") => AsState::Off,
-        Some(_) => AsState::EmergencyBrake,
     };
     let shut_down = state == AsState::EmergencyBrake && arrow.is_some();
     // What did not lead to an emergency, because AS_FINISHED or AS_OFF was read to come first, is no reason for one.
@@ -139,60 +267,77 @@ fn later(clock_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
 
 /// The arrows, each state's in the order in which they are tried; two that hold at once are a matter of reading.
 impl Step<'_> {
-    fn leaving_as_off(&self) -> Option<&'static str> {
-        if self.section_3_1() { Some("3.1") } else { None }
+    fn leaving_as_off(&self) -> Option<Arrow> {
+        if self.section_3_1() { Some(Arrow::OffToReady) } else { None }
     }
 
-    fn leaving_as_ready(&self) -> Option<&'static str> {
+    fn leaving_as_ready(&self) -> Option<Arrow> {
         let off_first = self.readings.is(Choice::ReadyOffFirst);
         if off_first && self.section_3_6() {
-            Some("3.6")
+            Some(Arrow::ReadyToOff)
         } else if self.section_3_5() {
-            Some("3.5")
+            Some(Arrow::ReadyToEmergencyBrake)
         } else if self.section_3_6() {
-            Some("3.6")
+            Some(Arrow::ReadyToOff)
         } else if self.section_3_2() {
-            Some("3.2")
+            Some(Arrow::ReadyToDriving)
         } else {
             None
         }
     }
 
-    fn leaving_as_driving(&self) -> Option<&'static str> {
+    fn leaving_as_driving(&self) -> Option<Arrow> {
         let finished_first = self.readings.is(Choice::DrivingFinishedFirst);
         if finished_first && self.section_3_3() {
-            Some("3.3")
+            Some(Arrow::DrivingToFinished)
         } else if self.section_3_7() {
-            Some("3.7")
+            Some(Arrow::DrivingToEmergencyBrake)
         } else if self.section_3_3() {
-            Some("3.3")
+            Some(Arrow::DrivingToFinished)
         } else {
             None
         }
     }
 
-    fn leaving_as_finished(&self) -> Option<&'static str> {
+    fn leaving_as_finished(&self) -> Option<Arrow> {
         let off_first = self.readings.is(Choice::FinishedOffFirst);
         if off_first && self.section_3_4() {
-            Some("3.4")
+            Some(Arrow::FinishedToOff)
         } else if self.section_3_8() {
-            Some("3.8")
+            Some(Arrow::FinishedToEmergencyBrake)
         } else if self.section_3_4() {
-            Some("3.4")
+            Some(Arrow::FinishedToOff)
         } else {
             None
         }
     }
 
-    fn leaving_emergency_brake(&self) -> Option<&'static str> {
-        if self.section_3_9() { Some("3.9") } else { None }
+    fn leaving_emergency_brake(&self) -> Option<Arrow> {
+        if self.section_3_9() { Some(Arrow::EmergencyBrakeToOff) } else { None }
     }
 }
 
-impl Step<'_> {
+impl<'a> Step<'a> {
+    /// The step from a control state with these inputs, `dt_ms` after the last.
+    pub fn of(control: &'a Control, inputs: &'a Inputs, dt_ms: u32, readings: Readings) -> Self {
+        let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
+        Self {
+            control,
+            inputs,
+            readings,
+            handshake,
+            in_state_ms: match control.state {
+                AsState::Ready => later(control.in_state_ms, dt_ms, 5000),
+                AsState::EmergencyBrake => later(control.in_state_ms, dt_ms, 15000),
+                AsState::Off | AsState::Driving | AsState::Finished => 0,
+            },
+            ai_comms_lost: handshake.unanswered_ms == 50,
+        }
+    }
+
     /// 3.1, AS_OFF to AS_READY: TSMS on, ASMS on, a mission selected, the EBS armed; and, by 3.9, not after an
     /// emergency that asks for a power cycle.
-    fn section_3_1(&self) -> bool {
+    pub fn section_3_1(&self) -> bool {
         let on_the_ami = self.inputs.ami != AmiState::NotSelected;
         let confirmed = self.inputs.ai.status.mission_status == MissionStatus::Selected;
         let mission_selected = if self.readings.is(Choice::MissionAmi) {
@@ -210,13 +355,13 @@ impl Step<'_> {
     }
 
     /// 3.2, AS_READY to AS_DRIVING: items 1 and 2 hold, and item 3's rising edge of "Go" is there.
-    fn section_3_2(&self) -> bool {
+    pub fn section_3_2(&self) -> bool {
         let rising_edge = self.inputs.go && self.control.go_seen_low;
         self.section_3_2_items_1_and_2() && rising_edge
     }
 
     /// 3.2, items 1 and 2: five seconds in AS_READY, no torque and no steering requested, NEUTRAL, wheels straight.
-    fn section_3_2_items_1_and_2(&self) -> bool {
+    pub fn section_3_2_items_1_and_2(&self) -> bool {
         let Inputs { ai, vehicle, .. } = self.inputs;
         // In tenths of a degree.
         let steer_angle = vehicle.steer_angle.raw();
@@ -231,28 +376,28 @@ impl Step<'_> {
 
     /// 3.2, item 3: "Go" is off, "once the above conditions have been satisfied"; what is switched on from here is an
     /// edge.
-    fn section_3_2_item_3_seen_low(&self) -> bool {
+    pub fn section_3_2_item_3_seen_low(&self) -> bool {
         let monitored = self.control.state == AsState::Ready && self.section_3_2_items_1_and_2();
         !self.inputs.go && (monitored || self.readings.is(Choice::GoEdgeEnough))
     }
 
     /// 3.3, AS_DRIVING to AS_FINISHED: the mission is completed and the vehicle at rest.
-    fn section_3_3(&self) -> bool {
+    pub fn section_3_3(&self) -> bool {
         self.finished() && self.at_rest()
     }
 
     /// 3.4, AS_FINISHED to AS_OFF: ASMS off.
-    fn section_3_4(&self) -> bool {
+    pub fn section_3_4(&self) -> bool {
         !self.inputs.asms
     }
 
     /// 3.5, AS_READY to EMERGENCY_BRAKE: the shutdown circuit is open.
-    fn section_3_5(&self) -> bool {
+    pub fn section_3_5(&self) -> bool {
         self.emergency_in_every_active_state()
     }
 
     /// 3.5: what opens the shutdown circuit, with the faults of 520h among what "the VCU detects".
-    fn section_3_5_sdc_open(&self) -> bool {
+    pub fn section_3_5_sdc_open(&self) -> bool {
         let sdc = &self.inputs.sdc;
         let reports = &self.inputs.reports;
         sdc.remote_estop
@@ -270,12 +415,12 @@ impl Step<'_> {
     }
 
     /// 3.6, AS_READY to AS_OFF: ASMS off.
-    fn section_3_6(&self) -> bool {
+    pub fn section_3_6(&self) -> bool {
         !self.inputs.asms
     }
 
     /// 3.7, AS_DRIVING to EMERGENCY_BRAKE: any of the criteria.
-    fn section_3_7(&self) -> bool {
+    pub fn section_3_7(&self) -> bool {
         self.emergency_in_every_active_state()
             || self.inputs.ai.status.estop_request
             || !self.inputs.go
@@ -285,23 +430,23 @@ impl Step<'_> {
     }
 
     /// 3.8, AS_FINISHED to EMERGENCY_BRAKE: the shutdown circuit is open.
-    fn section_3_8(&self) -> bool {
+    pub fn section_3_8(&self) -> bool {
         self.emergency_in_every_active_state()
     }
 
     /// 3.9, EMERGENCY_BRAKE to AS_OFF: the 15 second timer has elapsed and ASMS is off.
-    fn section_3_9(&self) -> bool {
+    pub fn section_3_9(&self) -> bool {
         self.in_state_ms >= 15000 && !self.inputs.asms
     }
 
     /// 3.7's and 4's FINISHED while moving: the level of 3.7, or the change from RUNNING of section 4, item 2.
-    fn finished_at_speed(&self) -> bool {
+    pub fn finished_at_speed(&self) -> bool {
         let changed = self.control.was_running;
         self.finished() && self.moving() && (changed || self.readings.is(Choice::FaultLevel))
     }
 
     /// 3.7's and 4's NEUTRAL while moving: the level of 3.7, or the change from FORWARD of section 4, item 1.
-    fn neutral_at_speed(&self) -> bool {
+    pub fn neutral_at_speed(&self) -> bool {
         let changed = self.control.was_forward;
         let neutral = self.inputs.ai.status.direction_request == DirectionRequest::Neutral;
         neutral && self.moving() && (changed || self.readings.is(Choice::FaultLevel))
@@ -315,17 +460,18 @@ impl Step<'_> {
         self.section_3_5_sdc_open() || estop || comms
     }
 
-    fn finished(&self) -> bool {
+    /// `MISSION_STATUS` is FINISHED.
+    pub fn finished(&self) -> bool {
         self.inputs.ai.status.mission_status == MissionStatus::Finished
     }
 
     /// 3.7: any of the wheel speeds is greater than 10 rpm.
-    fn moving(&self) -> bool {
+    pub fn moving(&self) -> bool {
         self.wheel_speeds().iter().any(|&rpm| rpm > 10)
     }
 
     /// Figure 2: all wheel speeds are less than 10 rpm.
-    fn at_rest(&self) -> bool {
+    pub fn at_rest(&self) -> bool {
         self.wheel_speeds().iter().all(|&rpm| rpm < 10)
     }
 
@@ -348,7 +494,7 @@ impl Step<'_> {
 /// The fault flags and `SHUTDOWN_CAUSE` of section 2.2.
 impl Step<'_> {
     /// The faults of the inputs and the handshake, whatever the state.
-    fn live(&self) -> Flags {
+    pub fn live(&self) -> Flags {
         let sdc = &self.inputs.sdc;
         let reports = &self.inputs.reports;
         Flags {
@@ -372,7 +518,7 @@ impl Step<'_> {
     }
 
     /// The faults that are a reason for `EMERGENCY_BRAKE` in the state of this step.
-    fn reasons(&self) -> Flags {
+    pub fn reasons(&self) -> Flags {
         let driving = self.control.state == AsState::Driving;
         let active = driving || matches!(self.control.state, AsState::Ready | AsState::Finished);
         if !active {

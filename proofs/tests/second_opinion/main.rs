@@ -1,7 +1,7 @@
 //! A second opinion of the VCU: the table of Figure 2, run by [`Machine`], against an independent transcription of the
 //! document's text.
 //!
-//! - `transcription`: sections 2.4, 3 and 4 as plain `if`s, written from the text alone.
+//! - [`words`](adsdv_proofs::words), in the crate: sections 2.4, 3 and 4 as plain `if`s, written from the text alone.
 //! - `compare`: one step of both, side by side.
 //! - `random`: long runs of random raw inputs, boundary values among them.
 //! - `exhaustive`: every combination of the conditions that a state looks at, from every control state on a grid of time.
@@ -12,7 +12,6 @@ mod compare;
 mod exhaustive;
 mod mutants;
 mod random;
-mod transcription;
 
 use adsdv_spec::table::Row;
 use adsdv_spec::{Choice, Interface, Machine, Reading, Readings};
@@ -45,12 +44,16 @@ fn assert_agreement(run: &Run, readings: Readings) {
     }
 }
 
+//= SM-1, SM-2, SM-9 to SM-18, MSG-9, RDY-1 to RDY-5, DRV-4 to DRV-9, DRV-11, DRV-12, DRV-14, DRV-15, FIN-4
+//= FTO-1, RTE-1 to RTE-8, RTO-1, DTE-1 to DTE-5, FTE-1, ETO-1 to ETO-3, IMP-1 to IMP-4
+//= HS-1, HS-4, HS-6 to HS-10, HS-15, HS-16, MSG-54 to MSG-64, D-12 to D-18, D-22 to D-27, D-36, D-44, D-45
 #[test]
 fn random_runs_agree_under_the_default_readings() {
     let run = Run::of(&Machine::REFERENCE, &mut Prng::new(1), 1_000_000);
     assert_agreement(&run, Readings::DEFAULT);
 }
 
+//= D-1 to D-11
 #[test]
 fn random_runs_agree_under_each_choice_alone() {
     for (seed, readings) in (2..).zip(one_choice_each()) {

@@ -1,0 +1,90 @@
+//! The numbers that stand for a name, as the text of sections 2.1 and 2.2 has them. No other number has a meaning.
+
+use adsdv_spec::messages::{
+    AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ServiceBrake, ShutdownCause,
+};
+
+/// `AS_STATE` of 520h and `State_ASSI` of 502h.
+pub(super) const fn as_state(number: i32) -> Option<AsState> {
+    match number {
+        1 => Some(AsState::Off),
+        2 => Some(AsState::Ready),
+        3 => Some(AsState::Driving),
+        4 => Some(AsState::EmergencyBrake),
+        5 => Some(AsState::Finished),
+        _ => None,
+    }
+}
+
+/// `AMI_STATE` of 520h and `State_AMI` of 502h.
+pub(super) const fn ami_state(number: i32) -> Option<AmiState> {
+    match number {
+        0 => Some(AmiState::NotSelected),
+        1 => Some(AmiState::Acceleration),
+        2 => Some(AmiState::Skidpad),
+        3 => Some(AmiState::Autocross),
+        4 => Some(AmiState::TrackDrive),
+        5 => Some(AmiState::StaticInspectionA),
+        6 => Some(AmiState::StaticInspectionB),
+        7 => Some(AmiState::AutonomousDemo),
+        _ => None,
+    }
+}
+
+/// `State_EBS` of 502h.
+pub(super) const fn ebs_state(number: i32) -> Option<EbsState> {
+    match number {
+        1 => Some(EbsState::Unavailable),
+        2 => Some(EbsState::Armed),
+        3 => Some(EbsState::Triggered),
+        _ => None,
+    }
+}
+
+/// `State_service_brake` of 502h.
+pub(super) const fn service_brake(number: i32) -> Option<ServiceBrake> {
+    match number {
+        1 => Some(ServiceBrake::Disengaged),
+        2 => Some(ServiceBrake::Engaged),
+        3 => Some(ServiceBrake::Available),
+        _ => None,
+    }
+}
+
+/// `SHUTDOWN_CAUSE` of 520h.
+pub(super) const fn shutdown_cause(number: i32) -> Option<ShutdownCause> {
+    match number {
+        0 => Some(ShutdownCause::NoShutdown),
+        1 => Some(ShutdownCause::AiComputerRequest),
+        2 => Some(ShutdownCause::HvilOpenFault),
+        3 => Some(ShutdownCause::HvilShortFault),
+        4 => Some(ShutdownCause::EbsFault),
+        5 => Some(ShutdownCause::OffboardChargerFault),
+        6 => Some(ShutdownCause::AiCommsFault),
+        7 => Some(ShutdownCause::AutonomousBrakingFault),
+        8 => Some(ShutdownCause::MissionStatusFault),
+        9 => Some(ShutdownCause::ChargeProcedureFault),
+        10 => Some(ShutdownCause::BmsFault),
+        _ => None,
+    }
+}
+
+/// `MISSION_STATUS` of 510h.
+pub(super) const fn mission_status(number: i32) -> Option<MissionStatus> {
+    match number {
+        0 => Some(MissionStatus::NotSelected),
+        1 => Some(MissionStatus::Selected),
+        2 => Some(MissionStatus::Running),
+        3 => Some(MissionStatus::Finished),
+        _ => None,
+    }
+}
+
+/// `DIRECTION_REQUEST` of 510h. The CAN database also has 2, for REVERSE; the text does not.
+pub(super) const fn direction_request(number: i32) -> Option<DirectionRequest> {
+    match number {
+        0 => Some(DirectionRequest::Neutral),
+        1 => Some(DirectionRequest::Forward),
+        _ => None,
+    }
+}

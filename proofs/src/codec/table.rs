@@ -1,0 +1,166 @@
+//! The table of all signals, and the lenient reading that goes by it.
+//!
+//! The bounds of the loops: there are 15 messages, 520h has 23 signals and `SHUTDOWN_CAUSE` 11 names, no other message has
+//! more than 9 and no other signal more than 8; 8 bytes are put together to a word, and section 2.3 lists 17 identifiers.
+
+use adsdv_spec::messages::{
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Frame, MESSAGES,
+    Message, MessageDef, Node, SignalDef, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
+    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
+};
+
+use super::data::Data;
+use crate::prelude::*;
+
+/// Any number below this, to count with.
+fn any_below(end: u8) -> usize {
+    usize::from(kani::any_where(|place: &u8| *place < end))
+}
+
+/// A frame of a message with a signal set, as it is sent: a word, in which all other bits are those of `data`.
+fn sent(message: &MessageDef, signal: &SignalDef, data: [u8; 8], raw: i32) -> u64 {
+    let data = signal.put(data, raw);
+    u64::from_le_bytes(subject().sent(Frame { id: message.id, len: message.len, data }).data)
+}
+
+/// **No two signals of a message share a bit.** Of each signal the frame with all of its bits set has as many set as the
+/// signal has, and none that a signal before it has.
+///
+/// Requirements: D-30, D-34.
+#[cfg_attr(kani, kani::proof, kani::unwind(24))]
+pub fn no_two_signals_of_a_message_share_a_bit() {
+    for message in &MESSAGES {
+        let mut before = 0;
+        for signal in message.signals {
+            let bits = sent(message, signal, [0; 8], -1);
+            kani::cover!(before != 0, "one more signal of the same message");
+            assert!(bits & before == 0, "no bit in common");
+            assert!(bits.count_ones() == signal.width.into(), "as many as the signal has");
+            before |= bits;
+        }
+    }
+}
+
+/// **What is put into a signal is what it holds, and no other bit changes.** Whatever the other bits are, and whether the
+/// value is allowed or not: it is read back, with its sign.
+///
+/// Requirements: D-30, D-34.
+#[cfg_attr(kani, kani::proof, kani::unwind(24))]
+pub fn what_is_put_into_a_signal_is_what_it_holds() {
+    let data: [u8; 8] = kani::any();
+    let any: i32 = kani::any();
+    kani::cover!(any < 0 && u64::from_le_bytes(data) != 0, "a negative number, and something beside it");
+    for message in &MESSAGES {
+        for signal in message.signals {
+            let raw = cut(any, signal);
+            let word = sent(message, signal, data, raw);
+            assert!(signal.raw(&word.to_le_bytes()) == Some(raw), "it is read back");
+            let others = !((u64::MAX >> (64 - signal.width)) << signal.start);
+            assert!(word & others == u64::from_le_bytes(data) & others, "every other bit is as it was");
+        }
+    }
+}
+
+/// As much of a number as the bits of a signal hold; so any number makes any of a signal.
+const fn cut(any: i32, signal: &SignalDef) -> i32 {
+    if signal.signed {
+        let unused = 32 - signal.width;
+        any << unused >> unused
+    } else {
+        any & !(-1 << signal.width)
+    }
+}
+
+/// **The table allows what the decoder reads: messages of the AI Computer.** Data is read if and only if each signal's row
+/// finds it there and allows its value, and then it is written with these values.
+///
+/// Requirements: D-19, D-30, D-31, D-33.
+#[cfg_attr(kani, kani::proof, kani::unwind(10))]
+pub fn the_table_agrees_with_the_decoder_on_the_ai_computer() {
+    agrees::<Ai2VcuStatus>();
+    agrees::<Ai2VcuDriveF>();
+    agrees::<Ai2VcuDriveR>();
+    agrees::<Ai2VcuSteer>();
+    agrees::<Ai2VcuBrake>();
+}
+
+/// **The table allows what the decoder reads: the status of the VCU.** As for the messages of the AI Computer.
+///
+/// Requirements: D-19, D-30, D-31, D-33.
+#[cfg_attr(kani, kani::proof, kani::unwind(24))]
+pub fn the_table_agrees_with_the_decoder_on_the_vcu_status() {
+    agrees::<Vcu2AiStatus>();
+}
+
+/// **The table allows what the decoder reads: feedback of the VCU.** As for the messages of the AI Computer.
+///
+/// Requirements: D-19, D-30, D-31, D-33.
+#[cfg_attr(kani, kani::proof, kani::unwind(10))]
+pub fn the_table_agrees_with_the_decoder_on_the_vcu_feedback() {
+    agrees::<Vcu2AiDriveF>();
+    agrees::<Vcu2AiDriveR>();
+    agrees::<Vcu2AiSteer>();
+    agrees::<Vcu2AiBrake>();
+    agrees::<Vcu2AiWheelSpeeds>();
+    agrees::<Vcu2AiWheelCounts>();
+}
+
+/// **The table allows what the decoder reads: messages for the data logger.** As for the messages of the AI Computer.
+///
+/// Requirements: D-19, D-30, D-31, D-33.
+#[cfg_attr(kani, kani::proof, kani::unwind(10))]
+pub fn the_table_agrees_with_the_decoder_on_the_log() {
+    agrees::<Vcu2LogDynamics1>();
+    agrees::<Ai2LogDynamics2>();
+    agrees::<Vcu2LogStatus>();
+}
+
+/// The rows of a message say of any data what its decoder says.
+fn agrees<M: Message + kani::Arbitrary>() {
+    let data = Data::any::<M>();
+    let read = M::decode(data.received(M::DEF.id).given()).ok();
+    let mut allowed = true;
+    for signal in M::DEF.signals {
+        allowed &= signal.raw(data.given()).is_some_and(|raw| signal.allows(raw));
+    }
+    kani::cover!(allowed, "it is read");
+    kani::cover!(!allowed, "it is refused");
+    assert!(read.is_some() == allowed, "read if and only if each row allows it");
+    if let Some(message) = read {
+        let frame = subject().sent(message.encode());
+        for signal in M::DEF.signals {
+            assert!(signal.raw(frame.data()) == signal.raw(data.given()), "written with the same value");
+        }
+    }
+}
+
+/// **An identifier is one message's, and its sender's alone.** No two messages have the same, none is reserved or longer
+/// than 11 bits, and the node that sends it is the one that may.
+///
+/// Requirements: MSG-1, MSG-5, MSG-16, MSG-20, MSG-23, MSG-26, MSG-29, MSG-34, MSG-41, MSG-65, MSG-69, MSG-73, MSG-77,
+/// MSG-80, MSG-82, ID-1 to ID-17.
+#[cfg_attr(kani, kani::proof, kani::unwind(18))]
+pub fn each_identifier_is_of_one_message() {
+    let (one, other) = (any_below(15), any_below(15));
+    kani::cover!(one == 14 && other == 0, "the last and the first");
+    let id =
+        |message: &MessageDef| subject().sent(Frame { id: message.id, len: message.len, data: [0; 8] }).id;
+    assert!((id(MESSAGES[one]) == id(MESSAGES[other])) == (one == other), "an identifier for each");
+    let (sender, receiver) = match MESSAGES[one].sender {
+        Node::Ai => (Node::Ai, Node::Vcu),
+        Node::Vcu => (Node::Vcu, Node::Ai),
+    };
+    let id = id(MESSAGES[one]);
+    assert!(id <= 0x7FF, "11 bits");
+    assert!(!subject().is_reserved(id), "not reserved");
+    assert!(subject().may_send(sender, id) && !subject().may_send(receiver, id), "the sender's alone");
+}
+
+theorems![
+    what_is_put_into_a_signal_is_what_it_holds,
+    the_table_agrees_with_the_decoder_on_the_ai_computer,
+    the_table_agrees_with_the_decoder_on_the_vcu_status,
+    the_table_agrees_with_the_decoder_on_the_vcu_feedback,
+    the_table_agrees_with_the_decoder_on_the_log;
+    every no_two_signals_of_a_message_share_a_bit, each_identifier_is_of_one_message,
+];

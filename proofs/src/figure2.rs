@@ -1,0 +1,174 @@
+//! Figure 2, in the words of the document: the whole step at once, and each arrow both ways.
+//!
+//! The guards are those of [`words`]: plain `if`s over raw inputs, which know nothing of the table. An arrow is taken if
+//! and only if its guard holds and no guard that comes before it does.
+
+use adsdv_spec::Readings;
+use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
+
+use crate::prelude::*;
+use crate::words::{self, Arrow, Verdict};
+
+/// **A step is what the document says.** From every control state, with every input and after every time, the state, what
+/// is remembered, the arrow, the fault flags, SHUTDOWN_CAUSE, the HANDSHAKE bit and GO_SIGNAL are those of the words.
+///
+/// Requirements: SM-1, SM-2, MSG-9, HS-9, HS-10, D-1 to D-18, D-22 to D-27, D-36, D-44, D-45.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn a_step_is_what_the_document_says() {
+    let Step { before, inputs, dt_ms, after, outputs } = any_step();
+    let said = words::step(&before, &inputs, dt_ms, Readings::DEFAULT);
+    kani::cover!(outputs.taken.is_some() && dt_ms > 0, "an arrow is taken");
+    kani::cover!(before.handshake.active && after.handshake.unanswered_ms == 50, "the handshake is lost");
+    assert!(Verdict::of(after, &outputs) == said, "the step and the words agree");
+    assert!(outputs.from == before.state, "the outputs name the state before the step");
+}
+
+/// A step from a state, in the words of the document.
+fn any_now(from: AsState, claims: impl FnOnce(&Step, words::Step<'_>)) {
+    let step = any_step_from(from);
+    claims(&step, words::Step::of(&step.before, &step.inputs, step.dt_ms, Readings::DEFAULT));
+}
+
+/// The arrow is taken if `holds`, and only then; and its row is what the step shows to have been taken.
+fn taken_if_and_only_if(step: &Step, to: AsState, holds: bool) {
+    let taken = step.after.state == to;
+    kani::cover!(holds, "the guard holds");
+    kani::cover!(!holds, "the guard does not hold");
+    assert!(taken == holds, "the arrow is taken if and only if its guard holds");
+    let mut shown = false;
+    for (place, row) in (0u8..).zip(subject().machine().interface().table.rows()) {
+        let arrow = row.from == step.before.state && row.to == to;
+        shown |= arrow && step.outputs.taken.is_some_and(|taken| taken.row == place);
+    }
+    assert!(shown == holds, "its row is the one that is shown");
+}
+
+/// **AS_OFF to AS_READY.** With ASMS and TSMS on, a mission selected on the AMI and SELECTED in MISSION_STATUS, and the EBS
+/// ARMED, unless a power cycle is needed; then, and only then.
+///
+/// Requirements: RDY-1 to RDY-5, SM-9, ETO-3, D-1, D-11, D-45.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn off_to_ready() {
+    any_now(Off, |step, now| taken_if_and_only_if(step, Ready, now.section_3_1()));
+}
+
+/// **AS_READY to EMERGENCY_BRAKE.** With the shutdown circuit open for any of its causes, a lost handshake or an
+/// ESTOP_REQUEST; then, and only then, also with ASMS off.
+///
+/// Requirements: RTE-1 to RTE-8, SM-12, HS-10, D-3, D-9, D-10.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn ready_to_emergency_brake() {
+    any_now(Ready, |step, now| {
+        kani::cover!(now.section_3_5() && now.section_3_6(), "ASMS is off at once");
+        taken_if_and_only_if(step, EmergencyBrake, now.section_3_5());
+    });
+}
+
+/// **AS_READY to AS_OFF.** With ASMS off, unless there is a reason to brake; then, and only then, also when the vehicle
+/// could set off.
+///
+/// Requirements: RTO-1, SM-10, D-3, D-22.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn ready_to_off() {
+    any_now(Ready, |step, now| {
+        kani::cover!(now.section_3_6() && now.section_3_2() && !now.section_3_5(), "\"Go\" comes on at once");
+        taken_if_and_only_if(step, Off, now.section_3_6() && !now.section_3_5());
+    });
+}
+
+/// **AS_READY to AS_DRIVING.** After five seconds, without torque and steering requests, with straight wheels and NEUTRAL,
+/// at the rising edge of "Go" that was seen off while all this held; unless there is a reason to brake, or ASMS is off.
+/// Then, and only then.
+///
+/// Requirements: DRV-4 to DRV-9, DRV-11, DRV-12, DRV-15, SM-11, D-6, D-22, D-25.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn ready_to_driving() {
+    any_now(Ready, |step, now| {
+        let guard = now.section_3_2() && !now.section_3_5() && !now.section_3_6();
+        kani::cover!(guard && step.inputs.vehicle.steer_angle.raw() == -49, "the wheels are just straight");
+        taken_if_and_only_if(step, Driving, guard);
+    });
+}
+
+/// **AS_DRIVING to EMERGENCY_BRAKE.** With the shutdown circuit open, "Go" or ASMS off, FINISHED or NEUTRAL while a wheel
+/// turns faster than 10 rpm, a lost handshake or an ESTOP_REQUEST; then, and only then, also with FINISHED at rest.
+///
+/// Requirements: DTE-1 to DTE-5, SM-13, HS-10, IMP-1 to IMP-4, D-2, D-5, D-9, D-10, D-24.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn driving_to_emergency_brake() {
+    any_now(Driving, |step, now| {
+        kani::cover!(now.section_3_7() && now.section_3_3(), "FINISHED at rest, at once");
+        kani::cover!(now.neutral_at_speed() && now.finished_at_speed(), "both faults at speed");
+        taken_if_and_only_if(step, EmergencyBrake, now.section_3_7());
+    });
+}
+
+/// **AS_DRIVING to AS_FINISHED.** With FINISHED and all wheels slower than 10 rpm, unless there is a reason to brake; then,
+/// and only then.
+///
+/// Requirements: FIN-4, SM-14, D-5, D-24.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn driving_to_finished() {
+    any_now(Driving, |step, now| {
+        kani::cover!(!now.at_rest() && !now.moving() && now.finished(), "a wheel turns at exactly 10 rpm");
+        taken_if_and_only_if(step, Finished, now.section_3_3() && !now.section_3_7());
+    });
+}
+
+/// **EMERGENCY_BRAKE to AS_OFF.** After fifteen seconds with ASMS off; then, and only then.
+///
+/// Requirements: ETO-1, ETO-2, SM-17, D-23.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn emergency_brake_to_off() {
+    any_now(EmergencyBrake, |step, now| {
+        let full = u64::from(step.before.in_state_ms) + u64::from(step.dt_ms) == 15000;
+        kani::cover!(now.section_3_9() && full, "the 15 seconds are just full");
+        taken_if_and_only_if(step, Off, now.section_3_9());
+    });
+}
+
+/// **AS_FINISHED to EMERGENCY_BRAKE.** With the shutdown circuit open, a lost handshake or an ESTOP_REQUEST; then, and only
+/// then, also with ASMS off.
+///
+/// Requirements: FTE-1, SM-15, HS-10, D-4, D-9, D-10.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn finished_to_emergency_brake() {
+    any_now(Finished, |step, now| {
+        kani::cover!(now.section_3_8() && now.section_3_4(), "ASMS is off at once");
+        taken_if_and_only_if(step, EmergencyBrake, now.section_3_8());
+    });
+}
+
+/// **AS_FINISHED to AS_OFF.** With ASMS off, unless there is a reason to brake; then, and only then.
+///
+/// Requirements: FTO-1, SM-16, D-4.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn finished_to_off() {
+    any_now(Finished, |step, now| taken_if_and_only_if(step, Off, now.section_3_4() && !now.section_3_8()));
+}
+
+/// **There is no other arrow.** A state is left only along an arrow of Figure 2, and a step takes at most one.
+///
+/// Requirements: SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn no_other_arrow() {
+    let Step { before, after, outputs, .. } = any_step();
+    let stays = before.state == after.state;
+    kani::cover!(!stays, "the state is left");
+    assert!(stays || Arrow::between(before.state, after.state).is_some(), "Figure 2 has the arrow");
+    assert!(outputs.taken.is_none() == stays, "a row is taken where the state changes, and only there");
+}
+
+theorems![
+    a_step_is_what_the_document_says,
+    off_to_ready,
+    ready_to_emergency_brake,
+    ready_to_off,
+    ready_to_driving,
+    driving_to_emergency_brake,
+    driving_to_finished,
+    emergency_brake_to_off,
+    finished_to_emergency_brake,
+    finished_to_off,
+    no_other_arrow,
+];

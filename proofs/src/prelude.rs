@@ -1,0 +1,32 @@
+//! What every file of theorems uses.
+
+#[cfg(not(kani))]
+pub(crate) use crate::kani;
+pub(crate) use crate::steps::{Step, any_control, any_control_in, any_step, any_step_from};
+#[cfg(kani)]
+pub(crate) use crate::subject::Subject;
+pub(crate) use crate::subject::subject;
+
+/// Lists the theorems of a file: those that are run on random values and, after `every`, those that are run for every
+/// value.
+macro_rules! theorems {
+    ($($random:ident),* $(,)? $(; every $($every:ident),+ $(,)?)?) => {
+        /// The theorems of this file.
+        #[cfg(not(kani))]
+        pub const THEOREMS: &[$crate::theorems::Theorem] = &[
+            $($crate::theorems::Theorem {
+                module: module_path!(),
+                name: stringify!($random),
+                harness: $random,
+                runs: $crate::kani::Runs::Random($crate::theorems::RANDOM_RUNS),
+            },)*
+            $($($crate::theorems::Theorem {
+                module: module_path!(),
+                name: stringify!($every),
+                harness: $every,
+                runs: $crate::kani::Runs::Every,
+            },)+)?
+        ];
+    };
+}
+pub(crate) use theorems;

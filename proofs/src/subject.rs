@@ -1,0 +1,180 @@
+//! What the theorems are about: the specification, function by function.
+//!
+//! Kani proves them of [`Specification`]. Tests put something else in its place, a mutant, to see that a theorem can fail.
+
+use adsdv_spec::messages::{AsState, Frame, Node};
+use adsdv_spec::{
+    Actuation, AiMessages, Atoms, Control, Handshake, Inputs, Knowledge, Machine, Observation, Outputs,
+    Reaction, Readings, Reads, Term, Truth, VcuMessages,
+};
+
+/// The functions that theorems speak of. What is not written otherwise is the specification.
+pub trait Subject {
+    /// Figure 2, the times, the thresholds and the readings.
+    fn machine(&self) -> &Machine {
+        const REFERENCE: &Machine = &Machine::REFERENCE;
+        REFERENCE
+    }
+
+    /// [`Control::INITIAL`].
+    fn initial(&self) -> Control {
+        Control::INITIAL
+    }
+
+    /// [`Control::is_consistent`], with the times of the interface.
+    fn is_consistent(&self, control: &Control, readings: Readings) -> bool {
+        control.is_consistent(&self.machine().interface().timing, readings)
+    }
+
+    /// [`Machine::step`].
+    fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
+        self.step_of(self.machine(), before, inputs, dt_ms)
+    }
+
+    /// [`Machine::step`] of a machine with other readings.
+    fn step_of(
+        &self,
+        machine: &Machine,
+        before: &Control,
+        inputs: &Inputs,
+        dt_ms: u32,
+    ) -> (Control, Outputs) {
+        state_by_state(before, |before| machine.step(before, inputs, dt_ms))
+    }
+
+    /// [`Machine::react`].
+    fn react(&self, before: &Control, seen: Observation, dt_ms: u32) -> Reaction {
+        state_by_state(before, |before| self.machine().react(before, seen, dt_ms))
+    }
+
+    /// [`Machine::reads`].
+    fn reads(&self, before: &Control, dt_ms: u32) -> Reads {
+        state_by_state(before, |before| self.machine().reads(before, dt_ms))
+    }
+
+    /// [`Inputs::observe`].
+    fn observe(&self, inputs: &Inputs) -> Observation {
+        inputs.observe(&self.machine().interface().thresholds)
+    }
+
+    /// [`Handshake::step`], with the time of the interface.
+    fn handshake(&self, before: Handshake, active: bool, answer: bool, dt_ms: u32) -> Handshake {
+        before.step(active, answer, dt_ms, self.machine().interface().timing.handshake_ms)
+    }
+
+    /// [`Outputs::actuation`].
+    fn actuation(&self, outputs: &Outputs, inputs: &Inputs) -> Actuation {
+        outputs.actuation(inputs)
+    }
+
+    /// [`Outputs::messages`].
+    fn messages(&self, outputs: &Outputs, inputs: &Inputs) -> VcuMessages {
+        outputs.messages(inputs)
+    }
+
+    /// The data of a frame as its decoder sees it: [`Message::decode`](adsdv_spec::messages::Message::decode) gets what comes out of here.
+    fn received(&self, _id: u16, data: [u8; 9]) -> [u8; 9] {
+        data
+    }
+
+    /// A frame as it is sent: what [`Message::encode`](adsdv_spec::messages::Message::encode) makes goes through here.
+    fn sent(&self, frame: Frame) -> Frame {
+        frame
+    }
+
+    /// [`AiMessages::receive`].
+    fn receive(&self, ai: &mut AiMessages, id: u16, data: &[u8]) -> bool {
+        matches!(ai.receive(id, data), Ok(true))
+    }
+
+    /// [`adsdv_spec::is_reserved`].
+    fn is_reserved(&self, id: u16) -> bool {
+        adsdv_spec::is_reserved(id)
+    }
+
+    /// [`Node::may_send`].
+    fn may_send(&self, node: Node, id: u16) -> bool {
+        node.may_send(id)
+    }
+
+    /// [`Term::truth`].
+    fn truth(&self, term: &Term, known: Knowledge) -> Truth {
+        term.truth(known)
+    }
+
+    /// [`Truth::and`], [`Truth::or`] and [`Truth::agree`].
+    fn join(&self, one: Truth, other: Truth) -> (Truth, Truth, Truth) {
+        (one.and(other), one.or(other), one.agree(other))
+    }
+
+    /// [`Knowledge::learn`].
+    fn learn(&self, known: Knowledge, scope: Atoms, values: Atoms) -> Knowledge {
+        known.learn(scope, values)
+    }
+
+    /// [`Knowledge::meet`].
+    fn meet(&self, one: Knowledge, other: Knowledge) -> Knowledge {
+        one.meet(other)
+    }
+}
+
+/// What is done with a control state, written once for each AS state.
+///
+/// It comes to the same. But in each of the five cases the AS state is a constant, and with it the rows of the table that
+/// are looked at: so a proof need not reason about a table at a place that it does not know.
+fn state_by_state<T>(control: &Control, act: impl Fn(&Control) -> T) -> T {
+    match control.state {
+        AsState::Off => act(&Control { state: AsState::Off, ..*control }),
+        AsState::Ready => act(&Control { state: AsState::Ready, ..*control }),
+        AsState::Driving => act(&Control { state: AsState::Driving, ..*control }),
+        AsState::EmergencyBrake => act(&Control { state: AsState::EmergencyBrake, ..*control }),
+        AsState::Finished => act(&Control { state: AsState::Finished, ..*control }),
+    }
+}
+
+/// The specification itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Specification;
+
+impl Subject for Specification {}
+
+/// What the theorems are about at present.
+#[cfg(kani)]
+pub fn subject() -> Specification {
+    Specification
+}
+
+#[cfg(not(kani))]
+pub use replaced::{subject, with};
+
+#[cfg(not(kani))]
+mod replaced {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    use super::{Specification, Subject};
+
+    thread_local! {
+        static SUBJECT: RefCell<Rc<dyn Subject>> = RefCell::new(Rc::new(Specification));
+    }
+
+    /// What the theorems are about at present, on this thread.
+    pub fn subject() -> Rc<dyn Subject> {
+        SUBJECT.with_borrow(Rc::clone)
+    }
+
+    /// Does something while the theorems are about another subject, on this thread.
+    pub fn with<T>(other: impl Subject + 'static, run: impl FnOnce() -> T) -> T {
+        /// Puts back what was there, whether `run` returns or panics.
+        struct Back(Option<Rc<dyn Subject>>);
+        impl Drop for Back {
+            fn drop(&mut self) {
+                if let Some(subject) = self.0.take() {
+                    SUBJECT.set(subject);
+                }
+            }
+        }
+        let _back = Back(Some(SUBJECT.replace(Rc::new(other))));
+        run()
+    }
+}

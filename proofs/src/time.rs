@@ -1,0 +1,143 @@
+//! How time counts: in one long step or in several short ones, and for ever without overflowing.
+//!
+//! The document fixes what has happened after a time, not how often the VCU looks. So two short steps are one long one
+//! wherever nothing happens at the end of the first that another look would change: no arrow is taken, and no edge of the
+//! handshake is answered or begun.
+
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atoms, Control, Interface, Outputs, Timing};
+
+use crate::prelude::*;
+
+const TIMING: Timing = Interface::V3_0.timing;
+
+/// Whether a handshake that was running still waits for the answer to the same edge, or rests as it did.
+fn handshake_goes_on(before: &Control, after: &Control) -> bool {
+    before.handshake.active == after.handshake.active && before.handshake.bit == after.handshake.bit
+}
+
+/// What a step shows, but for the conditions. Of these an edge of "Go" that is not accepted is seen at the first look only.
+fn shown(outputs: &Outputs) -> Outputs {
+    Outputs { atoms: Atoms::NONE, ..*outputs }
+}
+
+/// **`a` and then `b` is `a + b`.** A step after `a` that takes no arrow and finds the handshake as it was, and another
+/// after `b` with the same inputs, come to the same control state, arrow, faults and signals as one step after `a + b`.
+///
+/// Requirements: DRV-4, ETO-1, HS-9, HS-15.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn two_steps_are_one() {
+    let Step { before, inputs, dt_ms: a, after: between, outputs: first } = any_step();
+    let b: u32 = kani::any();
+    kani::assume(first.taken.is_none() && handshake_goes_on(&before, &between) && a.checked_add(b).is_some());
+    let two = Step::of(between, inputs, b);
+    let one = Step::of(before, inputs, a + b);
+    kani::cover!(two.outputs.taken.is_some() && a > 0 && b > 0, "the second step takes an arrow");
+    kani::cover!(
+        two.after.handshake.unanswered_ms == 50 && between.handshake.unanswered_ms > 0,
+        "lost meanwhile"
+    );
+    assert!(two.after == one.after, "the same control state");
+    assert!(shown(&two.outputs) == shown(&one.outputs), "the same arrow, faults and signals");
+}
+
+/// **Timers saturate without changing anything.** A timer that has reached its limit, and one that would have gone on
+/// counting for any time beyond it, make the same of every step. So a model whose timers stop is finite and loses nothing.
+///
+/// Requirements: DRV-4, ETO-1, HS-9.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn saturated_timers_change_nothing() {
+    let before = any_control();
+    kani::assume(before.in_state_ms == TIMING.in_state_limit(before.state));
+    kani::assume(!before.handshake.active || before.handshake.unanswered_ms == TIMING.handshake_ms);
+    let (inputs, dt_ms, longer_ms): (_, u32, u32) = (kani::any(), kani::any(), kani::any());
+    let one = Step::of(before, inputs, dt_ms);
+    let other = Step::of(before, inputs, longer_ms);
+    kani::cover!(
+        before.state == AsState::EmergencyBrake && dt_ms == 0 && longer_ms == u32::MAX,
+        "49 days more"
+    );
+    kani::cover!(before.handshake.active, "the handshake is lost");
+    assert!(one.after == other.after && one.outputs == other.outputs, "time makes no difference any more");
+}
+
+/// Any time of which a timer that stops at a limit would show this.
+fn any_true_time(shown_ms: u16, limit_ms: u64) -> u64 {
+    let beyond_ms: u32 = kani::any();
+    let shown_ms = u64::from(shown_ms);
+    if shown_ms < limit_ms { shown_ms } else { shown_ms + u64::from(beyond_ms) }
+}
+
+/// **A timer is the time that has passed, up to its limit.** With the true time since the state was entered, and since the
+/// edge that is unanswered, kept beside it without a limit, the control state's timers are their smaller ones after every
+/// step; and a timed arrow is taken only when the true time has come.
+///
+/// Requirements: DRV-4, ETO-1, HS-9, HS-16.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn timers_are_the_time_that_has_passed() {
+    let before = any_control();
+    let limit = u64::from(TIMING.in_state_limit(before.state));
+    let lost = u64::from(TIMING.handshake_ms);
+    let in_state_ms = any_true_time(before.in_state_ms, limit);
+    let unanswered_ms = any_true_time(before.handshake.unanswered_ms, lost);
+
+    let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
+    let now_ms = in_state_ms + u64::from(dt_ms);
+    kani::cover!(
+        now_ms > 65_535 && outputs.taken.is_none() && limit > 0,
+        "longer than the timer could count"
+    );
+    if outputs.taken.is_none() {
+        assert!(u64::from(after.in_state_ms) == now_ms.min(limit), "the time in the state");
+    } else {
+        assert!(after.in_state_ms == 0, "the next state begins now");
+        let timed = matches!(
+            (before.state, after.state),
+            (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, AsState::Off)
+        );
+        kani::cover!(timed && now_ms == limit, "a timed arrow, not a millisecond too late");
+        assert!(!timed || now_ms >= limit, "the time has come");
+    }
+    if before.handshake.active && after.handshake.active && before.handshake.bit == after.handshake.bit {
+        let waited_ms = unanswered_ms + u64::from(dt_ms);
+        assert!(
+            u64::from(after.handshake.unanswered_ms) == waited_ms.min(lost),
+            "the time without an answer"
+        );
+    }
+}
+
+/// **Looking more often takes nothing that looking less often forbids.** If a VCU that looks after `a` and again after `b`
+/// leaves the state along an arrow that waits for a timer, then one that looks only after `a + b` sees the timer full as
+/// well: it takes the same arrow, unless the handshake is lost by then.
+///
+/// Requirements: DRV-4, ETO-1, SM-11, SM-17.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids() {
+    let fast = any_step();
+    let b: u32 = kani::any();
+    kani::assume(fast.dt_ms.checked_add(b).is_some());
+    let slow = Step::of(fast.before, fast.inputs, fast.dt_ms + b);
+    kani::cover!(fast.leads(AsState::Ready, AsState::Driving) && b > 0, "AS_DRIVING, seen at once");
+    kani::cover!(fast.leads(AsState::EmergencyBrake, AsState::Off) && b > 0, "AS_OFF, seen at once");
+    let lost = slow.after.handshake.is_lost(TIMING.handshake_ms);
+    assert!(
+        fast.outputs.taken.is_none() || slow.outputs.taken == fast.outputs.taken || lost,
+        "what is taken early is taken late as well"
+    );
+    let fast_lost = fast.after.handshake.is_lost(TIMING.handshake_ms);
+    assert!(!fast_lost || lost, "and what is lost early is lost late");
+
+    // The second look of the faster one.
+    kani::assume(fast.outputs.taken.is_none() && handshake_goes_on(&fast.before, &fast.after));
+    let again = Step::of(fast.after, fast.inputs, b);
+    kani::cover!(again.leads(AsState::EmergencyBrake, AsState::Off), "AS_OFF, seen at the second look");
+    assert!(again.outputs.taken == slow.outputs.taken, "the second look takes what the only look takes");
+}
+
+theorems![
+    two_steps_are_one,
+    saturated_timers_change_nothing,
+    timers_are_the_time_that_has_passed,
+    a_faster_cycle_takes_nothing_that_a_slower_one_forbids,
+];

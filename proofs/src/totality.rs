@@ -1,0 +1,205 @@
+//! Nothing panics, overflows or reads out of bounds, whatever it is given: also with control states that no VCU gets to,
+//! and after the longest time that can be told.
+//!
+//! Kani checks that by itself, in everything that a harness reaches; without Kani the tests panic. Each theorem asserts a
+//! little more: that what comes out is something that there is. That no frame makes a decoder panic is in
+//! [`codec`](crate::codec).
+
+use adsdv_spec::messages::AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, Taken, VcuMessages};
+
+use crate::invariant::counts_to_ms;
+use crate::prelude::*;
+
+/// Notes the extremes of a step: the longest time, a timer beyond its limit, and a control state that there cannot be.
+fn cover_extremes(before: &Control, dt_ms: u32) {
+    kani::cover!(dt_ms == u32::MAX, "the longest time");
+    kani::cover!(before.in_state_ms > counts_to_ms(before.state), "a timer beyond its limit");
+    kani::cover!(before.state == Driving && before.power_cycle_needed, "driving after an emergency");
+}
+
+/// **A step is total.** Every control state, all inputs and every time have an answer, in which no timer is beyond its
+/// limit and no fault is shown that there is not.
+///
+/// Requirements: SM-1, DRV-4, ETO-1, HS-9.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn a_step_is_total() {
+    let Step { before, dt_ms, after, outputs, .. } = Step::of(kani::any(), kani::any(), kani::any());
+    cover_extremes(&before, dt_ms);
+    assert!(after.in_state_ms <= counts_to_ms(after.state), "the time in the state is within its limit");
+    assert!(after.handshake.unanswered_ms <= 50, "the handshake's time is within its limit");
+    assert!(outputs.faults.is_subset(Faults::ALL), "the faults are faults");
+}
+
+/// **A reaction is total.** Every control state, every observation and every time have an answer, in which an arrow is taken
+/// exactly where the state changes.
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn a_reaction_is_total() {
+    let (before, seen, dt_ms): (Control, Observation, u32) = (kani::any(), kani::any(), kani::any());
+    let reaction = subject().react(&before, seen, dt_ms);
+    cover_extremes(&before, dt_ms);
+    kani::cover!(reaction.taken.is_some(), "an arrow is taken");
+    let stays = reaction.control.state == before.state;
+    assert!(reaction.taken.is_none() == stays, "an arrow is taken exactly where the state changes");
+}
+
+/// **Observing is total.** All inputs have an observation, and it is one that inputs can have.
+///
+/// Requirements: MSG-9, D-24.
+#[cfg_attr(kani, kani::proof, kani::unwind(2))]
+pub fn an_observation_is_total() {
+    let inputs: Inputs = kani::any();
+    let seen = subject().observe(&inputs);
+    kani::cover!(inputs.vehicle.steer_angle.raw() == -240, "the steering is all the way to the right");
+    kani::cover!(inputs.vehicle.wheel_speeds.fl_wheel_speed.raw() == 10, "a wheel at the limit");
+    kani::cover!(inputs.reports.charging && !inputs.asms && !inputs.tsms, "charging, which is no fault now");
+    assert!(seen.is_possible(), "inputs can look like this");
+}
+
+/// Claims something of any control state, state by state, so that the proof knows the arrows of each as constants.
+fn of_each_state(claims: impl Fn(Control)) {
+    let before: Control = kani::any();
+    match before.state {
+        Off => claims(Control { state: Off, ..before }),
+        Ready => claims(Control { state: Ready, ..before }),
+        Driving => claims(Control { state: Driving, ..before }),
+        Finished => claims(Control { state: Finished, ..before }),
+        EmergencyBrake => claims(Control { state: EmergencyBrake, ..before }),
+    }
+}
+
+/// **What a step can depend on is told of every control state**, and it is what inputs can show.
+///
+/// Requirements: SM-1.
+#[cfg_attr(kani, kani::proof, kani::unwind(27))]
+pub fn what_is_read_is_total() {
+    of_each_state(|before| {
+        let dt_ms = kani::any();
+        let reads = subject().reads(&before, dt_ms);
+        cover_extremes(&before, dt_ms);
+        assert!(reads.atoms.is_subset(Observation::SCOPE), "conditions that inputs decide");
+        assert!(reads.faults.is_subset(Observation::FAULTS), "faults that inputs decide");
+    });
+}
+
+/// **What is possible is told of every control state**: the arrow that a step takes is among those that were.
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn what_is_taken_is_possible() {
+    of_each_state(|before| {
+        let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
+        let subject = subject();
+        let (mut found, mut none) = (false, true);
+        for (row, _) in subject.machine().possible(&before, dt_ms) {
+            found |= row.from == before.state && row.to == after.state;
+            none = false;
+        }
+        cover_extremes(&before, dt_ms);
+        kani::cover!(outputs.taken.is_some(), "an arrow is taken");
+        kani::cover!(none && before.state == EmergencyBrake, "nothing is possible");
+        assert!(found || outputs.taken.is_none(), "what is taken is possible");
+    });
+}
+
+/// Any outputs, also those that no step has.
+fn any_outputs() -> Outputs {
+    let taken = Taken { row: kani::any(), term: kani::any() };
+    Outputs {
+        from: kani::any(),
+        state: kani::any(),
+        taken: if kani::any() { Some(taken) } else { None },
+        atoms: kani::any(),
+        faults: kani::any(),
+        shutdown_cause: kani::any(),
+        handshake: kani::any(),
+        go_signal: kani::any(),
+    }
+}
+
+/// **What a step shows can be looked up**: every number of a row or a term has an answer, if only that there is none.
+///
+/// Requirements: SM-1.
+#[cfg_attr(kani, kani::proof, kani::unwind(2))]
+pub fn what_was_taken_is_looked_up() {
+    let outputs = any_outputs();
+    let subject = subject();
+    let (row, term) = (outputs.row(subject.machine()), outputs.term(subject.machine()));
+    kani::cover!(row.is_some() && term.is_none(), "a row without that term");
+    kani::cover!(row.is_none() && outputs.taken.is_some(), "there is no such row");
+    kani::cover!(term.is_some(), "there is a term");
+    assert!(outputs.taken.is_some() || row.is_none(), "no row where none was taken");
+    assert!(row.is_some() || term.is_none(), "a term is a row's");
+    let in_figure_2 = outputs.taken.is_some_and(|taken| taken.row < 9);
+    assert!(row.is_some() == in_figure_2, "Figure 2 has nine arrows");
+}
+
+/// **What reaches the actuators is total**: all outputs and all requests have an answer.
+///
+/// Requirements: D-21, D-42, D-43.
+#[cfg_attr(kani, kani::proof, kani::unwind(2))]
+pub fn an_actuation_is_total() {
+    let (outputs, inputs) = (any_outputs(), kani::any());
+    let actuation = subject().actuation(&outputs, &inputs);
+    kani::cover!(actuation.front_axle_trq.raw() > 1900, "nearly all the torque there is");
+    assert!(
+        actuation.steer.is_some() == (outputs.state == Driving),
+        "the steering is active in AS_DRIVING only"
+    );
+    assert!(
+        actuation.ebs_triggered == (outputs.state == EmergencyBrake),
+        "the EBS brakes in EMERGENCY_BRAKE only"
+    );
+}
+
+/// **What the VCU sends is total**: all outputs and all inputs make messages. No mean, sum or percentage of what was measured
+/// and requested overflows, and nothing measured is turned into a state.
+///
+/// Requirements: D-47, D-48, D-50.
+#[cfg_attr(kani, kani::proof, kani::unwind(2))]
+pub fn messages_are_total() {
+    let (outputs, inputs): (Outputs, Inputs) = (any_outputs(), kani::any());
+    let messages = subject().messages(&outputs, &inputs);
+    let (front, rear) = (inputs.ai.drive_f.front_axle_trq_request, inputs.ai.drive_r.rear_axle_trq_request);
+    kani::cover!(front.raw() > 1900 && rear.raw() > 1900, "nearly all the torque there is");
+    kani::cover!(inputs.vehicle.front_axle_trq.raw() < 0, "a torque that brakes");
+    assert!(messages.status.as_state == outputs.state, "AS_STATE is the state");
+}
+
+/// **Every message can be sent**: whatever its fields hold, each becomes a frame that can be on the bus.
+///
+/// Requirements: D-30, D-34.
+#[cfg_attr(kani, kani::proof, kani::unwind(11))]
+pub fn frames_are_total() {
+    let messages = VcuMessages {
+        status: kani::any(),
+        drive_f: kani::any(),
+        drive_r: kani::any(),
+        steer: kani::any(),
+        brake: kani::any(),
+        wheel_speeds: kani::any(),
+        wheel_counts: kani::any(),
+        log_dynamics: kani::any(),
+        log_status: kani::any(),
+    };
+    kani::cover!(messages.wheel_speeds.fl_wheel_speed.raw() == 1250, "a wheel turns as fast as it can");
+    for frame in messages.frames() {
+        let frame = subject().sent(frame);
+        assert!(0x500 <= frame.id && frame.id <= 0x526, "an identifier of the VCU");
+        assert!(frame.len <= 8, "as long as a frame can be");
+    }
+}
+
+theorems![
+    a_step_is_total,
+    a_reaction_is_total,
+    an_observation_is_total,
+    what_is_read_is_total,
+    what_is_taken_is_possible,
+    what_was_taken_is_looked_up,
+    an_actuation_is_total,
+    messages_are_total,
+    frames_are_total,
+];

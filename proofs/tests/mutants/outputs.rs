@@ -1,0 +1,283 @@
+//! What the theorems of `outputs.rs` catch: each signal that the VCU sends with another value, and requests that leak to the
+//! actuators or do not get there.
+
+use adsdv_proofs::subject::Subject;
+use adsdv_spec::messages::{
+    BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake, LogDriveTorque, LogSteerAngle,
+    Message, MessageDef, MotorSpeedMax, SignalDef, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR,
+    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
+};
+use adsdv_spec::{Actuation, AsState, Control, Inputs, Machine, Outputs, VcuMessages};
+
+use crate::Mutant;
+
+pub(crate) fn mutants() -> Vec<Mutant> {
+    let mut mutants = of_each_signal();
+    mutants.extend(of_messages());
+    mutants.extend(of_frames());
+    mutants.extend(of_the_actuators());
+    mutants.extend(of_the_assi());
+    mutants
+}
+
+/// What the VCU sends, changed.
+#[derive(Clone)]
+struct Sending<F>(F);
+
+impl<F: Fn(&mut VcuMessages, &Outputs, &Inputs)> Subject for Sending<F> {
+    fn messages(&self, outputs: &Outputs, inputs: &Inputs) -> VcuMessages {
+        let mut messages = outputs.messages(inputs);
+        (self.0)(&mut messages, outputs, inputs);
+        messages
+    }
+}
+
+/// The theorem that speaks of a signal of the VCU.
+fn theorem(id: u16, signal: &str) -> &'static str {
+    match (id, signal) {
+        (0x520, "FAULT_STATUS" | "SHUTDOWN_CAUSE" | "AI_ESTOP_REQUEST" | "AI_COMMS_LOST") => {
+            "status_520h_shows_the_faults"
+        }
+        (0x520, fault) if fault.ends_with("_FAULT") => "status_520h_shows_the_faults",
+        (0x520, "GO_SIGNAL") => "go_signal_is_on_while_the_vehicle_may_drive",
+        (0x520, _) => "status_520h_shows_the_switches_and_the_states",
+        (0x521..=0x523, _) => "feedback_of_drive_and_steering",
+        (0x524..=0x526, _) => "feedback_of_brakes_and_wheels",
+        (0x500, _) => "log_500h_says_the_same_in_coarser_steps",
+        (0x502, _) => "log_502h_shows_the_states_again",
+        _ => panic!("{signal} is not the VCU's"),
+    }
+}
+
+/// The message with the value of a signal that comes next.
+fn next<M: Message>(message: M, signal: &SignalDef) -> M {
+    let data = message.encode().data;
+    let raw = signal.raw(&data).map_or(signal.min, |raw| raw + 1);
+    let raw = if signal.allows(raw) { raw } else { signal.min };
+    M::decode(&signal.put(data, raw)).unwrap_or(message)
+}
+
+/// Each signal that the VCU sends, with another value.
+fn of_each_signal() -> Vec<Mutant> {
+    fn of<M: Message + 'static>(part: fn(&mut VcuMessages) -> &mut M) -> Vec<Mutant> {
+        let MessageDef { id, signals, .. } = *M::DEF;
+        let of_signal = |signal: &'static SignalDef| {
+            let what = format!("{id:03X}h, {}: another value", signal.name);
+            let change = move |messages: &mut VcuMessages, _: &Outputs, _: &Inputs| {
+                let message = part(messages);
+                *message = next(*message, signal);
+            };
+            Mutant::new(theorem(id, signal.name), &what, Sending(change))
+        };
+        signals.iter().map(of_signal).collect()
+    }
+    [
+        of::<Vcu2AiStatus>(|messages| &mut messages.status),
+        of::<Vcu2AiDriveF>(|messages| &mut messages.drive_f),
+        of::<Vcu2AiDriveR>(|messages| &mut messages.drive_r),
+        of::<Vcu2AiSteer>(|messages| &mut messages.steer),
+        of::<Vcu2AiBrake>(|messages| &mut messages.brake),
+        of::<Vcu2AiWheelSpeeds>(|messages| &mut messages.wheel_speeds),
+        of::<Vcu2AiWheelCounts>(|messages| &mut messages.wheel_counts),
+        of::<Vcu2LogDynamics1>(|messages| &mut messages.log_dynamics),
+        of::<Vcu2LogStatus>(|messages| &mut messages.log_status),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Rules that are nearly those of the document.
+fn of_messages() -> Vec<Mutant> {
+    let of = |theorem, what, change: fn(&mut VcuMessages, &Outputs, &Inputs)| {
+        Mutant::new(theorem, what, Sending(change))
+    };
+    let states = "status_520h_shows_the_switches_and_the_states";
+    let log = "log_502h_shows_the_states_again";
+    vec![
+        of(states, "the state before the step", |messages, outputs, _| {
+            messages.status.as_state = outputs.from;
+        }),
+        of(states, "a shutdown request in EMERGENCY_BRAKE", |messages, outputs, _| {
+            messages.status.shutdown_request = outputs.state == AsState::EmergencyBrake;
+        }),
+        of(states, "steering is active in AS_READY", |messages, outputs, _| {
+            messages.status.steering_status |= outputs.state == AsState::Ready;
+        }),
+        of(states, "one warning is not enough", |messages, _, _| {
+            messages.status.warning_status =
+                messages.status.warn_batt_temp_high && messages.status.warn_batt_soc_low;
+        }),
+        of(
+            "status_520h_shows_the_faults",
+            "a fault once the vehicle has stopped for it",
+            |messages, _, _| {
+                messages.status.fault_status = messages.status.shutdown_cause.raw() != 0;
+            },
+        ),
+        of("go_signal_is_on_while_the_vehicle_may_drive", "the raw switch", |messages, _, inputs| {
+            messages.status.go_signal = inputs.go;
+        }),
+        of("go_signal_is_on_while_the_vehicle_may_drive", "a step late", |messages, outputs, _| {
+            messages.status.go_signal &= outputs.from == AsState::Driving;
+        }),
+        of(
+            "feedback_of_drive_and_steering",
+            "requests only where they are obeyed",
+            |messages, outputs, _| {
+                if outputs.state != AsState::Driving {
+                    messages.steer.steer_angle_request = SteerAngle::default();
+                }
+            },
+        ),
+        of("feedback_of_brakes_and_wheels", "the left is the right", |messages, _, _| {
+            let speeds = &mut messages.wheel_speeds;
+            std::mem::swap(&mut speeds.fl_wheel_speed, &mut speeds.fr_wheel_speed);
+        }),
+        of("log_500h_says_the_same_in_coarser_steps", "angles are rounded down", |messages, _, inputs| {
+            let half = inputs.vehicle.steer_angle.raw().div_euclid(5);
+            messages.log_dynamics.steer_actual = LogSteerAngle::clamped(half);
+        }),
+        of("log_500h_says_the_same_in_coarser_steps", "braking is rounded up", |messages, _, inputs| {
+            let sum = inputs.vehicle.hyd_press_f.raw() + inputs.vehicle.hyd_press_r.raw();
+            messages.log_dynamics.brake_actual = LogBrake::clamped((sum + 3) / 4);
+        }),
+        of(
+            "log_500h_says_the_same_in_coarser_steps",
+            "torque in percent of 195 Nm",
+            |messages, _, inputs| {
+                let sum = inputs.vehicle.front_axle_trq.raw() + inputs.vehicle.rear_axle_trq.raw();
+                messages.log_dynamics.drive_trq_actual = LogDriveTorque::clamped(sum * 10 / 195);
+            },
+        ),
+        of(log, "the EBS as it reports itself", |messages, _, inputs| {
+            messages.log_status.state_ebs = inputs.ebs;
+        }),
+        of(log, "TRIGGERED after EMERGENCY_BRAKE", |messages, outputs, _| {
+            if outputs.from == AsState::EmergencyBrake {
+                messages.log_status.state_ebs = EbsState::Triggered;
+            }
+        }),
+        of(log, "the count of cones ends at 255", |messages, _, inputs| {
+            let count = i32::from(inputs.ai.status.cones_count_all).min(255);
+            messages.log_status.cones_count_all = ConesCountAll::clamped(count);
+        }),
+    ]
+}
+
+/// Frames that go out otherwise than they were encoded.
+#[derive(Clone)]
+struct Sent(fn(Frame) -> Frame);
+
+impl Subject for Sent {
+    fn sent(&self, frame: Frame) -> Frame {
+        (self.0)(frame)
+    }
+}
+
+fn of_frames() -> Vec<Mutant> {
+    let of = |what, change| Mutant::new("each_message_goes_out_in_its_frame", what, Sent(change));
+    vec![
+        of("521h is sent as 522h", |frame| match frame.id {
+            0x521 => Frame { id: 0x522, ..frame },
+            _ => frame,
+        }),
+        of("502h has eight bytes", |frame| Frame { len: 8, ..frame }),
+        of("the last byte is lost", |frame| {
+            let [head @ .., _] = frame.data;
+            let mut data = [0; 8];
+            data[..7].copy_from_slice(&head);
+            Frame { data, ..frame }
+        }),
+    ]
+}
+
+/// What reaches the actuators.
+#[derive(Clone)]
+struct Actuating(fn(&Outputs, &Inputs) -> Actuation);
+
+impl Subject for Actuating {
+    fn actuation(&self, outputs: &Outputs, inputs: &Inputs) -> Actuation {
+        (self.0)(outputs, inputs)
+    }
+}
+
+/// As if the step had led to this state.
+fn as_in(state: AsState, outputs: &Outputs, inputs: &Inputs) -> Actuation {
+    Outputs { state, ..*outputs }.actuation(inputs)
+}
+
+fn of_the_actuators() -> Vec<Mutant> {
+    let of = |theorem, what, change| Mutant::new(theorem, what, Actuating(change));
+    let commands = "drive_and_steering_obey_in_as_driving_only";
+    let brakes = "the_brakes_obey_in_every_state_but_as_off";
+    vec![
+        of(commands, "torque in AS_READY", |outputs, inputs| {
+            let torque = inputs.ai.drive_f.front_axle_trq_request;
+            match outputs.state {
+                AsState::Ready => Actuation { front_axle_trq: torque, ..outputs.actuation(inputs) },
+                _ => outputs.actuation(inputs),
+            }
+        }),
+        of(commands, "steering in AS_FINISHED", |outputs, inputs| match outputs.state {
+            AsState::Finished => {
+                Actuation { steer: Some(inputs.ai.steer.steer_request), ..outputs.actuation(inputs) }
+            }
+            _ => outputs.actuation(inputs),
+        }),
+        of(commands, "positive is to the right", |outputs, inputs| {
+            let mut turned = outputs.actuation(inputs);
+            turned.steer = turned.steer.map(|angle| SteerAngle::clamped(-angle.raw()));
+            turned
+        }),
+        of(commands, "the speed limit stays behind", |outputs, inputs| Actuation {
+            rear_motor_speed_max: MotorSpeedMax::MAX,
+            ..outputs.actuation(inputs)
+        }),
+        of(commands, "always forward", |outputs, inputs| Actuation {
+            direction: DirectionRequest::Forward,
+            ..outputs.actuation(inputs)
+        }),
+        of("the_powertrain_is_ready_when_as_ready_ends", "ready a step late", |outputs, inputs| {
+            let late = outputs.from == AsState::Ready && outputs.state == AsState::Driving;
+            as_in(if late { AsState::Ready } else { outputs.state }, outputs, inputs)
+        }),
+        of("commands_end_with_as_driving", "a step late", |outputs, inputs| {
+            as_in(outputs.from, outputs, inputs)
+        }),
+        of(brakes, "the AI Computer brakes in AS_OFF", |outputs, inputs| match outputs.state {
+            AsState::Off => as_in(AsState::Ready, outputs, inputs),
+            _ => outputs.actuation(inputs),
+        }),
+        of(brakes, "the AI Computer brakes in AS_DRIVING only", |outputs, inputs| match outputs.state {
+            AsState::Ready | AsState::Finished => as_in(AsState::Off, outputs, inputs),
+            _ => outputs.actuation(inputs),
+        }),
+        of(brakes, "half an emergency", |outputs, inputs| {
+            let half = BrakePressure::clamped(100);
+            match outputs.state {
+                AsState::EmergencyBrake => Actuation { hyd_press_r: half, ..outputs.actuation(inputs) },
+                _ => outputs.actuation(inputs),
+            }
+        }),
+        of(brakes, "the EBS stays out", |outputs, inputs| Actuation {
+            ebs_triggered: false,
+            ..outputs.actuation(inputs)
+        }),
+    ]
+}
+
+/// A step that shows the state before it.
+#[derive(Clone)]
+struct ShowsTheStateBefore;
+
+impl Subject for ShowsTheStateBefore {
+    fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
+        let (after, outputs) = Machine::REFERENCE.step(before, inputs, dt_ms);
+        (after, Outputs { state: before.state, ..outputs })
+    }
+}
+
+fn of_the_assi() -> Vec<Mutant> {
+    vec![Mutant::new("the_assi_shows_the_state", "the state before the step", ShowsTheStateBefore)]
+}
