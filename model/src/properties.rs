@@ -406,7 +406,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "power-cycle",
         statement: "After EMERGENCY_BRAKE, AS_READY and all that follows need a power cycle",
-        requirements: &["ETO-3", "D-11"],
+        requirements: &["ETO-3", "ETO-4", "D-11"],
         harm: Harm::SetsOff,
         claim: Claim::Each {
             holds: |_, step| {

@@ -19,11 +19,12 @@ fn assert_all_hold(exploration: &Exploration) {
     }
 }
 
+//= RDY-7, RDY-8, DRV-13, FIN-1, FIN-3, HS-13
 #[test]
 fn a_conforming_ai_computer_with_a_well_behaved_operator() {
     let exploration = scaled(&V3_0, Operator::WellBehaved).explore(2);
     assert_all_hold(&exploration);
-    assert_eq!(exploration.results.len(), 7);
+    assert_eq!(exploration.results.len(), 8);
     let real = Closed::new(Machine::REFERENCE, Operator::WellBehaved).explore(2);
     assert_all_hold(&real);
     assert!(real.states > exploration.states);
@@ -33,7 +34,7 @@ fn a_conforming_ai_computer_with_a_well_behaved_operator() {
 fn a_conforming_ai_computer_with_any_operator_and_faults() {
     let exploration = scaled(&V3_0, Operator::Any).explore(2);
     assert_all_hold(&exploration);
-    assert_eq!(exploration.results.len(), 4);
+    assert_eq!(exploration.results.len(), 5);
     // So many states can only be counted when nothing ended the exploration early.
     assert!(exploration.states > 3_000_000, "{}", exploration.states);
 }
@@ -170,12 +171,19 @@ fn what_is_possible_is_not_possible_anyway() {
             "{from} to {to} dropped"
         );
     }
+    for (from, to) in [(Off, Ready), (Ready, Driving)] {
+        assert!(
+            !possible(&dropped(from, to), WellBehaved, "vehicle-can-be-driven"),
+            "{from} to {to} dropped"
+        );
+    }
     assert!(!possible(&dropped(Off, Ready), Any, "emergency-can-happen"));
     // The handshake is in no table: an AI Computer that does not answer keeps it from going round.
     let mute = scaled(&V3_0, WellBehaved).with_conduct(Conduct::Mute);
     assert!(mute.run_for("handshake-goes-round").is_none());
 }
 
+//= HS-5, FIN-3, IMP-2
 #[test]
 fn an_ai_computer_that_does_not_conform_is_blamed() {
     let with = |conduct, operator| scaled(&V3_0, operator).with_conduct(conduct);

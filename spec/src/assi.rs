@@ -32,11 +32,11 @@ impl Assi {
     /// ```
     pub const fn of(state: AsState) -> Self {
         match state {
-            AsState::Off => Self::Off,
-            AsState::Ready => Self::YellowContinuous,
-            AsState::Driving => Self::YellowFlashing,
-            AsState::EmergencyBrake => Self::BlueFlashing,
-            AsState::Finished => Self::BlueContinuous,
+            AsState::Off => Self::Off,                     //= SM-4
+            AsState::Ready => Self::YellowContinuous,      //= SM-5
+            AsState::Driving => Self::YellowFlashing,      //= SM-6
+            AsState::EmergencyBrake => Self::BlueFlashing, //= SM-7
+            AsState::Finished => Self::BlueContinuous,     //= SM-8
         }
     }
 }

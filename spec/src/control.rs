@@ -37,7 +37,7 @@ pub struct Control {
 impl Control {
     /// The VCU after a power cycle: `AS_OFF`, nothing remembered.
     pub const INITIAL: Self = Self {
-        state: AsState::Off,
+        state: AsState::Off, //= SM-3
         in_state_ms: 0,
         go_seen_low: false,
         was_running: false,

@@ -53,6 +53,7 @@ macro_rules! faults {
     };
 }
 
+//= MSG-54 to MSG-63
 faults! {
     /// The AI Computer requests an emergency stop.
     AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false;
@@ -94,6 +95,7 @@ crate::set::impl_set!(Faults(u16) of Fault, "fault");
 impl Faults {
     /// The cause that is reported where all of these arise in one step: the lowest number.
     pub const fn cause(self) -> ShutdownCause {
+        //= D-16
         let mut i = 0;
         while i < Fault::ALL.len() {
             if self.has(Fault::ALL[i]) {

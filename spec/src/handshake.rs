@@ -40,18 +40,23 @@ impl Handshake {
     #[must_use]
     pub const fn step(self, active: bool, answer: bool, dt_ms: u32, limit_ms: u16) -> Self {
         if !active {
+            //= D-8
             Self::IDLE
         } else if answer == self.bit {
+            //= HS-4, HS-6 to HS-8, HS-12, HS-14, D-26
             Self { active, bit: !self.bit, unanswered_ms: 0 }
         } else if self.active {
+            //= HS-15, HS-16
             Self { unanswered_ms: count_up(self.unanswered_ms, dt_ms, limit_ms), ..self }
         } else {
+            //= D-44
             Self { active, ..Self::IDLE }
         }
     }
 
     /// Whether the edge has been unanswered for the limit: the fault `AI_COMMS_LOST`.
     pub const fn is_lost(self, limit_ms: u16) -> bool {
+        //= HS-9, HS-13, HS-16
         self.active && self.unanswered_ms >= limit_ms
     }
 }

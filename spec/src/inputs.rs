@@ -37,7 +37,7 @@ pub struct Inputs {
     /// Faults and warnings that other controllers report.
     pub reports: Reports,
     /// The last valid messages of the AI Computer; the default stands for none yet.
-    pub ai: AiMessages,
+    pub ai: AiMessages, //= D-35
     /// What the vehicle's sensors measure.
     pub vehicle: Vehicle,
 }
@@ -51,19 +51,19 @@ pub struct Inputs {
 #[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
 pub struct ShutdownCircuit {
     /// The remote E-stop button is pressed.
-    pub remote_estop: bool,
+    pub remote_estop: bool, //= RTE-2
     /// The remote E-stop receiver has lost the transmitter.
-    pub res_link_lost: bool,
+    pub res_link_lost: bool, //= RTE-3
     /// An E-stop button on the vehicle is pressed.
-    pub vehicle_estop: bool,
+    pub vehicle_estop: bool, //= RTE-4
     /// The inertial crash sensor is activated.
-    pub crash_sensor: bool,
+    pub crash_sensor: bool, //= RTE-5
     /// The VCU detects a critical system fault that has no flag of its own.
-    pub critical_fault: bool,
+    pub critical_fault: bool, //= RTE-6
     /// The BMS detects a critical fault in the traction battery.
-    pub bms_fault: bool,
+    pub bms_fault: bool, //= RTE-7
     /// The autonomous driving dongle is not in the Multi-Purpose Port.
-    pub mpp_dongle_removed: bool,
+    pub mpp_dongle_removed: bool, //= RTE-8
 }
 
 /// Faults and warnings that reach the VCU from elsewhere (the fault diagnostics of 520h, section 2.2).
@@ -125,6 +125,7 @@ impl AiMessages {
     /// assert_eq!(ai.receive(0x520, &[]), Ok(false)); // the VCU's
     /// ```
     pub fn receive(&mut self, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
+        //= D-20
         match id {
             Ai2VcuStatus::ID => self.status = Ai2VcuStatus::decode(data)?,
             Ai2VcuDriveF::ID => self.drive_f = Ai2VcuDriveF::decode(data)?,
@@ -218,6 +219,7 @@ impl Observation {
     /// emergency stop, whatever `atoms` says of these two.
     pub const fn new(atoms: Atoms, faults: Faults) -> Self {
         let faults = faults.intersection(Self::FAULTS);
+        //= RTE-2 to RTE-8
         let open = !faults.intersection(Faults::OPENING).is_empty();
         let atoms = atoms
             .intersection(Self::SCOPE)
@@ -304,6 +306,7 @@ impl Inputs {
         // What opens the circuit without a number of its own is reported as an open circuit: see "Decisions" in
         // REQUIREMENTS.md.
         // Without branches, which are slower here than what they would spare.
+        //= D-12, D-14
         let open = reports.hvil_open
             | sdc.remote_estop
             | sdc.res_link_lost
@@ -344,6 +347,7 @@ impl Ai2VcuStatus {
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(&self) -> Atoms {
+        //= MSG-9
         let mission = match self.mission_status {
             MissionStatus::NotSelected => Atoms::NONE,
             MissionStatus::Selected => Atoms::NONE.with(Atom::MissionSelected),
@@ -364,6 +368,7 @@ impl Ai2VcuDriveF {
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(&self) -> Atoms {
+        //= DRV-5
         Atoms::when(Atom::FrontTorqueZero, self.front_axle_trq_request.raw() == 0)
     }
 }
@@ -374,6 +379,7 @@ impl Ai2VcuDriveR {
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(&self) -> Atoms {
+        //= DRV-6
         Atoms::when(Atom::RearTorqueZero, self.rear_axle_trq_request.raw() == 0)
     }
 }
@@ -384,6 +390,7 @@ impl Ai2VcuSteer {
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(&self) -> Atoms {
+        //= DRV-7
         Atoms::when(Atom::SteerRequestZero, self.steer_request.raw() == 0)
     }
 }
@@ -414,6 +421,7 @@ impl SteerAngle {
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(self, thresholds: &Thresholds) -> Atoms {
+        //= DRV-9, D-25
         Atoms::when(Atom::SteerStraight, self.raw().abs() < thresholds.straight.raw())
     }
 }
@@ -426,6 +434,7 @@ impl Vcu2AiWheelSpeeds {
     pub const fn atoms(&self, thresholds: &Thresholds) -> Atoms {
         let limit = thresholds.wheel_speed.raw();
         let fastest = self.fastest().raw();
+        //= IMP-4, D-24
         Atoms::when(Atom::Moving, fastest > limit).union(Atoms::when(Atom::AtRest, fastest < limit))
     }
 

@@ -54,9 +54,9 @@ impl Interface {
         version: "3.0",
         table: FIGURE_2,
         timing: Timing {
-            ready_dwell_ms: 5000,
-            ebs_timer_ms: 15000,
-            handshake_ms: 50,
+            ready_dwell_ms: 5000, //= DRV-4
+            ebs_timer_ms: 15000,  //= ETO-1
+            handshake_ms: 50,     //= HS-9
             cycle_ms: 10,
             log_status_cycle_ms: 100,
         },

@@ -130,6 +130,7 @@ impl Machine {
             let from = AsState::ALL[state];
             machine.begins[from as usize] = filled as u8;
             // The row that a reading lets overtake comes first; then the others in the table's order.
+            //= D-3 to D-5
             let first = overtaking(rows, from, readings);
             if let Some(row) = first {
                 filled = machine.add(row, filled);
@@ -206,6 +207,7 @@ impl Machine {
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let timing = &self.interface.timing;
+        //= HS-1, D-8
         let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms().has(Atom::Tsms);
         let answer = seen.atoms().has(Atom::AiHandshake);
         let handshake = control.handshake.step(active, answer, dt_ms, timing.handshake_ms);
@@ -216,18 +218,21 @@ impl Machine {
         let taken = self.first_arrow(control.state, atoms);
         let state = match taken {
             Some((_, to)) => to,
-            None => control.state,
+            None => control.state, //= SM-18, D-36
         };
 
+        //= D-17, D-18
         let mut faults = seen.faults().union(Faults::when(crate::Fault::AiCommsFault, comms_lost));
         let mut shutdown_cause = control.shutdown_cause;
         let mut power_cycle_needed = control.power_cycle_needed;
         if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
             let reasons = self.reasons(control.state, taken, atoms, seen.faults());
             faults = faults.union(reasons);
+            //= D-15
             if matches!(shutdown_cause, ShutdownCause::NoShutdown) {
                 shutdown_cause = reasons.cause();
             }
+            //= ETO-3, D-11
             power_cycle_needed = self.readings.is(Choice::PowerCycleLatched);
         }
 
@@ -249,7 +254,7 @@ impl Machine {
                 None => None,
             },
             atoms,
-            faults: faults.union(Faults::of_cause(shutdown_cause)),
+            faults: faults.union(Faults::of_cause(shutdown_cause)), //= D-17
         }
     }
 
@@ -285,6 +290,7 @@ impl Machine {
     }
 
     /// The first arrow of a state whose guard holds, and where it leads.
+    //= SM-1
     #[inline(always)]
     const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
         let end = self.begins[state as usize + 1];
@@ -344,6 +350,7 @@ impl Machine {
             return false;
         }
         match self.go_conditions {
+            //= SM-2, DRV-11, D-6
             Some(conditions) => self.readings.is(Choice::GoEdgeEnough) || conditions.holds(atoms),
             None => false,
         }
@@ -361,6 +368,7 @@ impl Machine {
             faults: reaction.faults,
             shutdown_cause: reaction.control.shutdown_cause,
             handshake: reaction.control.handshake.bit,
+            //= DRV-14, D-7
             go_signal: go && (driving || self.readings.is(Choice::GoRaw)),
         }
     }

@@ -117,9 +117,10 @@ impl Outputs {
             ..Actuation::default()
         };
         match self.state {
-            AsState::Off => Actuation::default(),
-            AsState::Ready | AsState::Finished => brakes,
+            AsState::Off => Actuation::default(),         //= D-42
+            AsState::Ready | AsState::Finished => brakes, //= DRV-2, DRV-3, FIN-5, FIN-6, D-21, D-41
             AsState::Driving => Actuation {
+                //= MSG-18, DRV-1, D-41
                 front_axle_trq: ai.drive_f.front_axle_trq_request,
                 front_motor_speed_max: ai.drive_f.front_motor_speed_max,
                 rear_axle_trq: ai.drive_r.rear_axle_trq_request,
@@ -129,6 +130,7 @@ impl Outputs {
                 ..brakes
             },
             AsState::EmergencyBrake => Actuation {
+                //= D-43
                 hyd_press_f: BrakePressure::MAX,
                 hyd_press_r: BrakePressure::MAX,
                 ebs_triggered: true,
@@ -152,20 +154,21 @@ impl Outputs {
             status: self.status(inputs),
             drive_f: Vcu2AiDriveF {
                 front_axle_trq: vehicle.front_axle_trq,
-                front_axle_trq_request: ai.drive_f.front_axle_trq_request,
+                front_axle_trq_request: ai.drive_f.front_axle_trq_request, //= MSG-67
                 front_axle_trq_max: vehicle.front_axle_trq_max,
             },
             drive_r: Vcu2AiDriveR {
                 rear_axle_trq: vehicle.rear_axle_trq,
-                rear_axle_trq_request: ai.drive_r.rear_axle_trq_request,
+                rear_axle_trq_request: ai.drive_r.rear_axle_trq_request, //= MSG-71
                 rear_axle_trq_max: vehicle.rear_axle_trq_max,
             },
             steer: Vcu2AiSteer {
                 steer_angle: vehicle.steer_angle,
                 steer_angle_max: vehicle.steer_angle_max,
-                steer_angle_request: ai.steer.steer_request,
+                steer_angle_request: ai.steer.steer_request, //= MSG-76
             },
             brake: Vcu2AiBrake {
+                //= MSG-79
                 hyd_press_f: vehicle.hyd_press_f,
                 hyd_press_f_req: ai.brake.hyd_press_f_req,
                 hyd_press_r: vehicle.hyd_press_r,
@@ -182,17 +185,18 @@ impl Outputs {
         let mut status = Vcu2AiStatus {
             handshake: self.handshake,
             // The document names no condition under which the VCU asks the AI Computer to shut down.
+            //= D-38
             shutdown_request: false,
-            as_switch_status: inputs.asms,
-            ts_switch_status: inputs.tsms,
+            as_switch_status: inputs.asms, //= MSG-44
+            ts_switch_status: inputs.tsms, //= MSG-45
             go_signal: self.go_signal,
-            steering_status: self.steering_active(),
+            steering_status: self.steering_active(), //= D-37
             as_state: self.state,
-            ami_state: inputs.ami,
-            fault_status: !self.faults.is_empty(),
-            warning_status: inputs.reports.batt_temp_high || inputs.reports.batt_soc_low,
-            warn_batt_temp_high: inputs.reports.batt_temp_high,
-            warn_batt_soc_low: inputs.reports.batt_soc_low,
+            ami_state: inputs.ami,                 //= RDY-6
+            fault_status: !self.faults.is_empty(), //= MSG-50, D-40
+            warning_status: inputs.reports.batt_temp_high || inputs.reports.batt_soc_low, //= MSG-51, D-39
+            warn_batt_temp_high: inputs.reports.batt_temp_high, //= MSG-52
+            warn_batt_soc_low: inputs.reports.batt_soc_low, //= MSG-53
             shutdown_cause: self.shutdown_cause,
             ..Vcu2AiStatus::default()
         };
@@ -204,18 +208,21 @@ impl Outputs {
         let pressed = inputs.vehicle.hyd_press_f.raw() > 0 || inputs.vehicle.hyd_press_r.raw() > 0;
         let ai = &inputs.ai.status;
         Vcu2LogStatus {
-            state_assi: self.state,
+            state_assi: self.state, //= D-29
             state_ebs: match self.state {
+                //= D-28
                 AsState::EmergencyBrake => EbsState::Triggered,
                 _ => inputs.ebs,
             },
-            state_ami: inputs.ami,
-            state_steering: self.steering_active(),
+            state_ami: inputs.ami,                  //= D-29
+            state_steering: self.steering_active(), //= D-29
             state_service_brake: match (pressed, inputs.tsms) {
+                //= D-46
                 (true, _) => ServiceBrake::Engaged,
                 (false, true) => ServiceBrake::Available,
                 (false, false) => ServiceBrake::Disengaged,
             },
+            //= MSG-40
             lap_counter: ai.lap_counter,
             cones_count_actual: ai.cones_count_actual,
             cones_count_all: ConesCountAll::clamped(i32::from(ai.cones_count_all)),
@@ -232,16 +239,19 @@ fn log_dynamics(inputs: &Inputs) -> Vcu2LogDynamics1 {
     let (vehicle, ai) = (&inputs.vehicle, &inputs.ai);
     let brake = |front: BrakePressure, rear: BrakePressure| {
         // The mean of two pressures in halves of a percent.
+        //= D-47
         LogBrake::clamped((front.raw() + rear.raw()) / 4)
     };
     let torque = |front: i32, rear: i32| {
+        //= D-50
         LogDriveTorque::clamped((front + rear) * 100 / (2 * AxleTorqueRequest::MAX.raw()))
     };
     // From tenths of a degree to halves.
+    //= D-48
     let steer = |angle: SteerAngle| LogSteerAngle::clamped(angle.raw() / 5);
     Vcu2LogDynamics1 {
         speed_actual: vehicle.speed,
-        speed_target: ai.status.veh_speed_demand,
+        speed_target: ai.status.veh_speed_demand, //= D-49
         steer_actual: steer(vehicle.steer_angle),
         steer_target: steer(ai.steer.steer_request),
         brake_actual: brake(vehicle.hyd_press_f, vehicle.hyd_press_r),

@@ -76,6 +76,7 @@ readings! {
     /// What "mission selected" means when AS_OFF is left.
     MissionSelected = "mission-selected",
         "AMI selection (text) or MISSION_STATUS == SELECTED (Figure 2)?", "3.1, Figure 2" {
+        //= D-1
         /// Both must hold.
         MissionBoth = "both", "both must hold";
         /// The selection on the Autonomous Mission Indicator decides.
@@ -86,6 +87,7 @@ readings! {
     /// Whether FINISHED or NEUTRAL at speed is a level or a change.
     FaultTrigger = "fault-trigger",
         "\"is set to\" FINISHED or NEUTRAL while moving (level), or \"is changed\" to it (edge)?", "3.7, 4" {
+        //= D-2
         /// The value counts as long as it is there.
         FaultLevel = "level", "the level counts";
         /// The change RUNNING to FINISHED, or FORWARD to NEUTRAL, counts.
@@ -93,6 +95,7 @@ readings! {
     }
     /// Which arrow wins in AS_READY.
     ReadyPriority = "ready-priority", "AS_READY with SDC open and ASMS off at once?", "3.5, 3.6" {
+        //= D-3
         /// EMERGENCY_BRAKE first.
         ReadyBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
         /// AS_OFF first.
@@ -100,6 +103,7 @@ readings! {
     }
     /// Which arrow wins in AS_FINISHED.
     FinishedPriority = "finished-priority", "AS_FINISHED with SDC open and ASMS off at once?", "3.4, 3.8" {
+        //= D-4
         /// EMERGENCY_BRAKE first.
         FinishedBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
         /// AS_OFF first.
@@ -108,6 +112,7 @@ readings! {
     /// Which arrow wins in AS_DRIVING.
     DrivingPriority = "driving-priority",
         "AS_DRIVING with an emergency condition and FINISHED at rest at once?", "3.3, 3.7" {
+        //= D-5
         /// EMERGENCY_BRAKE first.
         DrivingBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
         /// AS_FINISHED first.
@@ -117,6 +122,7 @@ readings! {
     GoEdge = "go-edge",
         "must \"Go\" be seen low while the conditions already hold, or is a rising edge with them holding enough?",
         "3.2" {
+        //= D-6
         /// The switch must have been seen off while all other conditions held.
         GoSeenLow = "seen-low", "seen low first";
         /// A rising edge while all other conditions hold.
@@ -124,6 +130,7 @@ readings! {
     }
     /// What GO_SIGNAL carries on the bus.
     GoSignal = "go-signal", "is GO_SIGNAL the accepted edge, or the raw switch?", "3.2" {
+        //= D-7
         /// The accepted edge.
         GoAccepted = "accepted", "the accepted edge";
         /// The switch as it stands.
@@ -131,6 +138,7 @@ readings! {
     }
     /// When the handshake runs.
     HandshakeActive = "handshake-active", "while the tractive system is enabled, or always?", "2.4" {
+        //= D-8
         /// While TSMS is on.
         HandshakeTsms = "tsms", "while TSMS is on";
         /// Always.
@@ -138,6 +146,7 @@ readings! {
     }
     /// Where ESTOP_REQUEST acts.
     AiEstop = "ai-estop", "does ESTOP_REQUEST act in every active state, or in AS_DRIVING only?", "2.1, 3.5" {
+        //= D-9
         /// It acts like an open shutdown circuit in every active state.
         EstopEveryState = "every-state", "every active state";
         /// It acts in AS_DRIVING only.
@@ -147,6 +156,7 @@ readings! {
     CommsLost = "comms-lost",
         "does AI_COMMS_LOST mean EMERGENCY_BRAKE in every state but AS_OFF (text), or is there no such arrow (Figure 2)?",
         "2.4, Figure 2" {
+        //= D-10
         /// EMERGENCY_BRAKE from every state but AS_OFF.
         CommsEveryState = "every-state", "every state but AS_OFF";
         /// The flag is raised and no arrow is taken.
@@ -154,6 +164,7 @@ readings! {
     }
     /// Whether an emergency is remembered.
     PowerCycle = "power-cycle", "does AS_READY need a power cycle after EMERGENCY_BRAKE?", "3.9" {
+        //= D-11
         /// It does.
         PowerCycleLatched = "latched", "latched until a power cycle";
         /// It does not.

@@ -209,27 +209,31 @@ pub const PRIORITIES: [Priority; 3] = [
 ];
 
 /// AI comms lost, as an arrow that the text has and Figure 2 does not.
+//= HS-10, D-10
 const COMMS_LOST: Term =
     Term::on("2.4", &[Atom::AiCommsLost]).fault(Fault::AiCommsFault).reading(Choice::CommsEveryState);
 
 /// An emergency stop that the AI Computer asks for outside `AS_DRIVING`.
+//= D-9
 const ESTOP_REQUEST: Term =
     Term::on("2.1", &[Atom::AiEstop]).fault(Fault::AiComputerRequest).reading(Choice::EstopEveryState);
 
 /// Figure 2 of the document, with the readings' terms beside the figure's own.
+//= SM-1
 pub const FIGURE_2: Table = {
     use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
     #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
     use Atom::*;
 
     Table::of(&[
+        //= SM-9, RDY-1 to RDY-5, D-45
         Row::of(
             Off,
             Ready,
             "3.1",
             &[
-                Term::on("3.1", &[Asms, Tsms, AmiSelected, MissionSelected, EbsArmed])
-                    .and_off(&[PowerCycleNeeded])
+                Term::on("3.1", &[Asms, Tsms, AmiSelected, MissionSelected, EbsArmed]) //= D-1
+                    .and_off(&[PowerCycleNeeded]) //= ETO-3, D-11
                     .reading(Choice::MissionBoth),
                 Term::on("3.1", &[Asms, Tsms, AmiSelected, EbsArmed])
                     .and_off(&[PowerCycleNeeded])
@@ -239,8 +243,11 @@ pub const FIGURE_2: Table = {
                     .reading(Choice::MissionStatusOnly),
             ],
         ),
+        //= SM-12, RTE-1, D-3
         Row::of(Ready, EmergencyBrake, "3.5", &[Term::on("3.5", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        //= SM-10, RTO-1, D-22
         Row::of(Ready, Off, "3.6", &[Term::off("3.6", &[Asms])]),
+        //= SM-11, DRV-15
         Row::of(
             Ready,
             Driving,
@@ -248,44 +255,49 @@ pub const FIGURE_2: Table = {
             &[Term::on(
                 "3.2",
                 &[
-                    DwellElapsed,
-                    FrontTorqueZero,
-                    RearTorqueZero,
-                    SteerRequestZero,
-                    SteerStraight,
-                    DirectionNeutral,
-                    GoEdge,
+                    DwellElapsed,     //= DRV-4
+                    FrontTorqueZero,  //= DRV-5
+                    RearTorqueZero,   //= DRV-6
+                    SteerRequestZero, //= DRV-7
+                    SteerStraight,    //= DRV-9
+                    DirectionNeutral, //= DRV-8
+                    GoEdge,           //= DRV-12
                 ],
             )],
         ),
+        //= SM-13, IMP-1, D-5, D-27
         Row::of(
             Driving,
             EmergencyBrake,
             "3.7",
             &[
-                Term::on("3.7", &[SdcOpen]),
+                Term::on("3.7", &[SdcOpen]), //= DTE-1
                 // Neither switch has a cause of its own: each opens the shutdown circuit.
-                Term::off("3.7", &[GoOn]).fault(Fault::HvilOpenFault),
-                Term::off("3.7", &[Asms]).fault(Fault::HvilOpenFault),
-                Term::on("3.7", &[MissionFinished, Moving])
+                Term::off("3.7", &[GoOn]).fault(Fault::HvilOpenFault), //= DTE-2, D-13
+                Term::off("3.7", &[Asms]).fault(Fault::HvilOpenFault), //= DTE-3, D-13
+                Term::on("3.7", &[MissionFinished, Moving]) //= DTE-4, D-2
                     .fault(Fault::MissionStatusFault)
                     .reading(Choice::FaultLevel),
-                Term::on("4", &[MissionFinishedEdge, Moving])
+                Term::on("4", &[MissionFinishedEdge, Moving]) //= IMP-3
                     .fault(Fault::MissionStatusFault)
                     .reading(Choice::FaultEdge),
-                Term::on("3.7", &[DirectionNeutral, Moving])
+                Term::on("3.7", &[DirectionNeutral, Moving]) //= DTE-5, D-2
                     .fault(Fault::AutonomousBrakingFault)
                     .reading(Choice::FaultLevel),
-                Term::on("4", &[DirectionNeutralEdge, Moving])
+                Term::on("4", &[DirectionNeutralEdge, Moving]) //= IMP-2
                     .fault(Fault::AutonomousBrakingFault)
                     .reading(Choice::FaultEdge),
                 COMMS_LOST,
-                Term::on("2.1", &[AiEstop]).fault(Fault::AiComputerRequest),
+                Term::on("2.1", &[AiEstop]).fault(Fault::AiComputerRequest), //= D-9
             ],
         ),
+        //= SM-14, FIN-4
         Row::of(Driving, Finished, "3.3", &[Term::on("3.3", &[MissionFinished, AtRest])]),
+        //= SM-17, ETO-1, ETO-2, D-23
         Row::of(EmergencyBrake, Off, "3.9", &[Term::on("3.9", &[EbsTimerComplete]).and_off(&[Asms])]),
+        //= SM-15, FTE-1, D-4
         Row::of(Finished, EmergencyBrake, "3.8", &[Term::on("3.8", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
+        //= SM-16, FTO-1
         Row::of(Finished, Off, "3.4", &[Term::off("3.4", &[Asms])]),
     ])
 };

@@ -175,6 +175,7 @@ fn export_gives_every_message_its_cycle_time() {
     }
 }
 
+//= D-30, D-31
 #[test]
 fn export_differs_from_the_original_only_as_listed() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -135,7 +135,7 @@ impl AiComputer {
     pub fn cycle(self, conduct: Conduct) -> Self {
         let handshake = match conduct {
             Conduct::Mute => self.handshake,
-            _ => self.heard.handshake, // HS-5
+            _ => self.heard.handshake, //= HS-5
         };
         Self { stage: self.next_stage(conduct), handshake, ..self }
     }
@@ -170,21 +170,23 @@ impl AiComputer {
         let driving = self.stage == Stage::Driving;
         let torque = if driving { AxleTorqueRequest::MAX } else { AxleTorqueRequest::MIN };
         let speed = if driving { MotorSpeedMax::MAX } else { MotorSpeedMax::MIN };
+        //= FIN-2
         let brake = if self.stage >= Stage::Braking { BrakePressure::MAX } else { BrakePressure::MIN };
         AiMessages {
             status: Ai2VcuStatus {
                 handshake: self.handshake,
                 mission_status: match self.stage {
                     Stage::Idle | Stage::Stopped => MissionStatus::NotSelected,
-                    Stage::Selected => MissionStatus::Selected,
+                    Stage::Selected => MissionStatus::Selected, //= RDY-7
                     Stage::Started | Stage::Driving | Stage::Braking => MissionStatus::Running,
-                    Stage::Finished | Stage::Neutral => MissionStatus::Finished,
+                    Stage::Finished | Stage::Neutral => MissionStatus::Finished, //= FIN-1, FIN-3
                 },
                 direction_request: match self.stage {
                     Stage::Idle | Stage::Selected | Stage::Neutral | Stage::Stopped => {
                         DirectionRequest::Neutral
                     }
                     Stage::Started | Stage::Driving | Stage::Braking | Stage::Finished => {
+                        //= DRV-10
                         DirectionRequest::Forward
                     }
                 },
@@ -205,7 +207,7 @@ mod tests {
         Vcu2AiWheelSpeeds, WheelSpeed,
     };
 
-    use super::{AiComputer, Conduct, Heard, Stage};
+    use super::{AiComputer, AiMessages, Conduct, Heard, Stage};
 
     fn wheels(rpm: i32) -> Vcu2AiWheelSpeeds {
         Vcu2AiWheelSpeeds { rl_wheel_speed: WheelSpeed::clamped(rpm), ..Vcu2AiWheelSpeeds::default() }
@@ -231,6 +233,7 @@ mod tests {
         );
     }
 
+    //= HS-5
     #[test]
     fn the_handshake_is_echoed_and_no_emergency_stop_is_asked_for() {
         for as_state in AsState::ALL {
@@ -248,6 +251,40 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// From the mission on the AMI to FINISHED; the brakes are on before the vehicle stands, FINISHED comes after.
+    //= RDY-7, DRV-10, FIN-1 to FIN-3
+    #[test]
+    fn it_follows_the_mission() {
+        use adsdv_spec::messages::{AmiState, DirectionRequest, MissionStatus};
+
+        let after = |ai: AiComputer, as_state, ami_state| {
+            let status = Vcu2AiStatus { as_state, ami_state, ..Vcu2AiStatus::default() };
+            let ai = AiComputer { heard: ai.heard.with(&status.encode()), ..ai }.cycle(Conduct::Reference);
+            let AiMessages { status, brake, .. } = ai.messages();
+            (ai, status.mission_status, status.direction_request, brake.hyd_press_f_req.raw() > 0)
+        };
+        let (neutral, forward) = (DirectionRequest::Neutral, DirectionRequest::Forward);
+        let mission = AmiState::TrackDrive;
+        let (ai, status, direction, _) = after(AiComputer::default(), AsState::Off, AmiState::NotSelected);
+        assert_eq!((status, direction), (MissionStatus::NotSelected, neutral));
+        let (ai, status, direction, _) = after(ai, AsState::Off, mission);
+        assert_eq!((status, direction), (MissionStatus::Selected, neutral));
+        let (ai, status, direction, braked) = after(ai, AsState::Driving, mission);
+        assert_eq!((status, direction, braked), (MissionStatus::Running, forward, false));
+        let ai = AiComputer { stage: Stage::Braking, ..ai };
+        let turning = AiComputer { heard: ai.heard.with(&wheels(11).encode()), ..ai };
+        let (ai, status, direction, braked) = after(turning, AsState::Driving, mission);
+        assert_eq!((status, direction, braked), (MissionStatus::Running, forward, true));
+        let returned = Vcu2AiBrake {
+            hyd_press_f_req: BrakePressure::MAX,
+            hyd_press_r_req: BrakePressure::MAX,
+            ..Vcu2AiBrake::default()
+        };
+        let heard = ai.heard.with(&returned.encode()).with(&wheels(0).encode());
+        let (_, status, direction, braked) = after(AiComputer { heard, ..ai }, AsState::Driving, mission);
+        assert_eq!((status, direction, braked), (MissionStatus::Finished, forward, true));
     }
 
     #[test]

@@ -181,6 +181,7 @@ impl Closed {
     /// Whether nothing more can come of the run.
     fn is_over(&self, state: &State) -> bool {
         let off = state.control.state == AsState::Off;
+        //= ETO-4
         state.mission == Mission::Over || off && self.is_shut_down(state)
     }
 

@@ -71,7 +71,7 @@ impl Closed {
         match (state.control.state, state.mission) {
             (AsState::Off, Mission::Ahead) => {
                 if ami == AmiState::NotSelected {
-                    act(Act::Mission(MISSION)); // RDY-8
+                    act(Act::Mission(MISSION)); //= RDY-8
                 }
                 for (on, switch) in
                     [(tsms, Act::Tsms(true)), (asms, Act::Asms(true)), (ebs_armed, Act::EbsArmed(true))]
@@ -82,7 +82,7 @@ impl Closed {
                 }
             }
             // "Go" has been moved after the four acts before only if it was found on, or is on for good.
-            (AsState::Ready, Mission::Ahead) if go && state.acts == ACTS_TO_READY => act(Act::Go(false)), // DRV-13
+            (AsState::Ready, Mission::Ahead) if go && state.acts == ACTS_TO_READY => act(Act::Go(false)), //= DRV-13
             (AsState::Ready, Mission::Ahead) if !go && self.dwell_is_over(state) => act(Act::Go(true)),
             (AsState::Finished, _) if asms => act(Act::Asms(false)), // section 3.4
             _ => {}

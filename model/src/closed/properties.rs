@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use adsdv_spec::messages::{AsState, ShutdownCause};
 use stateright::{Checker, Expectation, HasDiscoveries, Model, Path, Property};
 
-use super::{Action, Closed, Mission, Operator, State};
+use super::{Action, Closed, Mission, Operator, State, Wheels};
 
 /// A property of the closed model.
 #[derive(Clone, Debug)]
@@ -37,8 +37,8 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
         statement: "With a conforming AI Computer, a well-behaved operator and no fault, every run reaches AS_FINISHED \
                     and then AS_OFF",
         requirements: &[
-            "SM-9", "SM-11", "SM-14", "SM-16", "RDY-5", "RDY-6", "DRV-11", "DRV-13", "DRV-15", "FIN-4",
-            "FTO-1",
+            "SM-9", "SM-11", "SM-14", "SM-16", "RDY-5", "RDY-6", "RDY-7", "RDY-8", "DRV-11", "DRV-13",
+            "DRV-15", "FIN-1", "FIN-2", "FIN-3", "FIN-4", "FTO-1",
         ],
         operators: WELL_BEHAVED,
         expectation: Expectation::Eventually,
@@ -100,6 +100,18 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
         condition: |_, state| {
             let handshake = state.control.handshake;
             handshake.active && !handshake.bit && state.received.status.handshake
+        },
+    },
+    ClosedProperty {
+        name: "vehicle-can-be-driven",
+        statement: "In AS_DRIVING the AI Computer asks for FORWARD and torque, which reach the motors: the vehicle moves",
+        requirements: &["DRV-1", "DRV-10"],
+        operators: BOTH,
+        expectation: Expectation::Sometimes,
+        condition: |_, state| {
+            state.control.state == AsState::Driving
+                && state.motion.driven
+                && state.motion.wheels == Wheels::Moving
         },
     },
     ClosedProperty {

@@ -98,6 +98,7 @@ impl Meter {
     /// The AI Computer's bit was seen: tells the response time if this is the answer.
     pub(super) fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
         self.ai_was_heard = true;
+        //= HS-11
         if self.vcu == Some(bit) { self.edge_at.take().map(|edge| now - edge) } else { None }
     }
 

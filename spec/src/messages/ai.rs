@@ -9,6 +9,7 @@ use super::{
 messages! {
     /// AI Computer status.
     Ai2VcuStatus = "AI2VCU_Status" 0x510, Ai, 8 bytes, section "2.1" {
+        //= MSG-5 to MSG-8, MSG-10 to MSG-15, HS-2
         /// Handshake.
         ///
         /// The answer to the VCU's bit (section 2.4).
@@ -44,7 +45,7 @@ messages! {
     }
 
     /// Front drive motor commands.
-    Ai2VcuDriveF = "AI2VCU_Drive_F" 0x511, Ai, 8 bytes, section "2.1" {
+    Ai2VcuDriveF = "AI2VCU_Drive_F" 0x511, Ai, 8 bytes, section "2.1" { //= MSG-16, MSG-17, MSG-19
         /// Requested front axle torque.
         ///
         /// Its size only: whether it drives or brakes depends on the motor speed limit.
@@ -54,7 +55,7 @@ messages! {
     }
 
     /// Rear drive motor commands.
-    Ai2VcuDriveR = "AI2VCU_Drive_R" 0x512, Ai, 8 bytes, section "2.1" {
+    Ai2VcuDriveR = "AI2VCU_Drive_R" 0x512, Ai, 8 bytes, section "2.1" { //= MSG-20 to MSG-22
         /// Requested rear axle torque.
         ///
         /// Its size only: whether it drives or brakes depends on the motor speed limit.
@@ -64,13 +65,13 @@ messages! {
     }
 
     /// Steering commands.
-    Ai2VcuSteer = "AI2VCU_Steer" 0x513, Ai, 8 bytes, section "2.1" {
+    Ai2VcuSteer = "AI2VCU_Steer" 0x513, Ai, 8 bytes, section "2.1" { //= MSG-23, MSG-24
         /// Requested steer angle.
         steer_request: SteerAngle = "STEER_REQUEST_deg" 0|16;
     }
 
     /// Friction braking commands.
-    Ai2VcuBrake = "AI2VCU_Brake" 0x514, Ai, 8 bytes, section "2.1" {
+    Ai2VcuBrake = "AI2VCU_Brake" 0x514, Ai, 8 bytes, section "2.1" { //= MSG-26 to MSG-28
         /// Requested front axle hydraulic brake pressure.
         hyd_press_f_req: BrakePressure = "HYD_PRESS_F_REQ_pct" 0|8;
         /// Requested rear axle hydraulic brake pressure.

@@ -47,7 +47,7 @@ macro_rules! enumerations {
             pub const fn from_raw(raw: i32) -> Option<Self> {
                 match raw {
                     $($raw => Some(Self::$variant),)+
-                    _ => None,
+                    _ => None, //= D-19
                 }
             }
         }
@@ -101,7 +101,7 @@ enumerations! {
     /// Status Indicator (ASSI).
     ///
     /// `AS_STATE` of 520h, `State_ASSI` of 502h.
-    AsState {
+    AsState { //= MSG-35, MSG-48
         /// Off; no light.
         #[default]
         Off = 1 "AS_OFF",
@@ -116,7 +116,7 @@ enumerations! {
     }
 
     /// The state of the Emergency Braking System; `State_EBS` of 502h.
-    EbsState {
+    EbsState { //= MSG-36
         /// It cannot brake.
         #[default]
         Unavailable = 1 "UNAVAILABLE",
@@ -129,7 +129,7 @@ enumerations! {
     /// The mission selected at the Autonomous Mission Indicator, the touchscreen of the vehicle.
     ///
     /// `AMI_STATE` of 520h, `State_AMI` of 502h.
-    AmiState {
+    AmiState { //= MSG-37, MSG-49
         /// No mission is selected.
         #[default]
         NotSelected = 0 "NOT_SELECTED",
@@ -150,7 +150,7 @@ enumerations! {
     }
 
     /// The state of the service brake, the mechanical friction brakes; `State_service_brake` of 502h.
-    ServiceBrake {
+    ServiceBrake { //= MSG-39
         /// Disengaged.
         #[default]
         Disengaged = 1 "DISENGAGED",
@@ -161,7 +161,7 @@ enumerations! {
     }
 
     /// The fault that made the VCU shut down; `SHUTDOWN_CAUSE` of 520h.
-    ShutdownCause {
+    ShutdownCause { //= MSG-64
         /// There was no shutdown.
         #[default]
         NoShutdown = 0 "NO SHUTDOWN",
@@ -188,7 +188,7 @@ enumerations! {
     }
 
     /// How far the mission is, as the AI Computer reports it; `MISSION_STATUS` of 510h.
-    MissionStatus {
+    MissionStatus { //= MSG-8
         /// No mission is selected.
         #[default]
         NotSelected = 0 "NOT SELECTED",
@@ -204,7 +204,7 @@ enumerations! {
     ///
     /// The CAN database still names a value 2, REVERSE. This version of the document does not, so it is
     /// refused.
-    DirectionRequest {
+    DirectionRequest { //= MSG-10, D-32
         /// Do not drive.
         #[default]
         Neutral = 0 "NEUTRAL",

@@ -8,7 +8,7 @@ use super::{
 
 messages! {
     /// Vehicle dynamics as the VCU knows them, for the data logger.
-    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1" 0x500, Vcu, 8 bytes, section "2.2" {
+    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1" 0x500, Vcu, 8 bytes, section "2.2" { //= MSG-29 to MSG-33
         /// Actual vehicle speed.
         speed_actual: SpeedKmh = "Speed_actual_kmh" 0|8;
         /// Target vehicle speed.
@@ -32,7 +32,7 @@ messages! {
     }
 
     /// Vehicle dynamics as the AI Computer measures them, for the data logger.
-    Ai2LogDynamics2 = "AI2LOG_Dynamics2" 0x501, Ai, 6 bytes, section "2.1" {
+    Ai2LogDynamics2 = "AI2LOG_Dynamics2" 0x501, Ai, 6 bytes, section "2.1" { //= MSG-1 to MSG-4
         /// Longitudinal vehicle acceleration.
         ///
         /// The text spells it `Accel_longitudinal_ms2`.
@@ -46,7 +46,7 @@ messages! {
     }
 
     /// Vehicle status, for the data logger.
-    Vcu2LogStatus = "VCU2LOG_Status" 0x502, Vcu, 5 bytes, section "2.2" {
+    Vcu2LogStatus = "VCU2LOG_Status" 0x502, Vcu, 5 bytes, section "2.2" { //= MSG-34 to MSG-40
         /// Autonomous System Status Indicator (ASSI) state.
         ///
         /// The value names are the text's; the database leaves out `AS_`, and ends in `FINISH`.

@@ -105,14 +105,17 @@ macro_rules! messages {
                         $($field),+
                     }
 
+                    //= D-33
                     let Some(word) = bits::load::<NEEDED>(data) else {
                         return Err(DecodeError::too_short(Self::DEF, data.len()));
                     };
                     Ok(Self {
                         $($field: {
+                            //= D-30
                             let raw = bits::extract(word, $start, $width, <$ty as SignalValue>::SIGNED);
                             let Some(value) = <$ty as SignalValue>::from_raw(raw) else {
                                 let signal = const { &$message::DEF.signals[Place::$field as usize] };
+                                //= D-19
                                 return Err(DecodeError::refused(Self::DEF, signal, raw));
                             };
                             value
@@ -124,6 +127,7 @@ macro_rules! messages {
                 fn encode(&self) -> $crate::messages::Frame {
                     use $crate::messages::{Frame, SignalValue, bits};
 
+                    //= D-30, D-34
                     let word = 0 $(| bits::place(SignalValue::to_raw(self.$field), $start, $width))+;
                     Frame { id: $id, len: $len, data: word.to_le_bytes() }
                 }

@@ -8,7 +8,7 @@ use super::{
 
 messages! {
     /// VCU status.
-    Vcu2AiStatus = "VCU2AI_Status" 0x520, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiStatus = "VCU2AI_Status" 0x520, Vcu, 8 bytes, section "2.2" { //= MSG-41 to MSG-64, HS-3
         /// Handshake.
         ///
         /// The bit that the AI Computer answers (section 2.4).
@@ -76,7 +76,7 @@ messages! {
     }
 
     /// Front drive motor feedback.
-    Vcu2AiDriveF = "VCU2AI_Drive_F" 0x521, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiDriveF = "VCU2AI_Drive_F" 0x521, Vcu, 8 bytes, section "2.2" { //= MSG-65 to MSG-68
         /// Current front axle torque.
         front_axle_trq: AxleTorque = "FRONT_AXLE_TRQ_Nm" 0|16;
         /// Requested front axle torque.
@@ -88,7 +88,7 @@ messages! {
     }
 
     /// Rear drive motor feedback.
-    Vcu2AiDriveR = "VCU2AI_Drive_R" 0x522, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiDriveR = "VCU2AI_Drive_R" 0x522, Vcu, 8 bytes, section "2.2" { //= MSG-69 to MSG-72
         /// Current rear axle torque.
         rear_axle_trq: AxleTorque = "REAR_AXLE_TRQ_Nm" 0|16;
         /// Requested rear axle torque.
@@ -101,7 +101,7 @@ messages! {
     }
 
     /// Feedback from steering system.
-    Vcu2AiSteer = "VCU2AI_Steer" 0x523, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiSteer = "VCU2AI_Steer" 0x523, Vcu, 8 bytes, section "2.2" { //= MSG-73 to MSG-76
         /// Current steering angle.
         steer_angle: SteerAngle = "STEER_ANGLE_deg" 0|16;
         /// Maximum allowable steering angle.
@@ -115,7 +115,7 @@ messages! {
     }
 
     /// Braking system feedback.
-    Vcu2AiBrake = "VCU2AI_Brake" 0x524, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiBrake = "VCU2AI_Brake" 0x524, Vcu, 8 bytes, section "2.2" { //= MSG-77 to MSG-79
         /// Front axle brake pressure.
         hyd_press_f: BrakePressure = "HYD_PRESS_F_pct" 0|8;
         /// Requested front axle brake pressure.
@@ -131,7 +131,7 @@ messages! {
     }
 
     /// Measured wheel speeds.
-    Vcu2AiWheelSpeeds = "VCU2AI_Wheel_speeds" 0x525, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiWheelSpeeds = "VCU2AI_Wheel_speeds" 0x525, Vcu, 8 bytes, section "2.2" { //= MSG-80, MSG-81
         /// Front left wheel speed.
         fl_wheel_speed: WheelSpeed = "FL_WHEEL_SPEED_rpm" 0|16;
         /// Front right wheel speed.
@@ -143,7 +143,7 @@ messages! {
     }
 
     /// Measured wheel odometry counts.
-    Vcu2AiWheelCounts = "VCU2AI_Wheel_counts" 0x526, Vcu, 8 bytes, section "2.2" {
+    Vcu2AiWheelCounts = "VCU2AI_Wheel_counts" 0x526, Vcu, 8 bytes, section "2.2" { //= MSG-82, MSG-83
         /// Front left wheel speed pulse count.
         fl_pulse_count: u16 = "FL_PULSE_COUNT" 0|16;
         /// Front right wheel speed pulse count.

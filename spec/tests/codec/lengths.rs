@@ -2,6 +2,7 @@
 
 use super::*;
 
+//= D-33
 #[test]
 fn data_of_any_length_is_enough_from_the_last_signal_on() {
     let mut numbers = Numbers(0x5EED_0003);
@@ -27,6 +28,7 @@ fn data_of_any_length_is_enough_from_the_last_signal_on() {
     }
 }
 
+//= D-34
 #[test]
 fn unused_bits_are_ignored_when_read_and_zero_when_written() {
     for message in MESSAGES {

@@ -55,6 +55,7 @@ fn values_display_with_their_units() {
     assert!((speed.physical(127) - 63.5).abs() < 1e-9);
 }
 
+//= MSG-8, MSG-10, MSG-35 to MSG-37, MSG-39, MSG-48, MSG-49, MSG-64
 #[test]
 fn enumerations_go_by_the_document_s_numbers_and_names() {
     assert_eq!(AsState::ALL.map(AsState::raw), [1, 2, 3, 4, 5]);

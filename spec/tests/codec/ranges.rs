@@ -2,6 +2,7 @@
 
 use super::*;
 
+//= MSG-42 to MSG-47, MSG-50 to MSG-63
 #[test]
 fn each_flag_of_the_vcu_status_has_its_own_bit() {
     type Field = fn(&Vcu2AiStatus) -> bool;
@@ -39,6 +40,7 @@ fn each_flag_of_the_vcu_status_has_its_own_bit() {
     }
 }
 
+//= MSG-17, MSG-19, MSG-21, MSG-22, MSG-24, MSG-27, MSG-28, MSG-66 to MSG-78, D-31, D-32
 #[test]
 fn ranges_end_where_the_document_says() {
     let ok = |text: &str| {

@@ -13,6 +13,7 @@ fn recorded(text: &str, expected: impl Into<AnyMessage>) {
     assert!(encoded.data().starts_with(frame.data()), "{encoded} for {text}");
 }
 
+//= MSG-5, MSG-6, MSG-8, MSG-10, MSG-16, MSG-17, MSG-19 to MSG-24, MSG-26 to MSG-28, HS-2, D-30
 #[test]
 fn recorded_frames_of_the_ai_computer() -> Result<(), QuantityError> {
     recorded(
@@ -37,6 +38,7 @@ fn recorded_frames_of_the_ai_computer() -> Result<(), QuantityError> {
     Ok(())
 }
 
+//= MSG-41 to MSG-49, MSG-64 to MSG-83, HS-3, D-30
 #[test]
 fn recorded_frames_of_the_vcu() -> Result<(), QuantityError> {
     let driving = Vcu2AiStatus {
@@ -115,6 +117,7 @@ fn recorded_frames_of_the_vcu() -> Result<(), QuantityError> {
     Ok(())
 }
 
+//= MSG-29 to MSG-32, MSG-34 to MSG-39, D-30
 #[test]
 fn recorded_frames_for_the_logger() -> Result<(), QuantityError> {
     recorded(
@@ -149,6 +152,7 @@ fn recorded_frames_for_the_logger() -> Result<(), QuantityError> {
     Ok(())
 }
 
+//= MSG-1 to MSG-4, MSG-7, MSG-11 to MSG-15, MSG-33, MSG-40, D-30
 #[test]
 fn fields_that_no_recording_fills() -> Result<(), QuantityError> {
     recorded(

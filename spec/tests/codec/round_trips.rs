@@ -2,6 +2,7 @@
 
 use super::*;
 
+//= D-19
 #[test]
 fn every_bit_pattern_of_every_signal_is_a_value_or_an_error() {
     for message in MESSAGES {

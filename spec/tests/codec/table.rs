@@ -77,6 +77,7 @@ fn every_row_is_well_formed() {
     }
 }
 
+//= D-30
 #[test]
 fn lengths_are_those_of_the_database() {
     for message in MESSAGES {

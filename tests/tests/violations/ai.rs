@@ -90,6 +90,7 @@ fn finished_and_neutral_at_rest_are_fine() {
     is_reported(&world, Options::default(), Party::Ai, &[], "at rest");
 }
 
+//= DRV-5 to DRV-8
 #[test]
 fn requests_that_hold_the_vehicle_in_ready() {
     for atom in [Atom::FrontTorqueZero, Atom::RearTorqueZero, Atom::SteerRequestZero, Atom::DirectionNeutral]

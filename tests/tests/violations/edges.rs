@@ -112,6 +112,7 @@ fn a_value_that_lasts_for_less_than_a_cycle_is_no_change_to_the_vcu() {
     is_silent(&world, Options::default(), "FORWARD for a moment");
 }
 
+//= IMP-2, IMP-3
 #[test]
 fn a_change_at_speed_that_is_passed_over_is_reported_also_after_a_stop() {
     for change in CHANGES {

@@ -19,6 +19,7 @@ fn go_since_before() -> World {
     world
 }
 
+//= DRV-12
 #[test]
 fn driving_needs_a_new_edge() {
     let mut world = go_since_before();
@@ -41,6 +42,7 @@ fn edge(vcu: impl Fn(&mut World)) -> World {
     world
 }
 
+//= DRV-15
 #[test]
 fn an_edge_that_the_vcu_loses_is_reported() {
     let world = edge(World::hold_state);
@@ -50,6 +52,7 @@ fn an_edge_that_the_vcu_loses_is_reported() {
     is_silent(&world, Options::default(), "the edge is taken");
 }
 
+//= DRV-11, D-6, SM-2
 #[test]
 fn an_edge_before_the_dwell_is_over_does_not_count() {
     let mut world = World::with_reading(Choice::GoRaw);
@@ -69,6 +72,7 @@ fn an_edge_before_the_dwell_is_over_does_not_count() {
     );
 }
 
+//= DTE-2
 #[test]
 fn driving_ends_with_go() {
     let mut world = World::reference();

@@ -19,6 +19,7 @@ fn unanswered(ms: i64, vcu: impl Fn(&mut World)) -> World {
     world
 }
 
+//= HS-13
 #[test]
 fn an_answer_after_20_ms_is_in_time() {
     let world = unanswered(20, |_| {});
@@ -27,6 +28,7 @@ fn an_answer_after_20_ms_is_in_time() {
     is_reported(&world, Options::default(), Party::Ai, &[], "answered after 20 ms");
 }
 
+//= HS-9, HS-10
 #[test]
 fn an_answer_after_100_ms_is_late() {
     let world = unanswered(100, |_| {});

@@ -22,6 +22,7 @@ fn settle(world: &mut World, state: AsState) {
     world.set(Atom::MissionRunning, state == AsState::Driving);
 }
 
+//= SM-18
 #[test]
 fn every_arrow_that_does_not_exist_is_reported() {
     assert_eq!(pairs().count(), 11, "20 pairs, 9 arrows");

@@ -64,6 +64,7 @@ fn every_term_that_is_passed_over_is_reported() {
     }
 }
 
+//= SM-9 to SM-17, RDY-5, DTE-1 to DTE-5, FIN-4, RTE-1, RTO-1, FTO-1, FTE-1, ETO-2
 #[test]
 fn every_term_that_the_reference_follows_is_justified() {
     for case in cases::all() {

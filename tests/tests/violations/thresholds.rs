@@ -39,6 +39,7 @@ fn finished_with(wheel: usize, rpm: i32, vcu: impl Fn(&mut World)) -> World {
     world
 }
 
+//= IMP-4, D-24
 #[test]
 fn each_wheel_alone_decides_whether_the_vehicle_moves() {
     let cases: [(i32, AsState, &[Blame], &[Blame]); 3] = [
@@ -95,6 +96,7 @@ fn driven_off(change: impl Fn(&mut World)) -> World {
     world
 }
 
+//= DRV-9, D-25
 #[test]
 fn the_wheels_are_straight_below_five_degrees() {
     for (tenths, straight) in [(49, true), (50, false), (51, false)] {
@@ -115,6 +117,7 @@ fn the_wheels_are_straight_below_five_degrees() {
     }
 }
 
+//= DRV-5 to DRV-7
 #[test]
 fn the_least_request_is_not_zero() {
     const LEAST: AxleTorqueRequest = AxleTorqueRequest::clamped(1);

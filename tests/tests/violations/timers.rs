@@ -20,6 +20,7 @@ fn wait_in_state(world: &mut World, entered: i64, ms: i64) {
     world.wait(left / MS);
 }
 
+//= DRV-4
 #[test]
 fn ready_lasts_five_seconds() {
     let dwell = i64::from(Interface::V3_0.timing.ready_dwell_ms);
@@ -37,6 +38,7 @@ fn ready_lasts_five_seconds() {
     }
 }
 
+//= ETO-1
 #[test]
 fn emergency_brake_lasts_fifteen_seconds() {
     let timer = i64::from(Interface::V3_0.timing.ebs_timer_ms);
@@ -55,6 +57,7 @@ fn emergency_brake_lasts_fifteen_seconds() {
     }
 }
 
+//= ETO-2, D-23
 #[test]
 fn emergency_brake_ends_when_the_timer_does() {
     let mut world = World::reference();

@@ -1,0 +1,225 @@
+//! The requirements, as their file numbers them, and lists of their identifiers.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::trouble::Trouble;
+
+/// An identifier such as HS-4.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct Id {
+    prefix: String,
+    number: u32,
+}
+
+impl Id {
+    /// Reads `HS-4`, exactly as it is written.
+    fn parse(text: &str) -> Option<Self> {
+        let (prefix, number) = text.split_once('-')?;
+        let id = Self { prefix: prefix.to_owned(), number: number.parse().ok()? };
+        let upper = !prefix.is_empty() && prefix.bytes().all(|byte| byte.is_ascii_uppercase());
+        (upper && id.to_string() == text).then_some(id)
+    }
+}
+
+impl fmt::Display for Id {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.prefix, self.number)
+    }
+}
+
+/// One requirement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Requirement {
+    pub(crate) id: Id,
+    /// The section of the file that it stands in, as duvet names it.
+    pub(crate) section: String,
+    /// Its line of the file, which annotations quote.
+    pub(crate) line: String,
+    /// It has its keyword: it was not withdrawn.
+    in_force: bool,
+}
+
+/// All requirements.
+#[derive(Clone, Debug)]
+pub(crate) struct Requirements {
+    by_id: BTreeMap<Id, Requirement>,
+}
+
+impl Requirements {
+    /// Reads the file: list items that begin with an identifier in bold, under headings.
+    pub(crate) fn parse(text: &str) -> Result<Self, Trouble> {
+        let mut section = String::new();
+        let mut by_id = BTreeMap::new();
+        for (number, line) in (1..).zip(text.lines()) {
+            if line.starts_with('#') {
+                section = anchor(line.trim_start_matches('#'));
+            }
+            let Some((id, sentence)) = line.strip_prefix("- **").and_then(|rest| rest.split_once("** "))
+            else {
+                continue;
+            };
+            let Some(id) = Id::parse(id) else {
+                return Err(Trouble::new(format!("{id:?}"), "an identifier such as HS-4").in_line(number));
+            };
+            let in_force = ["MUST", "SHOULD", "MAY"].iter().any(|keyword| sentence.contains(keyword));
+            let requirement =
+                Requirement { id: id.clone(), section: section.clone(), line: line.to_owned(), in_force };
+            if by_id.insert(id.clone(), requirement).is_some() {
+                return Err(Trouble::new(format!("{id} again"), "each identifier once").in_line(number));
+            }
+        }
+        Ok(Self { by_id })
+    }
+
+    /// Those that were not withdrawn.
+    pub(crate) fn in_force(&self) -> impl Iterator<Item = &Requirement> {
+        self.by_id.values().filter(|requirement| requirement.in_force)
+    }
+
+    /// The requirements of a list such as `MSG-16 to MSG-19, HS-4`: each at most once. A range leaves out what was
+    /// withdrawn.
+    pub(crate) fn list(&self, ids: &str) -> Result<Vec<&Requirement>, Trouble> {
+        let mut cited: Vec<&Requirement> = Vec::new();
+        for item in ids.split(',').map(str::trim) {
+            for requirement in self.item(item)? {
+                if cited.contains(&requirement) {
+                    return Err(Trouble::new(
+                        format!("{} twice", requirement.id),
+                        "each identifier of a list once",
+                    ));
+                }
+                cited.push(requirement);
+            }
+        }
+        Ok(cited)
+    }
+
+    fn item(&self, item: &str) -> Result<Vec<&Requirement>, Trouble> {
+        let Some((first, last)) = item.split_once(" to ") else {
+            let requirement = self.get(item)?;
+            return if requirement.in_force {
+                Ok(vec![requirement])
+            } else {
+                Err(Trouble::new(format!("{item:?} is withdrawn"), "a requirement that is in force"))
+            };
+        };
+        let (first, last) = (&self.get(first)?.id, &self.get(last)?.id);
+        if first.prefix != last.prefix {
+            return Err(Trouble::new(
+                format!("{item:?} runs from one prefix to another"),
+                "a range within one prefix, such as MSG-16 to MSG-19",
+            ));
+        }
+        if first >= last {
+            return Err(Trouble::new(format!("{item:?} runs backwards"), format!("{last} to {first}")));
+        }
+        Ok(self
+            .by_id
+            .range(first..=last)
+            .map(|(_, requirement)| requirement)
+            .filter(|r| r.in_force)
+            .collect())
+    }
+
+    fn get(&self, id: &str) -> Result<&Requirement, Trouble> {
+        let Some(parsed) = Id::parse(id) else {
+            return Err(Trouble::new(
+                format!("{id:?}"),
+                "identifiers alone, as in `HS-4, HS-6` or `MSG-16 to MSG-19`",
+            ));
+        };
+        self.by_id.get(&parsed).ok_or_else(|| {
+            Trouble::new(
+                format!("{id:?} is no requirement"),
+                "an identifier of spec/REQUIREMENTS.md, such as HS-4",
+            )
+        })
+    }
+}
+
+/// A heading as duvet makes an anchor of it.
+fn anchor(heading: &str) -> String {
+    heading.trim().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-")
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::Requirements;
+
+    /// A small file of requirements.
+    pub(crate) const SMALL: &str = "\
+# Requirements
+- One list item is **one** requirement.
+## 2.4 Handshake
+- **HS-4** The VCU MUST let its HANDSHAKE bit alternate between 0 and 1 (2.4).
+- **HS-5** Withdrawn.
+- **HS-6** The VCU MUST hold its HANDSHAKE bit at 1 (2.4).
+## 3.2 AS_READY to AS_DRIVING
+- **DRV-10** The AI Computer SHOULD set DIRECTION_REQUEST to FORWARD (3.2).
+";
+
+    fn list(ids: &str) -> Result<Vec<String>, String> {
+        let requirements = Requirements::parse(SMALL).expect("well written");
+        let cited = requirements.list(ids);
+        cited
+            .map(|found| found.iter().map(|requirement| requirement.id.to_string()).collect())
+            .map_err(|trouble| trouble.to_string())
+    }
+
+    #[test]
+    fn the_file_is_read() {
+        let requirements = Requirements::parse(SMALL).expect("well written");
+        let read: Vec<_> = requirements
+            .in_force()
+            .map(|r| (r.id.to_string(), r.section.as_str(), r.line.as_str()))
+            .collect();
+        let lines: Vec<_> = SMALL.lines().collect();
+        assert_eq!(
+            read,
+            [
+                ("DRV-10".to_owned(), "3-2-as-ready-to-as-driving", lines[7]),
+                ("HS-4".to_owned(), "2-4-handshake", lines[3]),
+                ("HS-6".to_owned(), "2-4-handshake", lines[5]),
+            ]
+        );
+        assert!(Requirements::parse(&SMALL.replace("HS-6", "HS-4")).is_err(), "twice");
+        assert!(Requirements::parse(&SMALL.replace("HS-6", "HS-06")).is_err(), "badly written");
+    }
+
+    #[test]
+    fn the_requirements_of_this_project_are_read() {
+        let requirements = Requirements::parse(include_str!("../../../../spec/REQUIREMENTS.md"));
+        assert_eq!(requirements.expect("well written").in_force().count(), 237);
+    }
+
+    #[test]
+    fn lists_and_ranges() {
+        assert_eq!(list("HS-6"), Ok(vec!["HS-6".to_owned()]));
+        assert_eq!(list("DRV-10, HS-4"), Ok(vec!["DRV-10".to_owned(), "HS-4".to_owned()]));
+        assert_eq!(list("HS-4 to HS-6"), Ok(vec!["HS-4".to_owned(), "HS-6".to_owned()]), "not the withdrawn");
+    }
+
+    #[test]
+    fn bad_lists_are_refused() {
+        for (ids, part) in [
+            ("HS-7", "is no requirement"),
+            ("HS-5", "is withdrawn"),
+            ("", "identifiers alone"),
+            ("HS-4,", "identifiers alone"),
+            ("HS-4 HS-6", "identifiers alone"),
+            ("HS-4: the bit", "identifiers alone"),
+            ("hs-4", "identifiers alone"),
+            ("HS-04", "identifiers alone"),
+            ("HS-4 to HS-7", "is no requirement"),
+            ("HS-6 to HS-4", "expected HS-4 to HS-6"),
+            ("HS-4 to HS-4", "runs backwards"),
+            ("HS-4 to DRV-10", "within one prefix"),
+            ("HS-4, HS-4", "twice"),
+            ("HS-6, HS-4 to HS-6", "twice"),
+        ] {
+            let error = list(ids).expect_err(ids);
+            assert!(error.contains(part), "{ids}: {error}");
+        }
+    }
+}
