@@ -23,5 +23,6 @@ awk '
     if (covered != harnesses)  { print harnesses - covered " harnesses reach no case at all"; bad++ }
     printf "%d theorems, %.0f s in all, at most %.1f s (%s)\n", harnesses, total, most, slowest
     if (bad) { print "not every interesting case is reached"; exit 1 }
+    if (most > 60 || total > 600) { print "that is too slow: a theorem may take a minute, and all of them ten"; exit 1 }
   }
 ' "$log"

@@ -94,7 +94,7 @@ pub fn the_bit_turns_when_it_is_answered() {
 /// bit is the VCU's once an edge is `response_ms` old, and that takes at most 50 ms for it, never has AI_COMMS_LOST raised;
 /// from the first active step on, at which it may still send anything.
 ///
-/// Requirements: HS-5, HS-11, HS-13, HS-14, HS-16, D-26.
+/// Requirements: HS-13, HS-14, HS-16, D-26.
 #[cfg_attr(kani, kani::proof, kani::unwind(2))]
 pub fn a_partner_in_time_is_never_lost() {
     let response_ms: u64 = kani::any::<u8>().into();

@@ -65,7 +65,7 @@ pub fn what_is_only_logged_decides_nothing() {
 }
 
 /// **The messages of the data logger reach nobody.** Whatever is received under an identifier that is not one of the AI
-/// Computer's five (500h to 502h among them), the VCU's view of the AI Computer stays as it was, and so does its step.
+/// Computer's five (500h to 502h among them), the VCU's view of the AI Computer stays as it was.
 ///
 /// Requirements: SM-1, D-35.
 #[cfg_attr(kani, kani::proof, kani::unwind(12))]

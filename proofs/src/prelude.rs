@@ -2,7 +2,9 @@
 
 #[cfg(not(kani))]
 pub(crate) use crate::kani;
-pub(crate) use crate::steps::{Step, any_control, any_control_in, any_step, any_step_from};
+pub(crate) use crate::steps::{
+    Step, any_control, any_control_in, any_end, any_outputs, any_step, any_step_from,
+};
 #[cfg(kani)]
 pub(crate) use crate::subject::Subject;
 pub(crate) use crate::subject::subject;

@@ -1,7 +1,7 @@
 //! Steps as theorems draw them: any control state that keeps the invariant, any inputs, any time.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Control, Inputs, Interface, Outputs, Readings};
+use adsdv_spec::{Control, Inputs, Interface, Outputs, Readings, Taken};
 
 use crate::prelude::*;
 
@@ -58,4 +58,31 @@ pub fn any_step() -> Step {
 /// Any step from an AS state.
 pub fn any_step_from(state: AsState) -> Step {
     Step::of(any_control_in(state), kani::any(), kani::any())
+}
+
+/// Any outputs, also those that no step has.
+pub fn any_outputs() -> Outputs {
+    let taken = Taken { row: kani::any(), term: kani::any() };
+    Outputs {
+        from: kani::any(),
+        state: kani::any(),
+        taken: if kani::any() { Some(taken) } else { None },
+        atoms: kani::any(),
+        faults: kani::any(),
+        shutdown_cause: kani::any(),
+        handshake: kani::any(),
+        go_signal: kani::any(),
+    }
+}
+
+/// Any end of a step, also one that no step has: for what depends only on where a step has led and on the inputs.
+pub fn any_end() -> Step {
+    let outputs = any_outputs();
+    Step {
+        before: Control { state: outputs.from, ..Control::INITIAL },
+        inputs: kani::any(),
+        dt_ms: kani::any(),
+        after: Control { state: outputs.state, ..Control::INITIAL },
+        outputs,
+    }
 }

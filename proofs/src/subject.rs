@@ -2,9 +2,9 @@
 //!
 //! Kani proves them of [`Specification`]. Tests put something else in its place, a mutant, to see that a theorem can fail.
 
-use adsdv_spec::messages::{AsState, Frame, Node};
+use adsdv_spec::messages::{AsState, Frame, Node, SignalDef};
 use adsdv_spec::{
-    Actuation, AiMessages, Atoms, Control, Handshake, Inputs, Knowledge, Machine, Observation, Outputs,
+    Actuation, AiMessages, Atom, Atoms, Control, Handshake, Inputs, Knowledge, Machine, Observation, Outputs,
     Reaction, Readings, Reads, Term, Truth, VcuMessages,
 };
 
@@ -82,6 +82,16 @@ pub trait Subject {
         frame
     }
 
+    /// [`SignalDef::put`].
+    fn put(&self, row: &SignalDef, data: [u8; 8], raw: i32) -> [u8; 8] {
+        row.put(data, raw)
+    }
+
+    /// [`Frame::new`].
+    fn frame(&self, id: u16, data: &[u8]) -> Option<Frame> {
+        Frame::new(id, data)
+    }
+
     /// [`AiMessages::receive`].
     fn receive(&self, ai: &mut AiMessages, id: u16, data: &[u8]) -> bool {
         matches!(ai.receive(id, data), Ok(true))
@@ -110,6 +120,11 @@ pub trait Subject {
     /// [`Knowledge::learn`].
     fn learn(&self, known: Knowledge, scope: Atoms, values: Atoms) -> Knowledge {
         known.learn(scope, values)
+    }
+
+    /// [`Knowledge::set`].
+    fn set(&self, known: Knowledge, atom: Atom, value: Truth) -> Knowledge {
+        known.set(atom, value)
     }
 
     /// [`Knowledge::meet`].

@@ -6,7 +6,8 @@
 //! [`codec`](crate::codec).
 
 use adsdv_spec::messages::AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
-use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, Taken, VcuMessages};
+use adsdv_spec::messages::{Frame, Message, Vcu2AiSteer};
+use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, VcuMessages};
 
 use crate::invariant::counts_to_ms;
 use crate::prelude::*;
@@ -47,7 +48,7 @@ pub fn a_reaction_is_total() {
 
 /// **Observing is total.** All inputs have an observation, and it is one that inputs can have.
 ///
-/// Requirements: MSG-9, D-24.
+/// Requirements: SM-1.
 #[cfg_attr(kani, kani::proof, kani::unwind(2))]
 pub fn an_observation_is_total() {
     let inputs: Inputs = kani::any();
@@ -92,31 +93,16 @@ pub fn what_is_taken_is_possible() {
     of_each_state(|before| {
         let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
         let subject = subject();
-        let (mut found, mut none) = (false, true);
-        for (row, _) in subject.machine().possible(&before, dt_ms) {
-            found |= row.from == before.state && row.to == after.state;
-            none = false;
-        }
+        // A fold and not a loop: for a proof the rows that are gone through are constants then.
+        let (found, none) =
+            subject.machine().possible(&before, dt_ms).fold((false, true), |(found, _), (row, _)| {
+                (found || (row.from == before.state && row.to == after.state), false)
+            });
         cover_extremes(&before, dt_ms);
         kani::cover!(outputs.taken.is_some(), "an arrow is taken");
         kani::cover!(none && before.state == EmergencyBrake, "nothing is possible");
         assert!(found || outputs.taken.is_none(), "what is taken is possible");
     });
-}
-
-/// Any outputs, also those that no step has.
-fn any_outputs() -> Outputs {
-    let taken = Taken { row: kani::any(), term: kani::any() };
-    Outputs {
-        from: kani::any(),
-        state: kani::any(),
-        taken: if kani::any() { Some(taken) } else { None },
-        atoms: kani::any(),
-        faults: kani::any(),
-        shutdown_cause: kani::any(),
-        handshake: kani::any(),
-        go_signal: kani::any(),
-    }
 }
 
 /// **What a step shows can be looked up**: every number of a row or a term has an answer, if only that there is none.
@@ -155,9 +141,9 @@ pub fn an_actuation_is_total() {
 }
 
 /// **What the VCU sends is total**: all outputs and all inputs make messages. No mean, sum or percentage of what was measured
-/// and requested overflows, and nothing measured is turned into a state.
+/// and requested overflows.
 ///
-/// Requirements: D-47, D-48, D-50.
+/// Requirements: MSG-48.
 #[cfg_attr(kani, kani::proof, kani::unwind(2))]
 pub fn messages_are_total() {
     let (outputs, inputs): (Outputs, Inputs) = (any_outputs(), kani::any());
@@ -192,6 +178,57 @@ pub fn frames_are_total() {
     }
 }
 
+/// **The lenient reading is total**: a row of any place and width, also one that no table has, reads and writes any data of
+/// any length; and where it does not fit a frame it reads nothing, and leaves the data as it is.
+///
+/// Requirements: D-30.
+#[cfg_attr(kani, kani::proof, kani::unwind(10))]
+pub fn a_row_of_any_shape_is_total() {
+    let mut row = Vcu2AiSteer::DEF.signals[0];
+    (row.start, row.width, row.signed) = (kani::any(), kani::any(), kani::any());
+    (row.min, row.max) = (kani::any(), kani::any());
+    let data: [u8; 9] = kani::any();
+    let len = usize::from(kani::any_where(|len: &u8| *len <= 9));
+    let raw: i32 = kani::any();
+    let [b0, b1, b2, b3, b4, b5, b6, b7, _] = data;
+    let frame = [b0, b1, b2, b3, b4, b5, b6, b7];
+
+    let end = u32::from(row.start) + u32::from(row.width);
+    let fits = 1 <= row.width && row.width <= 32 && end <= 64;
+    let read = row.raw(&data[..len]);
+    let put = subject().put(&row, frame, raw);
+    kani::cover!(!fits && row.width == 255 && row.start == 255, "far out of the frame");
+    kani::cover!(row.width == 32 && read.is_some(), "as wide as can be");
+    assert!(read.is_some() == (fits && end.div_ceil(8) as usize <= len), "read if it fits and is there");
+    assert!(
+        fits || u64::from_le_bytes(put) == u64::from_le_bytes(frame),
+        "what does not fit changes nothing"
+    );
+    assert!(row.allows(raw) == (row.min <= raw && raw <= row.max), "allowed in its range");
+}
+
+/// **A frame is total**: with any identifier, length and data it gives the bytes that are sent, and says whether it can be on
+/// the bus; and it is made of any data that fits.
+///
+/// Requirements: D-30, D-34.
+#[cfg_attr(kani, kani::proof, kani::unwind(10))]
+pub fn a_frame_is_total() {
+    let frame = Frame { id: kani::any(), len: kani::any(), data: kani::any() };
+    let sent = frame.data().len();
+    kani::cover!(frame.len == 255, "longer than a frame");
+    kani::cover!(frame.is_valid() && frame.len == 8, "all of it is sent");
+    assert!(sent == usize::from(frame.len).min(8), "as many bytes as it says, at most eight");
+    let unsent = u64::from_le_bytes(frame.data).checked_shr(8 * u32::from(frame.len)).unwrap_or(0);
+    let valid = frame.id <= 0x7FF && frame.len <= 8 && unsent == 0;
+    assert!(frame.is_valid() == valid, "it can be on the bus");
+
+    let data: [u8; 9] = kani::any();
+    let len = usize::from(kani::any_where(|len: &u8| *len <= 9));
+    let made = subject().frame(frame.id, &data[..len]);
+    assert!(made.is_some() == (frame.id <= 0x7FF && len <= 8), "made of what fits");
+    assert!(made.is_none_or(|made| made.is_valid() && usize::from(made.len) == len), "and valid");
+}
+
 theorems![
     a_step_is_total,
     a_reaction_is_total,
@@ -202,4 +239,6 @@ theorems![
     an_actuation_is_total,
     messages_are_total,
     frames_are_total,
+    a_row_of_any_shape_is_total,
+    a_frame_is_total,
 ];

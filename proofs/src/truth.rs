@@ -3,7 +3,7 @@
 //! A judge knows some conditions and not others, and of a window of time only that on which all of its moments agree. What
 //! it calls true or false then is so in every case that it allows; so no violation is reported that did not happen.
 
-use adsdv_spec::{Atoms, Choices, FIGURE_2, Knowledge, Readings, Row, Term, Truth};
+use adsdv_spec::{Atom, Atoms, Choices, FIGURE_2, Knowledge, Readings, Row, Term, Truth};
 
 use crate::prelude::*;
 
@@ -27,6 +27,11 @@ fn holds(term: &Term, atoms: Atoms) -> bool {
 fn any_allowed(known: Knowledge) -> Atoms {
     let unseen: Atoms = kani::any();
     known.on().union(unseen.difference(known.off()))
+}
+
+/// What is said of one claim or another.
+fn either(one: Truth, other: Truth) -> Truth {
+    subject().join(one, other).1
 }
 
 /// Whether a claim allows a fact.
@@ -89,7 +94,7 @@ pub fn claims_are_joined_soundly() {
     assert!(fits(whichever, a) && fits(whichever, b), "agreement");
 }
 
-/// **What is learnt, set and forgotten is what is known.** After it, exactly the conditions are allowed that agree with what
+/// **What is learnt and forgotten is what is known.** After it, exactly the conditions are allowed that agree with what
 /// was learnt, and with what was known of the others.
 ///
 /// Requirements: SM-1.
@@ -114,6 +119,24 @@ pub fn knowledge_is_what_was_learnt() {
         Knowledge::exact(values).allows(atoms) == (atoms == values),
         "to know everything allows one case"
     );
+    assert!(
+        Knowledge::new(scope, values).is_some() == scope.intersection(values).is_empty(),
+        "nothing is said to be on and off"
+    );
+}
+
+/// **One condition is set to what is said of it, and the others stay**: true, false, or unknown again.
+///
+/// Requirements: SM-1.
+#[cfg_attr(kani, kani::proof, kani::unwind(2))]
+pub fn one_condition_is_set_and_the_others_stay() {
+    let (known, value): (Knowledge, Truth) = (kani::any(), kani::any());
+    let (atom, other): (Atom, Atom) = (kani::any(), kani::any());
+    let set = subject().set(known, atom, value);
+    kani::cover!(value == Truth::Unknown && known.of(atom) != Truth::Unknown, "it is forgotten");
+    kani::cover!(atom != other && known.of(other) == Truth::False, "another one is known");
+    assert!(set.of(atom) == value, "what is said of it");
+    assert!(atom == other || set.of(other) == known.of(other), "the others stay");
 }
 
 /// **A guard that is called true over a window holds at every moment of it, and one that is called false at none**: for any
@@ -127,7 +150,7 @@ pub fn a_guard_over_a_window_is_called_what_it_is() {
     let window = subject().meet(subject().meet(seen[0], seen[1]), seen[2]);
     let mut called = Truth::False;
     for term in &guard {
-        called = called.or(subject().truth(term, window));
+        called = either(called, subject().truth(term, window));
     }
     kani::cover!(called == Truth::True && seen[0] != seen[1], "true, over different moments");
     kani::cover!(called == Truth::False && seen[0] != seen[1], "false, over different moments");
@@ -144,7 +167,7 @@ fn row_truth(row: &Row, known: Knowledge) -> Truth {
     let mut called = Truth::False;
     for term in row.terms() {
         if term.readings.is_subset(Readings::DEFAULT.choices()) {
-            called = called.or(subject().truth(term, known));
+            called = either(called, subject().truth(term, known));
         }
     }
     called
@@ -183,6 +206,7 @@ theorems![
     a_term_is_called_what_it_is,
     unknown_is_said_only_where_both_are_possible,
     knowledge_is_what_was_learnt,
+    one_condition_is_set_and_the_others_stay,
     a_guard_over_a_window_is_called_what_it_is,
     a_true_step_is_never_blamed;
     every claims_are_joined_soundly,

@@ -244,7 +244,8 @@ fn log_dynamics(inputs: &Inputs) -> Vcu2LogDynamics1 {
     };
     let torque = |front: i32, rear: i32| {
         //= D-50
-        LogDriveTorque::clamped((front + rear) * 100 / (2 * AxleTorqueRequest::MAX.raw()))
+        // Divided once, by so many steps of both axles as make one percent.
+        LogDriveTorque::clamped((front + rear) / (2 * AxleTorqueRequest::MAX.raw() / 100))
     };
     // From tenths of a degree to halves.
     //= D-48

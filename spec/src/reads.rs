@@ -67,12 +67,17 @@ impl Machine {
             atoms = atoms.without(Atom::Tsms);
         }
         // A step into AS_READY arms the "Go" edge, and one into AS_DRIVING remembers what may change.
-        let (mut ready, mut driving) = (control.state == AsState::Ready, control.state == AsState::Driving);
-        for (row, term) in self.possible(control, dt_ms) {
-            atoms = atoms.union(term.on).union(term.off);
-            ready |= row.to == AsState::Ready;
-            driving |= row.to == AsState::Driving;
-        }
+        let begun = (atoms, control.state == AsState::Ready, control.state == AsState::Driving);
+        // A fold and not a loop: for a proof the rows that are gone through are constants then.
+        let (mut atoms, ready, driving) =
+            self.possible(control, dt_ms).fold(begun, |(atoms, ready, driving), (row, term)| {
+                let to = |state| row.to == state;
+                (
+                    atoms.union(term.on).union(term.off),
+                    ready | to(AsState::Ready),
+                    driving | to(AsState::Driving),
+                )
+            });
         if ready {
             atoms = atoms.union(self.arming_reads(known));
         }

@@ -94,7 +94,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "handshake-goes-round",
         statement: "The VCU asks for 1, is answered, and asks for 0 again",
-        requirements: &["HS-4", "HS-6", "HS-12"],
+        requirements: &["HS-4", "HS-5", "HS-6", "HS-11", "HS-12"],
         operators: WELL_BEHAVED,
         expectation: Expectation::Sometimes,
         condition: |_, state| {

@@ -5,6 +5,9 @@
 //! runs a harness many times, or for every value of a small domain, and says what came out. [`replay`] runs it once on
 //! bytes that somebody else has chosen, such as a fuzzer.
 //!
+//! One thing is coarser here: Kani counts a `cover!` in a generic function once for each type that the function is used
+//! with, and here it is one place.
+//!
 //! - `source.rs`: where values come from;
 //! - `values.rs`: how each type is drawn, the values at its boundaries more often than others;
 //! - `run.rs`: the runs, and what is learnt from them.

@@ -2,7 +2,7 @@
 //! that there are not.
 
 use adsdv_proofs::subject::Subject;
-use adsdv_spec::messages::{Frame, MESSAGES};
+use adsdv_spec::messages::{Frame, MESSAGES, SignalDef};
 use adsdv_spec::{
     Actuation, AsState, Atom, Atoms, Control, FIGURE_2, Inputs, Interface, Machine, Observation, Outputs,
     Reaction, Reads, Row, Table, VcuMessages,
@@ -37,6 +37,12 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         Mutant::new("messages_are_total", "AS_STATE is the state before", Late),
         Mutant::new("frames_are_total", "the first byte is taken for an index", LooksUp),
         Mutant::new("frames_are_total", "a frame of nine bytes", NineBytes),
+        Mutant::new(
+            "a_row_of_any_shape_is_total",
+            "a row out of the frame is written into its end",
+            PutsAtTheEnd,
+        ),
+        Mutant::new("a_frame_is_total", "an identifier is cut to 11 bits", CutsTheIdentifier),
     ]
 }
 
@@ -193,5 +199,29 @@ struct NineBytes;
 impl Subject for NineBytes {
     fn sent(&self, frame: Frame) -> Frame {
         Frame { len: frame.len + 1, ..frame }
+    }
+}
+
+/// What does not fit goes into the last byte.
+#[derive(Clone)]
+struct PutsAtTheEnd;
+
+impl Subject for PutsAtTheEnd {
+    fn put(&self, row: &SignalDef, data: [u8; 8], raw: i32) -> [u8; 8] {
+        let mut put = row.put(data, raw);
+        if u32::from(row.start) + u32::from(row.width) > 64 {
+            put[7] ^= 1;
+        }
+        put
+    }
+}
+
+/// An identifier of more than 11 bits is taken for what is left of it.
+#[derive(Clone)]
+struct CutsTheIdentifier;
+
+impl Subject for CutsTheIdentifier {
+    fn frame(&self, id: u16, data: &[u8]) -> Option<Frame> {
+        Frame::new(id & Frame::MAX_ID, data)
     }
 }

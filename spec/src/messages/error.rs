@@ -63,13 +63,14 @@ impl DecodeError {
     /// Data of `given` bytes is too short for this message.
     #[cold]
     pub(super) fn too_short(message: &'static MessageDef, given: usize) -> Self {
-        let missing = message.signals.iter().find(|signal| signal.bytes_needed() > given);
+        let mut signals = message.signals.iter();
+        let missing = signals.find_map(|signal| (signal.bytes_needed() > given).then_some(signal.name));
         Self::TooShort {
             message: message.name,
             id: message.id,
             given,
             needed: message.bytes_needed(),
-            signal: missing.map_or("", |signal| signal.name),
+            signal: missing.unwrap_or_default(),
         }
     }
 
