@@ -75,7 +75,52 @@ EXIT STATUS
     Export(ExportArgs),
     Readings(ReadingsArgs),
     Schema(SchemaArgs),
+    Suite(SuiteArgs),
     Verify(VerifyArgs),
+}
+
+/// Print the conformance test suite, or prove that it is complete.
+///
+/// One test a line, as JSON, for any language: a named scenario with the requirements that it checks, the inputs step by
+/// step, and the outputs that are expected. The keys are those of oracle/PROTOCOL.md; inputs that a step does not have are
+/// at their defaults. `adsdv conform` runs the suite against a program.
+///
+/// The suite is generated from the table of Figure 2: every row and every alternative of one; every condition shown to
+/// matter on its own (MC/DC); every threshold and time just below, at and just above; every two rows that can hold at once;
+/// the handshake at every phase; each fault and its cause; and for each question that the document leaves open what tells
+/// its answers apart.
+///
+/// It grows with the conditions that the rows name, not with the number of their combinations: one test for each
+/// alternative, one for each of its conditions, one for each pair of alternatives of two rows of a state, three for each
+/// limit, and one for each fault in each state in which it counts.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv suite > suite.jsonl
+  adsdv suite | jq -r '.name + \": \" + .about'
+  adsdv suite --prove
+
+EXIT STATUS
+  0  the suite has been printed; with --prove, it tells every mutation from the specification
+  1  with --prove, some mutation lives
+  2  it could not be written, or the arguments are wrong")]
+pub(crate) struct SuiteArgs {
+    /// Prove that the suite is complete.
+    ///
+    /// Every mutation of the table, the times and the thresholds (a condition dropped or turned round, an alternative or a
+    /// row dropped, another destination or order, a time or threshold off by one) has to show something else than the
+    /// specification in some test.
+    #[arg(long, conflicts_with = "readings")]
+    pub(crate) prove: bool,
+
+    /// With --prove, print one JSON object instead of text.
+    #[arg(long, requires = "prove")]
+    pub(crate) json: bool,
+
+    /// Expect what the specification shows under another answer to a question that the document leaves open; may be
+    /// repeated.
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
+    pub(crate) readings: Vec<Choice>,
 }
 
 /// Print the JSON Schema of what a command prints with `--json`.
@@ -103,6 +148,10 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum WithJson {
     /// adsdv check.
     Check,
+    /// adsdv suite: a line of the suite.
+    Suite,
+    /// adsdv suite --prove.
+    Prove,
     /// adsdv verify.
     Verify,
 }

@@ -10,6 +10,12 @@ pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json"
 /// The JSON Schema of what `adsdv verify --json` writes.
 pub(crate) const VERIFY_SCHEMA: &str = include_str!("../schema/verify.schema.json");
 
+/// The JSON Schema of a line that `adsdv suite` writes.
+pub(crate) const SUITE_SCHEMA: &str = include_str!("../schema/suite.schema.json");
+
+/// The JSON Schema of what `adsdv suite --prove --json` writes.
+pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json");
+
 /// A report as one JSON object on one line.
 pub(crate) fn text(report: &Report) -> String {
     line(&CheckJson::from(report))

@@ -6,6 +6,7 @@
 //!   |          +-------> the verdict is the exit status
 //!   +------> verify ---> the properties of the state machine, and the exit status
 //!   +------> explore:    a web page, until it is stopped
+//!   +------> suite ----> the conformance test suite, or the proof that it is complete
 //!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model
 //! ```
 //!
@@ -24,6 +25,7 @@ mod pins;
 mod progress;
 mod report;
 mod status;
+mod suite;
 mod tables;
 mod verify;
 
@@ -50,6 +52,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Diagram(args) => tables::diagram(args),
         Command::Readings(args) => tables::readings(args),
         Command::Schema(args) => tables::schema(args),
+        Command::Suite(args) => suite::run(args),
         Command::Explore(args) => explore::run(args),
         Command::Export(args) => tables::export(args),
         Command::Verify(args) => verify::run(args),

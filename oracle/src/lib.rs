@@ -5,3 +5,5 @@
 pub mod candump;
 pub mod judge;
 pub mod log;
+pub mod protocol;
+pub mod suite;

@@ -2,7 +2,8 @@
 
 use crate::run::run;
 
-const COMMANDS: [&str; 8] = ["check", "dbc", "diagram", "explore", "export", "readings", "schema", "verify"];
+const COMMANDS: [&str; 9] =
+    ["check", "dbc", "diagram", "explore", "export", "readings", "schema", "suite", "verify"];
 
 #[test]
 fn every_help_text_has_examples_and_exit_status() {

@@ -13,5 +13,6 @@ mod readme;
 mod run;
 mod schema;
 mod streams;
+mod suite;
 mod tables;
 mod verify;

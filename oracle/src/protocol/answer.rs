@@ -1,0 +1,122 @@
+//! What a program under test answers: as much as it has to show.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::bad_line::{BadLine, Object, What};
+use super::field::Value;
+use super::shown::{SHOWN, Shown};
+
+/// An answer to a step: some fields of [`SHOWN`] or all; a field that it leaves out is not checked. It is read from a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Answer([Told; SHOWN.len()]);
+
+/// What an answer says of a field.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+enum Told {
+    #[default]
+    Nothing,
+    Value(Option<i32>),
+}
+
+/// A field in which an answer is not what was expected. It displays as in `as_state is AS_READY; expected AS_OFF`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// The key of the field.
+    pub key: &'static str,
+    /// What the answer says.
+    pub found: Value,
+    /// What it should say.
+    pub expected: Value,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}; expected {}", self.key, self.found, self.expected)
+    }
+}
+
+impl Answer {
+    /// Whether the answer says anything of a field.
+    pub fn has(&self, key: &str) -> bool {
+        let told = SHOWN.iter().zip(&self.0).find(|(field, _)| field.key == key);
+        told.is_some_and(|(_, told)| *told != Told::Nothing)
+    }
+
+    /// What the answer says of a field; `None` if it says nothing, or if there is no such field.
+    pub fn get(&self, key: &str) -> Option<Value> {
+        let (field, told) = SHOWN.iter().zip(&self.0).find(|(field, _)| field.key == key)?;
+        match told {
+            Told::Nothing => None,
+            Told::Value(raw) => Some(Value { domain: field.domain, raw: *raw }),
+        }
+    }
+
+    /// The keys of the fields of which it says anything.
+    pub fn keys(&self) -> impl Iterator<Item = &'static str> {
+        let told = self.0;
+        SHOWN.iter().zip(told).filter(|(_, told)| *told != Told::Nothing).map(|(field, _)| field.key)
+    }
+
+    /// Whether a line answers a reset: an object that shows nothing, as `{}`. The error says why it is no object.
+    pub fn is_reset(line: &str) -> Result<bool, BadLine> {
+        let Object(entries) = Object::read(line)?;
+        Ok(entries.iter().all(|(key, _)| SHOWN.iter().all(|field| field.key != key)))
+    }
+
+    /// Whether all that it says is so.
+    pub fn agrees(&self, shown: &Shown) -> bool {
+        self.0.iter().zip(&shown.0).all(|(told, expected)| match told {
+            Told::Nothing => true,
+            Told::Value(found) => found == expected,
+        })
+    }
+
+    /// Each field in which it is not what was expected.
+    pub fn differences(&self, shown: &Shown) -> impl Iterator<Item = Difference> {
+        let told = self.0;
+        shown.iter().zip(told).filter_map(|((field, expected), told)| match told {
+            Told::Value(found) if found != expected.raw => {
+                Some(Difference { key: field.key, found: Value { raw: found, ..expected }, expected })
+            }
+            _ => None,
+        })
+    }
+}
+
+impl FromStr for Answer {
+    type Err = BadLine;
+
+    fn from_str(line: &str) -> Result<Self, BadLine> {
+        let Object(entries) = Object::read(line)?;
+        let mut answer = Self([Told::Nothing; SHOWN.len()]);
+        for (key, found) in &entries {
+            let place = SHOWN.iter().position(|field| field.key == key);
+            let slot = place.and_then(|place| Some((SHOWN.get(place)?, answer.0.get_mut(place)?)));
+            let Some((field, told)) = slot else {
+                return Err(BadLine::unknown(key, SHOWN.iter().map(|field| field.key)));
+            };
+            if *told != Told::Nothing {
+                return Err(BadLine::twice(key));
+            }
+            *told = match found {
+                What::Null if field.nullable => Told::Value(None),
+                _ => match field.domain.raw(found) {
+                    Some(raw) => Told::Value(Some(raw)),
+                    None => return Err(BadLine::value(key, found, field.domain)),
+                },
+            };
+        }
+        if answer.has("as_state") {
+            Ok(answer)
+        } else {
+            Err(BadLine::new("there is no \"as_state\"; expected at least that"))
+        }
+    }
+}
+
+impl From<Shown> for Answer {
+    fn from(shown: Shown) -> Self {
+        Self(shown.0.map(Told::Value))
+    }
+}

@@ -1,0 +1,108 @@
+//! What the fields of the protocol have in common: a key, and the values that it may have.
+
+use std::fmt;
+
+use adsdv_spec::messages::SignalValue;
+
+use super::bad_line::What;
+
+/// The values of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// `true` or `false`; 1 or 0 is understood as well.
+    Flag,
+    /// One of these names; its number is understood as well.
+    Names(&'static [(i32, &'static str)]),
+    /// A whole number: raw, in steps of the signal, as it is on the bus.
+    Number {
+        /// The lowest.
+        min: i32,
+        /// The highest.
+        max: i32,
+    },
+}
+
+impl Domain {
+    /// The values of a type.
+    pub(super) const fn of<T: SignalValue>() -> Self {
+        if !T::VALUES.is_empty() {
+            Self::Names(T::VALUES)
+        } else if T::MIN == 0 && T::MAX == 1 {
+            Self::Flag
+        } else {
+            Self::Number { min: T::MIN, max: T::MAX }
+        }
+    }
+
+    /// The raw number of a value that was read; `None` if it is none of this field's.
+    pub(super) fn raw(self, read: &What<'_>) -> Option<i32> {
+        let number = match (self, read) {
+            (Self::Flag, What::Flag(flag)) => Some(i64::from(*flag)),
+            (Self::Names(names), What::Text(text)) => {
+                names.iter().find(|(_, name)| name == text).map(|&(raw, _)| raw.into())
+            }
+            (_, What::Number(number)) => Some(*number),
+            _ => None,
+        };
+        number.and_then(|raw| i32::try_from(raw).ok()).filter(|&raw| self.has(raw))
+    }
+
+    fn has(self, raw: i32) -> bool {
+        match self {
+            Self::Flag => raw == 0 || raw == 1,
+            Self::Names(names) => names.iter().any(|&(value, _)| value == raw),
+            Self::Number { min, max } => (min..=max).contains(&raw),
+        }
+    }
+}
+
+/// What is expected of a field, in words.
+impl fmt::Display for Domain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Flag => f.write_str("true or false"),
+            Self::Names(names) => {
+                f.write_str("one of ")?;
+                for (place, (_, name)) in names.iter().enumerate() {
+                    write!(f, "{}{name:?}", if place == 0 { "" } else { ", " })?;
+                }
+                Ok(())
+            }
+            Self::Number { min, max } => write!(f, "a whole number from {min} to {max}"),
+        }
+    }
+}
+
+/// A value of a field, for display: by its name where it has one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Value {
+    /// The values of its field.
+    pub domain: Domain,
+    /// The raw number; `None`: there is none at present.
+    pub raw: Option<i32>,
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(raw) = self.raw else { return f.write_str("null") };
+        match self.domain {
+            Domain::Flag => write!(f, "{}", raw != 0),
+            Domain::Names(names) => match names.iter().find(|&&(value, _)| value == raw) {
+                Some((_, name)) => f.write_str(name),
+                None => write!(f, "{raw}"),
+            },
+            Domain::Number { .. } => write!(f, "{raw}"),
+        }
+    }
+}
+
+impl Value {
+    /// The value as JSON.
+    pub(super) fn write_json(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.domain {
+            // No name has anything in it that JSON would have escaped: a test holds them to that.
+            Domain::Names(_) if self.raw.is_some() => write!(f, "\"{self}\""),
+            _ => write!(f, "{self}"),
+        }
+    }
+}

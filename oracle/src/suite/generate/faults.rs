@@ -1,0 +1,148 @@
+//! Each fault and its cause: the flag, the number, what stays of it, and which of several counts.
+
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Fault, Faults, Inputs, Machine};
+
+use super::{Walk, test, walk_cycle};
+use crate::protocol::{Domain, INPUTS, InputField};
+use crate::suite::requirements::of_fault;
+use crate::suite::{Kind, Test};
+
+/// The tests of what opens the shutdown circuit, and of what 520h tells of it.
+pub(super) fn tests(machine: &Machine) -> Vec<Test> {
+    let mut tests: Vec<Test> = causes(machine).flat_map(|field| of_cause(machine, field)).collect();
+    tests.extend(switches(machine));
+    tests.extend(warnings(machine));
+    tests.extend(several(machine));
+    tests
+}
+
+/// The inputs each of which is a fault by itself, while a master switch is on.
+fn causes(machine: &Machine) -> impl Iterator<Item = &'static InputField> {
+    let thresholds = machine.interface().thresholds;
+    INPUTS.iter().filter(move |field| {
+        let mut inputs = Inputs { asms: true, ..Inputs::default() };
+        field.domain == Domain::Flag
+            && (field.set)(&mut inputs, 1)
+            && !inputs.observe(&thresholds).faults().is_empty()
+    })
+}
+
+/// The requirements of section 3.5 behind an input; those of the others are the fault's.
+fn cause_of_3_5(key: &str) -> Option<&'static str> {
+    Some(match key {
+        "remote_estop" => "RTE-2",
+        "res_link_lost" => "RTE-3",
+        "vehicle_estop" => "RTE-4",
+        "crash_sensor" => "RTE-5",
+        "critical_fault" => "RTE-6",
+        "bms_fault" => "RTE-7",
+        "mpp_dongle_removed" => "RTE-8",
+        _ => return None,
+    })
+}
+
+/// One cause: live in AS_OFF, where it goes with its input, and in AS_READY, where it leads to EMERGENCY_BRAKE and stays.
+fn of_cause(machine: &Machine, field: &'static InputField) -> Vec<Test> {
+    let key = field.key;
+    let mut inputs = Inputs { asms: true, ..Inputs::default() };
+    (field.set)(&mut inputs, 1);
+    let faults = inputs.observe(&machine.interface().thresholds).faults();
+    let set = |value: i32| {
+        move |inputs: &mut Inputs| {
+            (field.set)(inputs, value);
+        }
+    };
+    let ids = || faults.iter().map(of_fault).chain(cause_of_3_5(key)).chain(["MSG-50", "MSG-64", "D-40"]);
+    let live = Walk::new(machine)
+        .set(|inputs| inputs.tsms = true)
+        .step(walk_cycle(machine), set(1))
+        .step(walk_cycle(machine), set(0));
+    let mut tests = vec![
+        test(
+            Kind::Fault,
+            format!("fault-{key}-live"),
+            format!("{key} shows in AS_OFF while it is there"),
+            "2.2",
+            live,
+        )
+        .checks(ids().chain(["D-17"])),
+    ];
+    for state in [AsState::Ready, AsState::Driving, AsState::Finished] {
+        let stays =
+            Walk::to(machine, state).step(walk_cycle(machine), set(1)).step(walk_cycle(machine), set(0));
+        let about = format!("{key} in {state} leads to EMERGENCY_BRAKE, and its cause stays when it goes");
+        tests.push(
+            test(Kind::Fault, format!("fault-{key}-in-{state}"), about, "3.5", stays)
+                .checks(ids().chain(["D-12", "D-14", "D-15", "D-17"])),
+        );
+    }
+    if faults == Faults::NONE.with(Fault::ChargeProcedureFault) {
+        let off = Walk::new(machine).step(walk_cycle(machine), set(1));
+        let about = format!("{key} is no fault while both master switches are off");
+        tests.push(
+            test(Kind::Fault, format!("fault-{key}-with-switches-off"), about, "2.2", off).checks(["MSG-62"]),
+        );
+    }
+    tests
+}
+
+/// The switches that are reasons to brake without a number of their own.
+fn switches(machine: &Machine) -> Vec<Test> {
+    [(Atom::Asms, "DTE-3"), (Atom::GoOn, "DTE-2")]
+        .map(|(atom, id)| {
+            let walk = Walk::to(machine, AsState::Driving).show(atom, false).cycle().show(atom, true).cycle();
+            let about = format!("{} in AS_DRIVING is told as an open circuit", atom.text(false));
+            test(Kind::Fault, format!("fault-{atom}-off"), about, "3.7", walk).checks([id, "D-13", "D-17"])
+        })
+        .into()
+}
+
+/// The warnings of 520h.
+fn warnings(machine: &Machine) -> Vec<Test> {
+    [("batt_temp_high", "MSG-52"), ("batt_soc_low", "MSG-53")]
+        .map(|(key, id)| {
+            let set = |inputs: &mut Inputs| {
+                if let Some(field) = INPUTS.iter().find(|field| field.key == key) {
+                    (field.set)(inputs, 1);
+                }
+            };
+            let walk = Walk::to(machine, AsState::Ready).step(walk_cycle(machine), set);
+            let about = format!("{key} is a warning, and no reason to brake");
+            test(Kind::Fault, format!("warning-{key}"), about, "2.2", walk).checks([id, "MSG-51", "D-39"])
+        })
+        .into()
+}
+
+/// Two faults at once, of which the lower number counts; and one after the other, of which the first does.
+fn several(machine: &Machine) -> Vec<Test> {
+    let faults: Vec<Fault> = Faults::OPENING.with(Fault::AiComputerRequest).iter().collect();
+    let pairs = faults.iter().zip(faults.iter().skip(1));
+    let mut tests: Vec<Test> = pairs
+        .map(|(&low, &high)| {
+            let at_once = Walk::to(machine, AsState::Ready).step(walk_cycle(machine), |inputs| {
+                inputs.show_fault(low, true);
+                inputs.show_fault(high, true);
+            });
+            let about = format!("{low} and {high} at once: the lower number is the cause");
+            test(
+                Kind::Fault,
+                format!("faults-{}-and-{}", low.cause().raw(), high.cause().raw()),
+                about,
+                "2.2",
+                at_once,
+            )
+            .checks(["MSG-64", "D-16"])
+        })
+        .collect();
+    if let (Some(&first), Some(&last)) = (faults.last(), faults.first()) {
+        let later = Walk::to(machine, AsState::Ready)
+            .step(walk_cycle(machine), |inputs| inputs.show_fault(first, true))
+            .step(walk_cycle(machine), |inputs| inputs.show_fault(last, true));
+        let about = format!("{last} comes after {first}: the first cause stays");
+        tests.push(
+            test(Kind::Fault, "faults-one-after-the-other", about, "2.2", later).checks(["MSG-64", "D-15"]),
+        );
+    }
+    tests
+}

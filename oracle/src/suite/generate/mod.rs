@@ -1,0 +1,151 @@
+//! The tests, generated: one file for each thing that they are about.
+//!
+//! What a test has to be is read off the table and the interface: a row, a term, a condition, a time, a threshold. How the
+//! machine gets to where the test begins is a [`Walk`].
+
+mod faults;
+mod handshake;
+mod limits;
+mod pairs;
+mod readings;
+mod rows;
+
+use adsdv_spec::{Atom, Choice, Interface, Machine, Readings, Row, Term};
+
+use super::walk::{Walk, walk_cycle};
+use super::{Kind, Test};
+
+/// Every test of a version of the interface, each scenario once.
+pub(super) fn all(interface: &Interface) -> Vec<Test> {
+    let machine = Machine::new(*interface, Readings::DEFAULT);
+    let mut tests = rows::tests(&machine);
+    tests.extend(limits::tests(&machine));
+    tests.extend(pairs::tests(&machine));
+    tests.extend(handshake::tests(&machine));
+    tests.extend(faults::tests(&machine));
+    tests.extend(readings::tests(&machine));
+    without_parts(tests)
+}
+
+/// A test without its requirements and its reading.
+fn test(
+    kind: Kind,
+    name: impl Into<String>,
+    about: impl Into<String>,
+    section: &str,
+    walk: Walk<'_>,
+) -> Test {
+    Test {
+        name: name.into(),
+        kind,
+        about: about.into(),
+        section: section.to_owned(),
+        requirements: Vec::new(),
+        reading: None,
+        scenario: walk.scenario(),
+    }
+}
+
+impl Test {
+    /// With the requirements that it checks.
+    fn checks<'a>(mut self, requirements: impl IntoIterator<Item = &'a str>) -> Self {
+        for id in requirements {
+            if !self.requirements.iter().any(|known| known == id) {
+                self.requirements.push(id.to_owned());
+            }
+        }
+        self
+    }
+}
+
+/// The rows of a machine with the terms that its readings have.
+fn terms(machine: &Machine) -> impl Iterator<Item = (&Row, &Term)> {
+    let choices = machine.readings().choices();
+    let rows = machine.interface().table.rows().iter();
+    rows.flat_map(|row| row.terms().iter().map(move |term| (row, term)))
+        .filter(move |(_, term)| term.readings.is_subset(choices))
+}
+
+/// The walk to where a term can be tried: in the state that its row leaves, with all that its memory conditions need.
+fn before<'a>(machine: &'a Machine, row: &Row, term: &Term) -> Walk<'a> {
+    if term.on.has(Atom::GoEdge) {
+        Walk::armed(machine)
+    } else if term.on.has(Atom::MissionFinishedEdge) || term.on.has(Atom::DirectionNeutralEdge) {
+        // One step in which the value from which it changes is seen.
+        Walk::to(machine, row.from).cycle()
+    } else {
+        Walk::to(machine, row.from)
+    }
+}
+
+/// The step in which a term holds, but for one of its conditions if one is given.
+fn attempt<'a>(machine: &'a Machine, walk: Walk<'a>, term: &Term, but: Option<Atom>) -> Walk<'a> {
+    let timing = &machine.interface().timing;
+    let mut walk = walk;
+    let mut dt_ms = walk_cycle(machine);
+    for (atom, value) in term.conditions() {
+        let value = value != (but == Some(atom));
+        let input = atom.input().unwrap_or(atom);
+        match atom {
+            Atom::DwellElapsed | Atom::PowerCycleNeeded => {}
+            Atom::EbsTimerComplete => dt_ms = u32::from(timing.ebs_timer_ms) - u32::from(!value),
+            Atom::AiCommsLost => {
+                walk = walk.answering(false);
+                dt_ms = u32::from(timing.handshake_ms) - u32::from(!value);
+            }
+            _ => walk = walk.show(input, value),
+        }
+    }
+    walk.step(dt_ms, |_| {})
+}
+
+/// A condition in the words of the table.
+fn words(atom: Atom, value: bool) -> String {
+    atom.text(value).to_owned()
+}
+
+/// A term in the words of the table.
+fn term_words(term: &Term) -> String {
+    let conditions: Vec<String> = term.conditions().map(|(atom, value)| words(atom, value)).collect();
+    conditions.join(" and ")
+}
+
+/// The machine under another choice.
+fn under(machine: &Machine, choice: Choice) -> Machine {
+    Machine::new(*machine.interface(), Readings::DEFAULT.with(choice))
+}
+
+/// The tests, each scenario once: what two tests with the same steps check, one checks; and a test of which another begins
+/// with the same steps is left out if that one checks the same requirements.
+fn without_parts(tests: Vec<Test>) -> Vec<Test> {
+    let mut kept: Vec<Test> = Vec::new();
+    for test in tests {
+        if let Some(same) = kept.iter_mut().find(|same| same.scenario == test.scenario) {
+            same.join(&test);
+        } else {
+            kept.push(test);
+        }
+    }
+    let is_part = |part: &Test| {
+        kept.iter().any(|whole| {
+            whole.scenario.steps.len() > part.scenario.steps.len()
+                && whole.scenario.steps.starts_with(&part.scenario.steps)
+                && part.requirements.iter().all(|id| whole.requirements.contains(id))
+                && part.reading.is_none_or(|reading| whole.reading == Some(reading))
+        })
+    };
+    let parts: Vec<bool> = kept.iter().map(is_part).collect();
+    kept.into_iter().zip(parts).filter(|(_, part)| !part).map(|(test, _)| test).collect()
+}
+
+impl Test {
+    /// Lets this test check what another one with the same steps does.
+    fn join(&mut self, same: &Self) {
+        self.reading = self.reading.or(same.reading);
+        for id in &same.requirements {
+            if !self.requirements.contains(id) {
+                self.requirements.push(id.clone());
+            }
+        }
+    }
+}

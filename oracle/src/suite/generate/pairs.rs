@@ -1,0 +1,47 @@
+//! Every pair of rows of one state whose guards can hold at once.
+
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Machine, Row, Term};
+
+use super::rows::name;
+use super::{attempt, before, terms, test};
+use crate::suite::requirements::of_row;
+use crate::suite::{Kind, Test};
+
+/// The tests of a machine's rows, two by two.
+pub(super) fn tests(machine: &Machine) -> Vec<Test> {
+    let mut tests = Vec::new();
+    for from in AsState::ALL {
+        let leaving: Vec<(&Row, &Term)> = terms(machine).filter(|(row, _)| row.from == from).collect();
+        for (place, one) in leaving.iter().enumerate() {
+            let later = leaving.iter().skip(place + 1).filter(|other| other.0.clause != one.0.clause);
+            // One alternative of each row is enough: those of a row lead to the same state.
+            tests.extend(later.filter_map(|other| both(machine, *one, *other)));
+        }
+    }
+    tests
+}
+
+/// Both alternatives hold at once; `None` if they cannot.
+fn both(machine: &Machine, one: (&Row, &Term), other: (&Row, &Term)) -> Option<Test> {
+    let on = one.1.on.union(other.1.on);
+    let off = one.1.off.union(other.1.off);
+    let exclusive = [[Atom::Moving, Atom::AtRest], [Atom::GoEdge, Atom::GoOn]];
+    let contradicts = !on.intersection(off).is_empty()
+        || exclusive.iter().any(|&[a, b]| {
+            on.has(a) && on.has(b) && a == Atom::Moving || on.has(a) && off.has(b) && a == Atom::GoEdge
+        })
+        || on.has(Atom::MissionFinished) && on.has(Atom::MissionSelected);
+    if contradicts {
+        return None;
+    }
+    let term = Term { on, off, ..*one.1 };
+    let row = one.0;
+    // What the memory of either needs.
+    let walk = before(machine, row, &term);
+    let walk = attempt(machine, walk, &term, None);
+    let (first, second) = (name(one.0, one.1), name(other.0, other.1));
+    let about = format!("in {} the guards of {first} and of {second} hold at once", row.from);
+    let ids = of_row(one.0).iter().chain(of_row(other.0)).copied();
+    Some(test(Kind::Pair, format!("{first}-with-{second}"), about, one.0.clause, walk).checks(ids))
+}

@@ -1,0 +1,76 @@
+//! Every alternative of every row, and every condition of it shown to matter on its own (MC/DC).
+
+use adsdv_spec::{Atom, Choice, Machine, Row, Term};
+
+use super::{Walk, attempt, before, term_words, terms, test, walk_cycle, words};
+use crate::suite::requirements::{of_condition, of_term};
+use crate::suite::{Kind, Test};
+
+/// The tests of the alternatives that a machine has.
+pub(super) fn tests(machine: &Machine) -> Vec<Test> {
+    terms(machine).flat_map(|(row, term)| of(machine, row, term)).collect()
+}
+
+/// One alternative, taken, and not taken for want of each of its conditions.
+pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
+    let name = name(row, term);
+    let taken = attempt(machine, before(machine, row, term), term, None);
+    let about = format!("{} leads from {} to {}", term_words(term), row.from, row.to);
+    let mut tests = vec![test(Kind::Row, name.clone(), about, term.clause, taken).checks(of_term(row, term))];
+    for (atom, value) in term.conditions() {
+        let about = format!("{}: {} is not left for {}", words(atom, !value), row.from, row.to);
+        let walk = without(machine, row, term, atom);
+        tests.push(
+            test(Kind::Condition, format!("{name}-but-{atom}"), about, term.clause, walk)
+                .checks(of_condition(row, term, atom)),
+        );
+    }
+    tests
+}
+
+/// The name of an alternative: its row's section, and what it asks for if the row has others.
+pub(super) fn name(row: &Row, term: &Term) -> String {
+    if row.terms().len() == 1 {
+        return row.clause.to_owned();
+    }
+    let conditions: Vec<String> = term
+        .conditions()
+        .map(|(atom, value)| if value { atom.to_string() } else { format!("not-{atom}") })
+        .collect();
+    if conditions.len() > 2 {
+        // The alternatives of AS_OFF to AS_READY are readings of one question.
+        let readings: Vec<&str> = term.readings.iter().map(Choice::id).collect();
+        return format!("{}-{}", row.clause, readings.join("-"));
+    }
+    format!("{}-{}", row.clause, conditions.join("-and-"))
+}
+
+/// The way to a step in which all conditions of an alternative hold but one.
+fn without<'a>(machine: &'a Machine, row: &Row, term: &Term, atom: Atom) -> Walk<'a> {
+    let timing = &machine.interface().timing;
+    let cycle = walk_cycle(machine);
+    match atom {
+        // "Go" is seen off while the time is not over yet, and comes on when it is.
+        Atom::DwellElapsed => {
+            let early = Walk::to(machine, row.from).step(u32::from(timing.ready_dwell_ms) - 1, |_| {});
+            early.step(1, |inputs| inputs.go = true).cycle()
+        }
+        // "Go" is on when the time is over, and was never seen off.
+        Atom::GoEdge => Walk::new(machine)
+            .set(|inputs| inputs.go = true)
+            .into_ready()
+            .step(timing.ready_dwell_ms.into(), |_| {})
+            .cycle(),
+        Atom::PowerCycleNeeded => {
+            attempt(machine, Walk::after_an_emergency(machine).step(cycle, |_| {}), term, None)
+        }
+        // A change is not seen if the value was there before: at a speed that is neither moving nor at rest, so that
+        // no arrow was taken for it.
+        Atom::MissionFinishedEdge | Atom::DirectionNeutralEdge => {
+            let input = atom.input().unwrap_or(atom);
+            let seen = Walk::to(machine, row.from).show(Atom::AtRest, false).show(input, true).cycle();
+            seen.show(Atom::Moving, true).cycle()
+        }
+        _ => attempt(machine, before(machine, row, term), term, Some(atom)),
+    }
+}

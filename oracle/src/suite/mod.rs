@@ -1,0 +1,39 @@
+//! The test suite: scenarios with the outputs that are expected, generated from the table.
+//!
+//! - `scenario.rs`: steps of a VCU from power-on, and what a machine shows in each;
+//! - `test.rs`: a scenario with a name and the requirements that it checks;
+//! - `lines.rs`: the tests as JSON Lines, written and read;
+//! - `generate/`: the tests, made from the table; `walk.rs` gets a machine to where a test begins, and `requirements.rs` says
+//!   which requirements a row, a condition and a fault stand for;
+//! - `prove.rs`: whether they tell every mutation of the specification from it.
+//!
+//! # How the suite grows
+//!
+//! Each alternative of a row is one test, and each of its conditions one more; two rows of a state that can hold at once are
+//! one for each pair of their alternatives; each threshold and time is three for each place it is measured at; each fault is
+//! one for each state in which it counts. So with `r` rows of `t` alternatives of `c` conditions, `s` states and `f` faults
+//! the suite has in the order of `r t (c + t) + s f` tests, of at most as many steps as it takes to get to a state, and
+//! two: it grows with the conditions that a row names, and not with the number of their combinations.
+
+mod generate;
+mod lines;
+mod prove;
+mod requirements;
+mod scenario;
+mod test;
+mod walk;
+
+use adsdv_spec::Interface;
+
+pub use lines::{BadTest, ReadSuite, read};
+pub use prove::{Proof, prove};
+pub use scenario::{Scenario, Step};
+pub use test::{Kind, Test};
+
+/// The tests of a version of the interface.
+///
+/// What is expected in each is what the specification shows under the readings that are asked of a program: by default
+/// the default ones.
+pub fn generate(interface: &Interface) -> Vec<Test> {
+    generate::all(interface)
+}

@@ -1,0 +1,226 @@
+//! The suite: it kills every mutation, has a test for all that it should, and is read as it is written.
+
+use std::collections::{BTreeMap, HashSet};
+
+use adsdv_oracle::protocol::{Request, SHOWN, Shown};
+use adsdv_oracle::suite::{self, Kind, Test};
+use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Readings, Row, Term};
+
+const REQUIREMENTS: &str = include_str!("../../spec/REQUIREMENTS.md");
+
+fn tests() -> Vec<Test> {
+    suite::generate(&Interface::V3_0)
+}
+
+/// The rows and terms that the default readings have.
+fn terms() -> impl Iterator<Item = (&'static Row, &'static Term)> {
+    let rows = adsdv_spec::FIGURE_2.rows().iter();
+    let terms = rows.flat_map(|row| row.terms().iter().map(move |term| (row, term)));
+    terms.filter(|(_, term)| term.readings.is_subset(Readings::DEFAULT.choices()))
+}
+
+#[test]
+fn every_mutation_is_killed_but_those_that_change_nothing() {
+    let proof = suite::prove(&Interface::V3_0, &tests());
+    assert_eq!(proof.survivors, Vec::<String>::new());
+    assert_eq!(proof.equivalent.len(), 3);
+    assert!(proof.is_complete() && proof.killed() == proof.mutants && proof.mutants > 190);
+}
+
+/// The proof can fail: without the tests of the handshake, of limits or of faults some mutation lives.
+#[test]
+fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
+    for kind in [Kind::Condition, Kind::Limit, Kind::Reading] {
+        let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != kind).collect();
+        let proof = suite::prove(&Interface::V3_0, &less);
+        assert!(!proof.is_complete(), "without {kind}");
+        assert_eq!(proof.killed() + proof.survivors.len(), proof.mutants);
+    }
+    let proof = suite::prove(&Interface::V3_0, &[]);
+    assert_eq!(proof.killed(), 0);
+}
+
+/// How often each alternative is taken in the tests.
+fn taken() -> BTreeMap<(u8, u8), usize> {
+    let mut taken = BTreeMap::new();
+    for test in tests() {
+        for (_, outputs) in test.scenario.run(&Machine::REFERENCE) {
+            if let Some(by) = outputs.taken {
+                *taken.entry((by.row, by.term)).or_default() += 1;
+            }
+        }
+    }
+    taken
+}
+
+#[test]
+fn every_row_and_every_alternative_is_taken() {
+    let taken = taken();
+    for (place, row) in (0u8..).zip(adsdv_spec::FIGURE_2.rows()) {
+        for (alternative, term) in (0u8..).zip(row.terms()) {
+            if term.readings.is_subset(Readings::DEFAULT.choices()) {
+                assert!(taken.contains_key(&(place, alternative)), "{} term {alternative}", row.clause);
+            }
+        }
+    }
+}
+
+/// For each condition there are two steps from the same control state after the same time that differ in nothing that is
+/// read but in it, one of which takes the row by that alternative.
+#[test]
+fn every_condition_is_shown_to_matter_on_its_own() {
+    let machine = Machine::REFERENCE;
+    let mut steps = Vec::new();
+    for test in tests() {
+        let mut control = adsdv_spec::Control::INITIAL;
+        for (step, (after, outputs)) in test.scenario.steps.iter().zip(test.scenario.run(&machine)) {
+            steps.push((control.state, outputs));
+            control = after;
+            assert_eq!(after.state, outputs.state, "{step:?}");
+        }
+    }
+    for (row, term) in terms() {
+        for (atom, value) in term.conditions() {
+            let matters = term.on.union(term.off).without(atom);
+            let others =
+                |outputs: &adsdv_spec::Outputs| outputs.atoms.intersection(matters) == term.on.without(atom);
+            let with = steps.iter().any(|(from, outputs)| {
+                *from == row.from
+                    && others(outputs)
+                    && outputs.atoms.has(atom) == value
+                    && outputs.state == row.to
+            });
+            let without = steps.iter().any(|(from, outputs)| {
+                *from == row.from
+                    && others(outputs)
+                    && outputs.atoms.has(atom) != value
+                    && outputs.state != row.to
+            });
+            // The dwell is over wherever an edge of "Go" can be accepted at all: it is tried by an edge that comes early.
+            let implied = atom == Atom::DwellElapsed;
+            assert!(with && (without || implied), "{} {atom}: {with} {without}", row.clause);
+        }
+    }
+}
+
+#[test]
+fn every_fault_is_a_cause_and_every_other_choice_is_told_apart() {
+    let machine = Machine::REFERENCE;
+    let causes: HashSet<_> = tests()
+        .iter()
+        .flat_map(|test| {
+            test.scenario.run(&machine).map(|(control, _)| control.shutdown_cause).collect::<Vec<_>>()
+        })
+        .collect();
+    for fault in Fault::ALL {
+        assert!(causes.contains(&fault.cause()), "{fault}");
+    }
+    let tests = tests();
+    for &choice in Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice)) {
+        let other = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+        let tells = |test: &&Test| test.scenario.shown(&machine).ne(test.scenario.shown(&other));
+        assert!(tests.iter().filter(tells).any(|test| test.reading == Some(choice.reading())), "{choice}");
+    }
+}
+
+#[test]
+fn every_limit_is_tried_below_at_and_above() {
+    let names: HashSet<String> = tests().into_iter().map(|test| test.name).collect();
+    let Interface { timing, thresholds, .. } = Interface::V3_0;
+    for rpm in [-1, 0, 1].map(|beside| thresholds.wheel_speed.raw() + beside) {
+        for wheel in ["fl", "fr", "rl", "rr"] {
+            assert!(names.contains(&format!("wheel-{wheel}-{rpm}-rpm")));
+        }
+    }
+    let mut steps: HashSet<u32> = HashSet::new();
+    for test in tests() {
+        steps.extend(test.scenario.steps.iter().map(|step| step.dt_ms));
+    }
+    for limit in [timing.ready_dwell_ms, timing.ebs_timer_ms, timing.handshake_ms] {
+        for beside in [limit - 1, limit, limit + 1] {
+            assert!(steps.contains(&beside.into()), "{beside} ms");
+        }
+    }
+}
+
+#[test]
+fn names_are_unique_and_every_requirement_is_one() {
+    let tests = tests();
+    let names: HashSet<&str> = tests.iter().map(|test| test.name.as_str()).collect();
+    assert_eq!(names.len(), tests.len());
+    let scenarios: Vec<_> = tests.iter().map(|test| &test.scenario).collect();
+    for (place, one) in scenarios.iter().enumerate() {
+        assert!(!scenarios[..place].contains(one), "{} is there twice", tests[place].name);
+    }
+    for test in &tests {
+        assert!(!test.requirements.is_empty() && !test.about.is_empty(), "{}", test.name);
+        for id in &test.requirements {
+            assert!(REQUIREMENTS.contains(&format!("\n- **{id}** ")), "{}: {id}", test.name);
+        }
+        assert!((1..=8).contains(&test.scenario.steps.len()), "{}", test.name);
+    }
+}
+
+#[test]
+fn a_suite_is_read_as_it_is_written() {
+    let tests = tests();
+    let text: String = tests.iter().map(|test| test.to_line(&Machine::REFERENCE) + "\n").collect();
+    let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!(read.bad, []);
+    assert_eq!(read.tests, tests);
+    assert_eq!(text.lines().count(), tests.len());
+    // The lines that a program is asked are those of the scenario.
+    let requests: Vec<Request> = tests[0].scenario.requests().collect();
+    assert_eq!((requests[0], requests.len()), (Request::Reset, tests[0].scenario.steps.len() + 1));
+}
+
+/// One line of the suite with something in it changed.
+fn changed(from: &str, to: &str) -> String {
+    let line = tests()[1].to_line(&Machine::REFERENCE);
+    assert!(line.contains(from), "{line}");
+    line.replacen(from, to, 1)
+}
+
+#[test]
+fn bad_lines_are_told_and_lose_nothing_else() {
+    let good = tests();
+    let line = |test: &Test| test.to_line(&Machine::REFERENCE);
+    for (bad, found, expected) in [
+        ("nonsense".to_owned(), "column 2", "a test as one JSON object"),
+        ("{}".to_owned(), "missing field", "a test as one JSON object"),
+        ("[]".to_owned(), "invalid", "a test as one JSON object"),
+        (line(&good[1])[..100].to_owned(), "EOF", "a test as one JSON object"),
+        (changed("\"kind\":\"", "\"kind\":\"x"), "xcondition", "row, condition, limit"),
+        (changed("\"reading\":null", "\"reading\":\"taste\""), "taste", "fault-trigger"),
+        (changed("\"dt_ms\":10", "\"dt_ms\":-1"), "-1", "u32"),
+        (
+            changed("\"inputs\":{", "\"inputs\":{\"gas\":true,"),
+            "step 1: there is no key \"gas\"",
+            "steer_angle",
+        ),
+        (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "AT_OFF", "\"AS_READY\""),
+        (changed("\"as_state\":\"AS_OFF\"", "\"as_state\":\"AS_READY\""), "as_state is AS_READY", "AS_OFF"),
+        (line(&good[0]), "is there already", "one of its own"),
+        ("{\"name\":\"\u{fffd}\"".to_owned(), "EOF", "a test as one JSON object"),
+    ] {
+        let text = format!("{}\n\n{bad}\n{}", line(&good[0]), line(&good[2]));
+        let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
+        assert_eq!(read.tests, [good[0].clone(), good[2].clone()], "{bad}");
+        let said = read.bad[0].to_string();
+        assert!(read.bad.len() == 1 && said.starts_with("line 3: "), "{said}");
+        assert!(said.contains(found) && said.contains(expected), "{bad}: {said}");
+    }
+    let read = suite::read(&b"\xff\xfe\n"[..], &Machine::REFERENCE).unwrap();
+    assert!(read.bad[0].to_string().contains("line 1: is not UTF-8"));
+    assert_eq!(suite::read(&b""[..], &Machine::REFERENCE).unwrap(), suite::ReadSuite::default());
+}
+
+/// What is expected is all that a step shows.
+#[test]
+fn every_output_is_expected_in_every_step() {
+    let test = &tests()[0];
+    let line = test.to_line(&Machine::REFERENCE);
+    let shown: Vec<Shown> = test.scenario.shown(&Machine::REFERENCE).collect();
+    assert!(shown.iter().all(|shown| line.contains(&format!("\"expected\":{shown}"))));
+    assert!(SHOWN.iter().all(|field| line.contains(&format!("\"{}\":", field.key))));
+}
