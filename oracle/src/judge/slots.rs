@@ -10,7 +10,7 @@ pub(super) const COUNT: usize = MESSAGES.len();
 const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
 
 /// So many intervals in a row that are all longer, or all shorter, than usual are a change of rate and no jitter.
-const RUN: i8 = 10;
+const RUN: u8 = 10;
 
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +86,7 @@ impl Slot {
     fn median(&mut self, period: i64, interval: i64) -> i64 {
         let side = if interval > period { 1 } else { -1 };
         self.run = if self.run.signum() == side { self.run.saturating_add(side) } else { side };
-        self.steady = if self.run.abs() < RUN { self.steady.saturating_add(1) } else { 0 };
+        self.steady = if self.run.unsigned_abs() < RUN { self.steady.saturating_add(1) } else { 0 };
         period + i64::from(side) * (period >> (4 + self.steady / 16).min(8))
     }
 }
@@ -111,5 +111,20 @@ impl SlotOf {
             Some(&slot) if slot != u8::MAX => Some(usize::from(slot)),
             _ => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MESSAGES, PERIOD_NS, Slot};
+
+    /// Frames that come faster than any period that is believed are a run of short intervals that does not end.
+    #[test]
+    fn a_run_longer_than_can_be_counted_is_still_a_change_of_rate() {
+        let mut slot = Slot::new(MESSAGES[0]);
+        for frame in 0..300 {
+            slot.seen(frame * 500_000);
+        }
+        assert_eq!((slot.run, slot.steady, slot.period), (i8::MIN, 0, *PERIOD_NS.start()));
     }
 }
