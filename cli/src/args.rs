@@ -1,8 +1,11 @@
 //! The arguments, and the help texts that stand for a manual page.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use adsdv_model::Vectors;
+use adsdv_oracle::conform::Options as Conform;
 use adsdv_oracle::judge::Options;
 use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
@@ -10,6 +13,12 @@ use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
+/// The most steps that outputs may be late.
+const LATEST: usize = 50;
+/// The longest cycle that makes sense, in milliseconds.
+const LONGEST_CYCLE: u32 = 1000;
+/// The longest time that a program may take for an answer, in seconds.
+const LONGEST_WAIT: f64 = 3600.0;
 /// More threads than this only wait for each other.
 const MOST_THREADS: usize = 256;
 
@@ -57,6 +66,7 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Check(CheckArgs),
+    Conform(ConformArgs),
     /// Print the CAN database (DBC).
     ///
     /// Every message of the interface with its identifier, sender, length and cycle, and every signal with its
@@ -123,6 +133,114 @@ pub(crate) struct SuiteArgs {
     pub(crate) readings: Vec<Choice>,
 }
 
+/// Judge a program: a VCU, a simulator or a model.
+///
+/// Starts the program once and asks it for one step of a VCU after the other: one JSON object a line on its standard input,
+/// one on its standard output. oracle/PROTOCOL.md says all about these lines, and oracle/examples has complete adapters in
+/// C, in Python and in Rust.
+///
+/// It is asked for the test suite (`adsdv suite`), and then for random scenarios that lead to every state. Its answers are
+/// held against the specification under every combination of the readings that the document allows: a program conforms if
+/// one combination explains all of them.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv conform -- ./vcu
+  adsdv conform -- python3 oracle/examples/adapter.py
+
+  A simulator that steps every 10 ms and shows its outputs up to 2 steps late:
+      adsdv conform --cycle-ms 10 --latency 2 -- ./simulator --headless
+
+  More random scenarios, from another seed:
+      adsdv conform --seed 7 --runs 5000 -- ./vcu
+
+  The requirements that failed, for a program:
+      adsdv conform --json -- ./vcu | jq '.requirements[] | select(.outcome == \"fail\")'
+
+OUTPUT
+  REQUIREMENTS  those that tests name: pass, fail, or not checked, because the program does
+                not show what they are about; behind it how many tests name it, and those
+                that failed
+  FAILURES      each thing that is wrong: the row of Figure 2 that was broken, with its
+                section and its guard, and the shortest scenario that was found, step by
+                step, with the state that was expected beside the one that was shown
+  READINGS      which of the document's readings the program follows, as far as its answers
+                tell, and which it mixes: some tests need one choice, others another
+  Last comes the verdict.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  the program conforms
+  1  it does not
+  2  no verdict: the program could not be started, ended early, did not answer in
+     time, or does not speak the protocol; or the arguments are wrong")]
+pub(crate) struct ConformArgs {
+    /// The program, and its arguments, after --.
+    #[arg(value_name = "PROGRAM", required = true, last = true, num_args = 1..)]
+    pub(crate) command: Vec<OsString>,
+
+    /// Run the tests of this file instead of those of `adsdv suite`: JSON Lines, as that command writes them.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) suite: Option<PathBuf>,
+
+    /// Pin a question that the document leaves open; may be repeated.
+    ///
+    /// Without a pin, every choice is allowed for. `adsdv readings` lists the ids and their choices.
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
+    pub(crate) readings: Vec<Choice>,
+
+    /// Allow outputs that are late, by the same number of steps throughout, at most this one.
+    ///
+    /// Before the first outputs the program shows AS_OFF, or answers {}.
+    #[arg(long, value_name = "STEPS", default_value_t = 0, value_parser = latency, allow_negative_numbers = true)]
+    pub(crate) latency: usize,
+
+    /// Step at this cycle only, in milliseconds.
+    ///
+    /// A longer time becomes as many steps. What cannot be told in them is not run, and named.
+    #[arg(long, value_name = "MS", value_parser = cycle, allow_negative_numbers = true)]
+    pub(crate) cycle_ms: Option<u32>,
+
+    /// The seed of the random scenarios: the same seed is the same scenarios for a program with the same readings.
+    #[arg(long, value_name = "N", default_value_t = Conform::default().seed, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+
+    /// How many random scenarios follow the suite.
+    #[arg(long, value_name = "N", default_value_t = Conform::default().runs, allow_negative_numbers = true)]
+    pub(crate) runs: u32,
+
+    /// How long the program may take for an answer.
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) timeout: Duration,
+
+    /// Print JSON; `adsdv schema conform` prints its schema.
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}
+
+fn latency(text: &str) -> Result<usize, String> {
+    let steps = text.parse().ok().filter(|&steps| steps <= LATEST);
+    steps.ok_or_else(|| format!("expected a number of steps from 0 to {LATEST}"))
+}
+
+fn cycle(text: &str) -> Result<u32, String> {
+    let ms = text.parse().ok().filter(|ms| (1..=LONGEST_CYCLE).contains(ms));
+    ms.ok_or_else(|| format!("expected a whole number of milliseconds from 1 to {LONGEST_CYCLE}"))
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| *seconds > 0.0 && *seconds <= LONGEST_WAIT);
+    let time =
+        seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).filter(|time| !time.is_zero());
+    time.ok_or_else(|| format!("expected a number of seconds above 0, at most {LONGEST_WAIT}"))
+}
+
 /// Print the JSON Schema of what a command prints with `--json`.
 ///
 /// JSON Schema, draft 2020-12. That of `check` lists every rule that a finding can name.
@@ -148,6 +266,8 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum WithJson {
     /// adsdv check.
     Check,
+    /// adsdv conform.
+    Conform,
     /// adsdv suite: a line of the suite.
     Suite,
     /// adsdv suite --prove.

@@ -7,6 +7,9 @@ use serde::Serialize;
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
 
+/// The JSON Schema of what `adsdv conform --json` writes.
+pub(crate) const CONFORM_SCHEMA: &str = include_str!("../schema/conform.schema.json");
+
 /// The JSON Schema of what `adsdv verify --json` writes.
 pub(crate) const VERIFY_SCHEMA: &str = include_str!("../schema/verify.schema.json");
 

@@ -4,6 +4,7 @@
 //! args ----> check ----> report (text, for a person)
 //!   |          |         json   (for a program)
 //!   |          +-------> the verdict is the exit status
+//!   +------> conform --> a program under test, asked and judged, and the exit status
 //!   +------> verify ---> the properties of the state machine, and the exit status
 //!   +------> explore:    a web page, until it is stopped
 //!   +------> suite ----> the conformance test suite, or the proof that it is complete
@@ -16,6 +17,7 @@
 
 mod args;
 mod check;
+mod conform;
 mod error;
 mod explore;
 mod json;
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
 fn run(command: &Command) -> Result<Status, Error> {
     match command {
         Command::Check(args) => check::run(args),
+        Command::Conform(args) => conform::run(args),
         Command::Dbc => tables::dbc(),
         Command::Diagram(args) => tables::diagram(args),
         Command::Readings(args) => tables::readings(args),

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod candump;
+pub mod conform;
 pub mod judge;
 pub mod log;
 pub mod protocol;

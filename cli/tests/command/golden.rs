@@ -9,10 +9,14 @@ use crate::run::{FINISHED_WHILE_MOVING, MISSION, run};
 const BLESS: &str = "ADSDV_BLESS";
 
 fn compare(file: &str, args: &[&str]) {
+    compare_text(file, &run(args).stdout);
+}
+
+/// Compares what a command has printed with a file in `golden/`.
+pub(crate) fn compare_text(file: &str, report: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(file);
-    let report = run(args).stdout;
     if env::var_os(BLESS).is_some_and(|value| value == "1") {
-        fs::write(&path, &report).unwrap_or_else(|error| panic!("cannot write golden/{file}: {error}"));
+        fs::write(&path, report).unwrap_or_else(|error| panic!("cannot write golden/{file}: {error}"));
         return;
     }
     let renew = format!("to renew it: {BLESS}=1 cargo test -p adsdv --test command golden");

@@ -2,8 +2,8 @@
 
 use crate::run::run;
 
-const COMMANDS: [&str; 9] =
-    ["check", "dbc", "diagram", "explore", "export", "readings", "schema", "suite", "verify"];
+const COMMANDS: [&str; 10] =
+    ["check", "conform", "dbc", "diagram", "explore", "export", "readings", "schema", "suite", "verify"];
 
 #[test]
 fn every_help_text_has_examples_and_exit_status() {

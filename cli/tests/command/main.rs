@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod color;
+mod conform;
 mod errors;
 mod explore;
 mod export;

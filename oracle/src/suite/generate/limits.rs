@@ -47,18 +47,18 @@ fn wheels(machine: &Machine) -> Vec<Test> {
 /// The edge of "Go" with the wheels at the limit of straight, to either side.
 fn steering(machine: &Machine) -> Vec<Test> {
     let limit = machine.interface().thresholds.straight.raw();
-    let one = |side: i32, beside: i32| {
-        let angle = SteerAngle::clamped(side * (limit + beside));
+    let one = |(side, sign): (&str, i32), beside: i32| {
+        let angle = SteerAngle::clamped(sign * (limit + beside));
         let straight = |inputs: &mut Inputs| inputs.vehicle.steer_angle = angle;
         // The wheels are there before "Go" is seen off as well.
         let dwell = machine.interface().timing.ready_dwell_ms;
         let walk = Walk::to(machine, AsState::Ready).set(straight).step(dwell.into(), |_| {});
         let walk = walk.step(walk_cycle(machine), |inputs| inputs.go = true);
         let about = format!("\"Go\" comes on in AS_READY with the wheels at {angle}");
-        test(Kind::Limit, format!("steer-angle-{}", angle.raw()), about, "3.2", walk)
+        test(Kind::Limit, format!("steer-angle-{side}-{}", angle.raw().abs()), about, "3.2", walk)
             .checks(["DRV-9", "D-25"])
     };
-    [1, -1].into_iter().flat_map(|side| BESIDE.map(|beside| one(side, beside))).collect()
+    [("left", 1), ("right", -1)].into_iter().flat_map(|side| BESIDE.map(|beside| one(side, beside))).collect()
 }
 
 /// "Go" seen off when AS_READY has lasted nearly long enough, just long enough, and longer; then it comes on.

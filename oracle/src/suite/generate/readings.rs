@@ -16,7 +16,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 fn of_other(machine: &Machine, choice: Choice) -> Vec<Test> {
     let other = under(machine, choice);
     let named = |test: Test| Test {
-        name: format!("{choice}-{}", test.name),
+        name: format!("{choice}/{}", test.name),
         kind: Kind::Reading,
         reading: Some(choice.reading()),
         ..test.checks([of_choice(choice)])

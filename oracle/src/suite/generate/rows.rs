@@ -1,6 +1,6 @@
 //! Every alternative of every row, and every condition of it shown to matter on its own (MC/DC).
 
-use adsdv_spec::{Atom, Choice, Machine, Row, Term};
+use adsdv_spec::{Atom, Machine, Row, Term};
 
 use super::{Walk, attempt, before, term_words, terms, test, walk_cycle, words};
 use crate::suite::requirements::{of_condition, of_term};
@@ -30,17 +30,13 @@ pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
 
 /// The name of an alternative: its row's section, and what it asks for if the row has others.
 pub(super) fn name(row: &Row, term: &Term) -> String {
-    if row.terms().len() == 1 {
-        return row.clause.to_owned();
-    }
     let conditions: Vec<String> = term
         .conditions()
         .map(|(atom, value)| if value { atom.to_string() } else { format!("not-{atom}") })
         .collect();
-    if conditions.len() > 2 {
-        // The alternatives of AS_OFF to AS_READY are readings of one question.
-        let readings: Vec<&str> = term.readings.iter().map(Choice::id).collect();
-        return format!("{}-{}", row.clause, readings.join("-"));
+    // Where a row has several long alternatives they are readings of one question, of which a machine has one.
+    if row.terms().len() == 1 || conditions.len() > 2 {
+        return row.clause.to_owned();
     }
     format!("{}-{}", row.clause, conditions.join("-and-"))
 }

@@ -1,0 +1,203 @@
+//! What came of it for a program. Its form is described by `schema/conform.schema.json`.
+
+use std::collections::BTreeMap;
+
+use adsdv_oracle::conform::{Break, Failure, Follows, Reply, Report};
+use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN, Shown, Value};
+use adsdv_oracle::suite::Step;
+use adsdv_spec::{Inputs, Reading};
+use serde::Serialize;
+use serde_json::{Map, Value as Json};
+
+use super::Subject;
+use crate::json::line;
+
+/// The outcome as one JSON object on one line.
+pub(super) fn text(subject: &Subject<'_>, report: &Report) -> String {
+    line(&ConformJson {
+        program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
+        tests: report.tests,
+        failed_tests: report.failed_tests,
+        runs: report.runs,
+        failed_runs: report.failed_runs,
+        seed: subject.args.seed,
+        steps: report.steps,
+        latency: report.late,
+        cycle_ms: subject.args.cycle_ms,
+        requirements: report
+            .requirements
+            .iter()
+            .map(|requirement| RequirementJson {
+                id: &requirement.id,
+                outcome: requirement.outcome.name(),
+                tests: requirement.tests,
+                failed: &requirement.failed,
+            })
+            .collect(),
+        failures: report.failures.iter().map(FailureJson::from).collect(),
+        readings: Reading::ALL
+            .iter()
+            .map(|&reading| (reading.id(), report.readings.choice(reading).id()))
+            .collect(),
+        follows: report.follows.iter().map(FollowsJson::from).collect(),
+        not_shown: &report.not_shown,
+        not_told: &report.not_told,
+        notes: &report.notes,
+        conforms: report.conforms(),
+    })
+}
+
+#[derive(Serialize)]
+struct ConformJson<'a> {
+    program: Vec<String>,
+    tests: usize,
+    failed_tests: usize,
+    runs: u32,
+    failed_runs: u32,
+    seed: u64,
+    steps: u64,
+    latency: usize,
+    cycle_ms: Option<u32>,
+    requirements: Vec<RequirementJson<'a>>,
+    failures: Vec<FailureJson<'a>>,
+    readings: BTreeMap<&'static str, &'static str>,
+    follows: Vec<FollowsJson<'a>>,
+    not_shown: &'a [&'static str],
+    not_told: &'a [String],
+    notes: &'a [String],
+    conforms: bool,
+}
+
+#[derive(Serialize)]
+struct RequirementJson<'a> {
+    id: &'a str,
+    outcome: &'static str,
+    tests: usize,
+    failed: &'a [String],
+}
+
+#[derive(Serialize)]
+struct FailureJson<'a> {
+    name: &'a str,
+    about: &'a str,
+    requirements: &'a [String],
+    also: &'a [String],
+    explained_by: Vec<String>,
+    why: Option<String>,
+    row: Option<RowJson<'a>>,
+    differences: Vec<DifferenceJson>,
+    steps: Vec<StepJson>,
+}
+
+#[derive(Serialize)]
+struct RowJson<'a> {
+    from: &'static str,
+    to: &'static str,
+    section: &'static str,
+    guard: &'a [&'static str],
+}
+
+#[derive(Serialize)]
+struct DifferenceJson {
+    key: &'static str,
+    found: Json,
+    expected: Json,
+}
+
+#[derive(Serialize)]
+struct StepJson {
+    dt_ms: u32,
+    inputs: Map<String, Json>,
+    expected: Map<String, Json>,
+    actual: Map<String, Json>,
+}
+
+#[derive(Serialize)]
+struct FollowsJson<'a> {
+    reading: &'static str,
+    possible: Vec<&'static str>,
+    mixes: Vec<SideJson<'a>>,
+}
+
+#[derive(Serialize)]
+struct SideJson<'a> {
+    choice: &'static str,
+    tests: &'a [String],
+}
+
+impl<'a> From<&'a Failure> for FailureJson<'a> {
+    fn from(failure: &'a Failure) -> Self {
+        let found = failure.found.as_ref();
+        let steps = failure.scenario.steps.iter().zip(&failure.expected).zip(&failure.replies);
+        Self {
+            name: &failure.name,
+            about: &failure.about,
+            requirements: &failure.requirements,
+            also: &failure.also,
+            explained_by: failure.explained_by.iter().map(ToString::to_string).collect(),
+            why: found.map(|found| found.why.to_string()),
+            row: found.and_then(|found| found.why.row()).map(|row| RowJson {
+                from: row.from.name(),
+                to: row.to.name(),
+                section: row.clause,
+                guard: &row.guard,
+            }),
+            differences: found.map(differences).unwrap_or_default(),
+            steps: steps.map(|((step, expected), reply)| StepJson::of(step, expected, reply)).collect(),
+        }
+    }
+}
+
+fn differences(found: &Break) -> Vec<DifferenceJson> {
+    let one = |difference: &adsdv_oracle::protocol::Difference| DifferenceJson {
+        key: difference.key,
+        found: json(difference.found),
+        expected: json(difference.expected),
+    };
+    found.differences.iter().map(one).collect()
+}
+
+impl StepJson {
+    fn of(step: &Step, expected: &Shown, reply: &Reply) -> Self {
+        let usual = Inputs::default();
+        let inputs =
+            INPUTS.iter().filter(|field| (field.get)(&step.inputs) != (field.get)(&usual)).map(|field| {
+                let value = Value { domain: field.domain, raw: Some((field.get)(&step.inputs)) };
+                (field.key.to_owned(), json(value))
+            });
+        let actual = SHOWN.iter().filter_map(|field| match reply {
+            Reply::Answer(answer) => Some((field.key.to_owned(), json(answer.get(field.key)?))),
+            Reply::Nothing => None,
+        });
+        Self {
+            dt_ms: step.dt_ms,
+            inputs: inputs.collect(),
+            expected: expected.iter().map(|(field, value)| (field.key.to_owned(), json(value))).collect(),
+            actual: actual.collect(),
+        }
+    }
+}
+
+impl<'a> From<&'a Follows> for FollowsJson<'a> {
+    fn from(follows: &'a Follows) -> Self {
+        Self {
+            reading: follows.reading.id(),
+            possible: follows.possible.iter().map(|choice| choice.id()).collect(),
+            mixes: follows
+                .mixes
+                .iter()
+                .map(|side| SideJson { choice: side.choice.id(), tests: &side.tests })
+                .collect(),
+        }
+    }
+}
+
+/// A value as the protocol has it.
+fn json(value: Value) -> Json {
+    match (value.domain, value.raw) {
+        (_, None) => Json::Null,
+        (Domain::Flag, Some(raw)) => (raw != 0).into(),
+        (Domain::Names(_), Some(_)) => value.to_string().into(),
+        (Domain::Number { .. }, Some(raw)) => raw.into(),
+    }
+}

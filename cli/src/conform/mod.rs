@@ -1,0 +1,129 @@
+//! `adsdv conform`: runs the suite and random scenarios against a program, and tells what came of it.
+//!
+//! ```text
+//! suite (generated, or read) ---> conform ---> text or json
+//!                                    |
+//!            a program that does not keep to the protocol: an error
+//! ```
+
+mod json;
+mod text;
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use adsdv_oracle::conform::{Options, Phase, Program, Progress, Report, conform};
+use adsdv_oracle::suite::{self, Test};
+use adsdv_spec::{Interface, Machine, Readings};
+
+use crate::args::ConformArgs;
+use crate::error::Error;
+use crate::progress::Line;
+use crate::status::Status;
+use crate::{output, pins};
+
+pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
+    let options = Options {
+        possible: pins::possible(&args.readings)?,
+        latency: args.latency,
+        cycle_ms: args.cycle_ms,
+        seed: args.seed,
+        runs: args.runs,
+        ..Options::default()
+    };
+    let tests = match &args.suite {
+        Some(file) => read(file)?,
+        None => suite::generate(&Interface::V3_0),
+    };
+    let name = name(args);
+    let report = judge(args, &tests, &options).map_err(|trouble| Error {
+        what: name.clone(),
+        why: trouble.to_string(),
+        hint: trouble.hint().to_owned(),
+    })?;
+    let subject = Subject { name: &name, args };
+    if args.json {
+        output::plain(&json::text(&subject, &report))?;
+    } else {
+        output::styled(&text::text(&subject, &report, output::width()), args.color)?;
+    }
+    Ok(if report.conforms() { Status::Conforms } else { Status::Violates })
+}
+
+/// What was judged, and how.
+#[derive(Clone, Copy, Debug)]
+struct Subject<'a> {
+    /// The command line of the program.
+    name: &'a str,
+    /// What was asked for.
+    args: &'a ConformArgs,
+}
+
+fn judge(
+    args: &ConformArgs,
+    tests: &[Test],
+    options: &Options,
+) -> Result<Report, adsdv_oracle::conform::Trouble> {
+    // The arguments have the program at least: without it they are refused.
+    let (program, rest) = args.command.split_at(args.command.len().min(1));
+    let program = program.first().cloned().unwrap_or_default();
+    let mut program = Program::start(&program, rest, args.timeout, args.latency > 0)?;
+    let mut line = Line::new();
+    conform(&mut program, tests, options, &mut |Progress { phase, done, all }| {
+        line.show_bar(
+            done,
+            all,
+            match phase {
+                Phase::Suite => "of the suite",
+                Phase::Random => "of the random scenarios",
+                Phase::Shrinking => "of the search for shorter scenarios",
+            },
+        );
+    })
+}
+
+/// The command line of the program, fit for a terminal.
+fn name(args: &ConformArgs) -> String {
+    let words = args.command.iter().map(|word| word.to_string_lossy());
+    let words: Vec<String> = words
+        .map(|word| {
+            word.chars()
+                .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
+                .collect()
+        })
+        .collect();
+    words.join(" ")
+}
+
+/// The tests of a file of JSON Lines. One line that is no test is one test that is not run: that is no verdict.
+fn read(path: &Path) -> Result<Vec<Test>, Error> {
+    const WRITE: &str = "write a suite with: adsdv suite > suite.jsonl";
+    let name = path.display().to_string();
+    let trouble = |why: String, hint: &str| Error { what: name.clone(), why, hint: hint.to_owned() };
+    let reference = Machine::new(Interface::V3_0, Readings::DEFAULT);
+    let file = File::open(path)
+        .map_err(|error| trouble(format!("cannot open the suite: {error}"), "check the path"))?;
+    let suite = suite::read(BufReader::new(file), &reference)
+        .map_err(|error| trouble(format!("cannot read the suite: {error}"), WRITE))?;
+    if !suite.bad.is_empty() {
+        const SHOWN: usize = 10;
+        let count = suite.bad.len();
+        let what = if count == 1 {
+            "a line that is no test".to_owned()
+        } else {
+            format!("{count} lines that are no tests")
+        };
+        let shown = suite.bad.iter().take(SHOWN).map(ToString::to_string);
+        let more = (count > SHOWN).then(|| format!("and {} more", count - SHOWN));
+        let why = std::iter::once(what).chain(shown).chain(more).collect::<Vec<_>>().join("\n  ");
+        return Err(trouble(
+            why,
+            "correct these lines, or leave them out; `adsdv suite` writes a whole suite",
+        ));
+    }
+    if suite.tests.is_empty() {
+        return Err(trouble("the suite is empty; expected one test a line".to_owned(), WRITE));
+    }
+    Ok(suite.tests)
+}

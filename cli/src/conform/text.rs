@@ -1,0 +1,230 @@
+//! What came of it as text for a person.
+
+use std::fmt::{self, Write as _};
+
+use adsdv_oracle::conform::{Failure, Follows, Moment, Outcome, Report, Requirement};
+use adsdv_spec::Readings;
+
+use super::Subject;
+use crate::layout::{counted, wrapped};
+use crate::report::style::{self, Styled};
+
+/// The columns of a requirement.
+const ID: usize = 8;
+/// The columns of an outcome.
+const OUTCOME: usize = 11;
+/// The columns of a state.
+const STATE: usize = 15;
+/// Where the inputs of a step stand.
+const INPUTS: usize = 4 + 9 + 2 + 10 + 2 + STATE + 2 + STATE + 6;
+/// So many names are told; of more only how many there are.
+const NAMES: usize = 6;
+
+pub(super) fn text(subject: &Subject<'_>, report: &Report, width: usize) -> String {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write(&mut text, subject, report, width);
+    text
+}
+
+fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
+    header(out, subject, report, width)?;
+    requirements(out, report, width)?;
+    writeln!(out, "\n{}", Styled(style::HEADING, "FAILURES"))?;
+    if report.failures.is_empty() {
+        writeln!(out, "  none")?;
+    }
+    for (place, one) in report.failures.iter().enumerate() {
+        if place > 0 {
+            out.push('\n');
+        }
+        failure(out, one, width)?;
+    }
+    writeln!(out, "\n{}", Styled(style::HEADING, "READINGS"))?;
+    for follows in &report.follows {
+        reading(out, follows, width)?;
+    }
+    verdict(out, subject, report)
+}
+
+fn header(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
+    let Subject { name, args } = subject;
+    writeln!(
+        out,
+        "{name}: {}, {} (seed {}), {}",
+        counted(report.tests as u64, "test"),
+        counted(report.runs.into(), "random scenario"),
+        args.seed,
+        counted(report.steps, "step"),
+    )?;
+    for pin in &args.readings {
+        writeln!(out, "reading {pin}: {}", pin.text())?;
+    }
+    if args.latency > 0 {
+        writeln!(out, "outputs {} late", counted(report.late as u64, "step"))?;
+    }
+    if let Some(cycle_ms) = args.cycle_ms {
+        write!(out, "cycle {cycle_ms} ms")?;
+        match report.not_told.len() {
+            0 => writeln!(out)?,
+            count => {
+                writeln!(out, "; not run, for they cannot be told at it: {}", counted(count as u64, "test"))?;
+                wrapped(out, report.not_told.join(", ").split(' '), 2, width);
+            }
+        }
+    }
+    if !report.not_shown.is_empty() {
+        writeln!(out, "outputs that it does not show:")?;
+        wrapped(out, report.not_shown.join(", ").split(' '), 2, width);
+    }
+    for note in &report.notes {
+        writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
+    }
+    Ok(())
+}
+
+fn requirements(out: &mut String, report: &Report, width: usize) -> fmt::Result {
+    writeln!(out, "\n{}", Styled(style::HEADING, "REQUIREMENTS"))?;
+    writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>5}  FAILED", "ID", "RESULT", "TESTS")?;
+    for Requirement { id, outcome, tests, failed } in &report.requirements {
+        let style = match outcome {
+            Outcome::Pass => style::GOOD,
+            Outcome::Fail => style::BAD,
+            Outcome::NotChecked => style::QUIET,
+        };
+        write!(out, "  {id:ID$}  {:OUTCOME$}  {tests:>5}", Styled(style, outcome.name()))?;
+        if failed.is_empty() {
+            out.push('\n');
+        } else {
+            const INDENT: usize = 2 + ID + 2 + OUTCOME + 2 + 5 + 2;
+            let mut names = String::new();
+            wrapped(&mut names, joined(failed).split(' '), INDENT, width.max(INDENT + 30));
+            write!(out, "  {}", names.trim_start())?;
+        }
+    }
+    Ok(())
+}
+
+/// Some names, and how many more there are.
+fn joined(all: &[String]) -> String {
+    let told: Vec<&str> = all.iter().take(NAMES).map(String::as_str).collect();
+    let more = all.len() - told.len();
+    if more == 0 { told.join(", ") } else { format!("{} and {more} more", told.join(", ")) }
+}
+
+fn failure(out: &mut String, failure: &Failure, width: usize) -> fmt::Result {
+    writeln!(out, "  {}", Styled(style::HEADING, &failure.name))?;
+    if !failure.about.is_empty() {
+        wrapped(out, failure.about.split(' '), 4, width);
+    }
+    let Some(found) = &failure.found else {
+        let why = "its answers were wrong, and were right when it was asked again: the program does not answer the same \
+                   questions alike; it may keep something over a reset";
+        wrapped(out, why.split(' '), 4, width);
+        also(out, failure, width);
+        return Ok(());
+    };
+    let mut why = String::new();
+    wrapped(&mut why, found.why.to_string().split(' '), 4, width);
+    let line = why.trim_end();
+    writeln!(out, "{}", Styled(style::BAD, line))?;
+    writeln!(
+        out,
+        "    {:>9}  {:>10}  {:STATE$}  {:STATE$}      INPUTS THAT CHANGED",
+        "STEP", "TIME", "EXPECTED", "ACTUAL"
+    )?;
+    for moment in failure.timeline() {
+        step(out, &moment, width)?;
+    }
+    for difference in &found.differences {
+        writeln!(out, "    {difference}")?;
+    }
+    also(out, failure, width);
+    Ok(())
+}
+
+fn step(out: &mut String, moment: &Moment, width: usize) -> fmt::Result {
+    let Moment { first, last, time_ms, changes, expected, actual, wrong } = moment;
+    let steps = if first == last { first.to_string() } else { format!("{first}-{last}") };
+    let state = |state: &Option<_>| state.as_ref().map_or("-".to_owned(), ToString::to_string);
+    write!(out, "    {steps:>9}  {time_ms:>7} ms  {:STATE$}  ", state(expected))?;
+    if *wrong {
+        write!(out, "{:STATE$} {}", Styled(style::BAD, state(actual)), Styled(style::BAD, "<--"))?;
+    } else {
+        write!(out, "{:STATE$}    ", state(actual))?;
+    }
+    if changes.is_empty() {
+        return writeln!(out);
+    }
+    let last = changes.len() - 1;
+    let words = changes
+        .iter()
+        .enumerate()
+        .map(|(place, (key, value))| format!("{key} {value}{}", if place == last { "" } else { "," }));
+    let mut inputs = String::new();
+    wrapped(&mut inputs, words, INPUTS, width.max(INPUTS + 30));
+    write!(out, "  {}", inputs.trim_start())
+}
+
+fn also(out: &mut String, failure: &Failure, width: usize) {
+    let mut more = |what: &str, all: &[String]| {
+        if !all.is_empty() {
+            let mut told = what.to_owned();
+            told += " ";
+            told += &joined(all);
+            wrapped(out, told.split(' '), 4, width);
+        }
+    };
+    more("requirements:", &failure.requirements);
+    more("fail likewise:", &failure.also);
+    let choices: Vec<String> = failure.explained_by.iter().map(ToString::to_string).collect();
+    more("right under:", &choices);
+}
+
+fn reading(out: &mut String, follows: &Follows, width: usize) -> fmt::Result {
+    let Follows { reading, possible, mixes } = follows;
+    write!(out, "  {reading:17} ")?;
+    if !mixes.is_empty() {
+        writeln!(out, "{}", Styled(style::BAD, "MIXES"))?;
+        for side in mixes {
+            let line = format!("{}: {}", side.choice.id(), joined(&side.tests));
+            wrapped(out, line.split(' '), 6, width);
+        }
+        return Ok(());
+    }
+    match possible.as_slice() {
+        [] => writeln!(out, "{}", Styled(style::CARE, "cannot be told: no choice explains the tests of it")),
+        [only] => {
+            let usual = if Readings::DEFAULT.is(*only) { " (the default)" } else { "" };
+            writeln!(out, "follows {}: {}{usual}", only.id(), only.text())
+        }
+        several => {
+            let ids: Vec<&str> = several.iter().map(|choice| choice.id()).collect();
+            writeln!(out, "{} {}", Styled(style::CARE, "cannot be told:"), ids.join(" or "))
+        }
+    }
+}
+
+fn verdict(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+    let verdict = if report.conforms() {
+        Styled(style::GOOD, "conforms")
+    } else {
+        Styled(style::BAD, "does not conform")
+    };
+    let count = |wanted: Outcome| {
+        let count = report.requirements.iter().filter(|requirement| requirement.outcome == wanted).count();
+        format!("{count} {}", wanted.name())
+    };
+    writeln!(
+        out,
+        "\n{}: {verdict} (requirements: {}, {}, {}; failed: {} of {}, {} of {})",
+        subject.name,
+        count(Outcome::Pass),
+        count(Outcome::Fail),
+        count(Outcome::NotChecked),
+        report.failed_tests,
+        counted(report.tests as u64, "test"),
+        report.failed_runs,
+        counted(report.runs.into(), "random scenario"),
+    )
+}

@@ -1,0 +1,289 @@
+//! `adsdv conform`: what it tells of programs, for people and for programs, and how it ends with those that misbehave.
+
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use crate::golden::compare_text;
+use crate::run::{Outcome, adsdv, outcome, run, temporary, workspace};
+use crate::schema::validator;
+
+/// The file of an example of the oracle, which is built if it is not.
+fn example(name: &str) -> String {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        // This test is DIR/debug/deps/command-...
+        let test = std::env::current_exe().expect("a path");
+        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let built = Command::new(cargo)
+            .args(["build", "--quiet", "-p", "adsdv-oracle", "--examples", "--target-dir"])
+            .arg(profile.parent().expect("a folder of cargo"))
+            .current_dir(workspace())
+            .status();
+        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
+        profile.with_file_name("debug").join("examples")
+    });
+    let file = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    file.to_str().expect("a path of text").to_owned()
+}
+
+/// Judges an example: options of the command, the name of the example, and arguments of that.
+fn conform(options: &[&str], program: &str, args: &[&str]) -> Outcome {
+    let program = example(program);
+    run(&[&["conform"], options, &["--", program.as_str()], args].concat())
+}
+
+/// What is printed for an example, with its name instead of its path.
+fn text(options: &[&str], program: &str, args: &[&str]) -> (Option<i32>, String) {
+    let told = conform(options, program, args);
+    assert_eq!(told.stderr, "", "{}", told.stdout);
+    (told.status, told.stdout.replace(&example(program), program))
+}
+
+/// The JSON for an example, which has to keep to its schema and to say what the exit status does.
+fn report(options: &[&str], program: &str, args: &[&str]) -> Value {
+    let told = conform(&[options, &["--json"]].concat(), program, args);
+    assert_eq!((told.stdout.lines().count(), told.stderr.as_str()), (1, ""));
+    let report: Value = serde_json::from_str(&told.stdout).expect("JSON");
+    let errors: Vec<_> = validator("conform").iter_errors(&report).map(|error| error.to_string()).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    assert_eq!(report["conforms"], told.status == Some(0), "{:?}", told.status);
+    report
+}
+
+#[test]
+fn the_reference_conforms() {
+    let (status, text) = text(&[], "adapter", &[]);
+    assert_eq!(status, Some(0), "{text}");
+    compare_text("conform-adapter.txt", &text);
+}
+
+#[test]
+fn a_broken_row_is_told_with_its_guard_and_a_timeline() {
+    let (status, text) = text(&["--runs", "50"], "mutant", &["--mutation", "3.7 term 1: dropped"]);
+    assert_eq!(status, Some(1), "{text}");
+    compare_text("conform-broken-row.txt", &text);
+}
+
+#[test]
+fn mixed_readings_are_told() {
+    let mixing = ["--reading", "fault-trigger=edge", "--mutation", "3.7 term 3: in every reading"];
+    let (status, text) = text(&["--runs", "50"], "mutant", &mixing);
+    assert_eq!(status, Some(1), "{text}");
+    compare_text("conform-mixed-readings.txt", &text);
+}
+
+#[test]
+fn few_outputs_that_are_late_at_a_fixed_cycle() {
+    let options = ["--latency", "2", "--cycle-ms", "50", "--runs", "20"];
+    let (status, text) =
+        text(&options, "mutant", &["--latency", "1", "--only", "as_state,go_signal", "--no-eof"]);
+    assert_eq!(status, Some(0), "{text}");
+    compare_text("conform-late.txt", &text);
+}
+
+#[test]
+fn json_keeps_to_its_schema_and_says_what_the_text_says() {
+    let good = report(&[], "adapter", &[]);
+    assert_eq!(
+        (&good["failures"], &good["latency"], &good["cycle_ms"]),
+        (&json!([]), &json!(0), &Value::Null)
+    );
+    assert_eq!(good["readings"]["go-edge"], "seen-low");
+    assert!(
+        good["follows"]
+            .as_array()
+            .expect("an array")
+            .iter()
+            .all(|one| one["possible"].as_array().map(Vec::len) == Some(1))
+    );
+
+    let bad = report(&["--seed", "3", "--runs", "10"], "mutant", &["--mutation", "3.6: dropped"]);
+    assert_eq!((&bad["seed"], &bad["runs"]), (&json!(3), &json!(10)));
+    let failure = &bad["failures"][0];
+    assert_eq!(
+        failure["row"],
+        json!({ "from": "AS_READY", "to": "AS_OFF", "section": "3.6", "guard": ["AS master switch OFF"] })
+    );
+    assert_eq!(
+        failure["differences"][0],
+        json!({ "key": "as_state", "found": "AS_READY", "expected": "AS_OFF" })
+    );
+    let steps = failure["steps"].as_array().expect("an array");
+    assert_eq!(
+        (steps.len(), &steps[0]["inputs"]["asms"], &steps[1]["inputs"]["asms"]),
+        (2, &json!(true), &Value::Null)
+    );
+    assert_eq!(
+        (&steps[1]["expected"]["as_state"], &steps[1]["actual"]["as_state"]),
+        (&json!("AS_OFF"), &json!("AS_READY"))
+    );
+    let failed = |one: &&Value| one["outcome"] == "fail";
+    let failed: Vec<_> = bad["requirements"].as_array().expect("an array").iter().filter(failed).collect();
+    assert!(failed.iter().any(|one| one["id"] == "RTO-1" && one["failed"][0] == "3.6"), "{failed:?}");
+
+    let mixing = ["--reading", "ai-estop=driving", "--mutation", "3.5 term 2: in every reading"];
+    let mixed = report(&["--runs", "0"], "mutant", &mixing);
+    let sides =
+        mixed["follows"].as_array().expect("an array").iter().find(|one| one["reading"] == "ai-estop");
+    let choices: Vec<_> = sides.expect("it is there")["mixes"]
+        .as_array()
+        .expect("an array")
+        .iter()
+        .map(|side| &side["choice"])
+        .collect();
+    assert_eq!(choices, ["every-state", "driving"]);
+    assert_eq!(mixed["failures"][0]["explained_by"], json!(["ai-estop=driving"]));
+
+    let unsteady = report(&["--runs", "0"], "mutant", &["--lie-at", "2"]);
+    assert_eq!(
+        (&unsteady["failures"][0]["why"], &unsteady["failures"][0]["row"]),
+        (&Value::Null, &Value::Null)
+    );
+}
+
+#[test]
+fn the_schema_refuses_what_is_not_an_answer() {
+    let good = report(&["--runs", "0"], "mutant", &["--mutation", "3.6: dropped"]);
+    let validator = validator("conform");
+    for (place, bad) in [
+        ("/conforms", Value::Null),
+        ("/program", json!([])),
+        ("/steps", json!(-1)),
+        ("/latency", Value::Null),
+        ("/requirements/0/outcome", json!("perhaps")),
+        ("/failures/0/row/from", json!("AS_PARKED")),
+        ("/failures/0/steps/0/expected/as_state", json!([])),
+        ("/follows/0/possible", json!("both")),
+    ] {
+        let mut spoiled = good.clone();
+        *spoiled.pointer_mut(place).unwrap_or_else(|| panic!("{place} is there")) = bad;
+        assert!(!validator.is_valid(&spoiled), "{place}");
+    }
+}
+
+#[test]
+fn a_suite_is_read_from_a_file() {
+    let lines: Vec<String> = run(&["suite"]).stdout.lines().map(str::to_owned).collect();
+    let few = lines[..3].join("\n");
+    let file = temporary("few.jsonl", few.as_bytes());
+    let file = file.to_str().expect("a path of text");
+    let report = report(&["--suite", file, "--runs", "0"], "adapter", &[]);
+    assert_eq!((&report["tests"], &report["conforms"]), (&json!(3), &json!(true)));
+
+    let bad = temporary("bad.jsonl", format!("{few}\n{{\"name\":3}}\nhello\n").as_bytes());
+    let refused = conform(&["--suite", bad.to_str().expect("text")], "adapter", &[]);
+    assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""));
+    for said in ["bad.jsonl: 2 lines that are no tests", "line 4", "line 5", "hint: correct these lines"] {
+        assert!(refused.stderr.contains(said), "{said:?} is missing: {}", refused.stderr);
+    }
+    let empty = temporary("empty.jsonl", b"\n");
+    let refused = conform(&["--suite", empty.to_str().expect("text")], "adapter", &[]);
+    assert!(refused.status == Some(2) && refused.stderr.contains("the suite is empty"), "{}", refused.stderr);
+    let refused = conform(&["--suite", "no-such.jsonl"], "adapter", &[]);
+    assert!(
+        refused.stderr.starts_with("adsdv: no-such.jsonl: cannot open the suite: "),
+        "{}",
+        refused.stderr
+    );
+    let refused = conform(&["--suite", "tests"], "adapter", &[]);
+    assert!(refused.stderr.starts_with("adsdv: tests: cannot read the suite: "), "{}", refused.stderr);
+}
+
+#[test]
+fn a_program_that_misbehaves_is_no_verdict() {
+    for (args, error, hint) in [
+        (&["--exit-at", "2"][..], "the program ended early (exit status 3)", "until the end of its input"),
+        (&["--hang-at", "2"], "no answer within 0.5 s", "--timeout"),
+        (&["--no-read"], "no answer within 0.5 s", "--timeout"),
+        (&["--garbage-at", "2"], "not the answer to a step: \"engine started\"", "oracle/PROTOCOL.md"),
+        (&["--chatty-at", "2"], "not the answer to a reset: outputs", "answered twice"),
+        (&["--long-at", "2"], "a line of more than 65536 bytes", "line break"),
+    ] {
+        let start = Instant::now();
+        let told = conform(&["--timeout", "0.5"], "mutant", args);
+        assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""), "{args:?}");
+        let first = told.stderr.lines().next().unwrap_or_default();
+        assert!(first.starts_with("adsdv: ") && first.contains(error), "{first}");
+        assert!(
+            told.stderr.contains("\n  in        3.1") && told.stderr.contains("\n  sent      {\"op\":"),
+            "{}",
+            told.stderr
+        );
+        let last = told.stderr.lines().last().unwrap_or_default();
+        assert!(last.starts_with("hint: ") && last.contains(hint), "{last}");
+        assert!(start.elapsed() < Duration::from_secs(20), "{args:?}");
+    }
+    let missing = run(&["conform", "--", "no/such/vcu"]);
+    assert_eq!((missing.status, missing.stdout.as_str()), (Some(2), ""));
+    assert!(
+        missing.stderr.starts_with("adsdv: no/such/vcu: cannot start the program: "),
+        "{}",
+        missing.stderr
+    );
+    assert!(missing.stderr.contains("\nhint: check the path"), "{}", missing.stderr);
+}
+
+#[test]
+fn arguments_that_are_none() {
+    for (args, error) in [
+        (&["conform"][..], "-- <PROGRAM>"),
+        (&["conform", "--latency", "51", "--", "vcu"], "expected a number of steps from 0 to 50"),
+        (&["conform", "--latency", "-1", "--", "vcu"], "expected a number of steps from 0 to 50"),
+        (
+            &["conform", "--cycle-ms", "0", "--", "vcu"],
+            "expected a whole number of milliseconds from 1 to 1000",
+        ),
+        (&["conform", "--timeout", "0", "--", "vcu"], "expected a number of seconds above 0, at most 3600"),
+        (&["conform", "--timeout", "NaN", "--", "vcu"], "expected a number of seconds above 0, at most 3600"),
+        (&["conform", "--seed", "-1", "--", "vcu"], "--seed <N>"),
+        (&["conform", "--runs", "many", "--", "vcu"], "--runs <N>"),
+        (&["conform", "--reading", "go-edge=no", "--", "vcu"], "expected one of seen-low, edge"),
+        (&["conform", "vcu"], "unexpected argument 'vcu'"),
+    ] {
+        let refused = run(args);
+        assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""), "{args:?}");
+        assert!(refused.stderr.contains(error), "{args:?}: {}", refused.stderr);
+    }
+    let twice = run(&["conform", "--reading", "go-edge=edge", "--reading", "go-edge=seen-low", "--", "vcu"]);
+    assert!(twice.status == Some(2) && twice.stderr.contains("already pinned"), "{}", twice.stderr);
+}
+
+#[test]
+fn a_pin_decides() {
+    let edge = ["--reading", "go-edge=edge"];
+    let pinned = |pin: &str| conform(&["--runs", "0", "--reading", pin], "mutant", &edge);
+    let (right, wrong) = (pinned("go-edge=edge"), pinned("go-edge=seen-low"));
+    assert_eq!((right.status, wrong.status), (Some(0), Some(1)), "{}", wrong.stdout);
+    assert!(right.stdout.contains("\nreading go-edge=edge: a rising edge is enough\n"), "{}", right.stdout);
+}
+
+#[test]
+fn colors_change_no_word() {
+    let program = example("mutant");
+    let args = ["conform", "--runs", "20", "--", &program, "--mutation", "3.6: dropped"];
+    let plain = run(&args);
+    let colored = outcome(
+        adsdv(&[
+            "conform",
+            "--color",
+            "always",
+            "--runs",
+            "20",
+            "--",
+            &program,
+            "--mutation",
+            "3.6: dropped",
+        ])
+        .env("NO_COLOR", "1"),
+    );
+    assert!(colored.stdout.contains("\x1b[1m\x1b[31mdoes not conform\x1b[0m"), "{}", colored.stdout);
+    let mut parts = colored.stdout.split('\x1b');
+    let first = parts.next().expect("text").to_owned();
+    let words = parts.fold(first, |all, part| all + part.split_once('m').expect("an end").1);
+    assert_eq!(words, plain.stdout);
+}

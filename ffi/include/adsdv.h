@@ -1,0 +1,669 @@
+/* The executable specification of the ADS-DV AI/VCU interface (ADS-DV Software Interface Specification 3.0) as a C
+ * library. Made by cbindgen from the sources of adsdv-ffi; do not edit.
+ *
+ * - Memory: the caller owns every struct, and hands over pointers to them. Nothing is allocated but by adsdv_judge_new
+ *   and the judge that it makes, which adsdv_judge_free frees. A pointer must be NULL or point to as much as its type
+ *   and comment say; texts end with a NUL.
+ * - Errors: a function answers an adsdv_status, 0 for success, and says in an adsdv_error, where one is given, what was
+ *   found and what was expected. NULL and fields with any value at all are errors, never undefined behaviour.
+ * - Threads: every function may be called from any thread at any time, but a struct or a judge that a call writes must
+ *   not be used by another thread meanwhile.
+ * - The library never ends the program, prints nothing, and calls nothing back.
+ */
+
+#ifndef ADSDV_H
+#define ADSDV_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// The size of the text of an error, with the NUL at its end.
+#define ADSDV_ERROR_TEXT 508
+
+// How many frames the VCU sends after a step.
+#define ADSDV_VCU_FRAMES 9
+
+// How many messages the interface has.
+#define ADSDV_MESSAGES 15
+
+// The most signals that a message has.
+#define ADSDV_MOST_SIGNALS 23
+
+// How many choices there are, of all readings together.
+#define ADSDV_CHOICES 23
+
+// What a function answers. 0 is success; a function that fails changes nothing but the error, unless its comment says so.
+typedef enum adsdv_status {
+    // It did what it says.
+    ADSDV_OK = 0,
+    // A pointer that must not be NULL is, or one is not aligned as its type must be.
+    ADSDV_BAD_POINTER = 1,
+    // A field of a struct, a signal or an argument has a value that it cannot have.
+    ADSDV_BAD_VALUE = 2,
+    // There is nothing of that name: no reading, choice, signal or value.
+    ADSDV_UNKNOWN_NAME = 3,
+    // No message of the interface has that identifier.
+    ADSDV_UNKNOWN_ID = 4,
+    // A frame has fewer bytes than the signal or the message needs.
+    ADSDV_TOO_SHORT = 5,
+    // An array that is to be filled has too few places.
+    ADSDV_NO_ROOM = 6,
+    // The judge has finished: it takes no more frames.
+    ADSDV_FINISHED = 7,
+    // A mistake in this library. The object concerned can only be freed.
+    ADSDV_INTERNAL = 8,
+} adsdv_status;
+
+// State of the Autonomous System (AS_STATE of 520h).
+typedef enum adsdv_as_state {
+    // AS_OFF
+    ADSDV_AS_OFF = 1,
+    // AS_READY
+    ADSDV_AS_READY = 2,
+    // AS_DRIVING
+    ADSDV_AS_DRIVING = 3,
+    // EMERGENCY_BRAKE
+    ADSDV_AS_EMERGENCY_BRAKE = 4,
+    // AS_FINISHED
+    ADSDV_AS_FINISHED = 5,
+} adsdv_as_state;
+
+// State of the Mission Indicator (AMI_STATE of 520h).
+typedef enum adsdv_ami_state {
+    // NOT_SELECTED
+    ADSDV_AMI_NOT_SELECTED = 0,
+    // ACCELERATION
+    ADSDV_AMI_ACCELERATION = 1,
+    // SKIDPAD
+    ADSDV_AMI_SKIDPAD = 2,
+    // AUTOCROSS
+    ADSDV_AMI_AUTOCROSS = 3,
+    // TRACK_DRIVE
+    ADSDV_AMI_TRACK_DRIVE = 4,
+    // STATIC_INSPECTION_A
+    ADSDV_AMI_STATIC_INSPECTION_A = 5,
+    // STATIC_INSPECTION_B
+    ADSDV_AMI_STATIC_INSPECTION_B = 6,
+    // AUTONOMOUS_DEMO
+    ADSDV_AMI_AUTONOMOUS_DEMO = 7,
+} adsdv_ami_state;
+
+// State of the Emergency Braking System (State_EBS of 502h).
+typedef enum adsdv_ebs_state {
+    // UNAVAILABLE
+    ADSDV_EBS_UNAVAILABLE = 1,
+    // ARMED
+    ADSDV_EBS_ARMED = 2,
+    // TRIGGERED
+    ADSDV_EBS_TRIGGERED = 3,
+} adsdv_ebs_state;
+
+// Status of the mission, as the AI Computer says it (MISSION_STATUS of 510h).
+typedef enum adsdv_mission_status {
+    // NOT SELECTED
+    ADSDV_MISSION_NOT_SELECTED = 0,
+    // SELECTED
+    ADSDV_MISSION_SELECTED = 1,
+    // RUNNING
+    ADSDV_MISSION_RUNNING = 2,
+    // FINISHED
+    ADSDV_MISSION_FINISHED = 3,
+} adsdv_mission_status;
+
+// Direction of driving (DIRECTION_REQUEST of 510h).
+typedef enum adsdv_direction {
+    // NEUTRAL
+    ADSDV_DIRECTION_NEUTRAL = 0,
+    // FORWARD
+    ADSDV_DIRECTION_FORWARD = 1,
+} adsdv_direction;
+
+// State of the service brake (State_ServiceBrake of 502h).
+typedef enum adsdv_service_brake {
+    // DISENGAGED
+    ADSDV_SERVICE_BRAKE_DISENGAGED = 1,
+    // ENGAGED
+    ADSDV_SERVICE_BRAKE_ENGAGED = 2,
+    // AVAILABLE
+    ADSDV_SERVICE_BRAKE_AVAILABLE = 3,
+} adsdv_service_brake;
+
+// Fault that shut the system down first (SHUTDOWN_CAUSE of 520h).
+typedef enum adsdv_shutdown_cause {
+    // NO SHUTDOWN
+    ADSDV_CAUSE_NO_SHUTDOWN = 0,
+    // AI COMPUTER REQUEST
+    ADSDV_CAUSE_AI_COMPUTER_REQUEST = 1,
+    // HVIL OPEN FAULT
+    ADSDV_CAUSE_HVIL_OPEN_FAULT = 2,
+    // HVIL SHORT FAULT
+    ADSDV_CAUSE_HVIL_SHORT_FAULT = 3,
+    // EBS FAULT
+    ADSDV_CAUSE_EBS_FAULT = 4,
+    // OFFBOARD CHARGER FAULT
+    ADSDV_CAUSE_OFFBOARD_CHARGER_FAULT = 5,
+    // AI COMMS FAULT
+    ADSDV_CAUSE_AI_COMMS_FAULT = 6,
+    // AUTONOMOUS BRAKING FAULT
+    ADSDV_CAUSE_AUTONOMOUS_BRAKING_FAULT = 7,
+    // MISSION STATUS FAULT
+    ADSDV_CAUSE_MISSION_STATUS_FAULT = 8,
+    // CHARGE PROCEDURE FAULT
+    ADSDV_CAUSE_CHARGE_PROCEDURE_FAULT = 9,
+    // BMS FAULT
+    ADSDV_CAUSE_BMS_FAULT = 10,
+} adsdv_shutdown_cause;
+
+// The enumerations of the interface.
+typedef enum adsdv_enumeration {
+    // See adsdv_as_state.
+    ADSDV_AS_STATE = 0,
+    // See adsdv_ami_state.
+    ADSDV_AMI_STATE = 1,
+    // See adsdv_ebs_state.
+    ADSDV_EBS_STATE = 2,
+    // See adsdv_mission_status.
+    ADSDV_MISSION_STATUS = 3,
+    // See adsdv_direction.
+    ADSDV_DIRECTION = 4,
+    // See adsdv_service_brake.
+    ADSDV_SERVICE_BRAKE = 5,
+    // See adsdv_shutdown_cause.
+    ADSDV_SHUTDOWN_CAUSE = 6,
+} adsdv_enumeration;
+
+// How much a finding weighs.
+typedef enum adsdv_severity {
+    // Against the document, under every reading that is not excluded.
+    ADSDV_VIOLATION = 0,
+    // Not against the document, or only under some readings; worth a look.
+    ADSDV_WARNING = 1,
+    // A fact about what was recorded.
+    ADSDV_NOTE = 2,
+} adsdv_severity;
+
+// A judge of one bus. It is made by adsdv_judge_new and freed by adsdv_judge_free.
+typedef struct adsdv_judge adsdv_judge;
+
+// What went wrong, in words. A function writes it when it fails, and leaves it alone otherwise. Wherever a function
+// takes one, NULL may be given instead.
+typedef struct adsdv_error {
+    // The status that the function answered, an adsdv_status.
+    int32_t status;
+    // What was found and what was expected, such as "inputs.asms is 7; expected 0 or 1". UTF-8, with a NUL at its end.
+    char text[ADSDV_ERROR_TEXT];
+} adsdv_error;
+
+// A VCU: the interface with an answer to every question that the document leaves open. It is four bytes that can be
+// copied, compared and kept.
+typedef struct adsdv_machine {
+    // The readings; adsdv_machine_init writes them.
+    uint32_t readings;
+} adsdv_machine;
+
+// What the VCU remembers between two steps. Flags are 0 or 1. It can be copied, compared and kept like any struct.
+typedef struct adsdv_control {
+    // The state of Figure 2: an adsdv_as_state.
+    uint8_t state;
+    // AS_READY only: the "Go" switch was seen off, so that a rising edge is accepted.
+    uint8_t go_seen_low;
+    // How long the state has lasted, in ms, as far as that matters.
+    uint16_t in_state_ms;
+    // AS_DRIVING only, where changes count (fault-trigger=edge): MISSION_STATUS was RUNNING.
+    uint8_t was_running;
+    // AS_DRIVING only, where changes count (fault-trigger=edge): DIRECTION_REQUEST was FORWARD.
+    uint8_t was_forward;
+    // The handshake was performed at the last step.
+    uint8_t handshake_active;
+    // The HANDSHAKE bit that the VCU sends.
+    uint8_t handshake_bit;
+    // For how long that bit has been unanswered, in ms; it stops counting at the limit.
+    uint16_t handshake_unanswered_ms;
+    // The vehicle must be power-cycled before it can drive again.
+    uint8_t power_cycle_needed;
+    // The fault that shut the vehicle down first: an adsdv_shutdown_cause.
+    uint8_t shutdown_cause;
+} adsdv_control;
+
+// Everything that the VCU sees at one step. Flags are 0 or 1; numbers are raw, in steps of their signal, as on the bus.
+// adsdv_inputs_init sets it to a vehicle with everything off, at rest, without a fault; not all of that is 0.
+typedef struct adsdv_inputs {
+    // The Autonomous System Master Switch is on.
+    uint8_t asms;
+    // The Tractive System Master Switch is on.
+    uint8_t tsms;
+    // The mission selected on the Autonomous Mission Indicator: an adsdv_ami_state.
+    uint8_t ami;
+    // The state of the Emergency Braking System, as it reports it: an adsdv_ebs_state.
+    uint8_t ebs;
+    // The remote "Go" switch is on.
+    uint8_t go;
+    // Opens the shutdown circuit (section 3.5): the remote E-stop button is pressed.
+    uint8_t remote_estop;
+    // Opens the shutdown circuit: the remote E-stop receiver has lost the transmitter.
+    uint8_t res_link_lost;
+    // Opens the shutdown circuit: an E-stop button on the vehicle is pressed.
+    uint8_t vehicle_estop;
+    // Opens the shutdown circuit: the inertial crash sensor is activated.
+    uint8_t crash_sensor;
+    // Opens the shutdown circuit: the VCU detects a critical system fault that has no flag of its own.
+    uint8_t critical_fault;
+    // Opens the shutdown circuit: the BMS detects a critical fault in the traction battery.
+    uint8_t bms_fault;
+    // Opens the shutdown circuit: the autonomous driving dongle is not in the Multi-Purpose Port.
+    uint8_t mpp_dongle_removed;
+    // Reported: HVIL or the shutdown circuit has an open circuit.
+    uint8_t hvil_open;
+    // Reported: HVIL or the shutdown circuit has a short circuit.
+    uint8_t hvil_short;
+    // Reported: the Emergency Braking System is faulty.
+    uint8_t ebs_fault;
+    // Reported: the off-board charger is faulty.
+    uint8_t offboard_charger_fault;
+    // Reported: the battery is being charged; a fault as soon as ASMS or TSMS is on.
+    uint8_t charging;
+    // Reported: the traction battery is hot (a warning).
+    uint8_t batt_temp_high;
+    // Reported: the traction battery's charge is low (a warning).
+    uint8_t batt_soc_low;
+    // AI Computer, 510h: the answer to the VCU's HANDSHAKE bit.
+    uint8_t handshake;
+    // AI Computer, 510h: it asks for an emergency stop.
+    uint8_t estop_request;
+    // AI Computer, 510h: status of the mission, an adsdv_mission_status.
+    uint8_t mission_status;
+    // AI Computer, 510h: requested direction, an adsdv_direction.
+    uint8_t direction_request;
+    // AI Computer, 510h: laps; for the data logger.
+    uint8_t lap_counter;
+    // AI Computer, 510h: cones detected now; for the data logger.
+    uint8_t cones_count_actual;
+    // AI Computer, 510h: cones detected in all; for the data logger.
+    uint16_t cones_count_all;
+    // AI Computer, 510h: actual speed in km/h; for the data logger.
+    uint8_t veh_speed_actual;
+    // AI Computer, 510h: demanded speed in km/h; for the data logger.
+    uint8_t veh_speed_demand;
+    // AI Computer, 511h: requested front axle torque, in 0.1 Nm.
+    uint16_t front_axle_trq_request;
+    // AI Computer, 511h: front motor speed limit, in rpm.
+    uint16_t front_motor_speed_max;
+    // AI Computer, 512h: requested rear axle torque, in 0.1 Nm.
+    uint16_t rear_axle_trq_request;
+    // AI Computer, 512h: rear motor speed limit, in rpm.
+    uint16_t rear_motor_speed_max;
+    // AI Computer, 513h: requested steer angle, positive to the left, in 0.1 degrees.
+    int16_t steer_request;
+    // AI Computer, 514h: requested front brake pressure, in 0.5 %.
+    uint8_t hyd_press_f_req;
+    // AI Computer, 514h: requested rear brake pressure, in 0.5 %.
+    uint8_t hyd_press_r_req;
+    // Measured: the steer angle, positive to the left, in 0.1 degrees.
+    int16_t steer_angle;
+    // The largest steer angle that is allowed, in 0.1 degrees.
+    uint16_t steer_angle_max;
+    // Measured: front left wheel speed, in rpm.
+    uint16_t fl_wheel_speed;
+    // Measured: front right wheel speed, in rpm.
+    uint16_t fr_wheel_speed;
+    // Measured: rear left wheel speed, in rpm.
+    uint16_t rl_wheel_speed;
+    // Measured: rear right wheel speed, in rpm.
+    uint16_t rr_wheel_speed;
+    // Measured: front left wheel speed pulse count.
+    uint16_t fl_pulse_count;
+    // Measured: front right wheel speed pulse count.
+    uint16_t fr_pulse_count;
+    // Measured: rear left wheel speed pulse count.
+    uint16_t rl_pulse_count;
+    // Measured: rear right wheel speed pulse count.
+    uint16_t rr_pulse_count;
+    // Measured: the drive torque at the front axle, in 0.1 Nm; negative brakes.
+    int16_t front_axle_trq;
+    // Measured: the drive torque at the rear axle, in 0.1 Nm; negative brakes.
+    int16_t rear_axle_trq;
+    // The largest drive torque that is allowed at the front axle, in 0.1 Nm.
+    uint16_t front_axle_trq_max;
+    // The largest drive torque that is allowed at the rear axle, in 0.1 Nm.
+    uint16_t rear_axle_trq_max;
+    // Measured: the hydraulic pressure of the front brakes, in 0.5 %.
+    uint8_t hyd_press_f;
+    // Measured: the hydraulic pressure of the rear brakes, in 0.5 %.
+    uint8_t hyd_press_r;
+    // Measured: the speed of the vehicle, in km/h.
+    uint8_t speed;
+} adsdv_inputs;
+
+// A classic CAN data frame with an 11-bit identifier.
+typedef struct adsdv_frame {
+    // The identifier.
+    uint16_t id;
+    // How many bytes of `data` are sent: 0 to 8.
+    uint8_t len;
+    // The data.
+    uint8_t data[8];
+} adsdv_frame;
+
+// What a step shows to the outside: the signals of 520h, what reaches the actuators, and which arrow of Figure 2 was
+// taken. Flags are 0 or 1; numbers are raw, in steps of their signal, as on the bus.
+typedef struct adsdv_outputs {
+    // 520h: the state, an adsdv_as_state.
+    uint8_t as_state;
+    // 520h: the HANDSHAKE bit that the AI Computer is to send back.
+    uint8_t handshake;
+    // 520h: GO_SIGNAL.
+    uint8_t go_signal;
+    // 520h: the steering is active.
+    uint8_t steering_status;
+    // 520h: the VCU asks the AI Computer to shut down.
+    uint8_t shutdown_request;
+    // 520h: the Autonomous System Master Switch is on.
+    uint8_t as_switch_status;
+    // 520h: the Tractive System Master Switch is on.
+    uint8_t ts_switch_status;
+    // 520h: the mission that is selected, an adsdv_ami_state.
+    uint8_t ami_state;
+    // 520h: the fault that shut the system down, an adsdv_shutdown_cause.
+    uint8_t shutdown_cause;
+    // 520h: one of the faults is there.
+    uint8_t fault_status;
+    // 520h: one of the warnings is there.
+    uint8_t warning_status;
+    // 520h, warning: the traction battery is hot.
+    uint8_t warn_batt_temp_high;
+    // 520h, warning: the traction battery's charge is low.
+    uint8_t warn_batt_soc_low;
+    // 520h, fault: the AI Computer asks for an emergency stop.
+    uint8_t ai_estop_request;
+    // 520h, fault: the shutdown circuit or HVIL is open.
+    uint8_t hvil_open_fault;
+    // 520h, fault: the shutdown circuit or HVIL has a short circuit.
+    uint8_t hvil_short_fault;
+    // 520h, fault: the Emergency Braking System is faulty.
+    uint8_t ebs_fault;
+    // 520h, fault: the off-board charger is faulty.
+    uint8_t offboard_charger_fault;
+    // 520h, fault: the AI Computer does not answer the handshake.
+    uint8_t ai_comms_lost;
+    // 520h, fault: NEUTRAL was requested while the vehicle was moving.
+    uint8_t autonomous_braking_fault;
+    // 520h, fault: FINISHED was declared while the vehicle was moving.
+    uint8_t mission_status_fault;
+    // 520h, fault: a master switch is on while the battery is being charged.
+    uint8_t charge_procedure_fault;
+    // 520h, fault: the battery management system reports a critical fault.
+    uint8_t bms_fault;
+    // Actuators: the direction of driving, an adsdv_direction.
+    uint8_t direction;
+    // Actuators: the drive torque of the front axle, in 0.1 Nm.
+    uint16_t front_axle_trq;
+    // Actuators: the speed limit of the front motor, in rpm.
+    uint16_t front_motor_speed_max;
+    // Actuators: the drive torque of the rear axle, in 0.1 Nm.
+    uint16_t rear_axle_trq;
+    // Actuators: the speed limit of the rear motor, in rpm.
+    uint16_t rear_motor_speed_max;
+    // Actuators: the steer angle to go to, in 0.1 degrees; 0 while `steer_active` is.
+    int16_t steer;
+    // Actuators: there is a steer angle to go to.
+    uint8_t steer_active;
+    // Actuators: the hydraulic pressure of the front brakes, in 0.5 %.
+    uint8_t hyd_press_f;
+    // Actuators: the hydraulic pressure of the rear brakes, in 0.5 %.
+    uint8_t hyd_press_r;
+    // Actuators: the Emergency Braking System is triggered.
+    uint8_t ebs_triggered;
+    // The state before the step, an adsdv_as_state.
+    uint8_t from;
+    // An arrow of Figure 2 was taken; all that follows is 0 if not.
+    uint8_t taken;
+    // Which one: the row of the table of Figure 2, from 0.
+    uint8_t row;
+    // Which alternative of its guard decided, from 0.
+    uint8_t term;
+    // The section of the document that describes the arrow, such as "3.7".
+    char section[8];
+    // The section that the alternative comes from.
+    char term_section[8];
+} adsdv_outputs;
+
+// A message of the interface.
+typedef struct adsdv_message {
+    // Its name, such as "VCU2AI_Status".
+    char name[32];
+    // The section of the document that lists it.
+    char section[8];
+    // Its identifier.
+    uint16_t id;
+    // How many bytes it has.
+    uint8_t len;
+    // Who sends it: 1 for the VCU, 0 for the AI Computer.
+    uint8_t from_vcu;
+    // How many signals it has.
+    uint8_t signals;
+} adsdv_message;
+
+// A choice: one answer to a question that the document leaves open.
+typedef struct adsdv_reading {
+    // As adsdv_machine_init reads it, such as "fault-trigger=edge".
+    char name[48];
+    // The answer in words.
+    char text[48];
+    // The question in words.
+    char question[128];
+    // The sections that raise it.
+    char section[16];
+    // Whether it is what is read where nothing else is said.
+    uint8_t is_default;
+} adsdv_reading;
+
+// A signal, and what a frame says of it.
+typedef struct adsdv_signal {
+    // Its name, such as "STEER_ANGLE_deg".
+    char name[32];
+    // Its unit, such as "deg"; "" where there is none.
+    char unit[8];
+    // The value in words: by its name, or as a number with its unit, such as "AS_READY" or "-4.9 deg".
+    char text[32];
+    // The value in its unit, for display and plotting.
+    double physical;
+    // The value in steps of the signal: what is compared, and what is on the bus.
+    int32_t raw;
+    // The lowest raw value that is allowed.
+    int32_t min;
+    // The highest raw value that is allowed. An enumeration need not have all between.
+    int32_t max;
+    // A step of the signal is `scale_num` / `scale_den` of its unit.
+    uint32_t scale_num;
+    // See `scale_num`; never 0.
+    uint32_t scale_den;
+    // The lowest bit of the signal; bit 0 is the lowest of the first byte.
+    uint8_t start;
+    // How many bits it has.
+    uint8_t width;
+    // Whether the frame is long enough for the signal. If not, `raw` and `physical` are 0 and `text` is empty.
+    uint8_t present;
+    // Whether it is there and the document allows its value.
+    uint8_t allowed;
+} adsdv_signal;
+
+// What the judge may assume. adsdv_judge_options_init sets what it assumes where nothing else is said.
+typedef struct adsdv_judge_options {
+    // How long after a cause its effect may be seen, in ms: the cycle of the VCU and the delay of the bus.
+    uint32_t window_ms;
+    // For how long a condition must hold before a missing effect is a violation, in ms.
+    uint32_t deadline_ms;
+    // How the VCU is known to read the document, as for adsdv_machine_init; NULL if nothing is known. A violation is
+    // what is one under all readings that are possible.
+    const char *readings;
+} adsdv_judge_options;
+
+// One thing that the judge found.
+typedef struct adsdv_finding {
+    // When, in nanoseconds, on the clock of the frames.
+    int64_t t_ns;
+    // What was seen and what was expected instead. The text is the judge's; it stays until the next call with it.
+    const char *message;
+    // How much it weighs, an adsdv_severity.
+    uint8_t severity;
+    // "violation", "warning" or "note".
+    char severity_name[12];
+    // Who is at fault: "AI", "VCU", or "LOG" for nobody.
+    char party[4];
+    // The section of the document.
+    char section[12];
+    // What was checked: a stable name such as "transition-due".
+    char rule[32];
+} adsdv_finding;
+
+// What all of it comes to.
+typedef struct adsdv_report {
+    // How many frames there were.
+    uint64_t frames;
+    // How many violations; none means that what was judged keeps to the document.
+    uint64_t violations;
+    // How many warnings.
+    uint64_t warnings;
+    // How many notes.
+    uint64_t notes;
+    // The time from the first frame to the last, in nanoseconds.
+    int64_t duration_ns;
+} adsdv_report;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// The version of the library, such as "0.1.0". The text is the library's, and stays.
+const char *adsdv_version(void);
+
+// The version of the ADS-DV Software Interface Specification that the library is: "3.0". The text is the library's, and
+// stays.
+const char *adsdv_document_version(void);
+
+// The document's name of a value, such as "AS_READY" for 2 of ADSDV_AS_STATE; NULL if the value has none, or there is
+// no such enumeration. The text is the library's, and stays.
+const char *adsdv_value_name(uint32_t enumeration,
+                             int32_t value);
+
+// The value of a name, such as 2 for "AS_READY" of ADSDV_AS_STATE. The name has `length` bytes, and needs no NUL.
+enum adsdv_status adsdv_value_of_name(uint32_t enumeration,
+                                      const char *name,
+                                      size_t length,
+                                      int32_t *value,
+                                      struct adsdv_error *error);
+
+// A VCU that reads the document as this list says, such as "fault-trigger=edge power-cycle=not-latched": readings and
+// their choices, with spaces or commas between them. What is not in the list is read as the default says; NULL and ""
+// are all defaults. adsdv_reading tells which there are.
+enum adsdv_status adsdv_machine_init(struct adsdv_machine *machine,
+                                     const char *readings,
+                                     struct adsdv_error *error);
+
+// The VCU after a power cycle: AS_OFF, nothing remembered.
+enum adsdv_status adsdv_control_init(struct adsdv_control *control, struct adsdv_error *error);
+
+// A vehicle with everything off, at rest, without a fault, and no message of the AI Computer yet.
+enum adsdv_status adsdv_inputs_init(struct adsdv_inputs *inputs, struct adsdv_error *error);
+
+// Takes over what a frame of the AI Computer (510h to 514h) says. `taken`, which may be NULL, is set to 1 if it is one,
+// and to 0 if it is any other frame, which changes nothing. A frame with too few bytes or a value that is not allowed
+// is an error, and changes nothing either, as if it had not come.
+enum adsdv_status adsdv_receive(struct adsdv_inputs *inputs,
+                                const struct adsdv_frame *frame,
+                                uint8_t *taken,
+                                struct adsdv_error *error);
+
+// Whether the AI Computer must not send frames with this identifier (section 2.3).
+bool adsdv_is_reserved(uint32_t id);
+
+// Begins a frame of the message with this identifier: every signal is 0, or the first value of its enumeration where
+// that has no 0. adsdv_frame_set sets the others.
+enum adsdv_status adsdv_frame_init(struct adsdv_frame *frame,
+                                   uint16_t id,
+                                   struct adsdv_error *error);
+
+// Sets a signal of a frame, such as "STEER_REQUEST_deg" of 513h, to a raw value: in steps of the signal, so that -49 is
+// -4.9 degrees. A value that the document does not allow is an error. All other bits stay.
+enum adsdv_status adsdv_frame_set(struct adsdv_frame *frame,
+                                  const char *signal,
+                                  int32_t raw,
+                                  struct adsdv_error *error);
+
+// One step of the VCU: what it does when it sees these inputs `dt_ms` milliseconds after its last step.
+//
+// `machine` says how the document is read; NULL is the reference, with all defaults. `control` is what the VCU
+// remembers, before and then after the step. What the step shows goes to `outputs`, and the frames that the VCU sends,
+// 520h to 526h, 500h and 502h, to `frames`, which has ADSDV_VCU_FRAMES places; either may be NULL.
+//
+// A field with a value that it cannot have is an error that names it, and nothing is changed.
+enum adsdv_status adsdv_step(const struct adsdv_machine *machine,
+                             struct adsdv_control *control,
+                             const struct adsdv_inputs *inputs,
+                             uint32_t dt_ms,
+                             struct adsdv_outputs *outputs,
+                             struct adsdv_frame *frames,
+                             struct adsdv_error *error);
+
+// The messages of the interface, by ascending identifier: `index` is less than ADSDV_MESSAGES.
+enum adsdv_status adsdv_message_at(size_t index, struct adsdv_message *message, struct adsdv_error *error);
+
+// The choices of all readings, each reading's default first: `index` is less than ADSDV_CHOICES.
+enum adsdv_status adsdv_reading_at(size_t index, struct adsdv_reading *reading, struct adsdv_error *error);
+
+// Reads a frame of any message of the interface: every signal of it, by ascending bits, into `signals`, which has
+// `room` places (ADSDV_MOST_SIGNALS are always enough), and their number into `count`.
+//
+// A frame with too few bytes or a value that is not allowed is an error (ADSDV_TOO_SHORT, ADSDV_BAD_VALUE) that names
+// the first such signal; the signals are written all the same, each with its `present` and `allowed`.
+enum adsdv_status adsdv_decode(const struct adsdv_frame *frame,
+                               struct adsdv_signal *signals,
+                               size_t room,
+                               size_t *count,
+                               struct adsdv_error *error);
+
+// Reads one signal of a frame by its name, such as "STEER_ANGLE_deg" of 523h. A frame that ends before the signal does,
+// or a value that is not allowed, is an error; the signal is written all the same.
+enum adsdv_status adsdv_decode_signal(const struct adsdv_frame *frame,
+                                      const char *name,
+                                      struct adsdv_signal *value,
+                                      struct adsdv_error *error);
+
+// What the judge assumes where nothing else is said.
+enum adsdv_status adsdv_judge_options_init(struct adsdv_judge_options *options, struct adsdv_error *error);
+
+// A new judge of a bus, which adsdv_judge_free must free; NULL if there is an error. `options` may be NULL.
+struct adsdv_judge *adsdv_judge_new(const struct adsdv_judge_options *options, struct adsdv_error *error);
+
+// Frees a judge, whose texts are gone then. NULL is left alone.
+void adsdv_judge_free(struct adsdv_judge *judge);
+
+// Judges a classic CAN data frame with an 11-bit identifier: `t_ns` is its time in nanoseconds on any clock, best since
+// the first frame; time may jump. Identifiers that are not the interface's and any `length` are fine.
+enum adsdv_status adsdv_judge_frame(struct adsdv_judge *judge,
+                                    int64_t t_ns,
+                                    uint32_t id,
+                                    const uint8_t *data,
+                                    size_t length,
+                                    struct adsdv_error *error);
+
+// Counts a frame that is not judged (extended, remote, CAN FD, of another bus), and lets time pass.
+enum adsdv_status adsdv_judge_other_frame(struct adsdv_judge *judge, int64_t t_ns, struct adsdv_error *error);
+
+// The next thing that the judge found and that was not taken yet: true, and it is in `finding`; or false: there is
+// none at present, or a pointer is NULL.
+bool adsdv_judge_next(struct adsdv_judge *judge,
+                      struct adsdv_finding *finding);
+
+// The end: settles what is still open, which adsdv_judge_next then has, and says what it all comes to. `report` may be
+// NULL. A second call says the same.
+enum adsdv_status adsdv_judge_finish(struct adsdv_judge *judge,
+                                     struct adsdv_report *report,
+                                     struct adsdv_error *error);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* ADSDV_H */

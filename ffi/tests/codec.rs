@@ -1,0 +1,211 @@
+//! Every message and signal through the C interface: the table, reading and writing.
+
+mod common;
+
+use std::ffi::CString;
+use std::ptr::null_mut;
+
+use adsdv::adsdv_status::{self, *};
+use adsdv::*;
+use adsdv_spec::messages::{AnyMessage, DecodeError, MESSAGES, Node, SignalDef};
+use adsdv_spec::{Choice, Readings, is_reserved};
+use adsdv_tests::world::Random;
+use common::{outcome, text};
+
+fn message_at(index: usize) -> Result<adsdv_message, (adsdv_status, String)> {
+    let mut message = std::mem::MaybeUninit::uninit();
+    // SAFETY: the place is one of a message, and a function that succeeds fills it.
+    outcome(|error| unsafe { adsdv_message_at(index, message.as_mut_ptr(), error) })
+        .map(|()| unsafe { message.assume_init() })
+}
+
+fn init(id: u16) -> Result<adsdv_frame, (adsdv_status, String)> {
+    let mut frame = adsdv_frame::default();
+    // SAFETY: the pointer is to what it is said to be.
+    outcome(|error| unsafe { adsdv_frame_init(&raw mut frame, id, error) }).map(|()| frame)
+}
+
+fn set(frame: &mut adsdv_frame, signal: &str, raw: i32) -> Result<(), (adsdv_status, String)> {
+    let signal = CString::new(signal).unwrap();
+    // SAFETY: the pointers are to what they are said to be.
+    outcome(|error| unsafe { adsdv_frame_set(frame, signal.as_ptr(), raw, error) })
+}
+
+/// What a frame says, and whether it is refused.
+fn decode(frame: &adsdv_frame) -> (Vec<adsdv_signal>, Result<(), (adsdv_status, String)>) {
+    let mut signals = Vec::with_capacity(ADSDV_MOST_SIGNALS);
+    let mut count = 0;
+    let outcome = outcome(|error| {
+        // SAFETY: the vector has room for as many, and the count is of those that were filled.
+        unsafe { adsdv_decode(frame, signals.as_mut_ptr(), ADSDV_MOST_SIGNALS, &raw mut count, error) }
+    });
+    // SAFETY: so many were filled.
+    unsafe { signals.set_len(count) };
+    (signals, outcome)
+}
+
+fn decode_one(frame: &adsdv_frame, name: &str) -> (Option<adsdv_signal>, Result<(), (adsdv_status, String)>) {
+    let name = CString::new(name).unwrap();
+    // SAFETY: all its fields are numbers, of which 0 is one.
+    let mut signal: adsdv_signal = unsafe { std::mem::zeroed() };
+    // SAFETY: the pointers are to what they are said to be.
+    let outcome =
+        outcome(|error| unsafe { adsdv_decode_signal(frame, name.as_ptr(), &raw mut signal, error) });
+    ((signal.scale_den != 0).then_some(signal), outcome)
+}
+
+fn same(signal: &adsdv_signal, def: &SignalDef, data: &[u8]) {
+    assert_eq!(text(&signal.name), def.name);
+    assert_eq!(text(&signal.unit), def.unit);
+    assert_eq!((signal.min, signal.max), (def.min, def.max));
+    assert_eq!((signal.scale_num, signal.scale_den), (def.scale.num(), def.scale.den()));
+    assert_eq!((signal.start, signal.width), (def.start, def.width));
+    let raw = def.raw(data);
+    assert_eq!(
+        (signal.present == 1, signal.allowed == 1),
+        (raw.is_some(), raw.is_some_and(|raw| def.allows(raw)))
+    );
+    assert_eq!(text(&signal.text), raw.map_or(String::new(), |raw| def.display(raw).to_string()));
+    assert_eq!(
+        (signal.raw, signal.physical.to_bits()),
+        raw.map_or((0, 0), |raw| (raw, def.physical(raw).to_bits()))
+    );
+}
+
+#[test]
+fn the_messages_are_those_of_the_interface() {
+    for (index, def) in MESSAGES.iter().enumerate() {
+        let message = message_at(index).unwrap();
+        assert_eq!((text(&message.name).as_str(), text(&message.section).as_str()), (def.name, def.section));
+        assert_eq!((message.id, message.len), (def.id, def.len));
+        assert_eq!(message.from_vcu == 1, def.sender == Node::Vcu);
+        assert_eq!(usize::from(message.signals), def.signals.len());
+    }
+    let refused = Err((ADSDV_BAD_VALUE, "index is 15; expected less than 15".to_owned()));
+    assert_eq!(message_at(ADSDV_MESSAGES).map(|_| ()), refused);
+    assert!(message_at(usize::MAX).is_err());
+}
+
+#[test]
+fn the_readings_are_those_of_the_specification() {
+    for (index, &choice) in Choice::ALL.iter().enumerate() {
+        // SAFETY: all its fields are numbers, of which 0 is one.
+        let mut reading: adsdv_reading = unsafe { std::mem::zeroed() };
+        // SAFETY: the pointer is to what it is said to be.
+        outcome(|error| unsafe { adsdv_reading_at(index, &raw mut reading, error) }).unwrap();
+        assert_eq!(text(&reading.name), choice.to_string());
+        assert_eq!(text(&reading.text), choice.text());
+        assert_eq!(text(&reading.question), choice.reading().question());
+        assert_eq!(text(&reading.section), choice.reading().section());
+        assert_eq!(reading.is_default == 1, Readings::DEFAULT.is(choice));
+    }
+    // SAFETY: NULL is refused.
+    assert!(outcome(|error| unsafe { adsdv_reading_at(0, null_mut(), error) }).is_err());
+}
+
+#[test]
+fn any_frame_is_read_as_the_specification_reads_it() {
+    let mut random = Random(1);
+    let mut outcomes = [0; 3];
+    for _ in 0..20_000 {
+        let id = random.pick(&MESSAGES).id;
+        let len = random.pick(&[8, 8, 8, 0, 1, 2, 3, 4, 5, 6, 7]);
+        let mask = random.pick(&[u64::MAX, 0x0101_0101_0101_0101, 0x0003_0003_0003_0003, 0x1111]);
+        let frame = adsdv_frame { id, len, data: (random.bits() & mask).to_le_bytes() };
+        let data = &frame.data[..usize::from(len)];
+        let (signals, outcome) = decode(&frame);
+        let expected = AnyMessage::decode(id, data);
+        let said = outcome.as_ref().err().map(|(_, text)| text.clone());
+        assert_eq!(said, expected.as_ref().err().map(ToString::to_string));
+        let status = outcome.err().map_or(ADSDV_OK, |(status, _)| status);
+        let (place, right) = match expected {
+            Ok(_) => (0, ADSDV_OK),
+            Err(DecodeError::TooShort { .. }) => (1, ADSDV_TOO_SHORT),
+            Err(_) => (2, ADSDV_BAD_VALUE),
+        };
+        assert_eq!(status, right);
+        outcomes[place] += 1;
+
+        let def = MESSAGES.iter().find(|def| def.id == id).unwrap();
+        assert_eq!(signals.len(), def.signals.len());
+        for (signal, row) in signals.iter().zip(def.signals) {
+            same(signal, row, data);
+            let (one, outcome) = decode_one(&frame, row.name);
+            same(&one.expect("it is written all the same"), row, data);
+            assert_eq!(outcome.is_ok(), signal.allowed == 1);
+        }
+    }
+    assert!(outcomes.iter().all(|&count| count > 500), "{outcomes:?}");
+}
+
+#[test]
+fn a_frame_begins_as_the_message_does_by_default() {
+    use adsdv_spec::messages::*;
+    macro_rules! each {
+        ($($message:ident)+) => {$(
+            assert_eq!(init($message::ID).unwrap(), $message::default().encode().into());
+        )+};
+    }
+    each! {
+        Vcu2LogDynamics1 Ai2LogDynamics2 Vcu2LogStatus Ai2VcuStatus Ai2VcuDriveF Ai2VcuDriveR Ai2VcuSteer Ai2VcuBrake
+        Vcu2AiStatus Vcu2AiDriveF Vcu2AiDriveR Vcu2AiSteer Vcu2AiBrake Vcu2AiWheelSpeeds Vcu2AiWheelCounts
+    }
+    assert_eq!(
+        init(0x527),
+        Err((ADSDV_UNKNOWN_ID, "527h is not the identifier of a message of section 2".to_owned()))
+    );
+}
+
+#[test]
+fn every_value_that_is_written_is_read() {
+    for def in MESSAGES {
+        for signal in def.signals {
+            let mut values: Vec<i32> = signal.values.iter().map(|&(value, _)| value).collect();
+            values.extend([signal.min, signal.max]);
+            for raw in values {
+                let mut frame = init(def.id).unwrap();
+                set(&mut frame, signal.name, raw).unwrap();
+                let (read, outcome) = decode(&frame);
+                assert_eq!(outcome, Ok(()));
+                assert!(read.iter().any(|read| text(&read.name) == signal.name && read.raw == raw));
+            }
+            for raw in [signal.min.wrapping_sub(1), signal.max.wrapping_add(1), i32::MIN, i32::MAX] {
+                let mut frame = init(def.id).unwrap();
+                let before = frame;
+                let refused = signal.check(raw).unwrap_err().to_string();
+                assert_eq!(set(&mut frame, signal.name, raw), Err((ADSDV_BAD_VALUE, refused)));
+                assert_eq!(frame, before);
+            }
+        }
+    }
+    let mut frame = init(0x513).unwrap();
+    assert_eq!(
+        set(&mut frame, "STEER", 0),
+        Err((ADSDV_UNKNOWN_NAME, "AI2VCU_Steer has no signal \"STEER\"".to_owned()))
+    );
+    frame.len = 1;
+    let (status, _) = set(&mut frame, "STEER_REQUEST_deg", 0).unwrap_err();
+    assert_eq!(status, ADSDV_TOO_SHORT);
+}
+
+#[test]
+fn an_array_that_is_too_small_is_left_alone() {
+    let frame = init(0x520).unwrap();
+    let mut count = 99;
+    // SAFETY: all its fields are numbers, of which 0 is one.
+    let mut signals: [adsdv_signal; 2] = unsafe { std::mem::zeroed() };
+    // SAFETY: the pointers are to what they are said to be.
+    let outcome = outcome(|error| unsafe {
+        adsdv_decode(&raw const frame, signals.as_mut_ptr(), 2, &raw mut count, error)
+    });
+    assert_eq!(outcome, Err((ADSDV_NO_ROOM, "signals has room for 2; expected 23".to_owned())));
+    assert_eq!((count, signals[0].scale_den), (99, 0));
+}
+
+#[test]
+fn reserved_identifiers_are_those_of_the_specification() {
+    for id in 0..=u16::MAX {
+        assert_eq!(adsdv_is_reserved(id.into()), is_reserved(id), "{id:X}");
+    }
+    assert!(!adsdv_is_reserved(0x1_0000));
+}

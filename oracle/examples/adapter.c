@@ -1,0 +1,95 @@
+/* A complete adapter in C for `adsdv conform`, around the specification as a C library.
+ *
+ *     cargo build --release -p adsdv-ffi
+ *     cc -O2 -Iffi/include oracle/examples/adapter.c target/release/libadsdv.a -lpthread -ldl -lm -o adapter
+ *     adsdv conform -- ./adapter
+ *
+ * Put your own VCU in place of adsdv_step. oracle/PROTOCOL.md says what the lines mean.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "adsdv.h"
+
+/* The keys of the protocol, which are the fields of the structs, too. */
+#define FLAGS(X) X(asms) X(tsms) X(go) X(remote_estop) X(res_link_lost) X(vehicle_estop) X(crash_sensor) \
+    X(critical_fault) X(bms_fault) X(mpp_dongle_removed) X(hvil_open) X(hvil_short) X(ebs_fault) \
+    X(offboard_charger_fault) X(charging) X(batt_temp_high) X(batt_soc_low) X(handshake) X(estop_request)
+#define NUMBERS(X) X(front_axle_trq_request) X(rear_axle_trq_request) X(front_motor_speed_max) \
+    X(rear_motor_speed_max) X(steer_request) X(steer_angle) X(hyd_press_f_req) X(hyd_press_r_req) \
+    X(fl_wheel_speed) X(fr_wheel_speed) X(rl_wheel_speed) X(rr_wheel_speed)
+#define NAMES(X) X(ami, ADSDV_AMI_STATE) X(ebs, ADSDV_EBS_STATE) X(mission_status, ADSDV_MISSION_STATUS) \
+    X(direction_request, ADSDV_DIRECTION)
+#define OUTPUTS(X) X(as_state) X(handshake) X(go_signal) X(steering_status) X(shutdown_request) \
+    X(as_switch_status) X(ts_switch_status) X(ami_state) X(shutdown_cause) X(fault_status) X(warning_status) \
+    X(warn_batt_temp_high) X(warn_batt_soc_low) X(ai_estop_request) X(hvil_open_fault) X(hvil_short_fault) \
+    X(ebs_fault) X(offboard_charger_fault) X(ai_comms_lost) X(autonomous_braking_fault) \
+    X(mission_status_fault) X(charge_procedure_fault) X(bms_fault) X(front_axle_trq) X(front_motor_speed_max) \
+    X(rear_axle_trq) X(rear_motor_speed_max) X(direction) X(hyd_press_f) X(hyd_press_r) X(ebs_triggered)
+
+static adsdv_control control;
+static adsdv_error error;
+
+static void check(adsdv_status status) {
+    if (status != ADSDV_OK) {
+        fprintf(stderr, "adapter: %s\n", error.text);
+        exit(1);
+    }
+}
+
+/* The value of an enumeration whose name begins here. */
+static int value_of(unsigned enumeration, const char *name) {
+    int32_t value;
+    check(adsdv_value_of_name(enumeration, name, strcspn(name, "\""), &value, &error));
+    return value;
+}
+
+/* What follows a key; NULL if the line does not have it. */
+static const char *after(const char *line, const char *key) {
+    const char *found = strstr(line, key);
+    return found ? found + strlen(key) : NULL;
+}
+
+static void step(const char *line) {
+    adsdv_inputs inputs;
+    adsdv_outputs outputs;
+    const char *at = after(line, "\"dt_ms\":");
+    uint32_t dt_ms = at ? (uint32_t)strtoul(at, NULL, 10) : 0;
+
+    check(adsdv_inputs_init(&inputs, &error)); /* what is not in the line is at its default */
+#define FLAG(key) inputs.key = strstr(line, "\"" #key "\":true") != NULL;
+#define NUMBER(key) if ((at = after(line, "\"" #key "\":"))) inputs.key = atoi(at);
+#define NAME(key, of) if ((at = after(line, "\"" #key "\":\""))) inputs.key = value_of(of, at);
+    FLAGS(FLAG) NUMBERS(NUMBER) NAMES(NAME)
+    check(adsdv_step(NULL, &control, &inputs, dt_ms, &outputs, NULL, &error));
+
+    /* Names may be given as their numbers, and flags as 1 and 0. */
+#define FORMAT(key) "\"" #key "\":%d,"
+#define VALUE(key) outputs.key,
+    printf("{" OUTPUTS(FORMAT) "%s", OUTPUTS(VALUE) "\"steer\":");
+    if (outputs.steer_active) printf("%d}\n", outputs.steer);
+    else puts("null}");
+}
+
+int main(void) {
+    static char buffer[1 << 16], answers[1 << 16]; /* no line is longer than some hundred bytes */
+    size_t filled = 0;
+    ssize_t got;
+    setvbuf(stdout, answers, _IOFBF, sizeof answers);
+    check(adsdv_control_init(&control, &error));
+    /* Whoever asks waits for what has been answered so far: it is flushed before every wait for more. */
+    while (fflush(stdout) == 0 && (got = read(STDIN_FILENO, buffer + filled, sizeof buffer - 1 - filled)) > 0) {
+        char *line = buffer, *end;
+        buffer[filled += (size_t)got] = '\0';
+        for (; (end = strchr(line, '\n')) != NULL; line = end + 1) {
+            *end = '\0';
+            if (strstr(line, "\"op\":\"reset\"") == NULL) step(line);
+            else check(adsdv_control_init(&control, &error)), puts("{}");
+        }
+        memmove(buffer, line, filled -= (size_t)(line - buffer));
+    }
+    return 0;
+}

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""A program under test for `adsdv conform`: the protocol of PROTOCOL.md, around the specification itself.
+
+    adsdv conform -- python3 oracle/examples/adapter.py [READING=CHOICE ...]
+
+It needs the module adsdv (folder python/ of this project). For a VCU of your own, write a class like `VcuUnderTest`.
+"""
+
+import json
+import sys
+
+import adsdv
+
+
+class VcuUnderTest:
+    """What is to be judged: here, the reference VCU. Replace both methods by calls of your own."""
+
+    def __init__(self, readings):
+        self.vcu = adsdv.Vcu(readings)
+
+    def reset(self):
+        """Begins anew, as after a power cycle."""
+        self.vcu.reset()
+
+    def step(self, dt_ms, inputs):
+        """Steps once. `inputs` has what is not at its default; the answer has as many outputs as there are."""
+        return self.vcu.step(inputs, dt_ms).outputs
+
+
+def answer(vcu, request):
+    """The answer to one request, as a dict."""
+    operation = request.pop("op", None)
+    if operation == "reset":
+        vcu.reset()
+        return {}
+    if operation == "step":
+        return vcu.step(request.pop("dt_ms", None), request)
+    raise ValueError(f'"op" is {operation!r}; expected "reset" or "step"')
+
+
+def main():
+    """Answers line by line until the input ends."""
+    vcu = VcuUnderTest(dict(argument.split("=", 1) for argument in sys.argv[1:]))
+    for number, line in enumerate(sys.stdin, start=1):
+        try:
+            print(json.dumps(answer(vcu, json.loads(line))), flush=True)
+        except ValueError as error:
+            sys.exit(f"line {number}: {error}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,42 @@
+//! A complete adapter in Rust for `adsdv conform`, around the specification itself.
+//!
+//! ```text
+//! cargo build --release -p adsdv-oracle --example adapter
+//! adsdv conform -- target/release/examples/adapter
+//! ```
+//!
+//! Put your own VCU in place of `Machine`. `oracle/PROTOCOL.md` says what the lines mean.
+
+use std::io::{self, BufRead, BufReader, BufWriter, Write};
+
+use adsdv_oracle::protocol::{Request, Shown};
+use adsdv_spec::{Control, Machine};
+
+fn main() -> io::Result<()> {
+    let mut requests = BufReader::new(io::stdin().lock());
+    let mut answers = BufWriter::new(io::stdout().lock());
+    let vcu = Machine::REFERENCE;
+    let mut control = Control::INITIAL;
+    let mut line = String::new();
+    loop {
+        // Whoever asks waits for what has been answered so far, unless there is more to do.
+        if requests.buffer().is_empty() {
+            answers.flush()?;
+        }
+        line.clear();
+        if requests.read_line(&mut line)? == 0 {
+            return answers.flush();
+        }
+        match line.parse().map_err(io::Error::other)? {
+            Request::Reset => {
+                control = Control::INITIAL;
+                writeln!(answers, "{{}}")?;
+            }
+            Request::Step { dt_ms, inputs } => {
+                let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
+                control = after;
+                writeln!(answers, "{}", Shown::of(&outputs, &inputs))?;
+            }
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! A program under test that does not conform, or does not behave: for the tests of `adsdv conform`.
+//!
+//! ```text
+//! mutant --mutation '3.6: dropped'
+//! mutant --reading fault-trigger=edge --latency 2
+//! mutant --hang-at 10
+//! ```
+//!
+//! What happens "at N" happens at the Nth line, counted from 1, resets included.
+
+use std::collections::VecDeque;
+use std::error::Error;
+use std::fs;
+use std::io::{self, BufRead, BufReader, BufWriter, Write};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use adsdv_oracle::protocol::{Request, SHOWN, Shown};
+use adsdv_spec::{AsState, Choice, Control, Interface, Machine, Mutation, Outputs, Readings};
+
+/// What the program was asked to do wrong.
+#[derive(Default)]
+struct Wrong {
+    /// What to do at which line.
+    at: Vec<(String, u64)>,
+    latency: usize,
+    slow_ms: u64,
+    no_eof: bool,
+    /// The outputs that are shown; none: all.
+    only: Vec<String>,
+    /// Whether AS_READY is entered only once between resets.
+    once: bool,
+    reset: Option<String>,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut wrong = Wrong::default();
+    let (mut interface, mut readings) = (Interface::V3_0, Readings::DEFAULT);
+    let mut args = std::env::args().skip(1);
+    while let Some(arg) = args.next() {
+        let mut value = || args.next().ok_or(format!("{arg} needs a value"));
+        match arg.as_str() {
+            "--mutation" => {
+                let name = value()?;
+                let mutation = Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == name);
+                interface = mutation.ok_or(format!("no such mutation: {name}"))?.apply(&interface);
+            }
+            "--reading" => readings = readings.with(value()?.parse::<Choice>()?),
+            "--latency" => wrong.latency = value()?.parse()?,
+            "--slow" => wrong.slow_ms = value()?.parse()?,
+            "--no-eof" => wrong.no_eof = true,
+            "--no-read" => forever(),
+            "--grandchild" => {
+                let child = Command::new("sleep").arg("600").stdin(Stdio::inherit()).spawn()?;
+                fs::write(value()?, child.id().to_string())?;
+            }
+            "--leave" => return Ok(()),
+            "--once" => wrong.once = true,
+            "--pid" => fs::write(value()?, std::process::id().to_string())?,
+            "--only" => wrong.only = value()?.split(',').map(str::to_owned).collect(),
+            "--reset" => wrong.reset = Some(value()?),
+            at if at.ends_with("-at") => wrong.at.push((at.to_owned(), value()?.parse()?)),
+            other => return Err(format!("what is {other}?").into()),
+        }
+    }
+    speak(&Machine::new(interface, readings), &wrong)
+}
+
+fn speak(vcu: &Machine, wrong: &Wrong) -> Result<(), Box<dyn Error>> {
+    let mut requests = BufReader::new(io::stdin().lock());
+    let mut answers = BufWriter::new(io::stdout().lock());
+    let (mut control, mut times_ready) = (Control::INITIAL, 0);
+    let (mut line, mut delayed) = (String::new(), VecDeque::new());
+    for count in 1.. {
+        if requests.buffer().is_empty() {
+            answers.flush()?;
+        }
+        line.clear();
+        if requests.read_line(&mut line)? == 0 {
+            break;
+        }
+        sleep(Duration::from_millis(wrong.slow_ms));
+        let mut answer = match line.parse()? {
+            Request::Reset => {
+                (control, times_ready) = (Control::INITIAL, 0);
+                delayed = VecDeque::from(vec!["{}".to_owned(); wrong.latency]);
+                wrong.reset.clone().unwrap_or_else(|| "{}".to_owned())
+            }
+            Request::Step { dt_ms, inputs } => {
+                let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
+                let again = (control.state, after.state) == (AsState::Off, AsState::Ready);
+                times_ready += u32::from(again);
+                if wrong.once && again && times_ready > 1 {
+                    times_ready = 1;
+                    delayed.push_back(
+                        wrong.shown(&Shown::of(&Outputs { state: AsState::Off, ..outputs }, &inputs)),
+                    );
+                } else {
+                    control = after;
+                    delayed.push_back(wrong.shown(&Shown::of(&outputs, &inputs)));
+                }
+                delayed.pop_front().unwrap_or_default()
+            }
+        };
+        for (what, _) in wrong.at.iter().filter(|(_, at)| *at == count) {
+            match what.as_str() {
+                "--hang-at" => {
+                    answers.flush()?;
+                    forever();
+                }
+                "--crash-at" => std::process::abort(),
+                "--exit-at" => {
+                    answers.flush()?;
+                    eprintln!("first words\nthe battery is empty\x1b[2J");
+                    std::process::exit(3);
+                }
+                "--garbage-at" => "engine started".clone_into(&mut answer),
+                "--list-at" => "[1, 2]".clone_into(&mut answer),
+                "--unknown-at" => r#"{"as_state":"AS_OFF","speed":3}"#.clone_into(&mut answer),
+                "--value-at" => r#"{"as_state":"AS_PARKED"}"#.clone_into(&mut answer),
+                "--no-state-at" => r#"{"handshake":true}"#.clone_into(&mut answer),
+                "--chatty-at" => answer = format!("{answer}\n{answer}"),
+                "--lie-at" => r#"{"as_state":"AS_FINISHED"}"#.clone_into(&mut answer),
+                "--skip-at" => answer.clear(),
+                "--binary-at" => {
+                    answers.write_all(&[0xff, 0xfe, b'\n'])?;
+                    answer.clear();
+                }
+                "--stall-at" => {
+                    write!(answers, "{}", answer.get(..20).unwrap_or_default())?;
+                    answers.flush()?;
+                    forever();
+                }
+                "--long-at" => loop {
+                    answers.write_all(&[b'x'; 4096])?;
+                },
+                "--flood-at" => (0..100_000).for_each(|_| eprintln!("noise noise noise noise noise noise")),
+                other => return Err(format!("what is {other}?").into()),
+            }
+        }
+        if !answer.is_empty() {
+            writeln!(answers, "{answer}")?;
+        }
+    }
+    answers.flush()?;
+    if wrong.no_eof { forever() } else { Ok(()) }
+}
+
+impl Wrong {
+    fn shown(&self, shown: &Shown) -> String {
+        if self.only.is_empty() {
+            return shown.to_string();
+        }
+        let all = SHOWN.iter().filter(|field| self.only.iter().any(|only| only == field.key));
+        let fields = all.filter_map(|field| Some((field.key, shown.get(field.key)?.raw?)));
+        let fields: Vec<String> = fields.map(|(key, raw)| format!("\"{key}\":{raw}")).collect();
+        format!("{{{}}}", fields.join(","))
+    }
+}
+
+fn forever() -> ! {
+    loop {
+        sleep(Duration::from_hours(1));
+    }
+}

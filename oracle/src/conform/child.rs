@@ -1,0 +1,74 @@
+//! A child process that is gone when it is dropped, with all that it started.
+
+use std::ffi::OsString;
+use std::io;
+use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
+
+/// The process, and its pipes until they are taken.
+#[derive(Debug)]
+pub(super) struct Process(Child);
+
+/// The three pipes of a process.
+pub(super) type Pipes = (ChildStdin, ChildStdout, ChildStderr);
+
+impl Process {
+    /// Starts a program, in a group of its own where there are such.
+    pub(super) fn start(program: &OsString, args: &[OsString]) -> io::Result<(Self, Pipes)> {
+        let mut command = Command::new(program);
+        command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
+        let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+        let process = Self(child);
+        match pipes {
+            (Some(stdin), Some(stdout), Some(stderr)) => Ok((process, (stdin, stdout, stderr))),
+            _ => Err(io::ErrorKind::BrokenPipe.into()),
+        }
+    }
+
+    /// How it ended, such as `exit status: 3`; `None` while it runs.
+    ///
+    /// It is not waited for: as long as it is not, no other process gets its number, or that of its group.
+    #[cfg(unix)]
+    pub(super) fn ended(&self) -> Option<Ended> {
+        use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+        let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
+        let status = waitid(WaitId::Pid(Pid::from_child(&self.0)), options).ok().flatten()?;
+        Some(match (status.exit_status(), status.terminating_signal()) {
+            (Some(0), _) => Ended { well: true, how: "exit status 0".to_owned() },
+            (Some(code), _) => Ended { well: false, how: format!("exit status {code}") },
+            (None, Some(signal)) => Ended { well: false, how: format!("signal {signal}") },
+            (None, None) => Ended { well: false, how: "for no reason that is known".to_owned() },
+        })
+    }
+
+    /// How it ended, such as `exit code: 3`; `None` while it runs.
+    #[cfg(not(unix))]
+    pub(super) fn ended(&mut self) -> Option<Ended> {
+        let status = self.0.try_wait().ok().flatten()?;
+        Some(Ended { well: status.success(), how: status.to_string() })
+    }
+}
+
+/// How a process ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Ended {
+    /// Without an error.
+    pub(super) well: bool,
+    /// In words.
+    pub(super) how: String,
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        // What cannot be killed is gone already.
+        #[cfg(unix)]
+        let _ = rustix::process::kill_process_group(
+            rustix::process::Pid::from_child(&self.0),
+            rustix::process::Signal::KILL,
+        );
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}

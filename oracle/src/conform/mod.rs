@@ -1,0 +1,60 @@
+//! Whether a program under test does what the document says, where it does not, and how it reads the document.
+//!
+//! ```text
+//! suite ---+                        +--> Explain: which combinations of readings explain the answers
+//!          +--> Vcu: asks a program-+
+//! random --+         and is answered    none explains them: Break, the row of Figure 2, and a shorter scenario
+//! ```
+//!
+//! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`Trouble`] (`trouble.rs`), never in
+//!   waiting for ever; `lines.rs` reads its lines, `stderr.rs` its last words;
+//! - `vcu.rs`: what is asked, be it that program or a machine in this process;
+//! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
+//!   such combinations;
+//! - `verdict.rs`: which combination the answers follow, or mix;
+//! - `cycle.rs`: scenarios for a program that steps at a fixed cycle;
+//! - `random.rs`: scenarios that lead everywhere, `rng.rs` the chance in them;
+//! - `shrink.rs`: the shortest scenario that fails in the same way;
+//! - `broken.rs`: the row of Figure 2 behind a wrong answer;
+//! - `requirements.rs`: what was passed, failed and not checked;
+//! - `run.rs`: all of it in order; `report.rs`: what came of it.
+//!
+//! ```
+//! use adsdv_oracle::conform::{InProcess, Options, conform};
+//! use adsdv_oracle::suite;
+//! use adsdv_spec::{Choice, Interface, Machine, Readings};
+//!
+//! // A program that takes a rising edge of "Go" for enough conforms: the document can be read so.
+//! let vcu = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::GoEdgeEnough));
+//! let tests = suite::generate(&Interface::V3_0);
+//! let report = conform(&mut InProcess(vcu), &tests, &Options::default(), &mut |_| {})?;
+//! assert!(report.conforms() && report.readings.is(Choice::GoEdgeEnough));
+//! # Ok::<(), adsdv_oracle::conform::Trouble>(())
+//! ```
+
+mod broken;
+mod child;
+mod cycle;
+mod explain;
+mod lines;
+mod program;
+mod random;
+mod report;
+mod requirements;
+mod rng;
+mod run;
+mod set;
+mod shrink;
+mod stderr;
+mod trouble;
+mod vcu;
+mod verdict;
+
+pub use broken::{Break, Row, Why};
+pub use program::Program;
+pub use report::{Failure, Moment, Report};
+pub use requirements::{Outcome, Requirement};
+pub use run::{Options, Phase, Progress, conform};
+pub use trouble::{Place, Trouble, What};
+pub use vcu::{InProcess, Reply, Vcu};
+pub use verdict::{Follows, Side};

@@ -1,0 +1,179 @@
+//! A program under test: started once, asked line by line, many lines ahead.
+
+use std::ffi::OsString;
+use std::io::Write as _;
+use std::sync::mpsc::{Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::child::Process;
+use super::lines::{LONGEST, Lines, Missing};
+use super::stderr::LastWords;
+use super::trouble::{Place, Trouble, What, excerpt};
+use super::vcu::{Reply, Vcu};
+use crate::protocol::{Answer, BadLine, Request};
+use crate::suite::Scenario;
+
+/// So many lines are sent before the answer to the first of them has come.
+const AHEAD: usize = 4096;
+/// How long a program may take to end when its input has, whatever it may take to answer.
+const FAREWELL: Duration = Duration::from_secs(1);
+
+/// A child process that speaks the protocol. It is killed, with everything that it started, when it is dropped.
+#[derive(Debug)]
+pub struct Program {
+    // The order matters: the process is gone before anything else is dropped.
+    process: Process,
+    /// To the thread that writes to the program; `None` after the end of its input.
+    requests: Option<Sender<Vec<u8>>>,
+    lines: Lines,
+    last_words: LastWords,
+    timeout: Duration,
+    /// Whether `{}` is an answer to a step.
+    late: bool,
+}
+
+impl Program {
+    /// Starts a program that has `timeout` for each answer. One that is `late` may answer `{}` to a step.
+    pub fn start(
+        program: &OsString,
+        args: &[OsString],
+        timeout: Duration,
+        late: bool,
+    ) -> Result<Self, Trouble> {
+        let started = Process::start(program, args);
+        let (process, (mut stdin, stdout, stderr)) =
+            started.map_err(|error| Trouble::new(What::NoStart(error)))?;
+        let (requests, to_write) = channel::<Vec<u8>>();
+        // It ends with the requests, or with the program, which nobody writes to any more.
+        thread::spawn(move || to_write.iter().try_for_each(|lines| stdin.write_all(&lines)));
+        let (lines, last_words) = (Lines::of(stdout), LastWords::of(stderr));
+        Ok(Self { process, requests: Some(requests), lines, last_words, timeout, late })
+    }
+
+    /// Writes all lines of a scenario; how many.
+    fn send(&self, scenario: &Scenario) -> usize {
+        let mut lines = Vec::with_capacity(64 * (scenario.steps.len() + 1));
+        for request in scenario.requests() {
+            // Writing to memory does not fail; and that the program has ended shows where its answer is missing.
+            let _ = writeln!(lines, "{request}");
+        }
+        if let Some(requests) = &self.requests {
+            let _ = requests.send(lines);
+        }
+        scenario.steps.len() + 1
+    }
+
+    /// The next line, as text.
+    fn line(&mut self) -> Result<&str, What> {
+        let process = &mut self.process;
+        match self.lines.next(self.timeout, || process.ended().is_some()) {
+            Ok(line) => {
+                let line = self.lines.get(line);
+                std::str::from_utf8(line).map_err(|_| What::NotText(excerpt(line)))
+            }
+            Err(Missing::Late) => Err(What::Late(self.timeout, excerpt(self.lines.rest()))),
+            Err(Missing::TooLong) => Err(What::TooLong(LONGEST, excerpt(self.lines.rest()))),
+            Err(Missing::End) => Err(self.gone()),
+        }
+    }
+
+    /// What it is that has no more lines. A program that has just closed its output may be about to end.
+    fn gone(&mut self) -> What {
+        match self.wait(Duration::from_millis(200)) {
+            Some(ended) => What::Ended(ended.how),
+            None => What::Closed,
+        }
+    }
+
+    /// Waits for the end of the program.
+    fn wait(&mut self, limit: Duration) -> Option<super::child::Ended> {
+        let start = Instant::now();
+        loop {
+            let ended = self.process.ended();
+            if ended.is_some() || start.elapsed() >= limit {
+                return ended;
+            }
+            thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    fn reset(&mut self) -> Result<(), What> {
+        let line = self.line()?;
+        match Answer::is_reset(line) {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(What::NoReset(excerpt(line.as_bytes()), None)),
+            Err(why) => Err(What::NoReset(excerpt(line.as_bytes()), Some(why))),
+        }
+    }
+
+    fn step(&mut self) -> Result<Reply, What> {
+        let late = self.late;
+        let line = self.line()?;
+        line.parse().map(Reply::Answer).or_else(|why: BadLine| {
+            if late && line.trim() == "{}" {
+                Ok(Reply::Nothing)
+            } else {
+                Err(What::NoAnswer(excerpt(line.as_bytes()), why))
+            }
+        })
+    }
+
+    /// What is wrong with the answer to a step of a scenario, or with that to the reset before it.
+    fn trouble(&self, what: What, name: &str, scenario: &Scenario, step: usize) -> Trouble {
+        let sent = scenario.requests().nth(step).as_ref().map(Request::to_string).unwrap_or_default();
+        let place = Some(Box::new(Place { scenario: name.to_owned(), step, sent }));
+        Trouble { place, what, stderr: self.last_words.lines() }
+    }
+}
+
+impl Vcu for Program {
+    fn ask(
+        &mut self,
+        scenarios: &[(&str, &Scenario)],
+        answered: &mut dyn FnMut(usize, &[Reply]),
+    ) -> Result<(), Trouble> {
+        let mut to_send = scenarios.iter();
+        let mut in_flight = 0;
+        let mut replies = Vec::new();
+        for (place, (name, scenario)) in scenarios.iter().enumerate() {
+            // This one at least has been sent when its answers are waited for: it is the first of those in flight.
+            while in_flight < AHEAD {
+                let Some((_, next)) = to_send.next() else { break };
+                in_flight += self.send(next);
+            }
+            self.reset().map_err(|what| self.trouble(what, name, scenario, 0))?;
+            replies.clear();
+            for step in 1..=scenario.steps.len() {
+                let reply = self.step();
+                replies.push(reply.map_err(|what| self.trouble(what, name, scenario, step))?);
+            }
+            in_flight -= scenario.steps.len() + 1;
+            answered(place, &replies);
+        }
+        Ok(())
+    }
+
+    /// Ends its input, and gives it a moment to end. One that does not is killed; that is no trouble, but worth a note.
+    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+        self.requests = None;
+        let start = Instant::now();
+        let process = &mut self.process;
+        let rest = self.lines.next(FAREWELL, || process.ended().is_some());
+        let unasked = match rest {
+            Ok(line) => self.lines.get(line),
+            Err(_) => self.lines.rest(),
+        };
+        if !unasked.trim_ascii().is_empty() {
+            let what = What::TooMany(excerpt(unasked));
+            return Err(Trouble { place: None, what, stderr: self.last_words.lines() });
+        }
+        Ok(match self.wait(FAREWELL.saturating_sub(start.elapsed())) {
+            Some(ended) if ended.well => Vec::new(),
+            Some(ended) => {
+                vec![format!("at the end of its input the program ended with {}; expected 0", ended.how)]
+            }
+            None => vec!["the program did not end at the end of its input, and was killed".to_owned()],
+        })
+    }
+}

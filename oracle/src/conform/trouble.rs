@@ -1,0 +1,177 @@
+//! Why a program could not be judged.
+
+use std::fmt;
+use std::io;
+use std::time::Duration;
+
+use crate::protocol::BadLine;
+
+/// A program that does not keep to the protocol, so that there is no verdict. It displays as what is wrong, in one line,
+/// and below that where, what was sent, what came, and what the program said on its standard error.
+#[derive(Debug)]
+pub struct Trouble {
+    /// Where; `None` before the first line and after the last.
+    pub place: Option<Box<Place>>,
+    /// What is wrong.
+    pub what: What,
+    /// The last lines of the program's standard error.
+    pub stderr: Vec<String>,
+}
+
+/// The line of which the answer is wrong, or missing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The test, or the random scenario.
+    pub scenario: String,
+    /// The step, from 1; 0 is the reset before the first.
+    pub step: usize,
+    /// The line that was sent.
+    pub sent: String,
+}
+
+/// What is wrong. Lines of the program are as much of them as an error shows, without control characters.
+#[derive(Debug)]
+pub enum What {
+    /// It cannot be started.
+    NoStart(io::Error),
+    /// It ended before it was asked everything.
+    Ended(String),
+    /// It closed its standard output, and went on.
+    Closed,
+    /// It did not answer in time; what had come of a line by then.
+    Late(Duration, String),
+    /// It wrote a line that does not end within so many bytes; how it begins.
+    TooLong(usize, String),
+    /// It wrote a line that is not UTF-8.
+    NotText(String),
+    /// It answered a step with something else than outputs.
+    NoAnswer(String, BadLine),
+    /// It answered a reset with something else than an object, or with outputs.
+    NoReset(String, Option<BadLine>),
+    /// It wrote a line that nothing asked for, after the last answer.
+    TooMany(String),
+}
+
+impl Trouble {
+    pub(super) fn new(what: What) -> Self {
+        Self { place: None, what, stderr: Vec::new() }
+    }
+
+    /// What to do, in one sentence.
+    pub fn hint(&self) -> &'static str {
+        match &self.what {
+            What::NoStart(error) => match error.kind() {
+                io::ErrorKind::NotFound => {
+                    "check the path, and put what the program is started with before it, such as: adsdv conform -- python3 vcu.py"
+                }
+                io::ErrorKind::PermissionDenied => {
+                    "make it executable (chmod +x), or start it with its interpreter"
+                }
+                _ => "start the program by hand, and type {\"op\":\"reset\"} to it",
+            },
+            What::Ended(_) => {
+                "the program has to go on until the end of its input; give it the line above by hand to see why it ended"
+            }
+            What::Closed => {
+                "keep standard output open until the end of input, and write nothing but answers to it"
+            }
+            What::Late(..) => {
+                "answer every line as soon as it is read, and flush standard output after each; for a slow program raise --timeout"
+            }
+            What::TooLong(..) => "end every answer with a line break, and write one JSON object a line",
+            What::NotText(_) => {
+                "write answers in UTF-8, and nothing but answers; standard error is for everything else"
+            }
+            What::NoAnswer(line, _) if line.trim() == "{}" => {
+                "show at least as_state; {} here means that a line before it was not answered, or that the program is late: then say by how many steps with --latency"
+            }
+            What::NoAnswer(..) => {
+                "answer a step with one JSON object, as oracle/PROTOCOL.md has it, and write everything else to standard error"
+            }
+            What::NoReset(_, None) => {
+                "answer a reset with {}; outputs here mean that a line before it was answered twice, or that a reset was taken for a step"
+            }
+            What::NoReset(_, Some(_)) => {
+                "answer a reset with {}, and write everything else to standard error"
+            }
+            What::TooMany(_) => "answer every line once, and write everything else to standard error",
+        }
+    }
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, what, stderr } = self;
+        write!(f, "{what}")?;
+        if let Some(Place { scenario, step, sent }) = place.as_deref() {
+            match step {
+                0 => write!(f, "\n  in        {scenario}, the reset")?,
+                step => write!(f, "\n  in        {scenario}, step {step}")?,
+            }
+            write!(f, "\n  sent      {sent}")?;
+        }
+        if let Some(line) = what.line() {
+            write!(f, "\n  received  {line}")?;
+        }
+        for line in stderr {
+            write!(f, "\n  stderr    {line}")?;
+        }
+        Ok(())
+    }
+}
+
+impl What {
+    fn line(&self) -> Option<&String> {
+        match self {
+            Self::NotText(line)
+            | Self::NoAnswer(line, _)
+            | Self::NoReset(line, _)
+            | Self::TooMany(line)
+            | Self::TooLong(_, line) => Some(line),
+            Self::Late(_, unfinished) => Some(unfinished).filter(|unfinished| !unfinished.is_empty()),
+            Self::NoStart(_) | Self::Ended(_) | Self::Closed => None,
+        }
+    }
+}
+
+impl fmt::Display for What {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoStart(error) => write!(f, "cannot start the program: {error}"),
+            Self::Ended(how) => write!(f, "the program ended early ({how}); expected an answer"),
+            Self::Closed => f.write_str("the program closed its standard output; expected an answer"),
+            Self::Late(limit, unfinished) if !unfinished.is_empty() => {
+                write!(f, "no end of the line within {} s; expected one line", limit.as_secs_f64())
+            }
+            Self::Late(limit, _) => {
+                write!(f, "no answer within {} s; expected one line", limit.as_secs_f64())
+            }
+            Self::TooLong(limit, _) => {
+                write!(f, "a line of more than {limit} bytes; expected a JSON object on one line")
+            }
+            Self::NotText(_) => f.write_str("a line that is not UTF-8; expected a JSON object on one line"),
+            Self::NoAnswer(_, why) => write!(f, "not the answer to a step: {why}"),
+            Self::NoReset(_, Some(why)) => write!(f, "not the answer to a reset: {why}"),
+            Self::NoReset(_, None) => f.write_str("not the answer to a reset: outputs; expected {}"),
+            Self::TooMany(_) => f.write_str("an answer too many; expected nothing after the last"),
+        }
+    }
+}
+
+impl std::error::Error for Trouble {}
+
+/// As much of the program's own text as an error shows, fit for a terminal.
+pub(super) fn excerpt(bytes: &[u8]) -> String {
+    const SHOWN: usize = 200;
+    let text = String::from_utf8_lossy(bytes.get(..SHOWN * 4).unwrap_or(bytes));
+    let line = text.trim_end_matches(['\r', '\n']);
+    let mut shown: String = line
+        .chars()
+        .take(SHOWN)
+        .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
+        .collect();
+    if line.chars().nth(SHOWN).is_some() || bytes.len() > SHOWN * 4 {
+        shown.push_str("...");
+    }
+    shown
+}

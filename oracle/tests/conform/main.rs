@@ -1,0 +1,11 @@
+//! Programs under test: that the reference conforms, that every reading is recognised, that mutants fail where they are
+//! broken, and that no program, however it misbehaves, is waited for longer than it may take.
+
+#![forbid(unsafe_code)]
+
+mod late;
+mod misconduct;
+mod mutants;
+mod programs;
+mod random;
+mod readings;

@@ -1,0 +1,193 @@
+//! Programs that misbehave: each gets its error in time, and leaves no process behind.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use adsdv_oracle::conform::{Options, Report, Trouble};
+
+use crate::programs::{TIMEOUT, example};
+
+/// How long a program that hangs is waited for in these tests.
+const SHORT: Duration = Duration::from_millis(500);
+
+fn misbehave(args: &[&str], timeout: Duration) -> Result<Report, Trouble> {
+    example("mutant", args, &Options { runs: 0, ..Options::default() }, timeout)
+}
+
+/// The text of the error and its hint.
+fn trouble(args: &[&str], timeout: Duration) -> String {
+    let trouble = misbehave(args, timeout).expect_err("it misbehaves");
+    format!("{trouble}\nhint: {}", trouble.hint())
+}
+
+fn says(args: &[&str], expected: &[&str]) {
+    let start = Instant::now();
+    let said = trouble(args, SHORT);
+    for part in expected {
+        assert!(said.contains(part), "{args:?}: {part:?} is missing: {said}");
+    }
+    assert!(said.chars().all(|c| c == '\n' || !c.is_control()), "{said:?}");
+    assert!(said.lines().last().is_some_and(|line| line.starts_with("hint: ") && line.len() > 20), "{said}");
+    assert!(start.elapsed() < SHORT + Duration::from_secs(20), "{args:?}: {:?}", start.elapsed());
+}
+
+const FIRST_STEP: &str = r#"sent      {"op":"step","dt_ms":10,"asms":true,"tsms":true"#;
+
+#[test]
+fn programs_that_cannot_be_started() {
+    let start = |program: &Path| {
+        let program = program.as_os_str().to_owned();
+        let started = adsdv_oracle::conform::Program::start(&program, &[], SHORT, false);
+        let trouble = started.expect_err("it cannot be started");
+        format!("{trouble}\nhint: {}", trouble.hint())
+    };
+    let missing = start(Path::new("no/such/vcu"));
+    assert!(
+        missing.contains("cannot start the program: ") && missing.contains("hint: check the path"),
+        "{missing}"
+    );
+    let text = temporary("not-a-program");
+    fs::write(&text, "hello").expect("it can be written");
+    let no_program = start(&text);
+    assert!(no_program.contains("cannot start the program: "), "{no_program}");
+    #[cfg(unix)]
+    assert!(no_program.contains("make it executable"), "{no_program}");
+}
+
+#[test]
+fn programs_that_end_early() {
+    says(
+        &["--exit-at", "2"],
+        &[
+            "the program ended early (exit status 3); expected an answer",
+            "\n  in        3.1, step 1\n",
+            FIRST_STEP,
+            "\n  stderr    first words\n  stderr    the battery is empty\\u{1b}[2J\n",
+        ],
+    );
+    says(
+        &["--crash-at", "2"],
+        &["the program ended early (signal 6)", "3.1, the reset", r#"{"op":"reset"}"#],
+    );
+    says(&["--leave"], &["the program ended early (exit status 0)", "3.1, the reset"]);
+    says(&["--no-such-option"], &["ended early (exit status 1)", "what is --no-such-option?"]);
+}
+
+#[test]
+fn programs_that_do_not_answer() {
+    says(
+        &["--hang-at", "2"],
+        &["no answer within 0.5 s", "3.1, step 1", FIRST_STEP, "hint: answer every line"],
+    );
+    says(&["--no-read"], &["no answer within 0.5 s", "3.1, the reset"]);
+    says(&["--stall-at", "2"], &["no end of the line within 0.5 s", "received  {\"as_state\":"]);
+}
+
+#[test]
+fn programs_that_answer_something_else() {
+    says(
+        &["--garbage-at", "2"],
+        &[
+            "not the answer to a step: \"engine started\"",
+            "expected a JSON object on one line",
+            "3.1, step 1",
+            FIRST_STEP,
+            "\n  received  engine started\n",
+            "standard error",
+        ],
+    );
+    says(
+        &["--garbage-at", "1"],
+        &["not the answer to a reset: ", "3.1, the reset", "received  engine started"],
+    );
+    says(&["--list-at", "2"], &["not the answer to a step: ", "received  [1, 2]"]);
+    says(
+        &["--unknown-at", "2"],
+        &["there is no key \"speed\"; expected one of as_state", "received  {\"as_state\""],
+    );
+    says(&["--value-at", "2"], &["\"as_state\" is \"AS_PARKED\"; expected one of \"AS_OFF\""]);
+    says(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
+    says(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);
+    says(&["--long-at", "2"], &["a line of more than 65536 bytes", "received  xxxx", "end every answer"]);
+    says(&["--latency", "1"], &["there is no \"as_state\"", "received  {}", "--latency"]);
+    says(&["--reset", "ok"], &["not the answer to a reset: ", "received  ok", "answer a reset with {}"]);
+    says(&["--reset", r#"{"as_state":1}"#], &["not the answer to a reset: outputs; expected {}"]);
+}
+
+#[test]
+fn programs_that_answer_too_much_or_too_little() {
+    says(&["--chatty-at", "2"], &["not the answer to a reset: outputs", "answered twice"]);
+    let lines: usize = crate::programs::tests().iter().map(|test| test.scenario.steps.len() + 1).sum();
+    says(
+        &["--chatty-at", &lines.to_string()],
+        &["an answer too many; expected nothing after the last", "received  {"],
+    );
+    says(&["--skip-at", &lines.to_string()], &["no answer within 0.5 s"]);
+    says(
+        &["--skip-at", "2"],
+        &["not the answer to a step: ", "received  {}", "a line before it was not answered"],
+    );
+    says(&["--skip-at", "3"], &["not the answer to a reset: outputs", "received  {\"as_state\""]);
+}
+
+#[test]
+fn what_does_no_harm_is_no_trouble() {
+    let fine =
+        |args: &[&str]| misbehave(args, TIMEOUT).unwrap_or_else(|trouble| panic!("{args:?}: {trouble}"));
+    // More on standard error than a pipe holds.
+    assert!(fine(&["--flood-at", "3"]).conforms());
+    assert!(fine(&["--reset", r#"{"ready":true}"#]).conforms());
+    let report = fine(&["--no-eof"]);
+    assert!(report.conforms());
+    assert_eq!(report.notes, ["the program did not end at the end of its input, and was killed"]);
+}
+
+#[test]
+fn no_process_is_left() {
+    for (name, args) in [
+        ("hang", &["--hang-at", "3"][..]),
+        ("no-read", &["--no-read"]),
+        ("no-eof", &["--no-eof"]),
+        ("garbage", &["--garbage-at", "2", "--no-eof"]),
+        ("long", &["--long-at", "2"]),
+        ("well", &[]),
+    ] {
+        let pid = temporary(&format!("pid-{name}"));
+        let args = [&["--pid", pid.to_str().expect("text")], args].concat();
+        let _ = misbehave(&args, SHORT);
+        gone(&pid);
+    }
+}
+
+#[test]
+fn what_a_program_has_started_is_killed_with_it() {
+    // Each leaves a process that keeps the pipes open: one that ends at once, one that goes on, one that hangs.
+    for (name, args) in [("leave", &["--leave"][..]), ("go-on", &[]), ("hang", &["--hang-at", "3"])] {
+        let pid = temporary(&format!("grandchild-{name}"));
+        let args = [&["--grandchild", pid.to_str().expect("text")], args].concat();
+        let start = Instant::now();
+        let judged = misbehave(&args, SHORT);
+        assert_eq!(judged.is_ok(), name == "go-on", "{name}: {judged:?}");
+        assert!(start.elapsed() < Duration::from_secs(20), "{name}: {:?}", start.elapsed());
+        gone(&pid);
+    }
+}
+
+/// Asserts that the process of which a file has the number is no more: at once, or as soon as it has been seen off.
+fn gone(file: &Path) {
+    let pid = fs::read_to_string(file).expect("the program has written its number");
+    let status = PathBuf::from(format!("/proc/{pid}/stat"));
+    let start = Instant::now();
+    // An orphan that has been killed is a zombie until its new parent looks after it.
+    let runs = || fs::read_to_string(&status).is_ok_and(|status| !status.contains(") Z"));
+    while runs() {
+        assert!(start.elapsed() < Duration::from_secs(5), "{} is still there", file.display());
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+/// A file for one test. The name has to be the test's own.
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("conform-{name}"))
+}

@@ -1,0 +1,60 @@
+//! The programs that the tests judge: machines in this process, and the examples as child processes.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::Command;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use adsdv_oracle::conform::{InProcess, Options, Program, Report, Trouble, conform};
+use adsdv_oracle::suite::{self, Test};
+use adsdv_spec::{Interface, Machine};
+
+/// Long enough for any program that answers at all, on a machine that has other things to do.
+pub(crate) const TIMEOUT: Duration = Duration::from_secs(20);
+
+pub(crate) fn tests() -> &'static [Test] {
+    static TESTS: OnceLock<Vec<Test>> = OnceLock::new();
+    TESTS.get_or_init(|| suite::generate(&Interface::V3_0))
+}
+
+/// Only the suite.
+pub(crate) fn suite_only() -> Options {
+    Options { runs: 0, ..Options::default() }
+}
+
+/// A machine in this process, judged.
+pub(crate) fn machine(machine: &Machine, options: &Options) -> Report {
+    conform(&mut InProcess(*machine), tests(), options, &mut |_| {}).expect("a machine is never in trouble")
+}
+
+/// An example with arguments, judged.
+pub(crate) fn example(
+    name: &str,
+    args: &[&str],
+    options: &Options,
+    timeout: Duration,
+) -> Result<Report, Trouble> {
+    let args: Vec<OsString> = args.iter().map(OsString::from).collect();
+    let mut program = Program::start(&path(name).into_os_string(), &args, timeout, options.latency > 0)?;
+    conform(&mut program, tests(), options, &mut |_| {})
+}
+
+/// The file of an example, which is built if it is not.
+pub(crate) fn path(example: &str) -> PathBuf {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        // This test is DIR/debug/deps/conform-...
+        let test = std::env::current_exe().expect("a path");
+        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let built = Command::new(cargo)
+            .args(["build", "--quiet", "--examples", "--target-dir"])
+            .arg(profile.parent().expect("a folder of cargo"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .status();
+        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
+        profile.with_file_name("debug").join("examples")
+    });
+    folder.join(format!("{example}{}", std::env::consts::EXE_SUFFIX))
+}

@@ -1,0 +1,51 @@
+//! Random scenarios find what the suite does not, and are the same for the same seed.
+
+use adsdv_oracle::conform::{Options, Outcome, Report};
+
+use crate::programs::{TIMEOUT, example};
+
+fn once(seed: u64, runs: u32) -> Report {
+    // It enters AS_READY only once after each reset, which no test of the suite asks for twice.
+    let options = Options { seed, runs, ..Options::default() };
+    example("mutant", &["--once"], &options, TIMEOUT).expect("it answers")
+}
+
+#[test]
+fn what_the_suite_does_not_find_is_found_and_shortened() {
+    let report = once(1, 300);
+    assert_eq!((report.failed_tests, report.conforms()), (0, false));
+    assert!(report.failed_runs > 20, "{}", report.failed_runs);
+    let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
+    assert!(failure.name.contains("of seed 1"), "{}", failure.name);
+    // Into AS_READY, out of it, and into it again.
+    assert_eq!(failure.scenario.steps.len(), 3);
+    assert_eq!(failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.clause), Some("3.1"));
+    let failed: Vec<&str> = report
+        .requirements
+        .iter()
+        .filter(|requirement| requirement.outcome == Outcome::Fail)
+        .map(|requirement| requirement.id.as_str())
+        .collect();
+    assert!(failed.contains(&"RDY-5"), "{failed:?}");
+}
+
+#[test]
+fn the_same_seed_is_the_same_run() {
+    let scenarios =
+        |report: &Report| report.failures.iter().map(|one| one.scenario.clone()).collect::<Vec<_>>();
+    let (first, second, other) = (once(5, 100), once(5, 100), once(6, 100));
+    assert_eq!((first.failed_runs, first.steps), (second.failed_runs, second.steps));
+    assert_eq!(scenarios(&first), scenarios(&second));
+    assert_ne!(first.steps, other.steps);
+    assert!(once(5, 0).conforms());
+}
+
+#[test]
+fn what_is_wrong_once_and_right_when_asked_again_is_told_as_that() {
+    // A program that lies is found out even if it does not repeat the lie. The first line is a reset.
+    let options = Options { runs: 0, ..Options::default() };
+    let report = example("mutant", &["--lie-at", "2"], &options, TIMEOUT).expect("it answers");
+    let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
+    assert!(failure.found.is_none() && !report.conforms());
+    assert_eq!(report.failed_tests, 1);
+}

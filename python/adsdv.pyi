@@ -1,0 +1,360 @@
+"""The executable specification of the ADS-DV AI/VCU interface. What is meant by each name, its docstring says.
+
+Names with an underscore are for type checkers alone; the module does not have them.
+"""
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Literal, TypedDict, final
+
+from typing_extensions import Unpack
+
+__version__: str
+INTERFACE_VERSION: str
+
+class AdsdvError(ValueError): ...
+class InputError(AdsdvError): ...
+class CodecError(AdsdvError): ...
+class LogError(AdsdvError): ...
+
+_Ami = Literal[
+    "NOT_SELECTED",
+    "ACCELERATION",
+    "SKIDPAD",
+    "AUTOCROSS",
+    "TRACK_DRIVE",
+    "STATIC_INSPECTION_A",
+    "STATIC_INSPECTION_B",
+    "AUTONOMOUS_DEMO",
+]
+_AsState = Literal["AS_OFF", "AS_READY", "AS_DRIVING", "EMERGENCY_BRAKE", "AS_FINISHED"]
+_Direction = Literal["NEUTRAL", "FORWARD"]
+_Ebs = Literal["UNAVAILABLE", "ARMED", "TRIGGERED"]
+_MissionStatus = Literal["NOT SELECTED", "SELECTED", "RUNNING", "FINISHED"]
+_ShutdownCause = Literal[
+    "NO SHUTDOWN",
+    "AI COMPUTER REQUEST",
+    "HVIL OPEN FAULT",
+    "HVIL SHORT FAULT",
+    "EBS FAULT",
+    "OFFBOARD CHARGER FAULT",
+    "AI COMMS FAULT",
+    "AUTONOMOUS BRAKING FAULT",
+    "MISSION STATUS FAULT",
+    "CHARGE PROCEDURE FAULT",
+    "BMS FAULT",
+]
+
+_Log = str | os.PathLike[str] | bytes | bytearray | memoryview | Iterable[str] | Iterable[bytes]
+_Data = bytes | bytearray | memoryview | Sequence[int]
+_Readings = Mapping[str, str]
+
+class _Inputs(TypedDict, total=False):
+    asms: bool
+    tsms: bool
+    ami: _Ami
+    ebs: _Ebs
+    go: bool
+    remote_estop: bool
+    res_link_lost: bool
+    vehicle_estop: bool
+    crash_sensor: bool
+    critical_fault: bool
+    bms_fault: bool
+    mpp_dongle_removed: bool
+    hvil_open: bool
+    hvil_short: bool
+    ebs_fault: bool
+    offboard_charger_fault: bool
+    charging: bool
+    batt_temp_high: bool
+    batt_soc_low: bool
+    handshake: bool
+    estop_request: bool
+    mission_status: _MissionStatus
+    direction_request: _Direction
+    front_axle_trq_request: int
+    front_motor_speed_max: int
+    rear_axle_trq_request: int
+    rear_motor_speed_max: int
+    steer_request: int
+    hyd_press_f_req: int
+    hyd_press_r_req: int
+    steer_angle: int
+    fl_wheel_speed: int
+    fr_wheel_speed: int
+    rl_wheel_speed: int
+    rr_wheel_speed: int
+
+class _Outputs(TypedDict):
+    as_state: _AsState
+    handshake: bool
+    go_signal: bool
+    steering_status: bool
+    shutdown_cause: _ShutdownCause
+    as_switch_status: bool
+    ts_switch_status: bool
+    ami_state: _Ami
+    shutdown_request: bool
+    fault_status: bool
+    ai_estop_request: bool
+    hvil_open_fault: bool
+    hvil_short_fault: bool
+    ebs_fault: bool
+    offboard_charger_fault: bool
+    ai_comms_lost: bool
+    autonomous_braking_fault: bool
+    mission_status_fault: bool
+    charge_procedure_fault: bool
+    bms_fault: bool
+    warning_status: bool
+    warn_batt_temp_high: bool
+    warn_batt_soc_low: bool
+    front_axle_trq: int
+    front_motor_speed_max: int
+    rear_axle_trq: int
+    rear_motor_speed_max: int
+    direction: _Direction
+    hyd_press_f: int
+    hyd_press_r: int
+    ebs_triggered: bool
+    steer: int | None
+
+class _Control(TypedDict):
+    state: _AsState
+    in_state_ms: int
+    go_seen_low: bool
+    was_running: bool
+    was_forward: bool
+    handshake_active: bool
+    handshake_bit: bool
+    handshake_unanswered_ms: int
+    power_cycle_needed: bool
+    shutdown_cause: _ShutdownCause
+
+class _ControlGiven(TypedDict, total=False):
+    state: _AsState
+    in_state_ms: int
+    go_seen_low: bool
+    was_running: bool
+    was_forward: bool
+    handshake_active: bool
+    handshake_bit: bool
+    handshake_unanswered_ms: int
+    power_cycle_needed: bool
+    shutdown_cause: _ShutdownCause
+
+class _Message(TypedDict):
+    name: str
+    id: int
+    sender: Literal["AI", "VCU"]
+    signals: dict[str, float]
+    raw: dict[str, int]
+    names: dict[str, str]
+
+_Transition = TypedDict(
+    "_Transition",
+    {
+        "t": float,
+        "from": _AsState,
+        "to": _AsState,
+        "clause": str,
+        "justified": Literal["true", "false", "unknown"],
+    },
+)
+
+class _Finding(TypedDict):
+    t: float
+    severity: Literal["violation", "warning", "note"]
+    party: Literal["AI", "VCU", "LOG"]
+    clause: str
+    rule: str
+    message: str
+
+class _Response(TypedDict):
+    count: int
+    min: float
+    median: float
+    p99: float
+    max: float
+
+class _Report(TypedDict):
+    frames: int
+    duration_s: float
+    transitions: list[_Transition]
+    findings: list[_Finding]
+    handshake_response_ms: _Response | None
+    verdict: Literal["conforms", "violates"]
+
+class _InputField(TypedDict):
+    key: str
+    part: str
+    kind: Literal["flag", "name", "number"]
+    min: int | None
+    max: int | None
+    names: list[str] | None
+    unit: str
+    default: bool | str | int
+
+class _OutputField(TypedDict):
+    key: str
+    kind: Literal["flag", "name", "number"]
+    min: int | None
+    max: int | None
+    names: list[str] | None
+    nullable: bool
+
+class _Signal(TypedDict):
+    message: str
+    id: int
+    sender: Literal["AI", "VCU"]
+    length: int
+    signal: str
+    start: int
+    width: int
+    signed: bool
+    scale: float
+    unit: str
+    min: int
+    max: int
+    values: dict[int, str]
+    doc: str
+
+class _Reading(TypedDict):
+    id: str
+    section: str
+    question: str
+    choices: dict[str, str]
+    default: str
+
+@final
+class Control:
+    def __new__(
+        cls, fields: Mapping[str, Any] | None = None, /, **keywords: Unpack[_ControlGiven]
+    ) -> Control: ...
+    @property
+    def state(self) -> _AsState: ...
+    @property
+    def in_state_ms(self) -> int: ...
+    @property
+    def go_seen_low(self) -> bool: ...
+    @property
+    def was_running(self) -> bool: ...
+    @property
+    def was_forward(self) -> bool: ...
+    @property
+    def handshake_active(self) -> bool: ...
+    @property
+    def handshake_bit(self) -> bool: ...
+    @property
+    def handshake_unanswered_ms(self) -> int: ...
+    @property
+    def power_cycle_needed(self) -> bool: ...
+    @property
+    def shutdown_cause(self) -> _ShutdownCause: ...
+    def to_dict(self) -> _Control: ...
+    def __hash__(self) -> int: ...
+    def __eq__(self, other: object) -> bool: ...
+
+@final
+class Machine:
+    def __new__(cls, readings: _Readings | None = None) -> Machine: ...
+    @property
+    def readings(self) -> dict[str, str]: ...
+    def step(
+        self,
+        control: Control,
+        inputs: Mapping[str, Any] | None = None,
+        dt_ms: int | None = None,
+        **keywords: Unpack[_Inputs],
+    ) -> Step: ...
+    def __hash__(self) -> int: ...
+    def __eq__(self, other: object) -> bool: ...
+
+@final
+class Vcu:
+    control: Control
+    def __new__(cls, readings: _Readings | None = None) -> Vcu: ...
+    @property
+    def state(self) -> _AsState: ...
+    @property
+    def machine(self) -> Machine: ...
+    def step(
+        self,
+        inputs: Mapping[str, Any] | None = None,
+        dt_ms: int | None = None,
+        **keywords: Unpack[_Inputs],
+    ) -> Step: ...
+    def receive(self, id: int, data: _Data) -> bool: ...
+    def reset(self) -> None: ...
+
+@final
+class Step:
+    @property
+    def control(self) -> Control: ...
+    @property
+    def outputs(self) -> _Outputs: ...
+    @property
+    def before(self) -> _AsState: ...
+    @property
+    def state(self) -> _AsState: ...
+    @property
+    def row(self) -> int | None: ...
+    @property
+    def section(self) -> str | None: ...
+    @property
+    def conditions(self) -> list[str]: ...
+
+@final
+class Judge:
+    def __new__(
+        cls,
+        *,
+        readings: _Readings | None = None,
+        window_ms: int | None = None,
+        deadline_ms: int | None = None,
+    ) -> Judge: ...
+    @property
+    def state(self) -> _AsState | None: ...
+    @property
+    def handshake_response_ms(self) -> _Response | None: ...
+    def frame(self, time: float, id: int, data: _Data) -> None: ...
+    def news(self) -> tuple[list[_Transition], list[_Finding]]: ...
+    def finish(self) -> Report: ...
+
+@final
+class Report:
+    def __new__(cls, report: Mapping[str, Any], /) -> Report: ...
+    @property
+    def verdict(self) -> Literal["conforms", "violates"]: ...
+    @property
+    def transitions(self) -> list[_Transition]: ...
+    @property
+    def findings(self) -> list[_Finding]: ...
+    @property
+    def violations(self) -> list[_Finding]: ...
+    @property
+    def frames(self) -> int: ...
+    @property
+    def duration_s(self) -> float: ...
+    @property
+    def handshake_response_ms(self) -> _Response | None: ...
+    def to_dict(self) -> _Report: ...
+    def __eq__(self, other: object) -> bool: ...
+
+def check(
+    log: _Log,
+    *,
+    readings: _Readings | None = None,
+    window_ms: int | None = None,
+    deadline_ms: int | None = None,
+    interface: str | None = None,
+) -> Report: ...
+def decode(id: int, data: _Data) -> _Message: ...
+def encode(message: str | int, /, **signals: float | str) -> tuple[int, bytes]: ...
+def frames(step: Step) -> list[tuple[int, bytes]]: ...
+def is_reserved(id: int) -> bool: ...
+def inputs() -> list[_InputField]: ...
+def outputs() -> list[_OutputField]: ...
+def messages() -> list[_Signal]: ...
+def readings() -> list[_Reading]: ...

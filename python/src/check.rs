@@ -1,0 +1,69 @@
+//! `check`: judges a recorded log.
+
+use adsdv_oracle::judge::Options;
+use adsdv_oracle::log::{LogOptions, judge_log};
+use adsdv_spec::Choices;
+use pyo3::prelude::*;
+
+use crate::report::Report;
+use crate::source::Source;
+use crate::value;
+
+/// The longest window and deadline that make sense, in milliseconds.
+const LONGEST: u32 = 60_000;
+
+/// Judges a log of `candump -L`: says who broke which section of the document, when, and what was expected instead.
+///
+/// log: the path of a file (str or os.PathLike), its contents (bytes), or its lines, from any iterable of str or bytes: a
+/// list, a generator, a file that gzip.open has opened.
+/// readings: where the document allows more than one meaning, those that are known to be followed, such as
+/// {"fault-trigger": "edge"}; adsdv.readings() lists them. A violation is what is one under all that remain possible.
+/// window_ms: how long after a cause its effect may be seen; None for 30.
+/// deadline_ms: for how long a condition must hold before a missing effect is a violation; None for 50.
+/// interface: the CAN interface to judge, such as "can0"; None for the first that carries a message of the document.
+///
+/// Other threads run meanwhile, so that logs can be judged side by side in threads. A line that is no frame is a finding; a
+/// log without a frame is a LogError; a log that cannot be read is an OSError.
+///
+/// >>> import adsdv
+/// >>> adsdv.check(["(1.000000) can0 520#0000010000000000"]).verdict
+/// 'conforms'
+/// >>> adsdv.check(b"")
+/// Traceback (most recent call last):
+///     ...
+/// adsdv.LogError: the log is empty; expected lines of candump -L, such as (1.000000) can0 520#0000010000000000
+#[pyfunction]
+#[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None))]
+pub(crate) fn check(
+    py: Python<'_>,
+    log: &Bound<'_, PyAny>,
+    readings: Option<&Bound<'_, PyAny>>,
+    window_ms: Option<&Bound<'_, PyAny>>,
+    deadline_ms: Option<&Bound<'_, PyAny>>,
+    interface: Option<String>,
+) -> PyResult<Report> {
+    let options = LogOptions { judge: options(readings, window_ms, deadline_ms)?, interface };
+    let mut source = Source::open(log)?;
+    match py.detach(|| judge_log(&mut source, &options, |_| {})) {
+        Ok(report) => Report::of(py, &report),
+        Err(error) => Err(source.error(py, &error)),
+    }
+}
+
+/// What a judge may assume.
+pub(crate) fn options(
+    readings: Option<&Bound<'_, PyAny>>,
+    window_ms: Option<&Bound<'_, PyAny>>,
+    deadline_ms: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Options> {
+    let usual = Options::default();
+    let ms = |key: &str, given: Option<&Bound<'_, PyAny>>, usual: u32| match given {
+        Some(given) => value::whole(key, given, 0, LONGEST),
+        None => Ok(usual),
+    };
+    Ok(Options {
+        window_ms: ms("window_ms", window_ms, usual.window_ms)?,
+        deadline_ms: ms("deadline_ms", deadline_ms, usual.deadline_ms)?,
+        readings: value::choices(readings)?.into_iter().fold(Choices::ALL, Choices::pin),
+    })
+}

@@ -1,0 +1,214 @@
+//! `Report`: what a judge says, in the form of `adsdv check --json`.
+
+use adsdv_oracle::judge::{self, Finding, ResponseTimes, Severity, Transition, Verdict};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyList, PyType};
+
+use crate::error::InputError;
+use crate::value;
+
+const KEYS: [&str; 6] =
+    ["frames", "duration_s", "transitions", "findings", "handshake_response_ms", "verdict"];
+
+/// What a judge says about a log.
+///
+/// It is made by check and by Judge.finish, or from a dict: that of to_dict, or of the JSON that `adsdv check --json` prints.
+/// It can be compared and pickled. Times are in seconds since the first frame.
+///
+/// >>> import adsdv
+/// >>> report = adsdv.check(["(1.000000) can0 520#0000040000000000", "(1.010000) can0 520#0000030000000000"])
+/// >>> report
+/// <adsdv.Report: violates, 1 violation, 0 warnings, 1 note>
+/// >>> report.violations[0]["rule"], report.violations[0]["party"]
+/// ('no-such-arrow', 'VCU')
+/// >>> report == adsdv.Report(report.to_dict())
+/// True
+#[pyclass(frozen, module = "adsdv")]
+pub(crate) struct Report(Py<PyDict>);
+
+impl Report {
+    pub(crate) fn of(py: Python<'_>, report: &judge::Report) -> PyResult<Self> {
+        let dict = PyDict::new(py);
+        dict.set_item("frames", report.frames)?;
+        dict.set_item("duration_s", seconds(report.duration_ns))?;
+        dict.set_item("transitions", transitions(py, &report.transitions)?)?;
+        dict.set_item("findings", findings(py, &report.findings)?)?;
+        dict.set_item("handshake_response_ms", responses(py, &report.responses)?)?;
+        dict.set_item("verdict", report.verdict().name())?;
+        Ok(Self(dict.unbind()))
+    }
+
+    fn get<'py>(&self, py: Python<'py>, key: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.0.bind(py).as_any().get_item(key)
+    }
+
+    fn of_severity<'py>(&self, py: Python<'py>, severity: Severity) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let mut chosen = Vec::new();
+        for finding in self.findings(py)?.try_iter()? {
+            let finding = finding?;
+            if finding.get_item("severity")?.eq(severity.name())? {
+                chosen.push(finding);
+            }
+        }
+        Ok(chosen)
+    }
+}
+
+#[pymethods]
+impl Report {
+    #[new]
+    #[pyo3(signature = (report, /))]
+    fn new(report: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let dict = PyDict::new(report.py());
+        value::each(Some(report), None, |key, given| {
+            let right = match key {
+                "transitions" | "findings" => given.is_instance_of::<PyList>(),
+                "verdict" => value::text(given).is_some_and(|verdict| {
+                    [Verdict::Conforms, Verdict::Violates].iter().any(|one| one.name() == verdict)
+                }),
+                "handshake_response_ms" => given.is_none() || given.is_instance_of::<PyDict>(),
+                "frames" | "duration_s" => given.extract::<f64>().is_ok(),
+                _ => return Err(value::unknown_key(key, KEYS.into_iter())),
+            };
+            if right {
+                dict.set_item(key, given)
+            } else {
+                Err(value::refused(key, given, "what a report has"))
+            }
+        })?;
+        for key in KEYS {
+            if !dict.contains(key)? {
+                return Err(InputError::new_err(format!("there is no {key:?}; expected a whole report")));
+            }
+        }
+        Ok(Self(dict.unbind()))
+    }
+
+    /// "conforms" or "violates": whether at least one finding is a violation.
+    #[getter]
+    fn verdict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "verdict")
+    }
+
+    /// The changes of AS_STATE that were seen, in order, as flat dicts: t, from, to, clause (the section of the document),
+    /// and justified ("true", "false" or "unknown").
+    #[getter]
+    fn transitions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "transitions")
+    }
+
+    /// What was found, in order, as flat dicts: t, severity ("violation", "warning" or "note"), party ("AI", "VCU" or
+    /// "LOG"), clause (the section of the document), rule (what was checked) and message.
+    #[getter]
+    fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "findings")
+    }
+
+    /// Those of the findings that are violations.
+    ///
+    /// >>> import adsdv
+    /// >>> adsdv.check(["(1.0) can0 520#0000010000000000"]).violations
+    /// []
+    #[getter]
+    fn violations<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.of_severity(py, Severity::Violation)
+    }
+
+    /// How many frames could be read.
+    #[getter]
+    fn frames<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "frames")
+    }
+
+    /// The time from the first frame to the last, in seconds.
+    #[getter]
+    fn duration_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "duration_s")
+    }
+
+    /// How fast the AI Computer answered the handshake (section 2.4), in milliseconds: a dict of count, min, median, p99 and
+    /// max; None if no answer was seen.
+    #[getter]
+    fn handshake_response_ms<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "handshake_response_ms")
+    }
+
+    /// The whole report as a dict, equal to what `adsdv check --json` prints.
+    ///
+    /// >>> import adsdv
+    /// >>> list(adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict())
+    /// ['frames', 'duration_s', 'transitions', 'findings', 'handshake_response_ms', 'verdict']
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.0.bind(py).copy()
+    }
+
+    fn __eq__<'py>(&self, py: Python<'py>, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let Ok(other) = other.cast::<Self>() else { return Ok(py.NotImplemented().into_bound(py)) };
+        let same = self.0.bind(py).eq(other.get().0.bind(py))?;
+        Ok(PyBool::new(py, same).to_owned().into_any())
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let count = |severity: Severity| -> PyResult<String> {
+            let count = self.of_severity(py, severity)?.len();
+            Ok(format!("{count} {}{}", severity.name(), if count == 1 { "" } else { "s" }))
+        };
+        let (violations, warnings, notes) =
+            (count(Severity::Violation)?, count(Severity::Warning)?, count(Severity::Note)?);
+        Ok(format!("<adsdv.Report: {}, {violations}, {warnings}, {notes}>", self.verdict(py)?))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, (Bound<'py, PyDict>,))> {
+        Ok((slf.get_type(), (slf.get().to_dict(slf.py())?,)))
+    }
+}
+
+pub(crate) fn transitions<'py>(py: Python<'py>, transitions: &[Transition]) -> PyResult<Bound<'py, PyList>> {
+    let list = PyList::empty(py);
+    for transition in transitions {
+        let dict = PyDict::new(py);
+        dict.set_item("t", seconds(transition.t_ns))?;
+        dict.set_item("from", transition.from.name())?;
+        dict.set_item("to", transition.to.name())?;
+        dict.set_item("clause", transition.clause)?;
+        dict.set_item("justified", transition.justified.name())?;
+        list.append(dict)?;
+    }
+    Ok(list)
+}
+
+pub(crate) fn findings<'py>(py: Python<'py>, findings: &[Finding]) -> PyResult<Bound<'py, PyList>> {
+    let list = PyList::empty(py);
+    for finding in findings {
+        let dict = PyDict::new(py);
+        dict.set_item("t", seconds(finding.t_ns))?;
+        dict.set_item("severity", finding.severity.name())?;
+        dict.set_item("party", finding.party.name())?;
+        dict.set_item("clause", finding.clause)?;
+        dict.set_item("rule", finding.rule.id())?;
+        dict.set_item("message", &finding.message)?;
+        list.append(dict)?;
+    }
+    Ok(list)
+}
+
+/// `None` if no answer was seen.
+pub(crate) fn responses<'py>(py: Python<'py>, times: &ResponseTimes) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let (Some(min), Some(median), Some(p99), Some(max)) =
+        (times.min_ms(), times.quantile_ms(0.5), times.quantile_ms(0.99), times.max_ms())
+    else {
+        return Ok(None);
+    };
+    let dict = PyDict::new(py);
+    dict.set_item("count", times.count())?;
+    for (key, ms) in [("min", min), ("median", median), ("p99", p99), ("max", max)] {
+        dict.set_item(key, (ms * 1e3).round() / 1e3)?;
+    }
+    Ok(Some(dict))
+}
+
+/// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
+#[expect(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
+fn seconds(ns: i64) -> f64 {
+    ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
+}

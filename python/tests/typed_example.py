@@ -1,0 +1,47 @@
+"""A program with types, for mypy --strict: what is right passes, and every `type: ignore` is needed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import adsdv
+
+
+def ready(machine: adsdv.Machine) -> adsdv.Control:
+    step: adsdv.Step = machine.step(adsdv.Control(state="AS_OFF"), {"asms": True}, 10, tsms=True, ami="TRACK_DRIVE")
+    torque: int = step.outputs["front_axle_trq"]
+    steer: int | None = step.outputs["steer"]
+    if steer is None or torque == 0:
+        return step.control
+    return adsdv.Control(in_state_ms=torque)
+
+
+def findings(log: Path) -> list[str]:
+    report = adsdv.check(log, readings={"fault-trigger": "edge"}, window_ms=30)
+    first: float = report.transitions[0]["t"]
+    return [f"{first} {finding['rule']}" for finding in report.violations]
+
+
+def live(frames: list[tuple[float, int, bytes]]) -> adsdv.Report:
+    judge = adsdv.Judge()
+    for time, id, data in frames:
+        judge.frame(time, id, data)
+    return judge.finish()
+
+
+def codec() -> tuple[int, bytes]:
+    message = adsdv.decode(*adsdv.encode("AI2VCU_Steer", STEER_REQUEST_deg=-10.0))
+    angle: float = message["signals"]["STEER_REQUEST_deg"]
+    return adsdv.encode(0x513, STEER_REQUEST_deg=angle)
+
+
+vcu = adsdv.Vcu()
+vcu.control = ready(vcu.machine)
+vcu.step(asms="on")  # type: ignore[arg-type]
+vcu.step(ami="TRACK DRIVE")  # type: ignore[arg-type]
+vcu.step(asm=True)  # type: ignore[call-arg]
+vcu.step().outputs["as_stat"]  # type: ignore[typeddict-item]
+vcu.state = "AS_OFF"  # type: ignore[misc]
+adsdv.Control(state="OFF")  # type: ignore[arg-type]
+adsdv.check(5)  # type: ignore[arg-type]
+adsdv.encode(1.5)  # type: ignore[arg-type]
