@@ -91,6 +91,10 @@ fn libraries() -> &'static Libraries {
     LIBRARIES.get_or_init(|| {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--package", "adsdv-ffi", "--lib", "--quiet", "--message-format", "json"]);
+        // Benchmarks link the library as it is meant to be used.
+        if !cfg!(debug_assertions) {
+            cargo.arg("--release");
+        }
         let said = succeeds(cargo.arg("--manifest-path").arg(folder().join("Cargo.toml")));
         let find = |ending: &str| {
             let path = said.split('"').rfind(|part| part.ends_with(ending));
