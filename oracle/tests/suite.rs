@@ -201,6 +201,12 @@ fn bad_lines_are_told_and_lose_nothing_else() {
         (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "AT_OFF", "\"AS_READY\""),
         (changed("\"as_state\":\"AS_OFF\"", "\"as_state\":\"AS_READY\""), "as_state is AS_READY", "AS_OFF"),
         (line(&good[0]), "is there already", "one of its own"),
+        (changed("\"requirements\":[\"", "\"requirements\":[\"<b>\",\""), "<b>", "identifiers such as"),
+        (
+            r#"{"name":"a","kind":"row","about":"","section":"3.1","requirements":[],"steps":[]}"#.to_owned(),
+            "\"steps\" is empty",
+            "at least one step",
+        ),
         ("{\"name\":\"\u{fffd}\"".to_owned(), "EOF", "a test as one JSON object"),
     ] {
         let text = format!("{}\n\n{bad}\n{}", line(&good[0]), line(&good[2]));

@@ -33,7 +33,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         ..Options::default()
     };
     let tests = match &args.suite {
-        Some(file) => read(file)?,
+        Some(file) => read(file, pins::answers(&args.readings)?)?,
         None => suite::generate(&Interface::V3_0),
     };
     let name = name(args);
@@ -96,12 +96,13 @@ fn name(args: &ConformArgs) -> String {
     words.join(" ")
 }
 
-/// The tests of a file of JSON Lines. One line that is no test is one test that is not run: that is no verdict.
-fn read(path: &Path) -> Result<Vec<Test>, Error> {
+/// The tests of a file of JSON Lines, which expects what these readings show. One line that is no test is one test that is not run: that is no verdict.
+fn read(path: &Path, readings: Readings) -> Result<Vec<Test>, Error> {
     const WRITE: &str = "write a suite with: adsdv suite > suite.jsonl";
     let name = path.display().to_string();
     let trouble = |why: String, hint: &str| Error { what: name.clone(), why, hint: hint.to_owned() };
-    let reference = Machine::new(Interface::V3_0, Readings::DEFAULT);
+    // What a file expects is what was written under the same pins.
+    let reference = Machine::new(Interface::V3_0, readings);
     let file = File::open(path)
         .map_err(|error| trouble(format!("cannot open the suite: {error}"), "check the path"))?;
     let suite = suite::read(BufReader::new(file), &reference)

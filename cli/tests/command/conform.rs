@@ -166,6 +166,18 @@ fn the_schema_refuses_what_is_not_an_answer() {
     }
 }
 
+/// A suite that was written under a pin expects what that reading shows, and is read under the same pin.
+#[test]
+fn a_suite_is_read_under_the_pins_it_was_written_under() {
+    let pin = ["--reading", "go-signal=raw"];
+    let file = temporary("raw.jsonl", run(&["suite", pin[0], pin[1]]).stdout.as_bytes());
+    let file = file.to_str().expect("text");
+    let pinned = conform(&["--suite", file, "--runs", "0", pin[0], pin[1]], "mutant", &pin);
+    assert_eq!(pinned.status, Some(0), "{}", pinned.stderr);
+    let unpinned = conform(&["--suite", file, "--runs", "0"], "mutant", &pin);
+    assert!(unpinned.status == Some(2) && unpinned.stderr.contains("go_signal"), "{}", unpinned.stderr);
+}
+
 #[test]
 fn a_suite_is_read_from_a_file() {
     let lines: Vec<String> = run(&["suite"]).stdout.lines().map(str::to_owned).collect();

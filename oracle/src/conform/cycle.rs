@@ -5,6 +5,9 @@ use adsdv_spec::{AsState, Control, Faults, Inputs, Machine, Outputs};
 
 use crate::suite::{Scenario, Step};
 
+/// More cycles than this in one step of a scenario are not told: the longest time of the document is 15 s.
+const MOST: u32 = 20_000;
+
 /// A scenario in steps of one cycle; `None` if it cannot be told in them.
 ///
 /// A time that is no multiple of the cycle becomes the next one on the same side of the nearest multiple: just below a
@@ -21,7 +24,7 @@ pub(super) fn in_cycles(machine: &Machine, scenario: &Scenario, cycle_ms: u32) -
         let answers = inputs.ai.status.handshake == original.handshake.bit;
         let (next, outputs) = machine.step(&original, inputs, *dt_ms);
         original = next;
-        let count = cycles(*dt_ms, cycle_ms);
+        let count = Some(cycles(*dt_ms, cycle_ms)).filter(|&count| count <= MOST)?;
         let hold = |held: &Inputs| {
             let mut made = Vec::with_capacity(count as usize);
             let (mut control, mut last) = (control, None);
@@ -59,7 +62,19 @@ fn visible(outputs: &Outputs) -> (AsState, Faults, ShutdownCause, bool) {
 
 #[cfg(test)]
 mod tests {
-    use super::cycles;
+    use adsdv_spec::{Inputs, Machine};
+
+    use super::{cycles, in_cycles};
+    use crate::suite::{Scenario, Step};
+
+    #[test]
+    fn a_time_of_too_many_cycles_is_not_told() {
+        let told = |dt_ms| {
+            let scenario = Scenario { steps: vec![Step { dt_ms, inputs: Inputs::default() }] };
+            in_cycles(&Machine::REFERENCE, &scenario, 1).map(|scenario| scenario.steps.len())
+        };
+        assert_eq!((told(15_001), told(u32::MAX)), (Some(15_001), None));
+    }
 
     #[test]
     fn a_time_stays_on_its_side_of_a_limit() {

@@ -122,6 +122,16 @@ struct RawStep<'a> {
     expected: Option<&'a RawValue>,
 }
 
+/// Whether a text has the form of a requirement's identifier, such as `HS-9`.
+fn is_identifier(id: &str) -> bool {
+    id.split_once('-').is_some_and(|(prefix, number)| {
+        !prefix.is_empty()
+            && prefix.chars().all(|c| c.is_ascii_uppercase())
+            && !number.is_empty()
+            && number.chars().all(|c| c.is_ascii_digit())
+    })
+}
+
 fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
     let line = std::str::from_utf8(bytes)
         .map_err(|_| "is not UTF-8; expected a test as one JSON object".to_owned())?;
@@ -138,6 +148,12 @@ fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
         let names = Kind::ALL.map(Kind::name).join(", ");
         format!("\"kind\" is {:?}; expected one of {names}", line.kind)
     })?;
+    if line.steps.is_empty() {
+        return Err("\"steps\" is empty; expected at least one step".to_owned());
+    }
+    if let Some(id) = line.requirements.iter().find(|id| !is_identifier(id)) {
+        return Err(format!("\"requirements\" has {id:?}; expected identifiers such as \"HS-9\""));
+    }
     let reading = line
         .reading
         .as_deref()
