@@ -122,11 +122,19 @@ impl Break {
         None
     }
 
-    /// Whether it is the same thing that is wrong: the same row, or where none is, the same field.
-    pub(super) fn is_like(&self, other: &Self) -> bool {
-        match (self.why.row(), other.why.row()) {
-            (Some(row), Some(other)) => row.place == other.place,
-            (None, None) => self.key() == other.key(),
+    /// Whether it is the same thing that is wrong: the same alternative of a row that was not taken, or that was; or the
+    /// same fields that were not shown as they should be.
+    pub(super) fn is_like(&self, that: &Self) -> bool {
+        let keys = |found: &Self| found.differences.iter().map(|one| one.key).collect::<Vec<_>>();
+        match (&self.why, &that.why) {
+            (Why::NotTaken(row), Why::NotTaken(other)) | (Why::Taken(row, _), Why::Taken(other, _)) => {
+                row == other
+            }
+            (Why::ShownWith(row), Why::ShownWith(other)) => {
+                row.place == other.place && keys(self) == keys(that)
+            }
+            (Why::NoRow(from, to), Why::NoRow(other_from, other_to)) => (from, to) == (other_from, other_to),
+            (Why::Shown(_), Why::Shown(_)) => self.key() == that.key(),
             _ => false,
         }
     }

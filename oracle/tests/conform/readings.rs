@@ -71,6 +71,19 @@ fn what_a_program_cannot_show_cannot_be_told() {
 
 #[test]
 fn a_program_that_mixes_readings_is_told_which() {
+    // FINISHED as a level, and NEUTRAL not at all: what is wrong with the one is no reason to trust the other.
+    let report = machine(&mutant("3.7 term 5: dropped", &[]), &suite_only());
+    assert!(!report.conforms());
+    let sides: Vec<Choice> =
+        of(&report, Reading::FaultTrigger).mixes.iter().map(|side| side.choice).collect();
+    assert!(sides.contains(&Choice::FaultLevel), "{sides:?}");
+    let about = |ids: &[&str]| {
+        let guards =
+            report.failures.iter().filter_map(|one| Some(one.found.as_ref()?.why.row()?.guard.join(" ")));
+        guards.filter(|guard| ids.iter().all(|id| guard.contains(id))).count()
+    };
+    assert!(about(&["DIRECTION_REQUEST"]) > 0, "the fault itself is told: {:?}", report.failures);
+
     for (mutation, choice, needed) in [
         // FINISHED as a level, NEUTRAL as a change.
         ("3.7 term 3: in every reading", Choice::FaultEdge, Choice::FaultLevel),
