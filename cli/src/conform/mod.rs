@@ -7,6 +7,7 @@
 //! ```
 
 mod json;
+mod stop;
 mod text;
 
 use std::fs::File;
@@ -37,6 +38,11 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         None => suite::generate(&Interface::V3_0),
     };
     let name = name(args);
+    stop::stops_the_program().map_err(|error| Error {
+        what: name.clone(),
+        why: format!("cannot be started so that it stops with this command: {error}"),
+        hint: "run it where signals can be handled".to_owned(),
+    })?;
     let report = judge(args, &tests, &options).map_err(|trouble| Error {
         what: name.clone(),
         why: trouble.to_string(),

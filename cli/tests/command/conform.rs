@@ -206,6 +206,43 @@ fn a_suite_is_read_from_a_file() {
     assert!(refused.stderr.starts_with("adsdv: tests: cannot read the suite: "), "{}", refused.stderr);
 }
 
+/// Ctrl-C, and what else ends the command, ends the program under test as well.
+#[cfg(unix)]
+#[test]
+fn a_command_that_is_stopped_leaves_no_program_behind() {
+    use std::os::unix::process::ExitStatusExt as _;
+    use std::process::{Command, Stdio};
+
+    let signal = |name: &str, pid: &str| {
+        let sent = Command::new("kill").args(["-s", name, pid]).stderr(Stdio::null()).status();
+        sent.is_ok_and(|status| status.success())
+    };
+    for (name, number) in [("INT", 2), ("TERM", 15), ("HUP", 1)] {
+        let file = temporary(&format!("stopped-by-{name}.pid"), b"");
+        let args = ["--pid", file.to_str().expect("text"), "--hang-at", "1"];
+        let program = example("mutant");
+        let command = [&["conform", "--timeout", "60", "--", program.as_str()], &args[..]].concat();
+        let mut command =
+            adsdv(&command).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("it starts");
+        let start = Instant::now();
+        let pid = loop {
+            let pid = std::fs::read_to_string(&file).expect("the file is there");
+            if !pid.is_empty() {
+                break pid;
+            }
+            assert!(start.elapsed() < Duration::from_secs(30), "the program starts");
+            std::thread::sleep(Duration::from_millis(5));
+        };
+        assert!(signal("0", &pid), "it runs");
+        assert!(signal(name, &command.id().to_string()));
+        assert_eq!(command.wait().expect("it ends").signal(), Some(number));
+        while signal("0", &pid) {
+            assert!(start.elapsed() < Duration::from_secs(40), "{name}: the program is left behind");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+}
+
 #[test]
 fn a_program_that_misbehaves_is_no_verdict() {
     for (args, error, hint) in [

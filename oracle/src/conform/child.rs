@@ -4,6 +4,22 @@ use std::ffi::OsString;
 use std::io;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 
+/// The groups of the processes that run at present.
+#[cfg(unix)]
+static RUNNING: std::sync::Mutex<Vec<rustix::process::Pid>> = std::sync::Mutex::new(Vec::new());
+
+/// Kills every program under test that runs at present, with all that it started and that has stayed in its group.
+///
+/// For whoever is told to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it.
+#[cfg(unix)]
+pub fn stop_programs() {
+    let running = RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    for &group in running.iter() {
+        // What cannot be killed is gone already.
+        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+    }
+}
+
 /// The process, and its pipes until they are taken.
 #[derive(Debug)]
 pub(super) struct Process(Child);
@@ -19,6 +35,11 @@ impl Process {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
+        #[cfg(unix)]
+        RUNNING
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+            .push(rustix::process::Pid::from_child(&child));
         let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
         let process = Self(child);
         match pipes {
@@ -62,12 +83,14 @@ pub(super) struct Ended {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // What cannot be killed is gone already.
         #[cfg(unix)]
-        let _ = rustix::process::kill_process_group(
-            rustix::process::Pid::from_child(&self.0),
-            rustix::process::Signal::KILL,
-        );
+        {
+            let group = rustix::process::Pid::from_child(&self.0);
+            // What cannot be killed is gone already.
+            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+            // Before it is waited for: after that its number may be another's.
+            RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner).retain(|&other| other != group);
+        }
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

@@ -51,6 +51,8 @@ mod vcu;
 mod verdict;
 
 pub use broken::{Break, Row, Why};
+#[cfg(unix)]
+pub use child::stop_programs;
 pub use program::Program;
 pub use report::{Failure, Moment, Report};
 pub use requirements::{Outcome, Requirement};

@@ -104,7 +104,7 @@ fn order(id: &str) -> (usize, u32) {
 fn shows(id: &str) -> &'static [&'static str] {
     match id {
         "MSG-42" | "HS-1" | "HS-2" | "HS-3" | "HS-4" | "HS-5" | "HS-6" | "HS-7" | "HS-8" | "HS-12"
-        | "HS-14" | "D-8" | "D-44" => &["handshake", "ai_comms_lost"],
+        | "HS-14" | "HS-15" | "D-44" => &["handshake"],
         "MSG-43" | "D-38" => &["shutdown_request"],
         "MSG-44" => &["as_switch_status"],
         "MSG-45" => &["ts_switch_status"],
@@ -120,7 +120,7 @@ fn shows(id: &str) -> &'static [&'static str] {
         "MSG-56" => &["hvil_short_fault"],
         "MSG-57" => &["ebs_fault"],
         "MSG-58" => &["offboard_charger_fault"],
-        "MSG-59" | "HS-9" | "HS-13" | "HS-15" | "HS-16" | "D-18" | "D-26" => &["ai_comms_lost"],
+        "MSG-59" | "HS-9" | "HS-13" | "HS-16" | "D-8" | "D-18" | "D-26" => &["ai_comms_lost"],
         "MSG-60" => &["autonomous_braking_fault"],
         "MSG-61" => &["mission_status_fault"],
         "MSG-62" => &["charge_procedure_fault"],

@@ -67,6 +67,13 @@ fn what_a_program_cannot_show_cannot_be_told() {
     let outcome = |id: &str| report.requirements.iter().find(|one| one.id == id).map(|one| one.outcome);
     assert_eq!(outcome("MSG-59"), Some(Outcome::NotChecked));
     assert_eq!(outcome("RTO-1"), Some(Outcome::Pass));
+
+    // The fault of the handshake tells nothing of its bit.
+    let args = ["--only", "as_state,ai_comms_lost"];
+    let report = crate::programs::example("mutant", &args, &suite_only(), crate::programs::TIMEOUT);
+    let report = report.expect("it answers");
+    let outcome = |id: &str| report.requirements.iter().find(|one| one.id == id).map(|one| one.outcome);
+    assert_eq!((outcome("HS-4"), outcome("HS-9")), (Some(Outcome::NotChecked), Some(Outcome::Pass)));
 }
 
 #[test]
