@@ -113,6 +113,15 @@ fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
         said(outputs, field.key, field.domain);
     }
 
+    // How names count.
+    let keyed = INPUTS.iter().map(|field| (field.key, field.domain));
+    for (key, domain) in keyed.chain(SHOWN.map(|field| (field.key, field.domain))) {
+        if let Domain::Names(names) = domain {
+            let first = i32::from(matches!(key, "as_state" | "ebs"));
+            assert!((first..).zip(names).all(|(number, &(raw, _))| raw == number), "{key}");
+        }
+    }
+
     let mut control = Control::INITIAL;
     let mut lines = PAGE.lines().filter(|line| line.starts_with(['>', '<']));
     while let (Some(question), Some(answer)) = (lines.next(), lines.next()) {
