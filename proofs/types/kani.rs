@@ -11,7 +11,7 @@ macro_rules! integers {
     ($($type:ty),+) => {$(
         impl Arbitrary for $type {
             fn any() -> Self {
-                unimplemented!()
+                panic!("only a signature")
             }
         }
     )+};
@@ -21,13 +21,13 @@ integers!(bool, char, u8, u16, u32, u64, u128, usize, i8, i16, i32, i64, i128, i
 
 impl<T: Arbitrary, const N: usize> Arbitrary for [T; N] {
     fn any() -> Self {
-        unimplemented!()
+        panic!("only a signature")
     }
 }
 
 impl<T: Arbitrary> Arbitrary for Option<T> {
     fn any() -> Self {
-        unimplemented!()
+        panic!("only a signature")
     }
 }
 
