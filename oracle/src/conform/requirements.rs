@@ -1,9 +1,7 @@
 //! What was passed, failed and not checked, requirement by requirement.
 
-use adsdv_spec::Reading;
-
 use super::report::Failure;
-use crate::suite::Test;
+use crate::suite::{Test, is_of_a_reading};
 
 /// A requirement that tests name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +50,7 @@ pub(super) fn table(
 ) -> Vec<Requirement> {
     let mut found: Vec<(Requirement, bool)> = Vec::new();
     for (test, ran) in tests.iter().zip(ran) {
-        for id in test.requirements.iter().filter(|id| !is_reading(id)) {
+        for id in test.requirements.iter().filter(|id| !is_of_a_reading(id)) {
             let place =
                 found.iter().position(|(requirement, _)| requirement.id == *id).unwrap_or_else(|| {
                     let outcome = Outcome::NotChecked;
@@ -82,13 +80,6 @@ pub(super) fn table(
     }
     requirements.sort_by_key(|requirement| order(&requirement.id));
     requirements
-}
-
-/// Whether it is only the default answer to a question that the document leaves open: D-1 is that to the first, and so
-/// on. Which answers a program follows is told apart from requirements.
-fn is_reading(id: &str) -> bool {
-    let number = id.strip_prefix("D-").and_then(|number| number.parse().ok());
-    number.is_some_and(|number: usize| (1..=Reading::ALL.len()).contains(&number))
 }
 
 /// The prefixes in the order of the document, and within them numbers.

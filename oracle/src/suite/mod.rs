@@ -27,6 +27,7 @@ use adsdv_spec::Interface;
 
 pub use lines::{BadTest, ReadSuite, read};
 pub use prove::{Proof, prove};
+pub(crate) use requirements::is_of_a_reading;
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};
 

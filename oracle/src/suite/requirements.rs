@@ -78,6 +78,11 @@ pub(super) const fn of_fault(fault: Fault) -> &'static str {
     }
 }
 
+/// Whether it is only the default answer to a question that the document leaves open.
+pub(crate) fn is_of_a_reading(id: &str) -> bool {
+    Choice::ALL.iter().any(|&choice| of_choice(choice) == id)
+}
+
 /// The decision behind the choice of a reading.
 pub(super) const fn of_choice(choice: Choice) -> &'static str {
     use adsdv_spec::Reading;
