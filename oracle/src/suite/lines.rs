@@ -1,13 +1,14 @@
 //! The suite as JSON Lines: one test a line, for any language. `suite.schema.json` of the command says what a line has.
 
+use std::collections::HashSet;
 use std::fmt::{self, Write as _};
 use std::io::BufRead;
 
-use adsdv_spec::{Machine, Reading};
-use serde::Deserialize;
+use adsdv_spec::{Interface, Machine, Reading};
+use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
-use super::{Kind, Scenario, Step, Test};
+use super::{Kind, Scenario, Step, Test, untested};
 use crate::protocol::{Answer, BadLine, Told};
 
 impl Test {
@@ -70,26 +71,31 @@ pub struct ReadSuite {
 
 /// Reads a suite. A line that is no test does not keep the others from being read; empty lines are passed over.
 ///
-/// What a step expects may be part of what it shows, and has to be what the machine shows: a suite is judged by the
-/// specification, under every reading, and not by what a file says.
+/// What a step expects has to be there, and has to be what the machine shows: a suite is judged by the specification, under
+/// every reading, and not by what a file says. It may be part of what the machine shows, `as_state` at least. A test names
+/// requirements that there are: those of the tests that [`generate`](super::generate) makes, and those that
+/// [`untested`](super::untested) has.
 ///
 /// Errors: what the reader's own errors are. Bytes that are no UTF-8 are a line that is none.
 pub fn read(mut reader: impl BufRead, machine: &Machine) -> std::io::Result<ReadSuite> {
     let mut suite = ReadSuite::default();
+    let requirements = requirements(machine.interface());
+    let mut names = HashSet::new();
     let mut bytes = Vec::new();
     for line in 1.. {
         bytes.clear();
         if reader.read_until(b'\n', &mut bytes)? == 0 {
             break;
         }
-        match read_line(&bytes, machine) {
-            Ok(Some(test)) => match suite.tests.iter().find(|other| other.name == test.name) {
-                Some(_) => suite.bad.push(BadTest {
-                    line,
-                    why: format!("the name {:?} is there already; expected one of its own", test.name),
-                }),
-                None => suite.tests.push(test),
-            },
+        match read_line(&bytes, machine, &requirements) {
+            Ok(Some(test)) if names.contains(&test.name) => suite.bad.push(BadTest {
+                line,
+                why: format!("the name {:?} is there already; expected one of its own", test.name),
+            }),
+            Ok(Some(test)) => {
+                names.insert(test.name.clone());
+                suite.tests.push(test);
+            }
             Ok(None) => {}
             Err(why) => suite.bad.push(BadTest { line, why }),
         }
@@ -106,7 +112,7 @@ struct Line<'a> {
     about: String,
     section: String,
     requirements: Vec<String>,
-    #[serde(default)]
+    #[serde(deserialize_with = "there")]
     reading: Option<String>,
     #[serde(borrow)]
     steps: Vec<RawStep<'a>>,
@@ -118,21 +124,26 @@ struct RawStep<'a> {
     dt_ms: u32,
     #[serde(borrow)]
     inputs: &'a RawValue,
-    #[serde(borrow, default)]
-    expected: Option<&'a RawValue>,
+    #[serde(borrow)]
+    expected: &'a RawValue,
 }
 
-/// Whether a text has the form of a requirement's identifier, such as `HS-9`.
-fn is_identifier(id: &str) -> bool {
-    id.split_once('-').is_some_and(|(prefix, number)| {
-        !prefix.is_empty()
-            && prefix.chars().all(|c| c.is_ascii_uppercase())
-            && !number.is_empty()
-            && number.chars().all(|c| c.is_ascii_digit())
-    })
+/// A value that may be `null`, and has to be there.
+fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
+    Option::deserialize(from)
 }
 
-fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
+/// The identifiers of all requirements that there are.
+fn requirements(interface: &Interface) -> HashSet<String> {
+    let tested = super::generate(interface).into_iter().flat_map(|test| test.requirements);
+    tested.chain(untested().map(|untested| untested.id)).collect()
+}
+
+fn read_line(
+    bytes: &[u8],
+    machine: &Machine,
+    requirements: &HashSet<String>,
+) -> Result<Option<Test>, String> {
     let line = std::str::from_utf8(bytes)
         .map_err(|_| "is not UTF-8; expected a test as one JSON object".to_owned())?;
     let line = line.trim();
@@ -144,6 +155,9 @@ fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
         let error = error.to_string().replace("line 1 column", "column");
         format!("{error}; expected a test as one JSON object")
     })?;
+    if line.name.is_empty() {
+        return Err("\"name\" is empty; expected a name of its own".to_owned());
+    }
     let kind = Kind::ALL.into_iter().find(|kind| kind.name() == line.kind).ok_or_else(|| {
         let names = Kind::ALL.map(Kind::name).join(", ");
         format!("\"kind\" is {:?}; expected one of {names}", line.kind)
@@ -151,8 +165,10 @@ fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
     if line.steps.is_empty() {
         return Err("\"steps\" is empty; expected at least one step".to_owned());
     }
-    if let Some(id) = line.requirements.iter().find(|id| !is_identifier(id)) {
-        return Err(format!("\"requirements\" has {id:?}; expected identifiers such as \"HS-9\""));
+    if let Some(id) = line.requirements.iter().find(|&id| !requirements.contains(id)) {
+        return Err(format!(
+            "\"requirements\" has {id:?}, which there is not; expected identifiers of spec/REQUIREMENTS.md such as \"HS-9\""
+        ));
     }
     let reading = line
         .reading
@@ -164,10 +180,10 @@ fn read_line(bytes: &[u8], machine: &Machine) -> Result<Option<Test>, String> {
         let at = |error: BadLine| format!("step {number}: {error}");
         let Told(inputs) = step.inputs.get().parse().map_err(at)?;
         scenario.steps.push(Step { dt_ms: step.dt_ms, inputs });
-        answers.push(step.expected.map(|expected| expected.get().parse::<Answer>().map_err(at)).transpose()?);
+        answers.push(step.expected.get().parse::<Answer>().map_err(at)?);
     }
     for (number, (answer, shown)) in (1..).zip(answers.iter().zip(scenario.shown(machine))) {
-        if let Some(difference) = answer.as_ref().and_then(|answer| answer.differences(&shown).next()) {
+        if let Some(difference) = answer.differences(&shown).next() {
             return Err(format!("step {number}: {difference}, which is what the specification shows"));
         }
     }

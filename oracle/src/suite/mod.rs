@@ -4,16 +4,18 @@
 //! - `test.rs`: a scenario with a name and the requirements that it checks;
 //! - `lines.rs`: the tests as JSON Lines, written and read;
 //! - `generate/`: the tests, made from the table; `walk.rs` gets a machine to where a test begins, and `requirements.rs` says
-//!   which requirements a row, a condition and a fault stand for;
+//!   which requirements a row, a condition and a fault stand for; `untested.rs` has those that no test is for;
 //! - `prove.rs`: whether they tell every mutation of the specification from it.
 //!
 //! # How the suite grows
 //!
 //! Each alternative of a row is one test, and each of its conditions one more; two rows of a state that can hold at once are
 //! one for each pair of their alternatives; each threshold and time is three for each place it is measured at; each fault is
-//! one for each state in which it counts. So with `r` rows of `t` alternatives of `c` conditions, `s` states and `f` faults
-//! the suite has in the order of `r t (c + t) + s f` tests, of at most as many steps as it takes to get to a state, and
-//! two: it grows with the conditions that a row names, and not with the number of their combinations.
+//! one for each state in which it counts; and each state has one for what reaches the actuators, and up to three for what it
+//! has no arrow for. So with `r` rows of `t` alternatives of `c` conditions, `s` states and `f` faults the suite has in the
+//! order of `r t (c + t) + s f` tests. One of them has at most as many steps as it takes to get to a state, and one more for
+//! each condition that needs a time, each state to which there is no arrow, or each value of an enumeration: it grows with
+//! the conditions that a row names, and not with the number of their combinations.
 
 mod generate;
 mod lines;
@@ -21,6 +23,7 @@ mod prove;
 mod requirements;
 mod scenario;
 mod test;
+mod untested;
 mod walk;
 
 use adsdv_spec::Interface;
@@ -30,6 +33,7 @@ pub use prove::{Proof, prove};
 pub(crate) use requirements::is_of_a_reading;
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};
+pub use untested::{Reason, Untested, about_the_vcu, untested};
 
 /// The tests of a version of the interface.
 ///

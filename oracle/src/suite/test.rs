@@ -17,18 +17,31 @@ pub enum Kind {
     Limit,
     /// Two rows that hold at once.
     Pair,
+    /// Something for which Figure 2 has no arrow.
+    NoArrow,
     /// A phase of the handshake.
     Handshake,
     /// A fault, its flag and its cause.
     Fault,
+    /// What is shown in each state, and for each value: what reaches the actuators, and what 520h tells.
+    Output,
     /// A question that the document leaves open.
     Reading,
 }
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 7] =
-        [Self::Row, Self::Condition, Self::Limit, Self::Pair, Self::Handshake, Self::Fault, Self::Reading];
+    pub const ALL: [Self; 9] = [
+        Self::Row,
+        Self::Condition,
+        Self::Limit,
+        Self::Pair,
+        Self::NoArrow,
+        Self::Handshake,
+        Self::Fault,
+        Self::Output,
+        Self::Reading,
+    ];
 
     /// The stable name, such as `row`.
     pub const fn name(self) -> &'static str {
@@ -37,8 +50,10 @@ impl Kind {
             Self::Condition => "condition",
             Self::Limit => "limit",
             Self::Pair => "pair",
+            Self::NoArrow => "no-arrow",
             Self::Handshake => "handshake",
             Self::Fault => "fault",
+            Self::Output => "output",
             Self::Reading => "reading",
         }
     }

@@ -97,6 +97,16 @@ impl<'a> Walk<'a> {
         self.step(cycle, |_| {})
     }
 
+    /// The state to which the steps so far lead.
+    pub(super) const fn state(&self) -> AsState {
+        self.control.state
+    }
+
+    /// The inputs as they stand.
+    pub(super) const fn inputs(&self) -> Inputs {
+        self.inputs
+    }
+
     /// The steps so far.
     pub(super) fn scenario(self) -> Scenario {
         Scenario { steps: self.steps }

@@ -17,13 +17,13 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
             "goes-round",
             "both edges are answered, again and again",
             started().cycle().cycle().cycle(),
-            vec!["HS-1", "HS-4", "HS-6", "HS-7", "HS-8", "HS-12"],
+            vec!["MSG-42", "HS-1", "HS-4", "HS-6", "HS-7", "HS-8", "HS-12"],
         ),
         (
             "rising-edge-waits",
             "the bit stays as it is while its rising edge is unanswered",
             started().answering(false).step(limit - 1, |_| {}),
-            vec!["HS-6", "HS-15"],
+            vec!["HS-6", "HS-13", "HS-15"],
         ),
         (
             "rising-edge-lost",

@@ -70,7 +70,7 @@ fn dwell(machine: &Machine) -> Vec<Test> {
         let walk = walk.step(walk_cycle(machine), |inputs| inputs.go = true);
         let about = format!("\"Go\" is seen off {after} ms after AS_READY was entered, and comes on");
         test(Kind::Limit, format!("ready-dwell-{after}-ms"), about, "3.2", walk)
-            .checks(["DRV-4", "DRV-11", "D-6"])
+            .checks(["SM-2", "DRV-4", "DRV-11", "D-6"])
     };
     BESIDE.map(one).into()
 }
@@ -84,7 +84,7 @@ fn ebs_timer(machine: &Machine) -> Vec<Test> {
             .step(u32::try_from(after).unwrap_or(0), |inputs| inputs.asms = false);
         let about = format!("ASMS is off {after} ms after EMERGENCY_BRAKE was entered");
         test(Kind::Limit, format!("ebs-timer-{after}-ms"), about, "3.9", walk)
-            .checks(["ETO-1", "ETO-2", "D-23"])
+            .checks(["SM-2", "ETO-1", "ETO-2", "D-23"])
     };
     let switched_off_early = Walk::to(machine, AsState::EmergencyBrake)
         .step(walk_cycle(machine), |inputs| inputs.asms = false)
@@ -97,6 +97,6 @@ fn ebs_timer(machine: &Machine) -> Vec<Test> {
         switched_off_early,
     );
     let mut tests: Vec<Test> = BESIDE.map(one).into();
-    tests.push(early.checks(["ETO-2", "D-23"]));
+    tests.push(early.checks(["SM-2", "ETO-2", "D-23"]));
     tests
 }

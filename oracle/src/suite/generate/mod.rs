@@ -6,6 +6,8 @@
 mod faults;
 mod handshake;
 mod limits;
+mod no_arrow;
+mod outputs;
 mod pairs;
 mod readings;
 mod rows;
@@ -21,8 +23,10 @@ pub(super) fn all(interface: &Interface) -> Vec<Test> {
     let mut tests = rows::tests(&machine);
     tests.extend(limits::tests(&machine));
     tests.extend(pairs::tests(&machine));
+    tests.extend(no_arrow::tests(&machine));
     tests.extend(handshake::tests(&machine));
     tests.extend(faults::tests(&machine));
+    tests.extend(outputs::tests(&machine));
     tests.extend(readings::tests(&machine));
     without_parts(tests)
 }

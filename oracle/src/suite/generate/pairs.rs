@@ -4,8 +4,8 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Machine, Row, Term};
 
 use super::rows::name;
-use super::{attempt, before, terms, test};
-use crate::suite::requirements::of_row;
+use super::{Walk, attempt, before, terms, test, walk_cycle};
+use crate::suite::requirements::of_pair;
 use crate::suite::{Kind, Test};
 
 /// The tests of a machine's rows, two by two.
@@ -19,7 +19,19 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
             tests.extend(later.filter_map(|other| both(machine, *one, *other)));
         }
     }
+    tests.extend(one_after_the_other(machine));
     tests
+}
+
+/// The arrow into AS_READY while the reason to leave it for EMERGENCY_BRAKE is there already: both are taken, in two steps.
+fn one_after_the_other(machine: &Machine) -> [Test; 2] {
+    let open = Walk::new(machine).set(|inputs| inputs.sdc.vehicle_estop = true);
+    let lost = Walk::new(machine).step(walk_cycle(machine), |inputs| inputs.tsms = true).answering(false);
+    let lost = lost.step(machine.interface().timing.handshake_ms.into(), |_| {});
+    [(Atom::SdcOpen, open), (Atom::AiCommsLost, lost)].map(|(atom, walk)| {
+        let about = format!("{} before AS_READY is entered, and only then EMERGENCY_BRAKE", atom.text(true));
+        test(Kind::Pair, format!("3.1-with-{atom}"), about, "3.1", walk.into_ready().cycle()).checks(["D-45"])
+    })
 }
 
 /// Both alternatives hold at once; `None` if they cannot.
@@ -42,6 +54,6 @@ fn both(machine: &Machine, one: (&Row, &Term), other: (&Row, &Term)) -> Option<T
     let walk = attempt(machine, walk, &term, None);
     let (first, second) = (name(one.0, one.1), name(other.0, other.1));
     let about = format!("in {} the guards of {first} and of {second} hold at once", row.from);
-    let ids = of_row(one.0).iter().chain(of_row(other.0)).copied();
+    let ids = of_pair(one.0, other.0);
     Some(test(Kind::Pair, format!("{first}-with-{second}"), about, one.0.clause, walk).checks(ids))
 }

@@ -16,7 +16,11 @@ pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
     let name = name(row, term);
     let taken = attempt(machine, before(machine, row, term), term, None);
     let about = format!("{} leads from {} to {}", term_words(term), row.from, row.to);
-    let mut tests = vec![test(Kind::Row, name.clone(), about, term.clause, taken).checks(of_term(row, term))];
+    // What stands beside the figure is not the figure's.
+    let figure = (term.clause == row.clause).then_some("SM-1");
+    let mut tests = vec![
+        test(Kind::Row, name.clone(), about, term.clause, taken).checks(of_term(row, term)).checks(figure),
+    ];
     for (atom, value) in term.conditions() {
         let about = format!("{}: {} is not left for {}", words(atom, !value), row.from, row.to);
         let walk = without(machine, row, term, atom);

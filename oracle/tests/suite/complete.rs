@@ -1,16 +1,11 @@
-//! The suite: it kills every mutation, has a test for all that it should, and is read as it is written.
+//! It kills every mutation, takes every row, and shows every condition, fault, choice and limit to matter.
 
 use std::collections::{BTreeMap, HashSet};
 
-use adsdv_oracle::protocol::{Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Readings, Row, Term};
 
-const REQUIREMENTS: &str = include_str!("../../spec/REQUIREMENTS.md");
-
-fn tests() -> Vec<Test> {
-    suite::generate(&Interface::V3_0)
-}
+use crate::tests;
 
 /// The rows and terms that the default readings have.
 fn terms() -> impl Iterator<Item = (&'static Row, &'static Term)> {
@@ -27,7 +22,7 @@ fn every_mutation_is_killed_but_those_that_change_nothing() {
     assert!(proof.is_complete() && proof.killed() == proof.mutants && proof.mutants > 190);
 }
 
-/// The proof can fail: without the tests of the handshake, of limits or of faults some mutation lives.
+/// The proof can fail: without the tests of conditions, of limits or of readings some mutation lives.
 #[test]
 fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
     for kind in [Kind::Condition, Kind::Limit, Kind::Reading] {
@@ -141,92 +136,4 @@ fn every_limit_is_tried_below_at_and_above() {
             assert!(steps.contains(&beside.into()), "{beside} ms");
         }
     }
-}
-
-#[test]
-fn names_are_unique_and_every_requirement_is_one() {
-    let tests = tests();
-    let names: HashSet<&str> = tests.iter().map(|test| test.name.as_str()).collect();
-    assert_eq!(names.len(), tests.len());
-    let scenarios: Vec<_> = tests.iter().map(|test| &test.scenario).collect();
-    for (place, one) in scenarios.iter().enumerate() {
-        assert!(!scenarios[..place].contains(one), "{} is there twice", tests[place].name);
-    }
-    for test in &tests {
-        assert!(!test.requirements.is_empty() && !test.about.is_empty(), "{}", test.name);
-        for id in &test.requirements {
-            assert!(REQUIREMENTS.contains(&format!("\n- **{id}** ")), "{}: {id}", test.name);
-        }
-        assert!((1..=8).contains(&test.scenario.steps.len()), "{}", test.name);
-    }
-}
-
-#[test]
-fn a_suite_is_read_as_it_is_written() {
-    let tests = tests();
-    let text: String = tests.iter().map(|test| test.to_line(&Machine::REFERENCE) + "\n").collect();
-    let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
-    assert_eq!(read.bad, []);
-    assert_eq!(read.tests, tests);
-    assert_eq!(text.lines().count(), tests.len());
-    // The lines that a program is asked are those of the scenario.
-    let requests: Vec<Request> = tests[0].scenario.requests().collect();
-    assert_eq!((requests[0], requests.len()), (Request::Reset, tests[0].scenario.steps.len() + 1));
-}
-
-/// One line of the suite with something in it changed.
-fn changed(from: &str, to: &str) -> String {
-    let line = tests()[1].to_line(&Machine::REFERENCE);
-    assert!(line.contains(from), "{line}");
-    line.replacen(from, to, 1)
-}
-
-#[test]
-fn bad_lines_are_told_and_lose_nothing_else() {
-    let good = tests();
-    let line = |test: &Test| test.to_line(&Machine::REFERENCE);
-    for (bad, found, expected) in [
-        ("nonsense".to_owned(), "column 2", "a test as one JSON object"),
-        ("{}".to_owned(), "missing field", "a test as one JSON object"),
-        ("[]".to_owned(), "invalid", "a test as one JSON object"),
-        (line(&good[1])[..100].to_owned(), "EOF", "a test as one JSON object"),
-        (changed("\"kind\":\"", "\"kind\":\"x"), "xcondition", "row, condition, limit"),
-        (changed("\"reading\":null", "\"reading\":\"taste\""), "taste", "fault-trigger"),
-        (changed("\"dt_ms\":10", "\"dt_ms\":-1"), "-1", "u32"),
-        (
-            changed("\"inputs\":{", "\"inputs\":{\"gas\":true,"),
-            "step 1: there is no key \"gas\"",
-            "steer_angle",
-        ),
-        (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "AT_OFF", "\"AS_READY\""),
-        (changed("\"as_state\":\"AS_OFF\"", "\"as_state\":\"AS_READY\""), "as_state is AS_READY", "AS_OFF"),
-        (line(&good[0]), "is there already", "one of its own"),
-        (changed("\"requirements\":[\"", "\"requirements\":[\"<b>\",\""), "<b>", "identifiers such as"),
-        (
-            r#"{"name":"a","kind":"row","about":"","section":"3.1","requirements":[],"steps":[]}"#.to_owned(),
-            "\"steps\" is empty",
-            "at least one step",
-        ),
-        ("{\"name\":\"\u{fffd}\"".to_owned(), "EOF", "a test as one JSON object"),
-    ] {
-        let text = format!("{}\n\n{bad}\n{}", line(&good[0]), line(&good[2]));
-        let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
-        assert_eq!(read.tests, [good[0].clone(), good[2].clone()], "{bad}");
-        let said = read.bad[0].to_string();
-        assert!(read.bad.len() == 1 && said.starts_with("line 3: "), "{said}");
-        assert!(said.contains(found) && said.contains(expected), "{bad}: {said}");
-    }
-    let read = suite::read(&b"\xff\xfe\n"[..], &Machine::REFERENCE).unwrap();
-    assert!(read.bad[0].to_string().contains("line 1: is not UTF-8"));
-    assert_eq!(suite::read(&b""[..], &Machine::REFERENCE).unwrap(), suite::ReadSuite::default());
-}
-
-/// What is expected is all that a step shows.
-#[test]
-fn every_output_is_expected_in_every_step() {
-    let test = &tests()[0];
-    let line = test.to_line(&Machine::REFERENCE);
-    let shown: Vec<Shown> = test.scenario.shown(&Machine::REFERENCE).collect();
-    assert!(shown.iter().all(|shown| line.contains(&format!("\"expected\":{shown}"))));
-    assert!(SHOWN.iter().all(|field| line.contains(&format!("\"{}\":", field.key))));
 }

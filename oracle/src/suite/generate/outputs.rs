@@ -1,0 +1,108 @@
+//! What is shown in each state, and for each value: what reaches the actuators, and what 520h tells of switches, "Go",
+//! mission and steering.
+
+use adsdv_spec::messages::{
+    AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MissionStatus, MotorSpeedMax,
+    SteerAngle,
+};
+use adsdv_spec::{Inputs, Machine};
+
+use super::{Walk, test, walk_cycle};
+use crate::suite::requirements::of_actuators;
+use crate::suite::{Kind, Test};
+
+/// The tests of what a program shows beside its state, its handshake and its faults.
+pub(super) fn tests(machine: &Machine) -> Vec<Test> {
+    let mut tests: Vec<Test> = AsState::ALL.map(|state| requests(machine, state)).into();
+    tests.push(every_state(machine));
+    tests.push(switches(machine));
+    tests.push(missions(machine));
+    tests
+}
+
+/// Every request of the AI Computer, in the step in which a state is entered, where its arrow allows that, and in the next
+/// one the other way round.
+fn requests(machine: &Machine, state: AsState) -> Test {
+    let cycle = walk_cycle(machine);
+    let start = Walk::new(machine).set(|inputs| request(inputs, Axle::Front));
+    let walk = match state {
+        AsState::Off => start.cycle(),
+        AsState::Ready => start.into_ready(),
+        // Its arrow asks for zero.
+        AsState::Driving => Walk::to(machine, state).step(cycle, |inputs| request(inputs, Axle::Front)),
+        AsState::Finished => Walk::to(machine, AsState::Driving).step(cycle, |inputs| {
+            inputs.ai.status.mission_status = MissionStatus::Finished;
+            request(inputs, Axle::Front);
+        }),
+        AsState::EmergencyBrake => start.into_ready().step(cycle, |inputs| inputs.sdc.vehicle_estop = true),
+    };
+    let walk = walk.step(cycle, |inputs| request(inputs, Axle::Rear));
+    let about = format!("which requests of the AI Computer reach the actuators in {state}");
+    test(Kind::Output, format!("requests-in-{state}"), about, "2.1", walk)
+        .checks(of_actuators(state).iter().copied())
+}
+
+/// An axle of the vehicle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Axle {
+    Front,
+    Rear,
+}
+
+/// Requests the most of one axle and the least of the other that is not nothing; with the front axle, FORWARD and a turn to
+/// the left, with the rear axle NEUTRAL and a turn to the right.
+fn request(inputs: &mut Inputs, most: Axle) {
+    let forward = most == Axle::Front;
+    let of = |axle: Axle, all: i32| if axle == most { all } else { 1 };
+    let ai = &mut inputs.ai;
+    let (torque, speed) = (AxleTorqueRequest::MAX.raw(), MotorSpeedMax::MAX.raw());
+    let pressure = BrakePressure::MAX.raw();
+    ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(of(Axle::Front, torque));
+    ai.drive_f.front_motor_speed_max = MotorSpeedMax::clamped(of(Axle::Front, speed));
+    ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(of(Axle::Rear, torque));
+    ai.drive_r.rear_motor_speed_max = MotorSpeedMax::clamped(of(Axle::Rear, speed));
+    ai.brake.hyd_press_f_req = BrakePressure::clamped(of(Axle::Front, pressure));
+    ai.brake.hyd_press_r_req = BrakePressure::clamped(of(Axle::Rear, pressure));
+    ai.steer.steer_request = if forward { SteerAngle::MAX } else { SteerAngle::MIN };
+    ai.status.direction_request = if forward { DirectionRequest::Forward } else { DirectionRequest::Neutral };
+}
+
+/// Through all states, with "Go" on in each of them.
+fn every_state(machine: &Machine) -> Test {
+    let cycle = walk_cycle(machine);
+    let dwell = machine.interface().timing.ready_dwell_ms;
+    let walk = Walk::new(machine)
+        .cycle()
+        .set(|inputs| inputs.go = true)
+        .cycle()
+        .into_ready()
+        .step(dwell.into(), |inputs| inputs.go = false)
+        .step(cycle, |inputs| inputs.go = true)
+        .step(cycle, |inputs| inputs.ai.status.mission_status = MissionStatus::Finished)
+        .step(cycle, |inputs| inputs.sdc.vehicle_estop = true);
+    let about = "each state as 520h tells it, with \"Go\" on";
+    // Everything of 520h but the fault flags, each of which has tests of its own.
+    let status = (42..=53).chain([64]).map(|number| format!("MSG-{number}"));
+    let ids: Vec<String> = status.chain(["SM-3", "D-37", "D-38"].map(str::to_owned)).collect();
+    test(Kind::Output, "every-state", about, "2.2", walk).checks(ids.iter().map(String::as_str))
+}
+
+/// Each master switch without the other, and both.
+fn switches(machine: &Machine) -> Test {
+    let cycle = walk_cycle(machine);
+    let walk = [(true, false), (false, true), (true, true)]
+        .into_iter()
+        .fold(Walk::new(machine), |walk, on| walk.step(cycle, |inputs| (inputs.asms, inputs.tsms) = on));
+    test(Kind::Output, "switches", "each master switch on its own, and both", "2.2", walk)
+        .checks(["MSG-44", "MSG-45"])
+}
+
+/// Every mission that can be selected, and none.
+fn missions(machine: &Machine) -> Test {
+    let cycle = walk_cycle(machine);
+    let walk = AmiState::ALL
+        .into_iter()
+        .fold(Walk::new(machine), |walk, ami| walk.step(cycle, |inputs| inputs.ami = ami));
+    test(Kind::Output, "missions", "each mission that is selected on the AMI", "2.2", walk)
+        .checks(["MSG-49", "RDY-6"])
+}

@@ -1,0 +1,118 @@
+//! The requirements that no test of the suite is for, each with the reason.
+
+use std::collections::HashSet;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use adsdv_spec::Interface;
+
+use super::requirements::is_of_a_reading;
+
+/// Why no test is for a requirement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reason {
+    /// It binds the AI Computer or a person.
+    AnotherParty,
+    /// It binds whoever reads or writes frames.
+    Codec,
+    /// It is about the VCU's frames on the bus: their identifiers, their layout, or a message other than 520h.
+    Frames,
+    /// It is about something of the VCU that no output of the protocol tells.
+    NotShown,
+    /// It allows the VCU something, and nothing that a program shows could break it.
+    Permission,
+}
+
+impl Reason {
+    /// In words.
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::AnotherParty => "binds the AI Computer or a person, not the VCU",
+            Self::Codec => "binds whoever reads or writes frames, and a program under test does neither",
+            Self::Frames => "is about frames on the bus, and a program under test sends and receives none",
+            Self::NotShown => "is about something that no output tells",
+            Self::Permission => "allows something, and nothing that is shown could break it",
+        }
+    }
+
+    /// Whether the requirement is about what a VCU does.
+    pub const fn is_about_the_vcu(self) -> bool {
+        match self {
+            Self::Frames | Self::NotShown | Self::Permission => true,
+            Self::AnotherParty | Self::Codec => false,
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.text())
+    }
+}
+
+/// A requirement that no test is for.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Untested {
+    /// As `spec/REQUIREMENTS.md` numbers it, such as `MSG-29`.
+    pub id: String,
+    /// Why there is no test.
+    pub reason: Reason,
+}
+
+/// All of them, by prefix and number.
+const UNTESTED: &[(Reason, &str, RangeInclusive<u32>)] = {
+    use Reason::{AnotherParty, Codec, Frames, NotShown, Permission};
+    &[
+        (AnotherParty, "MSG", 1..=8),
+        (AnotherParty, "MSG", 10..=17),
+        (AnotherParty, "MSG", 19..=24),
+        (AnotherParty, "MSG", 26..=28),
+        (Frames, "MSG", 29..=41),
+        (Frames, "MSG", 65..=83),
+        (AnotherParty, "ID", 1..=17),
+        (AnotherParty, "HS", 2..=2),
+        (Frames, "HS", 3..=3),
+        (AnotherParty, "HS", 5..=5),
+        (AnotherParty, "HS", 11..=11),
+        (Permission, "HS", 14..=14),
+        // The status light.
+        (NotShown, "SM", 4..=8),
+        (AnotherParty, "RDY", 7..=8),
+        // What the powertrain is ready for.
+        (NotShown, "DRV", 1..=1),
+        (AnotherParty, "DRV", 10..=10),
+        (AnotherParty, "DRV", 13..=13),
+        (AnotherParty, "FIN", 1..=3),
+        (AnotherParty, "ETO", 4..=4),
+        (Codec, "D", 19..=19),
+        (Frames, "D", 20..=20),
+        (Frames, "D", 28..=29),
+        (Codec, "D", 30..=31),
+        (AnotherParty, "D", 32..=32),
+        (Codec, "D", 33..=34),
+        (Frames, "D", 35..=35),
+        (Frames, "D", 46..=50),
+    ]
+};
+
+/// The requirements that no test of [`generate`](super::generate) is for. Every other one is named by a test.
+///
+/// ```
+/// use adsdv_oracle::suite::{self, Reason};
+/// let light = suite::untested().find(|untested| untested.id == "SM-5").map(|untested| untested.reason);
+/// assert_eq!(light, Some(Reason::NotShown)); // the ASSI is yellow in AS_READY
+/// ```
+pub fn untested() -> impl Iterator<Item = Untested> {
+    UNTESTED.iter().flat_map(|(reason, prefix, numbers)| {
+        numbers.clone().map(move |number| Untested { id: format!("{prefix}-{number}"), reason: *reason })
+    })
+}
+
+/// The requirements about what a VCU does: those that tests name, and those that none is for though they are.
+///
+/// What is only the default answer to an open question is none: a program may follow another one.
+pub fn about_the_vcu(interface: &Interface) -> HashSet<String> {
+    let tested = super::generate(interface).into_iter().flat_map(|test| test.requirements);
+    let others = untested().filter(|untested| untested.reason.is_about_the_vcu()).map(|untested| untested.id);
+    tested.filter(|id| !is_of_a_reading(id)).chain(others).collect()
+}

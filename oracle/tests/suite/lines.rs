@@ -1,0 +1,124 @@
+//! A suite is read as it is written, and of what is no test of it the line is told, and what was found and expected.
+
+use adsdv_oracle::protocol::{Request, SHOWN, Shown};
+use adsdv_oracle::suite::{self, Test};
+use adsdv_spec::Machine;
+
+use crate::tests;
+
+#[test]
+fn a_suite_is_read_as_it_is_written() {
+    let tests = tests();
+    let text: String = tests.iter().map(|test| test.to_line(&Machine::REFERENCE) + "\n").collect();
+    let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!(read.bad, []);
+    assert_eq!(read.tests, tests);
+    assert_eq!(text.lines().count(), tests.len());
+    // The lines that a program is asked are those of the scenario.
+    let requests: Vec<Request> = tests[0].scenario.requests().collect();
+    assert_eq!((requests[0], requests.len()), (Request::Reset, tests[0].scenario.steps.len() + 1));
+}
+
+/// One line of the suite with something in it changed.
+fn changed(from: &str, to: &str) -> String {
+    let line = tests()[1].to_line(&Machine::REFERENCE);
+    assert!(line.contains(from), "{line}");
+    line.replacen(from, to, 1)
+}
+
+/// One line of the suite with a step that expects nothing.
+fn without_expected() -> String {
+    let shown = tests()[1].scenario.shown(&Machine::REFERENCE).next();
+    changed(&format!(",\"expected\":{}", shown.expect("a step")), "")
+}
+
+#[test]
+fn bad_lines_are_told_and_lose_nothing_else() {
+    let good = tests();
+    let line = |test: &Test| test.to_line(&Machine::REFERENCE);
+    for (bad, found, expected) in [
+        ("nonsense".to_owned(), "column 2", "a test as one JSON object"),
+        ("{}".to_owned(), "missing field", "a test as one JSON object"),
+        ("[]".to_owned(), "invalid", "a test as one JSON object"),
+        (line(&good[1])[..100].to_owned(), "EOF", "a test as one JSON object"),
+        (changed("\"kind\":\"", "\"kind\":\"x"), "xcondition", "row, condition, limit"),
+        (changed("\"reading\":null", "\"reading\":\"taste\""), "taste", "fault-trigger"),
+        (changed("\"dt_ms\":10", "\"dt_ms\":-1"), "-1", "u32"),
+        (
+            changed("\"inputs\":{", "\"inputs\":{\"gas\":true,"),
+            "step 1: there is no key \"gas\"",
+            "steer_angle",
+        ),
+        (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "AT_OFF", "\"AS_READY\""),
+        (changed("\"as_state\":\"AS_OFF\"", "\"as_state\":\"AS_READY\""), "as_state is AS_READY", "AS_OFF"),
+        (line(&good[0]), "is there already", "one of its own"),
+        (
+            changed("\"requirements\":[\"", "\"requirements\":[\"<b>\",\""),
+            "\"<b>\", which there is not",
+            "such as \"HS-9\"",
+        ),
+        (
+            changed("\"requirements\":[\"", "\"requirements\":[\"HS-99\",\""),
+            "\"HS-99\", which there is not",
+            "of spec/REQUIREMENTS.md",
+        ),
+        (changed("\"RDY-2\"", "\"RDY-02\""), "\"RDY-02\", which there is not", "of spec/REQUIREMENTS.md"),
+        (changed("\"reading\":null,", ""), "missing field `reading`", "a test as one JSON object"),
+        (changed("\"expected\":", "\"foreseen\":"), "unknown field `foreseen`", "`expected`"),
+        (without_expected(), "missing field `expected`", "a test as one JSON object"),
+        (changed("\"as_state\":\"AS_OFF\",", ""), "step 1: there is no \"as_state\"", "at least that"),
+        (changed("\"name\":\"3.1-but-asms\"", "\"name\":\"\""), "\"name\" is empty", "a name of its own"),
+        (
+            r#"{"name":"a","kind":"row","about":"","section":"3.1","requirements":[],"reading":null,"steps":[]}"#
+                .to_owned(),
+            "\"steps\" is empty",
+            "at least one step",
+        ),
+        ("{\"name\":\"\u{fffd}\"".to_owned(), "EOF", "a test as one JSON object"),
+    ] {
+        let text = format!("{}\n\n{bad}\n{}", line(&good[0]), line(&good[2]));
+        let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
+        assert_eq!(read.tests, [good[0].clone(), good[2].clone()], "{bad}");
+        let said = read.bad[0].to_string();
+        assert!(read.bad.len() == 1 && said.starts_with("line 3: "), "{said}");
+        assert!(said.contains(found) && said.contains(expected), "{bad}: {said}");
+    }
+    let read = suite::read(&b"\xff\xfe\n"[..], &Machine::REFERENCE).unwrap();
+    assert!(read.bad[0].to_string().contains("line 1: is not UTF-8"));
+    assert_eq!(suite::read(&b""[..], &Machine::REFERENCE).unwrap(), suite::ReadSuite::default());
+}
+
+/// What is expected is all that a step shows.
+#[test]
+fn every_output_is_expected_in_every_step() {
+    let test = &tests()[0];
+    let line = test.to_line(&Machine::REFERENCE);
+    let shown: Vec<Shown> = test.scenario.shown(&Machine::REFERENCE).collect();
+    assert!(shown.iter().all(|shown| line.contains(&format!("\"expected\":{shown}"))));
+    assert!(SHOWN.iter().all(|field| line.contains(&format!("\"{}\":", field.key))));
+}
+
+/// A test may expect less than all, and be about a requirement for which no test is generated.
+#[test]
+fn a_test_of_ones_own_is_read() {
+    let line = r#"{"name":"mine","kind":"row","about":"","section":"3.1","requirements":["MSG-29","HS-9"],"reading":null,"#;
+    let line =
+        format!(r#"{line}"steps":[{{"dt_ms":10,"inputs":{{}},"expected":{{"as_state":"AS_OFF"}}}}]}}"#);
+    let read = suite::read(line.as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!(read.bad, []);
+    assert_eq!(read.tests[0].requirements, ["MSG-29", "HS-9"]);
+}
+
+/// Names are looked up, not compared one by one: a suite of many tests is read in time that grows with its length.
+#[test]
+fn a_name_is_told_however_far_away_the_other_one_is() {
+    let line = tests()[1].to_line(&Machine::REFERENCE);
+    let named = |number: u32| line.replacen("\"3.1-but-asms\"", &format!("\"{number}\""), 1) + "\n";
+    let text: String = (0..2000).chain([0]).map(named).collect();
+    let read = suite::read(text.as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!((read.tests.len(), read.bad.len()), (2000, 1));
+    assert_eq!(
+        read.bad[0].to_string(),
+        "line 2001: the name \"0\" is there already; expected one of its own"
+    );
+}

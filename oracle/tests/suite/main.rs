@@ -1,0 +1,13 @@
+//! The suite: it kills every mutation, has a test for all that it should, and is read as it is written.
+
+mod complete;
+mod lines;
+mod outputs;
+mod requirements;
+
+use adsdv_oracle::suite::{self, Test};
+use adsdv_spec::Interface;
+
+fn tests() -> Vec<Test> {
+    suite::generate(&Interface::V3_0)
+}
