@@ -19,6 +19,8 @@ const LATEST: usize = 50;
 const LONGEST_CYCLE: u32 = 1000;
 /// The longest time that a program may take for an answer, in seconds.
 const LONGEST_WAIT: f64 = 3600.0;
+/// Nobody waits longer for a verdict, in seconds: a week.
+const LONGEST_RUN: f64 = 604_800.0;
 /// More threads than this only wait for each other.
 const MOST_THREADS: usize = 256;
 
@@ -137,11 +139,13 @@ pub(crate) struct SuiteArgs {
 ///
 /// Starts the program once and asks it for one step of a VCU after the other: one JSON object a line on its standard input,
 /// one on its standard output. oracle/PROTOCOL.md says all about these lines, and oracle/examples has complete adapters in
-/// C, in Python and in Rust.
+/// C, in C++, in Python and in Rust.
 ///
 /// It is asked for the test suite (`adsdv suite`), and then for random scenarios that lead to every state. Its answers are
 /// held against the specification under every combination of the readings that the document allows: a program conforms if
 /// one combination explains all of them.
+///
+/// At the end the program is killed with all that it started, but for a process that has left its process group (setsid).
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -158,10 +162,13 @@ EXAMPLES
       adsdv conform --json -- ./vcu | jq '.requirements[] | select(.outcome == \"fail\")'
 
 OUTPUT
-  REQUIREMENTS  those that tests name: pass, fail, or not checked, because the program does
-                not show what they are about; behind it how many tests name it, and those
-                that failed
-  FAILURES      each thing that is wrong: the row of Figure 2 that was broken, with its
+  REQUIREMENTS  those that tests name. Fail: an output that it is about is wrong. Not
+                checked: the program does not show all that it is about, or could not be
+                asked for it. TESTS is how many name it, or how many of them checked it:
+                a test does not if it cannot be told at the cycle, and after a wrong
+                state it says nothing of other outputs. FAILED names what breaks it
+  FAILURES      each thing that is wrong, the first 20 of the tests and of the random
+                scenarios: the row of Figure 2 that was broken, with its
                 section and its guard, and the shortest scenario that was found, step by
                 step, with the state that was expected beside the one that was shown
   READINGS      which of the document's readings the program follows, as far as its answers
@@ -175,7 +182,8 @@ EXIT STATUS
   0  the program conforms
   1  it does not
   2  no verdict: the program could not be started, ended early, did not answer in
-     time, or does not speak the protocol; or the arguments are wrong")]
+     time, was not done in time, or does not speak the protocol; or the arguments
+     are wrong")]
 pub(crate) struct ConformArgs {
     /// The program, and its arguments, after --.
     #[arg(value_name = "PROGRAM", required = true, last = true, num_args = 1..)]
@@ -215,6 +223,18 @@ pub(crate) struct ConformArgs {
     #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) timeout: Duration,
 
+    /// How long the program may take for all that it is asked.
+    ///
+    /// One that is slow is stopped then, with an error that says how far it came. Many random scenarios may need more.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "600",
+        value_parser = time_limit,
+        allow_negative_numbers = true
+    )]
+    pub(crate) time_limit: Duration,
+
     /// Print JSON; `adsdv schema conform` prints its schema.
     #[arg(long)]
     pub(crate) json: bool,
@@ -235,10 +255,18 @@ fn cycle(text: &str) -> Result<u32, String> {
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text.parse().ok().filter(|seconds: &f64| *seconds > 0.0 && *seconds <= LONGEST_WAIT);
+    seconds_up_to(LONGEST_WAIT, text)
+}
+
+fn time_limit(text: &str) -> Result<Duration, String> {
+    seconds_up_to(LONGEST_RUN, text)
+}
+
+fn seconds_up_to(most: f64, text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| *seconds > 0.0 && *seconds <= most);
     let time =
         seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).filter(|time| !time.is_zero());
-    time.ok_or_else(|| format!("expected a number of seconds above 0, at most {LONGEST_WAIT}"))
+    time.ok_or_else(|| format!("expected a number of seconds above 0, at most {most}"))
 }
 
 /// Print the JSON Schema of what a command prints with `--json`.

@@ -29,6 +29,10 @@ struct Wrong {
     no_eof: bool,
     /// The outputs that are shown; none: all.
     only: Vec<String>,
+    /// An output that is shown as another value.
+    lie: Option<String>,
+    /// Whether each request has another output shown as another value.
+    scramble: bool,
     /// Whether AS_READY is entered only once between resets.
     once: bool,
     reset: Option<String>,
@@ -59,15 +63,17 @@ fn main() -> Result<(), Box<dyn Error>> {
             "--once" => wrong.once = true,
             "--pid" => fs::write(value()?, std::process::id().to_string())?,
             "--only" => wrong.only = value()?.split(',').map(str::to_owned).collect(),
+            "--lie" => wrong.lie = Some(value()?),
+            "--scramble" => wrong.scramble = true,
             "--reset" => wrong.reset = Some(value()?),
             at if at.ends_with("-at") => wrong.at.push((at.to_owned(), value()?.parse()?)),
             other => return Err(format!("what is {other}?").into()),
         }
     }
-    speak(&Machine::new(interface, readings), &wrong)
+    speak(&Machine::new(interface, readings), wrong)
 }
 
-fn speak(vcu: &Machine, wrong: &Wrong) -> Result<(), Box<dyn Error>> {
+fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
     let mut requests = BufReader::new(io::stdin().lock());
     let mut answers = BufWriter::new(io::stdout().lock());
     let (mut control, mut times_ready) = (Control::INITIAL, 0);
@@ -88,6 +94,11 @@ fn speak(vcu: &Machine, wrong: &Wrong) -> Result<(), Box<dyn Error>> {
                 wrong.reset.clone().unwrap_or_else(|| "{}".to_owned())
             }
             Request::Step { dt_ms, inputs } => {
+                if wrong.scramble {
+                    // Never the state, which comes first.
+                    let place = 1 + line.len() % (SHOWN.len() - 1);
+                    wrong.lie = SHOWN.get(place).map(|field| field.key.to_owned());
+                }
                 let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
                 let again = (control.state, after.state) == (AsState::Off, AsState::Ready);
                 times_ready += u32::from(again);
@@ -149,11 +160,17 @@ fn speak(vcu: &Machine, wrong: &Wrong) -> Result<(), Box<dyn Error>> {
 
 impl Wrong {
     fn shown(&self, shown: &Shown) -> String {
-        if self.only.is_empty() {
+        if self.only.is_empty() && self.lie.is_none() {
             return shown.to_string();
         }
-        let all = SHOWN.iter().filter(|field| self.only.iter().any(|only| only == field.key));
-        let fields = all.filter_map(|field| Some((field.key, shown.get(field.key)?.raw?)));
+        let is_shown = |key: &str| self.only.is_empty() || self.only.iter().any(|only| only == key);
+        let all = SHOWN.iter().filter(|field| is_shown(field.key));
+        let fields = all.filter_map(|field| {
+            let raw = shown.get(field.key)?.raw?;
+            // Every output can be 1, and every one but `as_state` 0.
+            let lie = if field.key == "as_state" { 1 + i32::from(raw == 1) } else { i32::from(raw == 0) };
+            Some((field.key, if self.lie.as_deref() == Some(field.key) { lie } else { raw }))
+        });
         let fields: Vec<String> = fields.map(|(key, raw)| format!("\"{key}\":{raw}")).collect();
         format!("{{{}}}", fields.join(","))
     }

@@ -31,10 +31,13 @@ pub(super) fn text(subject: &Subject<'_>, report: &Report) -> String {
                 id: &requirement.id,
                 outcome: requirement.outcome.name(),
                 tests: requirement.tests,
+                checked: requirement.checked,
                 failed: &requirement.failed,
             })
             .collect(),
+        about_the_vcu: report.about_the_vcu,
         failures: report.failures.iter().map(FailureJson::from).collect(),
+        more_failures: report.more_failures,
         readings: Reading::ALL
             .iter()
             .map(|&reading| (reading.id(), report.readings.choice(reading).id()))
@@ -59,7 +62,9 @@ struct ConformJson<'a> {
     latency: usize,
     cycle_ms: Option<u32>,
     requirements: Vec<RequirementJson<'a>>,
+    about_the_vcu: usize,
     failures: Vec<FailureJson<'a>>,
+    more_failures: usize,
     readings: BTreeMap<&'static str, &'static str>,
     follows: Vec<FollowsJson<'a>>,
     not_shown: &'a [&'static str],
@@ -73,6 +78,7 @@ struct RequirementJson<'a> {
     id: &'a str,
     outcome: &'static str,
     tests: usize,
+    checked: usize,
     failed: &'a [String],
 }
 

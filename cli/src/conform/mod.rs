@@ -74,7 +74,7 @@ fn judge(
     // The arguments have the program at least: without it they are refused.
     let (program, rest) = args.command.split_at(args.command.len().min(1));
     let program = program.first().cloned().unwrap_or_default();
-    let mut program = Program::start(&program, rest, args.timeout, args.latency > 0)?;
+    let mut program = Program::start(&program, rest, args.timeout, args.latency > 0)?.within(args.time_limit);
     let mut line = Line::new();
     conform(&mut program, tests, options, &mut |Progress { phase, done, all }| {
         line.show_bar(

@@ -15,6 +15,8 @@ const ID: usize = 8;
 const OUTCOME: usize = 11;
 /// The columns of a state.
 const STATE: usize = 15;
+/// The columns of how many tests there are.
+const TESTS: usize = 10;
 /// Where the inputs of a step stand.
 const INPUTS: usize = 4 + 9 + 2 + 10 + 2 + STATE + 2 + STATE + 6;
 /// So many names are told; of more only how many there are.
@@ -39,6 +41,9 @@ fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize)
             out.push('\n');
         }
         failure(out, one, width)?;
+    }
+    if report.more_failures > 0 {
+        writeln!(out, "\n  and {} more", report.more_failures)?;
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "READINGS"))?;
     for follows in &report.follows {
@@ -85,18 +90,19 @@ fn header(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize
 
 fn requirements(out: &mut String, report: &Report, width: usize) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "REQUIREMENTS"))?;
-    writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>5}  FAILED", "ID", "RESULT", "TESTS")?;
-    for Requirement { id, outcome, tests, failed } in &report.requirements {
+    writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>TESTS$}  FAILED", "ID", "RESULT", "TESTS")?;
+    for Requirement { id, outcome, tests, checked, failed } in &report.requirements {
         let style = match outcome {
             Outcome::Pass => style::GOOD,
             Outcome::Fail => style::BAD,
             Outcome::NotChecked => style::QUIET,
         };
-        write!(out, "  {id:ID$}  {:OUTCOME$}  {tests:>5}", Styled(style, outcome.name()))?;
+        let tests = if checked == tests { tests.to_string() } else { format!("{checked} of {tests}") };
+        write!(out, "  {id:ID$}  {:OUTCOME$}  {tests:>TESTS$}", Styled(style, outcome.name()))?;
         if failed.is_empty() {
             out.push('\n');
         } else {
-            const INDENT: usize = 2 + ID + 2 + OUTCOME + 2 + 5 + 2;
+            const INDENT: usize = 2 + ID + 2 + OUTCOME + 2 + TESTS + 2;
             let mut names = String::new();
             wrapped(&mut names, joined(failed).split(' '), INDENT, width.max(INDENT + 30));
             write!(out, "  {}", names.trim_start())?;
@@ -217,11 +223,12 @@ fn verdict(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Res
     };
     writeln!(
         out,
-        "\n{}: {verdict} (requirements: {}, {}, {}; failed: {} of {}, {} of {})",
+        "\n{}: {verdict} (requirements: {}, {}, {}, of {} about the VCU; failed: {} of {}, {} of {})",
         subject.name,
         count(Outcome::Pass),
         count(Outcome::Fail),
         count(Outcome::NotChecked),
+        report.about_the_vcu,
         report.failed_tests,
         counted(report.tests as u64, "test"),
         report.failed_runs,

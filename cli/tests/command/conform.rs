@@ -139,6 +139,15 @@ fn json_keeps_to_its_schema_and_says_what_the_text_says() {
     assert_eq!(choices, ["every-state", "driving"]);
     assert_eq!(mixed["failures"][0]["explained_by"], json!(["ai-estop=driving"]));
 
+    // Not the things that are told as well.
+    let scrambled = report(&["--runs", "10"], "mutant", &["--scramble"]);
+    let told = scrambled["failures"].as_array().map(Vec::len);
+    assert!(told >= Some(20) && scrambled["more_failures"].as_u64() > Some(0), "{told:?}");
+    assert_eq!((&good["more_failures"], &bad["more_failures"]), (&json!(0), &json!(0)));
+    let more = format!("\n\n  and {} more\n\nREADINGS\n", scrambled["more_failures"]);
+    let (_, text) = text(&["--runs", "10"], "mutant", &["--scramble"]);
+    assert!(text.contains(&more), "{more}{text}");
+
     let unsteady = report(&["--runs", "0"], "mutant", &["--lie-at", "2"]);
     assert_eq!(
         (&unsteady["failures"][0]["why"], &unsteady["failures"][0]["row"]),
@@ -156,6 +165,9 @@ fn the_schema_refuses_what_is_not_an_answer() {
         ("/steps", json!(-1)),
         ("/latency", Value::Null),
         ("/requirements/0/outcome", json!("perhaps")),
+        ("/requirements/0/checked", json!("all")),
+        ("/more_failures", Value::Null),
+        ("/about_the_vcu", json!(-1)),
         ("/failures/0/row/from", json!("AS_PARKED")),
         ("/failures/0/steps/0/expected/as_state", json!([])),
         ("/follows/0/possible", json!("both")),
@@ -243,6 +255,41 @@ fn a_command_that_is_stopped_leaves_no_program_behind() {
     }
 }
 
+/// What was not run, or told nothing, is not counted as if it had been.
+#[test]
+fn a_requirement_is_told_with_how_many_of_its_tests_checked_it() {
+    let options = ["--cycle-ms", "50", "--runs", "0"];
+    let report = report(&options, "adapter", &[]);
+    let partly: Vec<_> = report["requirements"]
+        .as_array()
+        .expect("an array")
+        .iter()
+        .filter(|one| one["checked"] != one["tests"])
+        .collect();
+    assert!(!partly.is_empty() && partly.iter().all(|one| one["failed"] == json!([])), "{partly:?}");
+    let (_, text) = text(&options, "adapter", &[]);
+    for one in partly {
+        let count = format!("{} of {}\n", one["checked"], one["tests"]);
+        let id = format!("\n  {} ", one["id"].as_str().expect("text"));
+        let line = text.split_once(&id).and_then(|(_, rest)| rest.split_inclusive('\n').next());
+        assert!(line.is_some_and(|line| line.ends_with(&count)), "{id} {count} {line:?}");
+    }
+}
+
+/// A program that answers each line in time, and all of them too slowly.
+#[test]
+fn a_program_that_is_slow_is_no_verdict() {
+    let start = Instant::now();
+    let told = conform(&["--timeout", "20", "--time-limit", "1"], "mutant", &["--slow", "150"]);
+    assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""));
+    for said in
+        ["not done within the time limit of 1 s: ", "and 0 of 300 random", "\nhint: raise --time-limit"]
+    {
+        assert!(told.stderr.contains(said), "{said:?} is missing: {}", told.stderr);
+    }
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+}
+
 #[test]
 fn a_program_that_misbehaves_is_no_verdict() {
     for (args, error, hint) in [
@@ -289,6 +336,10 @@ fn arguments_that_are_none() {
         ),
         (&["conform", "--timeout", "0", "--", "vcu"], "expected a number of seconds above 0, at most 3600"),
         (&["conform", "--timeout", "NaN", "--", "vcu"], "expected a number of seconds above 0, at most 3600"),
+        (
+            &["conform", "--time-limit", "-1", "--", "vcu"],
+            "expected a number of seconds above 0, at most 604800",
+        ),
         (&["conform", "--seed", "-1", "--", "vcu"], "--seed <N>"),
         (&["conform", "--runs", "many", "--", "vcu"], "--runs <N>"),
         (&["conform", "--reading", "go-edge=no", "--", "vcu"], "expected one of seen-low, edge"),

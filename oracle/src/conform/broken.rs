@@ -159,7 +159,13 @@ fn differences(reply: &Reply, expected: &Shown) -> Vec<Difference> {
     }
 }
 
-fn why(machine: &Machine, outputs: &Outputs, reply: &Reply) -> Why {
+/// The row that a scenario takes in its last step.
+pub(super) fn last_row(machine: &Machine, scenario: &Scenario) -> Option<Row> {
+    scenario.run(machine).last().and_then(|(_, outputs)| Row::of(machine, outputs.taken?))
+}
+
+/// What a wrong answer to a step with these outputs has to do with Figure 2.
+pub(super) fn why(machine: &Machine, outputs: &Outputs, reply: &Reply) -> Why {
     let due = outputs.taken.and_then(|taken| Row::of(machine, taken));
     let state = reply.state().unwrap_or(outputs.state);
     match due {

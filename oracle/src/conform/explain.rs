@@ -139,8 +139,8 @@ fn classes(machines: &[Machine], state: AsState) -> Vec<(usize, Set)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::conform::random::Walker;
     use crate::conform::rng::Rng;
+    use crate::conform::walker::Walker;
 
     /// One machine of a class stands for all of it: at every step of walks through every state.
     #[test]

@@ -13,11 +13,14 @@
 //!   such combinations;
 //! - `verdict.rs`: which combination the answers follow, or mix;
 //! - `cycle.rs`: scenarios for a program that steps at a fixed cycle;
-//! - `random.rs`: scenarios that lead everywhere, `rng.rs` the chance in them;
+//! - `walker.rs`: scenarios that lead everywhere, `rng.rs` the chance in them;
 //! - `shrink.rs`: the shortest scenario that fails in the same way;
 //! - `broken.rs`: the row of Figure 2 behind a wrong answer;
+//! - `blame.rs`: the requirements that wrong answers break, `about.rs` what a requirement is about, and `keys.rs` sets of
+//!   outputs;
 //! - `requirements.rs`: what was passed, failed and not checked;
-//! - `run.rs`: all of it in order; `report.rs`: what came of it.
+//! - `run.rs`: all of it in order, first `suite.rs`, the tests, then `failures.rs`, what is wrong in them, then `random.rs`,
+//!   the random scenarios; `options.rs` says how, and `report.rs` what came of it.
 //!
 //! ```
 //! use adsdv_oracle::conform::{InProcess, Options, conform};
@@ -32,11 +35,16 @@
 //! # Ok::<(), adsdv_oracle::conform::Trouble>(())
 //! ```
 
+mod about;
+mod blame;
 mod broken;
 mod child;
 mod cycle;
 mod explain;
+mod failures;
+mod keys;
 mod lines;
+mod options;
 mod program;
 mod random;
 mod report;
@@ -46,17 +54,20 @@ mod run;
 mod set;
 mod shrink;
 mod stderr;
+mod suite;
 mod trouble;
 mod vcu;
 mod verdict;
+mod walker;
 
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]
 pub use child::stop_programs;
+pub use options::{Options, Phase, Progress};
 pub use program::Program;
 pub use report::{Failure, Moment, Report};
 pub use requirements::{Outcome, Requirement};
-pub use run::{Options, Phase, Progress, conform};
-pub use trouble::{Place, Trouble, What};
+pub use run::conform;
+pub use trouble::{Place, Trouble, What, Work};
 pub use vcu::{InProcess, Reply, Vcu};
 pub use verdict::{Follows, Side};

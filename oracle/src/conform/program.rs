@@ -29,6 +29,8 @@ pub struct Program {
     lines: Lines,
     last_words: LastWords,
     timeout: Duration,
+    /// Since when it runs, and how long it may take for all of it.
+    limit: Option<(Instant, Duration)>,
     /// Whether `{}` is an answer to a step.
     late: bool,
 }
@@ -48,7 +50,20 @@ impl Program {
         // It ends with the requests, or with the program, which nobody writes to any more.
         thread::spawn(move || to_write.iter().try_for_each(|lines| stdin.write_all(&lines)));
         let (lines, last_words) = (Lines::of(stdout), LastWords::of(stderr));
-        Ok(Self { process, requests: Some(requests), lines, last_words, timeout, late })
+        Ok(Self { process, requests: Some(requests), lines, last_words, timeout, limit: None, late })
+    }
+
+    /// With a limit, from now on, for all that it is asked: one that is slow, and never too slow for an answer, ends as well.
+    #[must_use]
+    pub fn within(self, limit: Duration) -> Self {
+        Self { limit: Some((Instant::now(), limit)), ..self }
+    }
+
+    /// How long it may take for the next answer; an error if the time for all of them is over.
+    fn patience(&self) -> Result<Duration, What> {
+        let Some((start, limit)) = self.limit else { return Ok(self.timeout) };
+        let left = limit.saturating_sub(start.elapsed());
+        if left.is_zero() { Err(What::OutOfTime(limit, None)) } else { Ok(left.min(self.timeout)) }
     }
 
     /// Writes all lines of a scenario; how many.
@@ -66,11 +81,16 @@ impl Program {
 
     /// The next line, as text.
     fn line(&mut self) -> Result<&str, What> {
+        let patience = self.patience()?;
         let process = &mut self.process;
-        match self.lines.next(self.timeout, || process.ended().is_some()) {
+        match self.lines.next(patience, || process.ended().is_some()) {
             Ok(line) => {
                 let line = self.lines.get(line);
                 std::str::from_utf8(line).map_err(|_| What::NotText(excerpt(line)))
+            }
+            // It is not the answer that is late.
+            Err(Missing::Late) if patience < self.timeout => {
+                Err(What::OutOfTime(self.limit.map_or(patience, |(_, limit)| limit), None))
             }
             Err(Missing::Late) => Err(What::Late(self.timeout, excerpt(self.lines.rest()))),
             Err(Missing::TooLong) => Err(What::TooLong(LONGEST, excerpt(self.lines.rest()))),

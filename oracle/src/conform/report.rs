@@ -30,8 +30,12 @@ pub struct Report {
     pub follows: Vec<Follows>,
     /// What was passed, failed and not checked.
     pub requirements: Vec<Requirement>,
+    /// How many requirements are about what a VCU does; the rest of them is about what no output of the protocol shows.
+    pub about_the_vcu: usize,
     /// What failed, one for each thing that is wrong.
     pub failures: Vec<Failure>,
+    /// How many more things are wrong that are not told.
+    pub more_failures: usize,
     /// The outputs that it never shows.
     pub not_shown: Vec<&'static str>,
     /// The tests that cannot be told at its cycle.
@@ -54,7 +58,7 @@ pub struct Failure {
     pub name: String,
     /// What that test checks; empty for a random scenario.
     pub about: String,
-    /// The requirements that it names.
+    /// The requirements that it breaks.
     pub requirements: Vec<String>,
     /// The other tests that fail for the same reason.
     pub also: Vec<String>,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 use std::time::Duration;
 
+use super::options::{Phase, Progress};
 use crate::protocol::BadLine;
 
 /// A program that does not keep to the protocol, so that there is no verdict. It displays as what is wrong, in one line,
@@ -29,6 +30,19 @@ pub struct Place {
     pub sent: String,
 }
 
+/// How far a program came.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// What was being done, and how much of it was done.
+    pub at: Progress,
+    /// The steps that it had made.
+    pub steps: u64,
+    /// The steps of the whole suite.
+    pub suite_steps: u64,
+    /// The random scenarios that it was to be asked for.
+    pub runs: u32,
+}
+
 /// What is wrong. Lines of the program are as much of them as an error shows, without control characters.
 #[derive(Debug)]
 pub enum What {
@@ -40,6 +54,8 @@ pub enum What {
     Closed,
     /// It did not answer in time; what had come of a line by then.
     Late(Duration, String),
+    /// It answers, and is not done within the limit of all of it; how far it came.
+    OutOfTime(Duration, Option<Work>),
     /// It wrote a line that does not end within so many bytes; how it begins.
     TooLong(usize, String),
     /// It wrote a line that is not UTF-8.
@@ -55,6 +71,14 @@ pub enum What {
 impl Trouble {
     pub(super) fn new(what: What) -> Self {
         Self { place: None, what, stderr: Vec::new() }
+    }
+
+    /// The same with how far the program came, if that is what is wrong.
+    pub(super) fn after(mut self, work: Work) -> Self {
+        if let What::OutOfTime(_, done) = &mut self.what {
+            *done = Some(work);
+        }
+        self
     }
 
     /// What to do, in one sentence.
@@ -77,6 +101,9 @@ impl Trouble {
             }
             What::Late(..) => {
                 "answer every line as soon as it is read, and flush standard output after each; for a slow program raise --timeout"
+            }
+            What::OutOfTime(..) => {
+                "raise --time-limit, or ask for less: --runs 0 leaves the random scenarios out; and see what the program waits for between a line and its answer"
             }
             What::TooLong(..) => "end every answer with a line break, and write one JSON object a line",
             What::NotText(_) => {
@@ -129,7 +156,26 @@ impl What {
             | Self::TooMany(line)
             | Self::TooLong(_, line) => Some(line),
             Self::Late(_, unfinished) => Some(unfinished).filter(|unfinished| !unfinished.is_empty()),
-            Self::NoStart(_) | Self::Ended(_) | Self::Closed => None,
+            Self::NoStart(_) | Self::Ended(_) | Self::Closed | Self::OutOfTime(..) => None,
+        }
+    }
+}
+
+impl fmt::Display for Work {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { at: Progress { phase, done, all }, steps, suite_steps, runs } = self;
+        match phase {
+            Phase::Suite => write!(
+                f,
+                "{done} of {all} tests ({steps} of {suite_steps} steps) were done, and 0 of {runs} random scenarios"
+            ),
+            Phase::Random => {
+                write!(f, "all tests and {done} of {all} random scenarios ({steps} steps) were done")
+            }
+            Phase::Shrinking => write!(
+                f,
+                "tests fail, and shorter scenarios that fail were looked for ({steps} steps were done)"
+            ),
         }
     }
 }
@@ -145,6 +191,10 @@ impl fmt::Display for What {
             }
             Self::Late(limit, _) => {
                 write!(f, "no answer within {} s; expected one line", limit.as_secs_f64())
+            }
+            Self::OutOfTime(limit, work) => {
+                write!(f, "not done within the time limit of {} s", limit.as_secs_f64())?;
+                work.map_or(Ok(()), |work| write!(f, ": {work}"))
             }
             Self::TooLong(limit, _) => {
                 write!(f, "a line of more than {limit} bytes; expected a JSON object on one line")

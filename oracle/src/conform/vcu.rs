@@ -49,6 +49,14 @@ impl Reply {
         }
     }
 
+    /// The same without what it shows besides the state.
+    pub(super) fn only_the_state(&self) -> Self {
+        match self {
+            Self::Answer(answer) => Self::Answer(answer.only("as_state")),
+            Self::Nothing => Self::Nothing,
+        }
+    }
+
     /// The SHUTDOWN_CAUSE that it shows.
     pub(super) fn cause(&self) -> Option<ShutdownCause> {
         match self {

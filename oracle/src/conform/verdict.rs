@@ -25,23 +25,30 @@ pub struct Side {
     pub tests: Vec<String>,
 }
 
-/// Which combination explains the most tests. Of several, the one with the fewest choices that are no default.
-pub(super) fn best(explain: &Explain, explained: &[Set]) -> (usize, usize) {
-    let mut counts = vec![0_usize; explain.readings().len()];
-    for set in explained {
-        for member in set.iter() {
+/// Which combination explains the most tests, and how many: all of their answers, and then, lest one wrong output hide which
+/// readings are followed, at least the states in them. Of several, the one with the fewest choices that are no default.
+pub(super) fn best<'a>(
+    explain: &Explain,
+    all: impl Iterator<Item = &'a Set>,
+    states: impl Iterator<Item = &'a Set>,
+) -> (usize, (usize, usize)) {
+    let count = |explained: &mut dyn Iterator<Item = &'a Set>| {
+        let mut counts = vec![0_usize; explain.readings().len()];
+        for member in explained.flat_map(Set::iter) {
             if let Some(count) = counts.get_mut(member) {
                 *count += 1;
             }
         }
-    }
+        counts
+    };
+    let (mut all, mut states) = (all, states);
+    let counts = count(&mut all).into_iter().zip(count(&mut states));
     let unusual =
         |readings: &Readings| readings.choices().difference(Readings::DEFAULT.choices()).iter().count();
-    let all = counts.into_iter().zip(explain.readings()).enumerate();
-    let best = all.max_by_key(|(place, (count, readings))| {
-        (*count, std::cmp::Reverse(unusual(readings)), std::cmp::Reverse(*place))
+    let best = counts.zip(explain.readings()).enumerate().max_by_key(|(place, (counts, readings))| {
+        (*counts, std::cmp::Reverse(unusual(readings)), std::cmp::Reverse(*place))
     });
-    best.map_or((0, 0), |(place, (count, _))| (place, count))
+    best.map_or((0, (0, 0)), |(place, (counts, _))| (place, counts))
 }
 
 /// The combinations that explain everything.

@@ -58,6 +58,19 @@ impl Answer {
         SHOWN.iter().zip(told).filter(|(_, told)| *told != Told::Nothing).map(|(field, _)| field.key)
     }
 
+    /// Of each field of [`SHOWN`] whether the answer says anything of it.
+    pub(crate) fn told(&self) -> impl Iterator<Item = bool> {
+        self.0.into_iter().map(|told| told != Told::Nothing)
+    }
+
+    /// The answer without all other fields than this one.
+    pub(crate) fn only(&self, key: &str) -> Self {
+        let mut only = Self([Told::Nothing; SHOWN.len()]);
+        let slots = SHOWN.iter().zip(only.0.iter_mut().zip(&self.0));
+        slots.filter(|(field, _)| field.key == key).for_each(|(_, (slot, told))| *slot = *told);
+        only
+    }
+
     /// Whether a line answers a reset: an object that shows nothing, as `{}`. The error says why it is no object.
     pub fn is_reset(line: &str) -> Result<bool, BadLine> {
         let Object(entries) = Object::read(line)?;

@@ -63,8 +63,8 @@ impl fmt::Display for Domain {
             Self::Flag => f.write_str("true or false"),
             Self::Names(names) => {
                 f.write_str("one of ")?;
-                for (place, (_, name)) in names.iter().enumerate() {
-                    write!(f, "{}{name:?}", if place == 0 { "" } else { ", " })?;
+                for (place, (raw, name)) in names.iter().enumerate() {
+                    write!(f, "{}{name:?} ({raw})", if place == 0 { "" } else { ", " })?;
                 }
                 Ok(())
             }

@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+mod blame;
 mod late;
 mod misconduct;
 mod mutants;

@@ -1,12 +1,13 @@
 //! Programs that misbehave: each gets its error in time, and leaves no process behind.
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use adsdv_oracle::conform::{Options, Report, Trouble};
+use adsdv_oracle::conform::{Options, Program, Report, Trouble, conform};
 
-use crate::programs::{TIMEOUT, example};
+use crate::programs::{TIMEOUT, example, path, tests};
 
 /// How long a program that hangs is waited for in these tests.
 const SHORT: Duration = Duration::from_millis(500);
@@ -84,6 +85,33 @@ fn programs_that_do_not_answer() {
     says(&["--stall-at", "2"], &["no end of the line within 0.5 s", "received  {\"as_state\":"]);
 }
 
+/// One that answers, and takes its time for each answer, ends as well.
+#[test]
+fn programs_that_are_slow() {
+    let slow = |options: &Options, ms: &str, limit: Duration| {
+        let args: Vec<OsString> = ["--slow", ms].map(OsString::from).into();
+        let start = Instant::now();
+        let program = Program::start(&path("mutant").into_os_string(), &args, TIMEOUT, false);
+        let mut program = program.expect("it starts").within(limit);
+        let judged = conform(&mut program, tests(), options, &mut |_| {});
+        assert!(start.elapsed() < limit + Duration::from_secs(20), "{:?}", start.elapsed());
+        judged.map_err(|trouble| format!("{trouble}\nhint: {}", trouble.hint()))
+    };
+    let steps: usize = tests().iter().map(|test| test.scenario.steps.len()).sum();
+    let said = slow(&Options::default(), "150", Duration::from_secs(1)).expect_err("it is slow");
+    let told = |part: &str| assert!(said.contains(part), "{part:?} is missing: {said}");
+    told("not done within the time limit of 1 s: ");
+    told(&format!(" of {} tests (", tests().len()));
+    told(&format!(" of {steps} steps) were done, and 0 of 300 random scenarios"));
+    told("\n  sent      {\"op\":");
+    told("\nhint: raise --time-limit");
+
+    // It is fast, and asked for very much.
+    let endless = Options { runs: u32::MAX, ..Options::default() };
+    let said = slow(&endless, "0", Duration::from_secs(4)).expect_err("that is too much");
+    assert!(said.contains("all tests and ") && said.contains(" of 4294967295 random scenarios ("), "{said}");
+}
+
 #[test]
 fn programs_that_answer_something_else() {
     says(
@@ -106,7 +134,10 @@ fn programs_that_answer_something_else() {
         &["--unknown-at", "2"],
         &["there is no key \"speed\"; expected one of as_state", "received  {\"as_state\""],
     );
-    says(&["--value-at", "2"], &["\"as_state\" is \"AS_PARKED\"; expected one of \"AS_OFF\""]);
+    says(
+        &["--value-at", "2"],
+        &["\"as_state\" is \"AS_PARKED\"; expected one of \"AS_OFF\" (1), \"AS_READY\" (2), "],
+    );
     says(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
     says(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);
     says(&["--long-at", "2"], &["a line of more than 65536 bytes", "received  xxxx", "end every answer"]);

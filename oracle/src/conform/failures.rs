@@ -1,0 +1,154 @@
+//! What is wrong in the tests that failed: each thing once, shortened.
+
+use std::time::Instant;
+
+use adsdv_spec::{Choice, Machine};
+
+use super::blame::{Blame, Wrong};
+use super::broken::Break;
+use super::options::{Phase, Progress};
+use super::report::Failure;
+use super::run::Run;
+use super::shrink::{Failing, Shrink};
+use super::suite::Suite;
+use super::trouble::Trouble;
+use super::vcu::Reply;
+use crate::suite::{Scenario, Test};
+
+/// So many things that are wrong are told; of more only how many there are.
+pub(super) const TOLD: usize = 20;
+
+/// What failed in the suite.
+#[derive(Debug, Default)]
+pub(super) struct Failures {
+    /// Each thing that is wrong, shortened.
+    pub(super) told: Vec<Failure>,
+    /// Those that are too many to be told.
+    pub(super) more: Vec<Failure>,
+    /// The tests of which the states are wrong for a reason for which some test fails whatever the readings are.
+    pub(super) wrong: Vec<String>,
+    /// By the place of the test, what is wrong in it, and the requirements that are broken.
+    pub(super) broken: Vec<(usize, Wrong, Vec<String>)>,
+}
+
+/// What a failed test answered when it was asked again.
+struct Again {
+    /// The answers, if any of them is wrong.
+    replies: Vec<Reply>,
+    /// The first that is.
+    found: Option<Break>,
+}
+
+impl Run<'_> {
+    /// What is wrong in the tests that failed: each thing once, with the shortest scenario.
+    pub(super) fn suite_failures(
+        &mut self,
+        tests: &[Test],
+        suite: &Suite,
+        blame: &Blame<'_>,
+    ) -> Result<Failures, Trouble> {
+        let machine = Machine::new(self.options.interface, suite.judged_by());
+        let failed: Vec<(usize, &Test, &Scenario, &Option<Vec<Choice>>)> = suite
+            .failed
+            .iter()
+            .zip(&suite.explained_by)
+            .filter_map(|(&place, by)| {
+                Some((place, tests.get(place)?, suite.scenarios.get(place)?.as_ref()?, by))
+            })
+            .collect();
+        // Their answers are asked for again: those of all tests are too many to be kept.
+        let named: Vec<(&str, &Scenario)> =
+            failed.iter().map(|(_, test, scenario, _)| (test.name.as_str(), *scenario)).collect();
+        let mut again: Vec<Again> = Vec::with_capacity(named.len());
+        let mut broken: Vec<(usize, Wrong, Vec<String>)> = Vec::with_capacity(named.len());
+        self.vcu.ask(&named, &mut |asked, replies| {
+            let Some(&(place, test, scenario, _)) = failed.get(asked) else { return };
+            let wrong = Wrong::find(&machine, scenario, replies, suite.late);
+            let requirements = blame.broken(&test.requirements, &wrong);
+            broken.push((place, wrong, requirements));
+            let found = Break::find(&machine, scenario, replies, suite.late);
+            let replies = if found.is_some() { replies.to_vec() } else { Vec::new() };
+            again.push(Again { replies, found });
+        })?;
+
+        let mut groups: Vec<Failure> = Vec::new();
+        let mut wrong: Vec<String> = Vec::new();
+        let each = failed.into_iter().zip(again).zip(&broken);
+        for (((_, test, scenario, by), Again { replies, found }), (.., requirements)) in each {
+            let same = |other: &Failure| match (&other.found, &found) {
+                (Some(one), Some(other)) => one.is_like(other),
+                (None, None) => true,
+                _ => false,
+            };
+            if let Some(group) = groups.iter_mut().find(|group| same(group)) {
+                group.also.push(test.name.clone());
+                if by.is_none() {
+                    wrong.push(group.name.clone());
+                }
+                continue;
+            }
+            let failure = Failure {
+                name: test.name.clone(),
+                about: test.about.clone(),
+                requirements: requirements.clone(),
+                also: Vec::new(),
+                explained_by: by.clone().unwrap_or_default(),
+                expected: scenario.shown(&machine).collect(),
+                scenario: scenario.clone(),
+                replies,
+                found,
+            };
+            if by.is_none() {
+                wrong.push(failure.name.clone());
+            }
+            groups.push(failure);
+        }
+        for group in groups.iter_mut().filter(|group| wrong.contains(&group.name)) {
+            group.explained_by.clear();
+        }
+        let is_wrong = groups.iter().filter(|group| wrong.contains(&group.name));
+        let mut wrong: Vec<String> =
+            is_wrong.flat_map(|group| group.also.iter().chain([&group.name])).cloned().collect();
+        // Where only other outputs are wrong the states still tell which readings are followed.
+        let states_tell = broken.iter().filter(|(_, wrong, _)| !wrong.loses_the_state && !wrong.is_nothing());
+        let states_tell: Vec<&str> =
+            states_tell.filter_map(|(place, ..)| Some(tests.get(*place)?.name.as_str())).collect();
+        wrong.retain(|name| !states_tell.contains(&name.as_str()));
+        groups.sort_by_key(|failure| failure.found.as_ref().map_or((usize::MAX, "\u{7f}"), Break::order));
+        let more = groups.split_off(TOLD.min(groups.len()));
+        let all = groups.len();
+        let mut told = Vec::with_capacity(all);
+        for (done, failure) in groups.into_iter().enumerate() {
+            self.tell(Progress { phase: Phase::Shrinking, done, all });
+            told.push(self.shortest(failure, &machine, suite.late, all - done)?);
+        }
+        Ok(Failures { told, more, wrong, broken })
+    }
+
+    /// The failure with the shortest scenario that is found in a fair part of the time that is left.
+    pub(super) fn shortest(
+        &mut self,
+        mut failure: Failure,
+        machine: &Machine,
+        late: usize,
+        left: usize,
+    ) -> Result<Failure, Trouble> {
+        let Some(found) = failure.found.clone() else { return Ok(failure) };
+        let start = Instant::now();
+        let share = self.shrinking / u32::try_from(left.max(1)).unwrap_or(u32::MAX);
+        let mut shrink = Shrink {
+            vcu: &mut *self.vcu,
+            machine,
+            late,
+            fixed: self.options.cycle_ms.is_some(),
+            deadline: start + share,
+        };
+        let scenario = std::mem::take(&mut failure.scenario);
+        let failing = Failing { scenario, replies: std::mem::take(&mut failure.replies), found };
+        let Failing { scenario, replies, found } = shrink.shortest(failing)?;
+        self.shrinking = self.shrinking.saturating_sub(start.elapsed());
+        failure.expected = scenario.shown(machine).collect();
+        (failure.scenario, failure.replies, failure.found) = (scenario, replies, Some(found));
+        Ok(failure)
+    }
+}

@@ -1,0 +1,183 @@
+//! The tests of the suite, run, and the combinations of readings that explain them.
+
+use adsdv_spec::{Choice, Machine, Reading, Readings};
+
+use super::cycle::in_cycles;
+use super::explain::Explain;
+use super::keys::Keys;
+use super::options::Phase;
+use super::run::Run;
+use super::set::Set;
+use super::shrink::with_tail;
+use super::trouble::Trouble;
+use super::vcu::Reply;
+use super::verdict;
+use crate::suite::{Scenario, Test};
+
+/// So many steps more than are allowed for are tried where most of the suite fails.
+const LATER: usize = 5;
+
+/// What the suite showed.
+pub(super) struct Suite {
+    /// The combinations that explain all of it; if there is none, the one that explains the most.
+    pub(super) readings: Vec<Readings>,
+    /// How many steps late the outputs are.
+    pub(super) late: usize,
+    /// The tests that fail under the first of them.
+    pub(super) failed: Vec<usize>,
+    /// For each of these, the choices that it needs instead; `None` if no combination explains it.
+    pub(super) explained_by: Vec<Option<Vec<Choice>>>,
+    /// All combinations.
+    pub(super) explain: Explain,
+    /// The tests that were run, by their places.
+    pub(super) asked: Vec<usize>,
+    /// Their names.
+    pub(super) names: Vec<String>,
+    /// The combinations that explain each; where none does, those that explain the states that it shows.
+    pub(super) explained_by_state: Vec<Set>,
+    /// The outputs that all answers to each show.
+    pub(super) shown: Vec<Keys>,
+    /// The scenarios as they were asked for.
+    pub(super) scenarios: Vec<Option<Scenario>>,
+    /// The tests that cannot be told at the cycle.
+    pub(super) not_told: Vec<String>,
+}
+
+/// What explains the answers to a test.
+struct Explained {
+    /// The combinations that explain all of them.
+    all: Set,
+    /// The same; where there is none, those that explain the states.
+    state: Set,
+}
+
+impl Suite {
+    /// The combination that what is expected is taken from.
+    pub(super) fn judged_by(&self) -> Readings {
+        self.readings.first().copied().unwrap_or_default()
+    }
+}
+
+impl Run<'_> {
+    /// Whether most of the suite fails only because the outputs are later than is allowed for.
+    pub(super) fn later(&mut self, tests: &[Test], suite: &Suite) -> Result<Vec<String>, Trouble> {
+        if suite.failed.len() * 2 <= tests.len() {
+            return Ok(Vec::new());
+        }
+        let steps = self.steps;
+        let later = self.suite(tests, self.options.latency + LATER)?;
+        self.steps = steps;
+        let Suite { late, failed, .. } = later;
+        let fewer = late > self.options.latency && failed.len() * 2 <= suite.failed.len();
+        let steps = if late == 1 { "1 step".to_owned() } else { format!("{late} steps") };
+        let note = || {
+            format!(
+                "with outputs {steps} late {} tests would fail: --latency {late} allows for that",
+                failed.len()
+            )
+        };
+        Ok(fewer.then(note).into_iter().collect())
+    }
+
+    pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, Trouble> {
+        let options = self.options;
+        let explain = Explain::every(&options.interface, options.possible);
+        let reference = Machine::new(options.interface, Readings::DEFAULT);
+        let told = |test: &Test| match options.cycle_ms {
+            Some(cycle_ms) => in_cycles(&reference, &test.scenario, cycle_ms),
+            None => Some(test.scenario.clone()),
+        };
+        let scenarios: Vec<Option<Scenario>> =
+            tests.iter().map(|test| Some(with_tail(&told(test)?, latency))).collect();
+        let asked: Vec<(usize, &str, &Scenario)> = tests
+            .iter()
+            .zip(&scenarios)
+            .enumerate()
+            .filter_map(|(place, (test, scenario))| Some((place, test.name.as_str(), scenario.as_ref()?)))
+            .collect();
+
+        // By latency, then by test: the combinations that explain the answers.
+        let mut explained: Vec<Vec<Explained>> = Vec::new();
+        explained.resize_with(latency + 1, || Vec::with_capacity(asked.len()));
+        let mut shown: Vec<Keys> = Vec::with_capacity(asked.len());
+        let named: Vec<(&str, &Scenario)> =
+            asked.iter().map(|&(_, name, scenario)| (name, scenario)).collect();
+        self.suite_steps = named.iter().map(|(_, scenario)| scenario.steps.len() as u64).sum();
+        self.ask(&named, Phase::Suite, 0, named.len(), &mut |place, replies| {
+            if let Some((_, scenario)) = named.get(place) {
+                for (late, explained) in explained.iter_mut().enumerate() {
+                    explained.push(Explained::of(&explain, scenario, replies, late));
+                }
+                // Of the first answers a late program need not show more than AS_OFF.
+                let told = replies.iter().skip(latency).map(Keys::told);
+                shown.push(told.fold(Keys::ALL, Keys::and));
+            }
+        })?;
+
+        let counted = explained.iter().enumerate().map(|(late, explained)| {
+            let by = |set: fn(&Explained) -> &Set| explained.iter().map(set);
+            (late, verdict::best(&explain, by(|one| &one.all), by(|one| &one.state)))
+        });
+        let (late, (best, _)) =
+            counted.max_by_key(|(late, (_, counts))| (*counts, std::cmp::Reverse(*late))).unwrap_or_default();
+        let explained = explained.into_iter().nth(late).unwrap_or_default();
+        let (explained, explained_by_state): (Vec<Set>, Vec<Set>) =
+            explained.into_iter().map(|one| (one.all, one.state)).unzip();
+        let all = verdict::all(&explain, &explained);
+        let readings: Vec<Readings> = if all.is_empty() {
+            explain.readings().get(best).copied().into_iter().collect()
+        } else {
+            // The one that is preferred comes first.
+            let others = all.iter().filter(|&other| other != best);
+            std::iter::once(best)
+                .chain(others)
+                .filter_map(|place| explain.readings().get(place).copied())
+                .collect()
+        };
+        let failing = || asked.iter().zip(&explained).filter(|(_, set)| !set.has(best));
+        let suite = Suite {
+            late,
+            failed: failing().map(|((place, ..), _)| *place).collect(),
+            explained_by: failing().map(|(_, set)| needed(&explain, best, set)).collect(),
+            names: asked.iter().map(|&(_, name, _)| name.to_owned()).collect(),
+            readings,
+            not_told: tests
+                .iter()
+                .zip(&scenarios)
+                .filter(|(_, scenario)| scenario.is_none())
+                .map(|(test, _)| test.name.clone())
+                .collect(),
+            asked: asked.iter().map(|(place, ..)| *place).collect(),
+            explained_by_state,
+            shown,
+            explain,
+            scenarios,
+        };
+        Ok(suite)
+    }
+}
+
+impl Explained {
+    fn of(explain: &Explain, scenario: &Scenario, replies: &[Reply], late: usize) -> Self {
+        let all = explain.explaining(scenario, replies, late);
+        let state = if all.is_empty() {
+            let states: Vec<Reply> = replies.iter().map(Reply::only_the_state).collect();
+            explain.explaining(scenario, &states, late)
+        } else {
+            all.clone()
+        };
+        Self { all, state }
+    }
+}
+
+/// The choices that all combinations which explain a test have and the best one has not; `None` if nothing explains it.
+fn needed(explain: &Explain, best: usize, explaining: &Set) -> Option<Vec<Choice>> {
+    let best = explain.readings().get(best).filter(|_| !explaining.is_empty())?;
+    let allowed = |choice: Choice| {
+        explaining
+            .iter()
+            .any(|place| explain.readings().get(place).is_some_and(|readings| readings.is(choice)))
+    };
+    let needed = Reading::ALL.iter().filter(|&&reading| !allowed(best.choice(reading)));
+    Some(needed.flat_map(|reading| reading.choices()).copied().filter(|&choice| allowed(choice)).collect())
+}

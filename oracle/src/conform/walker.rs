@@ -1,0 +1,257 @@
+//! Random scenarios: walks that mostly do what leads on, so that every state is visited often, sometimes what leads
+//! nowhere, and sometimes a fault.
+
+use adsdv_spec::messages::{DirectionRequest, MissionStatus};
+use adsdv_spec::{AsState, Atom, Control, Inputs, Machine};
+
+use super::rng::Rng;
+use crate::protocol::{Domain, INPUTS};
+use crate::suite::{Scenario, Step};
+
+/// A scenario has so many moves at least, and at most twice as many.
+const MOVES: usize = 12;
+/// A scenario does not go on after so many steps.
+const STEPS: usize = 20_000;
+/// Of a hundred moves so many try to leave the state.
+const LEAD: usize = 55;
+/// Of a hundred of those so many to EMERGENCY_BRAKE.
+const BRAKE: usize = 18;
+/// And so many more moves change an input.
+const CHANGE: usize = 30;
+
+/// Someone who walks through the states of a machine.
+#[derive(Debug)]
+pub(super) struct Walker<'a> {
+    machine: &'a Machine,
+    /// The time between two steps, if it is always the same.
+    cycle_ms: Option<u32>,
+    rng: Rng,
+    control: Control,
+    inputs: Inputs,
+    steps: Vec<Step>,
+}
+
+impl<'a> Walker<'a> {
+    pub(super) fn new(machine: &'a Machine, cycle_ms: Option<u32>, rng: Rng) -> Self {
+        let (control, inputs) = (Control::INITIAL, Inputs::default());
+        Self { machine, cycle_ms, rng, control, inputs, steps: Vec::new() }
+    }
+
+    /// The steps of a whole walk.
+    pub(super) fn scenario(mut self) -> Scenario {
+        for _ in 0..MOVES + self.rng.below(MOVES) {
+            if self.steps.len() >= STEPS {
+                break;
+            }
+            match self.rng.below(100) {
+                kind if kind < LEAD => self.lead(),
+                kind if kind < LEAD + CHANGE => self.change(),
+                _ => self.wait(),
+            }
+        }
+        Scenario { steps: self.steps }
+    }
+
+    /// Does what one of the arrows asks for.
+    fn lead(&mut self) {
+        let (machine, needed) = (self.machine, self.control.power_cycle_needed);
+        let table = &machine.interface().table;
+        let arrows = machine
+            .arrows(self.control.state)
+            .filter_map(|taken| Some((taken.row(table)?.to, *taken.term(table)?)));
+        let open = arrows.filter(|(_, term)| !(needed && term.off.has(Atom::PowerCycleNeeded)));
+        let (brake, calm): (Vec<_>, Vec<_>) = open.partition(|(to, _)| *to == AsState::EmergencyBrake);
+        // What leads on is left for AS_OFF only at times.
+        let on: Vec<_> = calm.iter().copied().filter(|(to, _)| *to != AsState::Off).collect();
+        let calm = if on.is_empty() || self.rng.percent(12) { calm } else { on };
+        let from =
+            if calm.is_empty() || (self.rng.percent(BRAKE) && !brake.is_empty()) { &brake } else { &calm };
+        let Some((to, term)) = self.rng.pick(from) else { return self.change() };
+        if to != AsState::EmergencyBrake {
+            self.show(Atom::SdcOpen, false);
+            self.show(Atom::AiEstop, false);
+        }
+        if to == AsState::Driving {
+            self.show(Atom::Asms, true);
+        }
+        term.conditions().for_each(|(atom, value)| self.show(atom, value));
+        if term.on.has(Atom::MissionFinishedEdge) {
+            self.inputs.ai.status.mission_status = MissionStatus::Running;
+            self.step(10, true);
+            self.show(Atom::MissionFinished, true);
+        }
+        if term.on.has(Atom::DirectionNeutralEdge) {
+            self.inputs.ai.status.direction_request = DirectionRequest::Forward;
+            self.step(10, true);
+            self.show(Atom::DirectionNeutral, true);
+        }
+        if term.on.has(Atom::GoEdge) {
+            self.inputs.go = false;
+        }
+        let left = self.left();
+        if left > 0 && (term.on.has(Atom::DwellElapsed) || term.on.has(Atom::EbsTimerComplete)) {
+            let around = [left, left, left, left.saturating_sub(1), left + 1];
+            let dt_ms = self.rng.pick(&around).unwrap_or(left);
+            self.step(dt_ms, true);
+        }
+        if term.on.has(Atom::GoEdge) {
+            if !self.control.go_seen_low {
+                self.step(10, true);
+            }
+            self.inputs.go = true;
+            if self.rng.percent(80) {
+                self.inputs.ai.status.mission_status = MissionStatus::Running;
+            }
+        }
+        if term.on.has(Atom::AiCommsLost) {
+            self.inputs.tsms = true;
+            self.step(10, false);
+            let dt_ms = self.rng.pick(&[49, 50, 50, 51]).unwrap_or(50);
+            self.step(dt_ms, false);
+        } else {
+            let dt_ms = self.rng.pick(&[10, 10, 10, 0, 1, 20]).unwrap_or(10);
+            self.step(dt_ms, true);
+        }
+    }
+
+    /// Changes an input: seldom to a fault.
+    fn change(&mut self) {
+        let faults = self.rng.percent(15);
+        let fields: Vec<_> = INPUTS
+            .iter()
+            .filter(|field| field.key != "handshake")
+            .filter(|field| {
+                faults || !(matches!(field.part, "sdc" | "reports") || field.key == "estop_request")
+            })
+            .collect();
+        for _ in 0..=self.rng.below(3) {
+            let Some(field) = self.rng.pick(&fields) else { return };
+            let raw = match field.domain {
+                Domain::Flag => i32::from(self.rng.percent(if faults { 50 } else { 75 })),
+                Domain::Names(names) => self.rng.pick(names).map_or(0, |(raw, _)| raw),
+                Domain::Number { min, max } => self.number(min, max),
+            };
+            // What is out of its range changes nothing.
+            (field.set)(&mut self.inputs, raw);
+        }
+        let answers = self.rng.percent(95);
+        self.step(10, answers);
+    }
+
+    /// A number of a field: mostly one where something begins to count.
+    fn number(&mut self, min: i32, max: i32) -> i32 {
+        let thresholds = &self.machine.interface().thresholds;
+        let (straight, speed) = (thresholds.straight.raw(), thresholds.wheel_speed.raw());
+        let around = [
+            min,
+            max,
+            0,
+            0,
+            1,
+            -1,
+            speed - 1,
+            speed,
+            speed + 1,
+            straight - 1,
+            straight,
+            straight + 1,
+            1 - straight,
+            -straight,
+        ];
+        if self.rng.percent(80) {
+            self.rng.pick(&around).unwrap_or(0).clamp(min, max)
+        } else {
+            let span = usize::try_from(max.saturating_sub(min)).unwrap_or(0);
+            min.saturating_add(i32::try_from(self.rng.below(span + 1)).unwrap_or(0))
+        }
+    }
+
+    /// Lets time pass: around a limit.
+    fn wait(&mut self) {
+        let (left, handshake) = (self.left(), u32::from(self.machine.interface().timing.handshake_ms));
+        let times =
+            [0, 1, 10, handshake - 1, handshake, handshake + 1, left.saturating_sub(1), left, left + 1];
+        let dt_ms = self.rng.pick(&times).unwrap_or(10);
+        let answers = self.rng.percent(85);
+        self.step(dt_ms, answers);
+    }
+
+    /// How long the state has to last before it can be left in time.
+    fn limit(&self) -> u32 {
+        self.machine.interface().timing.in_state_limit(self.control.state).into()
+    }
+
+    /// How much of that is left.
+    fn left(&self) -> u32 {
+        self.limit().saturating_sub(self.control.in_state_ms.into())
+    }
+
+    fn show(&mut self, atom: Atom, value: bool) {
+        self.inputs.show(atom, value, &self.machine.interface().thresholds);
+    }
+
+    /// Steps, in cycles if they are fixed. The AI Computer answers the handshake, or does not.
+    fn step(&mut self, dt_ms: u32, answers: bool) {
+        let (count, dt_ms) = match self.cycle_ms {
+            Some(cycle_ms) => (dt_ms.div_ceil(cycle_ms.max(1)).max(1), cycle_ms),
+            None => (1, dt_ms),
+        };
+        for _ in 0..count {
+            self.inputs.ai.status.handshake = self.control.handshake.bit == answers;
+            self.control = self.machine.step(&self.control, &self.inputs, dt_ms).0;
+            self.steps.push(Step { dt_ms, inputs: self.inputs });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashMap;
+
+    #[test]
+    fn every_state_and_every_row_is_visited_often() {
+        let machine = Machine::REFERENCE;
+        for cycle_ms in [None, Some(10)] {
+            let (mut states, mut rows) = (HashMap::new(), HashMap::new());
+            for run in 0..300 {
+                let scenario = Walker::new(&machine, cycle_ms, Rng::new(1, run)).scenario();
+                let mut last = AsState::Off;
+                for (control, outputs) in scenario.run(&machine) {
+                    if control.state != last {
+                        *states.entry(control.state).or_insert(0) += 1;
+                    }
+                    last = control.state;
+                    if let Some(taken) = outputs.taken {
+                        *rows.entry((taken.row, taken.term)).or_insert(0) += 1;
+                    }
+                }
+            }
+            let terms = AsState::ALL.iter().flat_map(|&state| machine.arrows(state));
+            let never: Vec<_> = terms
+                .filter(|taken| rows.get(&(taken.row, taken.term)).is_none_or(|&count| count < 5))
+                .collect();
+            assert!(never.is_empty(), "{cycle_ms:?}: {never:?}: {rows:?}");
+            assert!(
+                states.len() == 5 && states.values().all(|&count| count > 60),
+                "{cycle_ms:?}: {states:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_same_seed_is_the_same_walk_and_another_is_another() {
+        let machine = Machine::REFERENCE;
+        let walk = |seed, run| Walker::new(&machine, None, Rng::new(seed, run)).scenario();
+        assert_eq!(walk(7, 3), walk(7, 3));
+        assert_ne!(walk(7, 3), walk(7, 4));
+        assert_ne!(walk(7, 3), walk(8, 3));
+    }
+
+    #[test]
+    fn at_a_fixed_cycle_every_step_takes_it() {
+        let machine = Machine::REFERENCE;
+        let scenario = Walker::new(&machine, Some(20), Rng::new(0, 0)).scenario();
+        assert!(scenario.steps.iter().all(|step| step.dt_ms == 20));
+    }
+}
