@@ -1,4 +1,6 @@
-//! From a recorded log to a report: reads, picks the interface, and lets the judge see every frame.
+//! From a log to a report: picks the interface, and lets the judge see every frame.
+//!
+//! [`judge_log`] reads a recorded log to its end. [`LogJudge`] takes frame by frame, for a bus that is live.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -7,7 +9,7 @@ use std::io::Read;
 use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus, message_by_id};
 
 use crate::candump::{Direction, Entry, FrameKind, ReadError, Reader, Record};
-use crate::judge::{Judge, Options, Party, Report, Rule, Severity};
+use crate::judge::{Finding, Judge, Options, Party, Report, Rule, Severity, Transition};
 
 /// How a log is judged.
 #[derive(Clone, Debug, Default)]
@@ -106,7 +108,7 @@ pub fn judge_log(
     mut progress: impl FnMut(Progress),
 ) -> Result<Report, LogError> {
     let mut reader = Reader::new(source);
-    let mut log = Log::new(options);
+    let mut log = LogJudge::new(options.clone());
     let mut next_progress = PROGRESS_LINES;
     loop {
         match reader.next_record().map_err(LogError::Read)? {
@@ -124,8 +126,32 @@ pub fn judge_log(
     log.finish(reader.line())
 }
 
-struct Log<'a> {
-    options: &'a LogOptions,
+/// The judge of a log that is told frame by frame; [`judge_log`] reads one with it.
+///
+/// ```
+/// use adsdv_oracle::candump::{FrameKind, Record};
+/// use adsdv_oracle::log::{LogJudge, LogOptions};
+///
+/// let mut judge = LogJudge::new(LogOptions::default());
+/// let mut heard = |time_ns, data: &[u8]| {
+///     let kind = FrameKind::Standard;
+///     let frame = Record {
+///         line: 0, time_ns, interface: "can0", kind, id: 0x520, data, direction: None, terminated: true,
+///     };
+///     judge.frame(&frame);
+/// };
+/// heard(1_000_000_000, &[0, 0, 1, 0, 0, 0, 0, 0]);
+/// heard(1_010_000_000, &[0, 0, 2, 0, 0, 0, 0, 0]);
+/// // The transition is judged when its window has passed, whether or not another frame comes.
+/// assert!(judge.news().0.is_empty());
+/// judge.time_passes(1_100_000_000);
+/// assert_eq!(judge.news().0.len(), 1);
+/// assert_eq!(judge.finish(0)?.transitions.len(), 1);
+/// # Ok::<(), adsdv_oracle::log::LogError>(())
+/// ```
+#[derive(Debug)]
+pub struct LogJudge {
+    options: LogOptions,
     judge: Judge,
     /// The interface that is judged, once it is known.
     interface: Option<String>,
@@ -142,7 +168,7 @@ struct Log<'a> {
 }
 
 /// In which direction each side's status message went, as far as the log says.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Directions {
     ai: [u64; 2],
     vcu: [u64; 2],
@@ -170,12 +196,13 @@ impl Directions {
     }
 }
 
-impl<'a> Log<'a> {
-    fn new(options: &'a LogOptions) -> Self {
+impl LogJudge {
+    /// Nothing has been told yet.
+    pub fn new(options: LogOptions) -> Self {
         Self {
-            options,
             judge: Judge::new(options.judge),
             interface: options.interface.clone(),
+            options,
             origin: None,
             first_broken: None,
             frames: 0,
@@ -186,8 +213,9 @@ impl<'a> Log<'a> {
         }
     }
 
+    /// Judges a frame, of whatever kind.
     #[inline]
-    fn frame(&mut self, record: &Record<'_>) {
+    pub fn frame(&mut self, record: &Record<'_>) {
         self.frames += 1;
         let t = record.time_ns - *self.origin.get_or_insert(record.time_ns);
         let ours = match &self.interface {
@@ -263,13 +291,37 @@ impl<'a> Log<'a> {
         forged
     }
 
+    /// No frame has come up to this time, which is told by the clock of the frames: what waited for it is judged.
+    ///
+    /// Before the first frame there is nothing to wait for, and a time before that of the last frame changes nothing.
+    pub fn time_passes(&mut self, time_ns: i64) {
+        if let Some(origin) = self.origin {
+            self.judge.time_passes(time_ns.saturating_sub(origin));
+        }
+    }
+
+    /// So many frames were lost before the next one. What they said is unknown, so that the judge starts anew.
+    pub fn lost(&mut self, count: u64) {
+        self.judge.lost(format!(
+            "{} lost here, because nobody took what came in time; judged as a new recording from here on",
+            counted(count, "frame")
+        ));
+    }
+
+    /// The transitions and findings that are new since this was last asked. The report has them as well.
+    pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.judge.news()
+    }
+
+    /// A line of the log could not be read.
     #[cold]
-    fn broken(&mut self, error: crate::candump::LineError) {
+    pub fn broken(&mut self, error: crate::candump::LineError) {
         self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, error.to_string());
         self.first_broken.get_or_insert(error);
     }
 
-    fn finish(mut self, lines: u64) -> Result<Report, LogError> {
+    /// The end of the log, which had so many lines: settles what is still open.
+    pub fn finish(mut self, lines: u64) -> Result<Report, LogError> {
         if self.frames == 0 {
             return Err(LogError::NoFrame { lines, first: self.first_broken });
         }

@@ -18,10 +18,10 @@ use super::record::{FrameKind, MAX_DATA};
 pub(super) const STANDARD_MASK: u32 = 0x7FF;
 pub(super) const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
 /// `CAN_ERR_FLAG` of `linux/can.h`: with it, the identifier is a class of errors.
-const ERROR_FLAG: u32 = 0x2000_0000;
+pub(super) const ERROR_FLAG: u32 = 0x2000_0000;
 
 pub(super) const MAX_CLASSIC: usize = 8;
-const MAX_FD: usize = 64;
+pub(super) const MAX_FD: usize = 64;
 
 const IDENTIFIER: &str = "an identifier of 3 or 8 hexadecimal digits and '#'";
 const ID_DIGIT: &str = "a hexadecimal digit of the identifier";

@@ -14,7 +14,7 @@
 //! identifiers, remote and error frames, CAN FD and CAN XL, the direction mark of `candump -x`, several
 //! buses. What a record means is for the judge to say, not for the reader.
 //!
-//! [`write_frame`] is the way back.
+//! [`write_frame`] and [`write_record`] are the way back.
 //!
 //! ```
 //! use adsdv_oracle::candump::{Entry, Reader};
@@ -48,7 +48,7 @@ mod writer;
 pub use error::{Excerpt, LineError, ReadError};
 pub use reader::{Entry, Reader};
 pub use record::{Direction, FrameKind, Record};
-pub use writer::write_frame;
+pub use writer::{write_frame, write_record};
 
 /// The longest line that is read, in bytes; a longer one is reported as broken.
 ///

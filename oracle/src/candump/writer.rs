@@ -2,18 +2,17 @@
 
 use std::io::{self, Write};
 
-use super::frame::{EXTENDED_MASK, MAX_CLASSIC, STANDARD_MASK};
+use super::frame::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::line;
+use super::record::{Direction, FrameKind, Record};
 use super::time::{NS_PER_MICROSECOND, NS_PER_SECOND};
 
-/// Room for a line: 50 bytes without the interface, whose name Linux limits to 15.
-const LINE: usize = 128;
+/// Room for a line: 50 bytes without the interface, whose name Linux limits to 15; 112 more with the data of CAN FD.
+const LINE: usize = 256;
 
 /// Writes one classic data frame as a line of a log: `(1795209995.234358) vcan0 520#0000010000000000`.
 ///
-/// `time_ns` is printed in microseconds, as candump does, or in nanoseconds if it is no whole number of them.
-/// An identifier above 7FF is printed as an extended one. What is written is read by
-/// [`Reader`](super::Reader) to the same values. The line reaches `out` in one piece.
+/// An identifier above 7FF is printed as an extended one; [`write_record`] writes frames of every kind, and says the rest.
 ///
 /// ```
 /// let mut log = Vec::new();
@@ -24,9 +23,7 @@ const LINE: usize = 128;
 ///
 /// # Errors
 ///
-/// Fails when `out` does, and with [`io::ErrorKind::InvalidInput`], nothing written, when the frame could not
-/// be read back: a negative time, an `interface` that is empty, very long, or holds white space or control
-/// characters, an identifier of more than 29 bits, more than 8 bytes of `data`.
+/// As [`write_record`].
 pub fn write_frame(
     out: &mut impl Write,
     time_ns: i64,
@@ -34,6 +31,44 @@ pub fn write_frame(
     id: u32,
     data: &[u8],
 ) -> io::Result<()> {
+    let kind = if id > STANDARD_MASK { FrameKind::Extended } else { FrameKind::Standard };
+    let (line, direction, terminated) = (0, None, true);
+    write_record(out, &Record { line, time_ns, interface, kind, id, data, direction, terminated })
+}
+
+/// Writes a frame of any kind as a line of a log: an error frame as `(1.000000) can0 20000004#000C000000000000`.
+///
+/// The time is printed in microseconds, as candump does, or in nanoseconds if it is no whole number of them. What is written
+/// is read by [`Reader`](super::Reader) to the same values, but for the number of the line. The line reaches `out` in one
+/// piece.
+///
+/// ```
+/// use adsdv_oracle::candump::{FrameKind, Record, write_record};
+///
+/// let frame = Record {
+///     line: 0,
+///     time_ns: 1_795_209_995_234_358_000,
+///     interface: "vcan0",
+///     kind: FrameKind::Remote { extended: true, len: 3 },
+///     id: 0x18FF_50E5,
+///     data: &[],
+///     direction: None,
+///     terminated: true,
+/// };
+/// let mut log = Vec::new();
+/// write_record(&mut log, &frame)?;
+/// assert_eq!(log, b"(1795209995.234358) vcan0 18FF50E5#R3\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// Fails when `out` does, and with [`io::ErrorKind::InvalidInput`], nothing written, when the frame could not
+/// be read back: a negative time, an interface that is empty, very long, or holds white space or control
+/// characters, an identifier of more bits or more data than its kind has, and a frame of CAN XL, of whose header a
+/// [`Record`] does not keep all.
+pub fn write_record(out: &mut impl Write, record: &Record<'_>) -> io::Result<()> {
+    let Record { time_ns, interface, .. } = *record;
     if time_ns < 0 {
         return Err(invalid(format!("the time is {time_ns} ns, and a log needs one of at least 0")));
     }
@@ -42,37 +77,83 @@ pub fn write_frame(
             "{interface:?} is no interface; a name has no spaces or control characters, such as vcan0"
         )));
     }
-    if id > EXTENDED_MASK {
-        return Err(invalid(format!("the identifier is {id:X}, and CAN has them up to {EXTENDED_MASK:X}")));
-    }
-    if data.len() > MAX_CLASSIC {
-        return Err(invalid(format!(
-            "the frame has {} bytes of data, and CAN has at most {MAX_CLASSIC}",
-            data.len()
-        )));
-    }
+    check_limits(record)?;
     let mut line = [0; LINE];
     let mut room = line.as_mut_slice();
-    print(&mut room, time_ns, interface, id, data)
+    print(&mut room, record)
         .map_err(|_| invalid(format!("{interface:?} is too long for an interface; Linux has 15 bytes")))?;
     let len = LINE - room.len();
     out.write_all(line.get(..len).unwrap_or_default())
 }
 
-fn print(room: &mut impl Write, time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<()> {
+/// Fails if the kind has no such identifier, or not so much data.
+fn check_limits(record: &Record<'_>) -> io::Result<()> {
+    let (id_mask, most) = match record.kind {
+        FrameKind::Standard => (STANDARD_MASK, MAX_CLASSIC),
+        FrameKind::Extended | FrameKind::Error => (EXTENDED_MASK, MAX_CLASSIC),
+        FrameKind::Remote { extended, len } => {
+            if usize::from(len) > MAX_CLASSIC {
+                return Err(invalid(format!(
+                    "the remote frame asks for {len} bytes of data, and CAN has at most {MAX_CLASSIC}"
+                )));
+            }
+            (if extended { EXTENDED_MASK } else { STANDARD_MASK }, 0)
+        }
+        FrameKind::Fd { extended, flags } => {
+            if flags > 0xF {
+                return Err(invalid(format!(
+                    "the flags of the CAN FD frame are {flags:X}, and a log has one digit"
+                )));
+            }
+            (if extended { EXTENDED_MASK } else { STANDARD_MASK }, MAX_FD)
+        }
+        FrameKind::Xl => {
+            return Err(invalid("a frame of CAN XL has more than a record keeps of it".to_owned()));
+        }
+    };
+    if record.id > id_mask {
+        return Err(invalid(format!(
+            "the identifier is {:X}, and such a frame has them up to {id_mask:X}",
+            record.id
+        )));
+    }
+    if record.data.len() > most {
+        let len = record.data.len();
+        return Err(invalid(format!(
+            "the frame has {len} bytes of data, and such a frame has at most {most}"
+        )));
+    }
+    Ok(())
+}
+
+fn print(room: &mut impl Write, record: &Record<'_>) -> io::Result<()> {
+    let Record { time_ns, interface, kind, id, data, direction, .. } = *record;
     let (seconds, fraction) = (time_ns / NS_PER_SECOND, time_ns % NS_PER_SECOND);
     if fraction % NS_PER_MICROSECOND == 0 {
         write!(room, "({seconds:010}.{:06}) {interface} ", fraction / NS_PER_MICROSECOND)?;
     } else {
         write!(room, "({seconds:010}.{fraction:09}) {interface} ")?;
     }
-    if id > STANDARD_MASK {
-        write!(room, "{id:08X}#")?;
-    } else {
-        write!(room, "{id:03X}#")?;
+    match kind {
+        FrameKind::Extended
+        | FrameKind::Remote { extended: true, .. }
+        | FrameKind::Fd { extended: true, .. } => write!(room, "{id:08X}#")?,
+        FrameKind::Error => write!(room, "{:08X}#", id | ERROR_FLAG)?,
+        _ => write!(room, "{id:03X}#")?,
+    }
+    match kind {
+        FrameKind::Remote { len: 0, .. } => room.write_all(b"R")?,
+        FrameKind::Remote { len, .. } => write!(room, "R{len}")?,
+        FrameKind::Fd { flags, .. } => write!(room, "#{flags:X}")?,
+        _ => {}
     }
     for byte in data {
         write!(room, "{byte:02X}")?;
+    }
+    match direction {
+        Some(Direction::Rx) => room.write_all(b" R")?,
+        Some(Direction::Tx) => room.write_all(b" T")?,
+        None => {}
     }
     writeln!(room)
 }
@@ -84,6 +165,7 @@ fn invalid(message: String) -> io::Error {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{Entry, Reader};
     use super::*;
 
     fn written(time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<String> {
@@ -124,6 +206,62 @@ mod tests {
         for (time_ns, interface, id, data, message) in cases {
             let error = written(time_ns, interface, id, data).expect_err(message);
             assert_eq!(error.kind(), io::ErrorKind::InvalidInput);
+            assert!(error.to_string().contains(message), "{error}");
+        }
+    }
+
+    fn record(kind: FrameKind, id: u32, data: &[u8]) -> Record<'_> {
+        let (line, time_ns, direction, terminated) = (1, 1_795_209_995_234_358_001, None, true);
+        Record { line, time_ns, interface: "vcan0", kind, id, data, direction, terminated }
+    }
+
+    #[test]
+    fn a_frame_of_every_kind_is_read_back() -> Result<(), Box<dyn std::error::Error>> {
+        use FrameKind::{Error, Extended, Fd, Remote, Standard};
+        let bytes: Vec<u8> = (0..64).collect();
+        let mut records = Vec::new();
+        for id in [0, 0x520, STANDARD_MASK] {
+            records.extend((0..=8).map(|len| record(Standard, id, &bytes[..len])));
+            records.extend((0..=8).map(|len| record(Remote { extended: false, len }, id, &[])));
+            records.extend((0..=15).map(|flags| record(Fd { extended: false, flags }, id, &bytes)));
+        }
+        for id in [0, 0x520, 0x800, EXTENDED_MASK] {
+            records.extend((0..=8).map(|len| record(Extended, id, &bytes[..len])));
+            records.extend((0..=8).map(|len| record(Error, id, &bytes[..len])));
+            records.extend((0..=8).map(|len| record(Remote { extended: true, len }, id, &[])));
+            records.extend((0..=64).map(|len| record(Fd { extended: true, flags: 5 }, id, &bytes[..len])));
+        }
+        for direction in [Direction::Rx, Direction::Tx] {
+            records.push(Record { direction: Some(direction), ..record(Standard, 0x520, &bytes[..3]) });
+        }
+        let mut log = Vec::new();
+        for record in &records {
+            write_record(&mut log, record)?;
+        }
+        let mut reader = Reader::new(log.as_slice());
+        for (line, record) in (1..).zip(&records) {
+            assert_eq!(reader.next_record()?, Some(Entry::Frame(Record { line, ..*record })));
+        }
+        assert_eq!(reader.next_record()?, None);
+        Ok(())
+    }
+
+    #[test]
+    fn a_record_that_no_line_can_hold_is_refused() {
+        let cases = [
+            (record(FrameKind::Standard, 0x800, &[]), "up to 7FF"),
+            (record(FrameKind::Error, 0x2000_0000, &[]), "up to 1FFFFFFF"),
+            (record(FrameKind::Remote { extended: false, len: 9 }, 1, &[]), "asks for 9 bytes"),
+            (record(FrameKind::Remote { extended: false, len: 1 }, 1, &[0]), "at most 0"),
+            (record(FrameKind::Remote { extended: false, len: 1 }, 0x800, &[]), "up to 7FF"),
+            (record(FrameKind::Fd { extended: false, flags: 16 }, 1, &[]), "one digit"),
+            (record(FrameKind::Fd { extended: true, flags: 0 }, 1, &[0; 65]), "at most 64"),
+            (record(FrameKind::Xl, 1, &[]), "CAN XL"),
+        ];
+        for (record, message) in cases {
+            let mut out = Vec::new();
+            let error = write_record(&mut out, &record).expect_err(message);
+            assert_eq!((error.kind(), out.as_slice()), (io::ErrorKind::InvalidInput, &[][..]));
             assert!(error.to_string().contains(message), "{error}");
         }
     }

@@ -58,6 +58,11 @@ impl Judge {
         t
     }
 
+    /// Whether a time is later than that of everything so far.
+    pub(super) fn is_later(&self, t_ns: i64) -> bool {
+        self.started && t_ns.clamp(-FAR_NS, FAR_NS) + self.offset > self.now
+    }
+
     #[cold]
     fn set_back(&mut self, t: i64) -> i64 {
         if !self.started {
@@ -105,7 +110,7 @@ impl Judge {
     }
 
     /// Nothing is known any more.
-    fn forget_everything(&mut self) {
+    pub(super) fn forget_everything(&mut self) {
         self.known = Knowledge::NOTHING;
         self.history.clear();
         self.vcu = super::VcuSide::default();

@@ -126,7 +126,7 @@ rules! {
     BrokenLine = "broken-line";
     /// The log's time went backwards.
     TimeBackwards = "time-backwards";
-    /// The VCU was silent, so that what it did meanwhile is unknown.
+    /// The VCU was silent, or frames were lost, so that what happened meanwhile is unknown.
     Gap = "gap";
     /// Messages of one side are missing altogether.
     OneSided = "one-sided";

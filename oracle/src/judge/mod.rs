@@ -56,13 +56,12 @@ use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
 
 pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
 pub use options::Options;
-pub use response::ResponseTimes;
+pub use response::{Meter, ResponseTimes};
 
 use events::Pending;
 use handshake::Watch;
 use history::History;
 use output::Output;
-use response::Meter;
 use slots::{Slot, SlotOf};
 use status::VcuSide;
 use variants::Variants;
@@ -210,6 +209,22 @@ impl Judge {
         self.tick(t_ns)
     }
 
+    /// No frame has come up to this time, in nanoseconds since the first frame: what waited for it is judged.
+    ///
+    /// A time before that of the last frame changes nothing.
+    pub fn time_passes(&mut self, t_ns: i64) {
+        if self.is_later(t_ns) {
+            self.tick(t_ns);
+        }
+    }
+
+    /// Frames were lost before the next one: what they said is unknown, and nothing is known any more.
+    pub fn lost(&mut self, message: String) {
+        self.report(Severity::Warning, Party::Log, "2", Rule::Gap, message);
+        self.settle_all(self.now);
+        self.forget_everything();
+    }
+
     /// Adds what the reader of the log found out.
     pub fn report(
         &mut self,
@@ -230,7 +245,14 @@ impl Judge {
         self.out.report(self.frames, end)
     }
 
-    /// What has been found so far and not been taken yet, in order; for a live bus.
+    /// What has been found since this was last asked, in order; for a live bus. The report has it as well.
+    ///
+    /// What the report only counts is not among it: findings of one rule beyond the first few hundred, for one.
+    pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.out.news()
+    }
+
+    /// What has been found so far and not been taken yet, in order. The report does not have it any more.
     pub fn take_news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.out.take()
     }

@@ -18,6 +18,8 @@ pub(super) struct Output {
     listed: Vec<usize>,
     left_out: Vec<Option<(u64, Finding)>>,
     transitions_left_out: u64,
+    /// How many transitions and findings have been handed out as news.
+    told: (usize, usize),
     /// Identifiers that have been reported, once for nobody and once for the AI Computer.
     reported_ids: [HashSet<u32>; 2],
     pub(super) responses: ResponseTimes,
@@ -31,6 +33,7 @@ impl Default for Output {
             listed: vec![0; Rule::ALL.len()],
             left_out: vec![None; Rule::ALL.len()],
             transitions_left_out: 0,
+            told: (0, 0),
             reported_ids: [HashSet::new(), HashSet::new()],
             responses: ResponseTimes::default(),
         }
@@ -69,8 +72,18 @@ impl Output {
         self.reported_ids[1].insert(id)
     }
 
+    /// What is new since this was last asked.
+    pub(super) fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        let told = std::mem::replace(&mut self.told, (self.transitions.len(), self.findings.len()));
+        (
+            self.transitions.get(told.0..).unwrap_or_default().to_vec(),
+            self.findings.get(told.1..).unwrap_or_default().to_vec(),
+        )
+    }
+
     pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.listed.fill(0);
+        self.told = (0, 0);
         (std::mem::take(&mut self.transitions), std::mem::take(&mut self.findings))
     }
 

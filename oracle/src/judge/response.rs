@@ -78,16 +78,27 @@ impl ResponseTimes {
 ///
 /// Unlike the watch that judges, it measures whatever the log shows: leaving out what is not certain would leave out
 /// the slow answers.
+///
+/// ```
+/// use adsdv_oracle::judge::Meter;
+///
+/// let mut meter = Meter::default();
+/// meter.vcu(0, false);
+/// meter.ai(1_000_000, false);
+/// meter.vcu(10_000_000, true);
+/// assert_eq!(meter.ai(12_000_000, false), None);
+/// assert_eq!(meter.ai(14_000_000, true), Some(4_000_000));
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Meter {
+pub struct Meter {
     vcu: Option<bool>,
     edge_at: Option<i64>,
     ai_was_heard: bool,
 }
 
 impl Meter {
-    /// The VCU's bit was seen.
-    pub(super) fn vcu(&mut self, now: i64, bit: bool) {
+    /// The VCU's HANDSHAKE bit was seen, at this time in nanoseconds.
+    pub fn vcu(&mut self, now: i64, bit: bool) {
         let before = self.vcu.replace(bit);
         if before != Some(bit) {
             // Nobody answers who is not there yet.
@@ -95,15 +106,15 @@ impl Meter {
         }
     }
 
-    /// The AI Computer's bit was seen: tells the response time if this is the answer.
-    pub(super) fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
+    /// The AI Computer's HANDSHAKE bit was seen: tells the response time in nanoseconds if this is the answer.
+    pub fn ai(&mut self, now: i64, bit: bool) -> Option<i64> {
         self.ai_was_heard = true;
         //= HS-11
         if self.vcu == Some(bit) { self.edge_at.take().map(|edge| now - edge) } else { None }
     }
 
     /// The VCU was silent: its bit may have changed meanwhile.
-    pub(super) fn restart(&mut self) {
+    pub fn restart(&mut self) {
         self.vcu = None;
         self.edge_at = None;
     }
