@@ -1,0 +1,64 @@
+//! What the AI Computer has heard of the VCU.
+
+use adsdv_spec::messages::{AnyMessage, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds};
+use adsdv_spec::{Atom, Thresholds};
+
+/// What it keeps of the VCU's frames.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Heard {
+    /// 520h has come.
+    pub(super) vcu: bool,
+    /// 520h.
+    pub(super) status: Vcu2AiStatus,
+    /// The actual steer angle of 523h.
+    pub(super) steer_angle: SteerAngle,
+    /// 525h.
+    pub(super) wheel_speeds: Vcu2AiWheelSpeeds,
+    /// A torque request is in force at an axle, as 521h and 522h return it.
+    torque: [bool; 2],
+    /// A brake request is in force, as 524h returns it.
+    brake: bool,
+    /// The wheels were at rest when all of this was so already.
+    at_rest: bool,
+}
+
+impl Heard {
+    /// Keeps what a frame says, and tells whether it was 520h. One that does not decode changes nothing.
+    pub(super) fn frame(&mut self, frame: &Frame, thresholds: Thresholds) -> bool {
+        let before = (self.torque, self.brake);
+        let [front, rear] = self.torque;
+        match AnyMessage::decode(frame.id, frame.data()) {
+            Ok(AnyMessage::Vcu2AiStatus(status)) => {
+                self.vcu = true;
+                self.status = status;
+                return true;
+            }
+            Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+                self.torque = [drive.front_axle_trq_request.raw() > 0, rear];
+            }
+            Ok(AnyMessage::Vcu2AiDriveR(drive)) => {
+                self.torque = [front, drive.rear_axle_trq_request.raw() > 0];
+            }
+            Ok(AnyMessage::Vcu2AiSteer(steer)) => self.steer_angle = steer.steer_angle,
+            Ok(AnyMessage::Vcu2AiBrake(brake)) => {
+                self.brake = brake.hyd_press_f_req.raw() > 0 && brake.hyd_press_r_req.raw() > 0;
+            }
+            Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
+                self.wheel_speeds = speeds;
+                self.at_rest = speeds.atoms(&thresholds).has(Atom::AtRest);
+            }
+            _ => {}
+        }
+        if before != (self.torque, self.brake) {
+            // What was measured before may be outdated.
+            self.at_rest = false;
+        }
+        false
+    }
+
+    /// Whether the vehicle has stopped for good: the VCU returns the brake request and no torque request, so that none is on
+    /// its way that could start the vehicle again, and the wheels have been seen at rest since then.
+    pub(super) fn has_stopped(&self) -> bool {
+        self.brake && self.torque == [false; 2] && self.at_rest
+    }
+}

@@ -1,0 +1,111 @@
+//! A bus: where frames come from and go to.
+//!
+//! The kernel's SocketCAN is one (`socket`), a bus within the program is another ([`crate::demo`]); tests have buses on which
+//! everything goes wrong.
+
+use std::fmt;
+use std::time::Instant;
+
+use adsdv_oracle::candump::{FrameKind, Record};
+use adsdv_spec::messages::Frame;
+
+/// A bus to receive from.
+pub trait Listen {
+    /// The name of the bus, such as `vcan0`.
+    fn name(&self) -> &str;
+
+    /// Waits until a frame comes, something happens to the bus, or it is this time. Never longer, and never without end.
+    fn receive(&mut self, until: Instant) -> Event;
+
+    /// How many frames the kernel has had to drop so far, because nobody took them in time.
+    fn dropped(&self) -> u64;
+
+    /// The time now. Buses of tests have a time of their own.
+    fn now(&self) -> Instant {
+        Instant::now()
+    }
+}
+
+/// A bus to receive from and to send to. What is sent is not received back.
+pub trait Bus: Listen {
+    /// Sends a frame. It does not wait: a frame that the bus does not take at once is not sent.
+    fn send(&mut self, frame: &Frame) -> Result<(), Trouble>;
+}
+
+/// What came of waiting.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// A frame came.
+    Frame(Received),
+    /// Nothing came in time.
+    Nothing,
+    /// Something happened to the bus. It may come back: receiving goes on, and tells [`Event::Up`] when it does.
+    Trouble(Trouble),
+    /// The bus is there again: frames came from it, or its interface is up.
+    Up,
+}
+
+/// A frame that came, of whatever kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Received {
+    /// When the kernel had it, in nanoseconds since 1970.
+    pub time_ns: i64,
+    /// What sort of frame it is.
+    pub kind: FrameKind,
+    /// Its identifier; for an error frame, its class.
+    pub id: u32,
+    /// How many bytes of `data` came; none with a remote frame, whose kind says how many it asks for.
+    pub len: u8,
+    /// The data; zero from `len` on.
+    pub data: [u8; 8],
+}
+
+impl Received {
+    /// The bytes that came.
+    pub fn data(&self) -> &[u8] {
+        self.data.get(..usize::from(self.len)).unwrap_or(&self.data)
+    }
+
+    /// The line of a log that this frame is, with the name of the bus that it came from.
+    pub fn record<'a>(&'a self, interface: &'a str) -> Record<'a> {
+        let Self { time_ns, kind, id, .. } = *self;
+        // What time it was before 1970 no log can say.
+        let time_ns = time_ns.max(0);
+        Record { line: 0, time_ns, interface, kind, id, data: self.data(), direction: None, terminated: true }
+    }
+
+    /// The frame, if it is a data frame with an 11-bit identifier: no other is of the document.
+    pub fn frame(&self) -> Option<Frame> {
+        let id = u16::try_from(self.id).ok().filter(|_| self.kind == FrameKind::Standard)?;
+        Frame::new(id, self.data())
+    }
+}
+
+/// What is wrong with a bus.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The interface is down.
+    Down,
+    /// The interface is gone.
+    Gone,
+    /// The controller has gone bus-off: it neither sends nor receives until it is restarted.
+    BusOff,
+    /// The queue of frames to be sent is full: the bus does not take them.
+    Full,
+    /// Something else, in the words of the kernel.
+    Other(String),
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Down => f.write_str("the interface is down"),
+            Self::Gone => f.write_str("the interface is gone"),
+            Self::BusOff => f.write_str("the controller is bus-off"),
+            Self::Full => f.write_str("the bus does not take frames: the queue is full"),
+            Self::Other(why) => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for Trouble {}

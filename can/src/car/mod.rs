@@ -1,0 +1,178 @@
+//! The car beside the AI Computer: the reference VCU, the operator's switches, and a simple vehicle.
+//!
+//! ```text
+//! operator's actions --> inputs --> Machine::step --> outputs --> frames
+//! AI's frames --------->   ^                             |
+//!                          +--- vehicle <--- actuation --+
+//! ```
+//!
+//! A [`Car`] is pure: it is told the frames that came, what the operator does and how much time has passed, and answers with
+//! the frames to send. What reaches the actuators and what stands in the frames is for [`adsdv_spec::Outputs`] to say.
+
+mod action;
+mod missing;
+mod vehicle;
+
+use adsdv_spec::messages::{AsState, DecodeError, Frame, Vcu2LogStatus};
+use adsdv_spec::{Actuation, AiMessages, Control, Inputs, Machine, Outputs};
+
+pub(crate) use action::Excerpt;
+pub use action::{Action, Switch, UnknownSwitch};
+pub use missing::{Missing, missing};
+pub(crate) use vehicle::gear_ratio;
+pub use vehicle::{Physics, Vehicle};
+
+/// For so long the VCU is without power when it is cycled, in milliseconds: long enough for everybody to notice.
+pub const POWER_CYCLE_MS: u32 = 1000;
+
+/// The VCU with its operator and its vehicle.
+///
+/// ```
+/// use adsdv_can::car::{Action, Car};
+/// use adsdv_spec::messages::AsState;
+///
+/// let mut car = Car::new(adsdv_spec::Machine::REFERENCE);
+/// car.act(&"tsms on".parse::<Action>()?);
+/// let cycle = car.cycle(10);
+/// assert_eq!(cycle.state(), Some(AsState::Off));
+/// assert_eq!(cycle.frames.len(), 9); // 502h as well: it comes with the first cycle, and then with every tenth
+/// assert_eq!(car.cycle(10).frames.len(), 8);
+/// # Ok::<(), adsdv_can::car::UnknownSwitch>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Car {
+    machine: Machine,
+    control: Control,
+    inputs: Inputs,
+    vehicle: Vehicle,
+    /// What the last step came to; `None` while the VCU is without power.
+    outputs: Option<Outputs>,
+    /// For how long it will still be without power, in milliseconds.
+    dark_ms: u32,
+    /// Since 502h was last due, in milliseconds; `None` if it never was.
+    log_status_ms: Option<u32>,
+}
+
+/// What came of a cycle.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The outputs of the step; `None` if the VCU is without power.
+    pub outputs: Option<Outputs>,
+    /// The frames to send, in order.
+    pub frames: Vec<Frame>,
+}
+
+impl Cycle {
+    /// The AS state after the cycle; `None` if the VCU is without power.
+    pub fn state(&self) -> Option<AsState> {
+        self.outputs.map(|outputs| outputs.state)
+    }
+}
+
+impl Car {
+    /// A car at rest, just switched on, everything else off.
+    pub fn new(machine: Machine) -> Self {
+        let mut inputs = Inputs::default();
+        let vehicle = Vehicle::new(Physics::DEFAULT);
+        vehicle.measure(&mut inputs.vehicle);
+        Self {
+            machine,
+            control: Control::INITIAL,
+            inputs,
+            vehicle,
+            outputs: None,
+            dark_ms: 0,
+            log_status_ms: None,
+        }
+    }
+
+    /// What the operator does.
+    pub fn act(&mut self, action: &Action) {
+        match action {
+            Action::Set(switch, raw) => switch.set(&mut self.inputs, *raw),
+            Action::PowerCycle => self.dark_ms = POWER_CYCLE_MS,
+        }
+    }
+
+    /// A frame that came from the bus. Tells whether it is one that the VCU acts on; see
+    /// [`AiMessages::receive`](adsdv_spec::AiMessages::receive). A VCU without power hears nothing.
+    pub fn receive(&mut self, frame: &Frame) -> Result<bool, DecodeError> {
+        if self.dark_ms > 0 {
+            return Ok(false);
+        }
+        self.inputs.ai.receive(frame.id, frame.data())
+    }
+
+    /// One cycle, `dt_ms` after the last one: a step of the VCU, the frames that are due, and the vehicle that obeys.
+    pub fn cycle(&mut self, dt_ms: u32) -> Cycle {
+        if self.dark_ms > 0 {
+            return self.without_power(dt_ms);
+        }
+        let (control, outputs) = self.machine.step(&self.control, &self.inputs, dt_ms);
+        self.control = control;
+        self.outputs = Some(outputs);
+        let frames = self.due(&outputs, dt_ms);
+        self.vehicle.advance(&outputs.actuation(&self.inputs), dt_ms);
+        self.vehicle.measure(&mut self.inputs.vehicle);
+        Cycle { outputs: Some(outputs), frames }
+    }
+
+    /// The VCU forgets, the AI's last words among it; the switches stay as they are, and the vehicle rolls on.
+    fn without_power(&mut self, dt_ms: u32) -> Cycle {
+        self.dark_ms = self.dark_ms.saturating_sub(dt_ms);
+        self.control = Control::INITIAL;
+        self.outputs = None;
+        self.inputs.ai = AiMessages::default();
+        self.log_status_ms = None;
+        self.vehicle.advance(&Actuation::default(), dt_ms);
+        self.vehicle.measure(&mut self.inputs.vehicle);
+        Cycle { outputs: None, frames: Vec::new() }
+    }
+
+    /// The frames of a step, 502h at its own rate.
+    fn due(&mut self, outputs: &Outputs, dt_ms: u32) -> Vec<Frame> {
+        let log_status = self.log_status_is_due(dt_ms);
+        let is_due = |frame: &Frame| log_status || frame.id != Vcu2LogStatus::ID;
+        outputs.messages(&self.inputs).frames().into_iter().filter(is_due).collect()
+    }
+
+    /// Whether it is time for 502h: in the first cycle, and then without drift.
+    fn log_status_is_due(&mut self, dt_ms: u32) -> bool {
+        let limit = self.machine.interface().timing.log_status_cycle_ms.into();
+        let since = self.log_status_ms.map(|since| since.saturating_add(dt_ms));
+        let is_due = since.is_none_or(|since| since >= limit);
+        // What is too much counts for the next one, but for whole cycles of 502h that were missed.
+        self.log_status_ms = Some(since.and_then(|since| since.checked_rem(limit)).unwrap_or(0));
+        is_due
+    }
+
+    /// The specification that the VCU follows.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// What the VCU remembers.
+    pub fn control(&self) -> &Control {
+        &self.control
+    }
+
+    /// What the VCU sees.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// What the last cycle came to; `None` before the first, and while the VCU is without power.
+    pub fn outputs(&self) -> Option<&Outputs> {
+        self.outputs.as_ref()
+    }
+
+    /// What the vehicle does.
+    pub fn vehicle(&self) -> &Vehicle {
+        &self.vehicle
+    }
+
+    /// The cycle of the VCU, in milliseconds.
+    pub fn cycle_ms(&self) -> u32 {
+        self.machine.interface().timing.cycle_ms.into()
+    }
+}

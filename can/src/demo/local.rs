@@ -1,0 +1,92 @@
+//! A bus within the program in real time, with the AI Computer on it.
+
+use std::collections::VecDeque;
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
+
+use adsdv_oracle::candump::FrameKind;
+use adsdv_spec::Interface;
+use adsdv_spec::messages::Frame;
+
+use super::BUS;
+use crate::ai::Ai;
+use crate::bus::{Bus, Event, Listen, Received, Trouble};
+
+/// A bus with the AI Computer on it, for a machine without CAN. Frames are there at once.
+///
+/// The AI Computer has a cycle of its own, as long as the VCU's and without drift. Cycles for which nobody waited are left
+/// out: the AI Computer then sees that more time has passed.
+#[derive(Debug)]
+pub struct LocalBus {
+    ai: Ai,
+    cycle: Duration,
+    /// When the AI Computer's next cycle is due, and when the last one was.
+    next: Instant,
+    last: Instant,
+    sent: VecDeque<Frame>,
+}
+
+impl LocalBus {
+    /// A bus with this AI Computer, whose first cycle is due at once.
+    pub fn new(ai: Ai) -> Self {
+        let now = Instant::now();
+        let cycle = Duration::from_millis(Interface::V3_0.timing.cycle_ms.into());
+        Self { ai, cycle, next: now, last: now, sent: VecDeque::new() }
+    }
+
+    fn ai_cycle(&mut self, now: Instant) {
+        let late = now.saturating_duration_since(self.next);
+        // In whole cycles, so that no time is lost to rounding.
+        let missed = late.as_nanos().checked_div(self.cycle.as_nanos()).unwrap_or_default();
+        let due = self.next + self.cycle.saturating_mul(u32::try_from(missed).unwrap_or(u32::MAX));
+        let dt_ms = due.saturating_duration_since(self.last).as_millis();
+        self.sent.extend(self.ai.cycle(u32::try_from(dt_ms).unwrap_or(u32::MAX)));
+        self.last = due;
+        self.next = due + self.cycle;
+    }
+}
+
+impl Listen for LocalBus {
+    fn name(&self) -> &str {
+        BUS
+    }
+
+    fn receive(&mut self, until: Instant) -> Event {
+        loop {
+            if let Some(frame) = self.sent.pop_front() {
+                return Event::Frame(received(&frame));
+            }
+            let now = Instant::now();
+            if now >= self.next {
+                self.ai_cycle(now);
+                continue;
+            }
+            if now >= until {
+                return Event::Nothing;
+            }
+            thread::sleep(until.min(self.next).saturating_duration_since(now));
+        }
+    }
+
+    fn dropped(&self) -> u64 {
+        0
+    }
+}
+
+impl Bus for LocalBus {
+    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
+        self.ai.receive(frame);
+        Ok(())
+    }
+}
+
+fn received(frame: &Frame) -> Received {
+    let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    Received {
+        time_ns: i64::try_from(now.as_nanos()).unwrap_or(i64::MAX),
+        kind: FrameKind::Standard,
+        id: frame.id.into(),
+        len: frame.len,
+        data: frame.data,
+    }
+}

@@ -1,0 +1,107 @@
+//! The reference AI Computer on a bus.
+
+use adsdv_spec::Interface;
+use adsdv_spec::messages::{AsState, Message as _, Node, Vcu2AiStatus, message_by_id};
+
+use super::handle::Runner;
+use super::line::{Line, Note};
+use crate::ai::Ai;
+use crate::bus::{Bus, Received};
+use crate::car::Action;
+use crate::status::{Status, What};
+
+/// For so long the VCU may be silent before it is taken to be without power, in milliseconds: many of its cycles.
+const SILENT_MS: u64 = 200;
+
+/// The [`Ai`] on a bus: one [`turn`](Self::turn) is one of its cycles.
+///
+/// Its [`Status`] has what is of the bus, the cycle, and the AS state that the VCU shows; what is of a car is at its default.
+#[derive(Debug)]
+pub struct AiComputer<B> {
+    line: Line<B>,
+    ai: Ai,
+    /// The AS state that the VCU shows, and when it did so last, in milliseconds since the beginning.
+    shown: Option<(AsState, u64)>,
+}
+
+impl<B: Bus> AiComputer<B> {
+    /// An AI Computer that has just been switched on.
+    pub fn new(bus: B, ai: Ai) -> Self {
+        Self { line: Line::new(bus, Interface::V3_0.timing.cycle_ms.into()), ai, shown: None }
+    }
+
+    /// One cycle: receives until it is due, and sends its frames.
+    pub fn turn(&mut self) {
+        while let Some(frame) = self.line.next_frame() {
+            self.hear(&frame);
+        }
+        let begun = self.line.begin();
+        let frames = self.ai.cycle(begun.dt_ms);
+        self.line.send_all(&frames);
+        self.look_for_vcu();
+        self.line.end();
+    }
+
+    /// How everything stands after the last turn.
+    pub fn status(&self) -> &Status {
+        &self.line.status
+    }
+
+    fn hear(&mut self, received: &Received) {
+        let Some(frame) = received.frame() else { return };
+        if message_by_id(frame.id).is_some_and(|message| message.sender == Node::Ai) {
+            self.line.status.foreign += 1;
+            let id = frame.id;
+            self.line.note(Note::Foreign, || {
+                What::OtherAi(format!("somebody else sends {id:03X}h, which is the AI Computer's"))
+            });
+            return;
+        }
+        self.ai.receive(&frame);
+        if frame.id == Vcu2AiStatus::ID {
+            match Vcu2AiStatus::decode(frame.data()) {
+                Ok(status) => self.show(status.as_state),
+                Err(error) => {
+                    self.line.status.refused += 1;
+                    let id = frame.id;
+                    self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
+                }
+            }
+        }
+    }
+
+    fn show(&mut self, state: AsState) {
+        let now = self.line.time_ms();
+        let before = self.shown.replace((state, now)).map(|(state, _)| state);
+        if before != Some(state) {
+            self.change(before, Some(state), "");
+        }
+    }
+
+    fn look_for_vcu(&mut self) {
+        let now = self.line.time_ms();
+        if let Some((state, at)) = self.shown
+            && now > at + SILENT_MS
+        {
+            self.shown = None;
+            self.change(Some(state), None, "the VCU is not heard any more");
+        }
+    }
+
+    fn change(&mut self, from: Option<AsState>, to: Option<AsState>, why: &str) {
+        self.line.happen(What::State { from, to, clause: "", why: why.to_owned() });
+    }
+}
+
+impl<B: Bus> Runner for AiComputer<B> {
+    fn turn(&mut self) {
+        Self::turn(self);
+    }
+
+    /// An AI Computer has no switches.
+    fn act(&mut self, _action: &Action) {}
+
+    fn status(&self) -> &Status {
+        Self::status(self)
+    }
+}

@@ -1,0 +1,203 @@
+//! The virtual VCU: the car on a bus.
+
+use adsdv_oracle::judge::Meter;
+use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node, message_by_id};
+
+use super::handle::Runner;
+use super::line::{Line, Note};
+use crate::bus::{Bus, Received};
+use crate::car::{Action, Car, Cycle, missing};
+use crate::scenario::Player;
+use crate::status::{Status, What};
+
+/// The car on a bus: one [`turn`](Self::turn) is one cycle of the VCU.
+///
+/// ```no_run
+/// use adsdv_can::live::Vcu;
+///
+/// let bus = adsdv_can::socket::open("vcan0")?;
+/// let mut vcu = Vcu::new(bus, adsdv_spec::Machine::REFERENCE, None);
+/// loop {
+///     vcu.turn();
+///     println!("{} frames sent", vcu.status().sent);
+/// }
+/// # #[allow(unreachable_code)]
+/// # Ok::<(), adsdv_can::socket::OpenError>(())
+/// ```
+#[derive(Debug)]
+pub struct Vcu<B> {
+    line: Line<B>,
+    car: Car,
+    player: Option<Player>,
+    meter: Meter,
+    /// When the last frame of the AI Computer came, in nanoseconds since the beginning.
+    heard_at: Option<i64>,
+    /// Whether it is heard at the moment.
+    heard: bool,
+    /// Since when the state lasts, in milliseconds since the beginning.
+    state_since: u64,
+}
+
+impl<B: Bus> Vcu<B> {
+    /// A VCU that has just been switched on, with what the operator will do, if it is known.
+    pub fn new(bus: B, machine: adsdv_spec::Machine, player: Option<Player>) -> Self {
+        let car = Car::new(machine);
+        Self {
+            line: Line::new(bus, car.cycle_ms()),
+            car,
+            player,
+            meter: Meter::default(),
+            heard_at: None,
+            heard: false,
+            state_since: 0,
+        }
+    }
+
+    /// One cycle: receives until it is due, lets the operator act, makes the step and sends its frames.
+    pub fn turn(&mut self) {
+        while let Some(frame) = self.line.next_frame() {
+            self.hear(&frame);
+        }
+        let begun = self.line.begin();
+        let before = self.car.outputs().map(|outputs| outputs.state);
+        self.play(before);
+        let cycle = self.car.cycle(begun.dt_ms);
+        self.say(&cycle);
+        if cycle.state() != before {
+            self.changed(before, &cycle);
+        }
+        self.look_for_ai();
+        self.fill();
+    }
+
+    /// What the operator does, before the next step.
+    pub fn act(&mut self, action: &Action) {
+        self.car.act(action);
+        self.line.happen(What::Did(action.to_string()));
+    }
+
+    /// How everything stands after the last turn.
+    pub fn status(&self) -> &Status {
+        &self.line.status
+    }
+
+    fn play(&mut self, state: Option<AsState>) {
+        // By the grid of the cycles, so that a scenario takes the same course each time.
+        let time_ms = self.line.cycle_time_ms();
+        let due = self.player.as_mut().map(|player| player.due(time_ms, state)).unwrap_or_default();
+        for action in due {
+            self.act(&action);
+        }
+    }
+
+    fn hear(&mut self, received: &Received) {
+        let Some(frame) = received.frame() else { return };
+        match message_by_id(frame.id).map(|message| message.sender) {
+            Some(Node::Vcu) => {
+                self.line.status.foreign += 1;
+                let id = frame.id;
+                self.line.note(Note::Foreign, || {
+                    What::OtherVcu(format!("somebody else sends {id:03X}h, which is the VCU's"))
+                });
+            }
+            Some(Node::Ai) => self.hear_ai(&frame),
+            None => {}
+        }
+    }
+
+    fn hear_ai(&mut self, frame: &Frame) {
+        let now = self.line.now_ns();
+        self.heard_at = Some(now);
+        if !std::mem::replace(&mut self.heard, true) {
+            self.line.happen(What::AiHeard);
+        }
+        match self.car.receive(frame) {
+            Ok(true) if frame.id == Ai2VcuStatus::ID => {
+                let answer = self.car.inputs().ai.status.handshake;
+                if let Some(ns) = self.meter.ai(now, answer) {
+                    self.line.status.responses.add(ns);
+                    self.line.status.last_response_ms = Some(milliseconds(ns));
+                }
+            }
+            Ok(_) => {}
+            Err(error) => {
+                self.line.status.refused += 1;
+                let id = frame.id;
+                self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
+            }
+        }
+    }
+
+    /// Sends the frames of a cycle.
+    fn say(&mut self, cycle: &Cycle) {
+        let all = self.line.send_all(&cycle.frames);
+        match &cycle.outputs {
+            // An edge that was not sent cannot be answered.
+            Some(outputs) if all => self.meter.vcu(self.line.now_ns(), outputs.handshake),
+            _ => self.meter.restart(),
+        }
+    }
+
+    fn changed(&mut self, from: Option<AsState>, cycle: &Cycle) {
+        self.state_since = self.line.time_ms();
+        let machine = self.car.machine();
+        let term = cycle.outputs.as_ref().and_then(|outputs| outputs.term(machine));
+        let row = cycle.outputs.as_ref().and_then(|outputs| outputs.row(machine));
+        let conditions = term.map(|term| term.conditions().map(|(atom, value)| atom.text(value)).collect());
+        let why = conditions.map(|conditions: Vec<&str>| conditions.join(", ")).unwrap_or_default();
+        let clause = row.map_or("", |row| row.clause);
+        self.line.happen(What::State { from, to: cycle.state(), clause, why });
+    }
+
+    /// Notes that the AI Computer has fallen silent: for longer than an answer may take.
+    fn look_for_ai(&mut self) {
+        let silent = self.ai_silent_ms();
+        let limit = self.car.machine().interface().timing.handshake_ms.into();
+        if self.heard && silent.is_some_and(|silent| silent > limit) {
+            self.heard = false;
+            self.line.happen(What::AiSilent);
+        }
+    }
+
+    fn ai_silent_ms(&self) -> Option<u64> {
+        let heard_at = self.heard_at?;
+        Some(self.line.now_ns().saturating_sub(heard_at).unsigned_abs() / 1_000_000)
+    }
+
+    fn fill(&mut self) {
+        let ai_silent_ms = self.ai_silent_ms();
+        self.line.end();
+        let status = &mut self.line.status;
+        status.inputs = *self.car.inputs();
+        status.outputs = self.car.outputs().copied();
+        status.in_state_ms = status.time_ms.saturating_sub(self.state_since);
+        status.missing = missing(&self.car);
+        status.ai_silent_ms = ai_silent_ms;
+        status.speed_mps = self.car.vehicle().speed_mps();
+        status.distance_m = self.car.vehicle().distance_m();
+        status.next = self.player.as_ref().and_then(Player::next);
+    }
+}
+
+impl<B: Bus> Runner for Vcu<B> {
+    fn turn(&mut self) {
+        Self::turn(self);
+    }
+
+    fn act(&mut self, action: &Action) {
+        Self::act(self, action);
+    }
+
+    fn status(&self) -> &Status {
+        Self::status(self)
+    }
+
+    fn is_over(&self) -> bool {
+        self.player.as_ref().is_some_and(Player::is_over)
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a duration for display")]
+fn milliseconds(ns: i64) -> f64 {
+    ns as f64 / 1e6
+}

@@ -1,0 +1,57 @@
+//! A bus of Linux's SocketCAN, with all that can go wrong.
+//!
+//! | to read about | look in |
+//! |---|---|
+//! | which interface can be used, and what to do if it cannot | `interface` |
+//! | one socket: frames in and out, when they came, and how many were dropped | `raw` |
+//! | going down and coming back, being removed and made again, bus-off | `link` |
+//!
+//! [`open`] opens a bus to take part in. [`listen`] opens one to listen to: a [`Listener`] has no way to send.
+//!
+//! Frames of classic CAN of every kind come, error frames included, also those that other programs on this machine send; those
+//! that the bus sends itself do not. Frames of CAN FD do not come: the ADS-DV has none.
+
+mod error;
+#[cfg(target_os = "linux")]
+mod interface;
+#[cfg(target_os = "linux")]
+mod link;
+#[cfg(not(target_os = "linux"))]
+#[path = "elsewhere.rs"]
+mod link;
+#[cfg(target_os = "linux")]
+mod raw;
+
+pub use error::OpenError;
+pub use link::{CanBus, Listener, error_text};
+
+/// Opens a CAN interface that is up, to send to and to receive from.
+///
+/// ```no_run
+/// use std::time::{Duration, Instant};
+/// use adsdv_can::bus::{Bus as _, Event, Listen as _};
+///
+/// let mut bus = adsdv_can::socket::open("vcan0")?;
+/// if let Event::Frame(frame) = bus.receive(Instant::now() + Duration::from_secs(1)) {
+///     println!("{:03X}h {:02X?}", frame.id, frame.data());
+/// }
+/// # Ok::<(), adsdv_can::socket::OpenError>(())
+/// ```
+pub fn open(name: &str) -> Result<CanBus, OpenError> {
+    CanBus::open(name)
+}
+
+/// Opens a CAN interface that is up, to receive from.
+///
+/// What it opens cannot send:
+///
+/// ```compile_fail,E0599
+/// use adsdv_can::bus::Bus as _;
+/// use adsdv_spec::messages::{Message as _, Vcu2AiStatus};
+///
+/// let mut listener = adsdv_can::socket::listen("vcan0").unwrap();
+/// listener.send(&Vcu2AiStatus::default().encode());
+/// ```
+pub fn listen(name: &str) -> Result<Listener, OpenError> {
+    Listener::open(name)
+}

@@ -1,0 +1,230 @@
+//! What goes wrong on a bus is told, once, and the car goes on.
+
+use adsdv_can::ai::Ai;
+use adsdv_can::bus::{Event, Trouble};
+use adsdv_can::status::What;
+use adsdv_oracle::candump::FrameKind;
+use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
+
+use super::{Bench, count, happenings, mission, ms, run, vcu};
+
+fn is_trouble(what: &What) -> bool {
+    matches!(what, What::Trouble(_))
+}
+
+#[test]
+fn an_interface_that_goes_down_and_comes_back_is_told_once_each() {
+    for trouble in [Trouble::Down, Trouble::Gone] {
+        let bench = Bench::new();
+        let mut vcu = vcu(&bench, "");
+        run(&mut vcu, &bench, ms(1000));
+        assert_eq!(vcu.status().trouble, None);
+        let sent = vcu.status().sent;
+
+        bench.comes(ms(1005), Event::Trouble(trouble.clone()));
+        bench.sending(Err(trouble.clone()));
+        run(&mut vcu, &bench, ms(2000));
+        assert_eq!(vcu.status().trouble, Some(trouble.clone()));
+        assert_eq!((vcu.status().sent, vcu.status().unsent), (sent, 100 * 8 + 10));
+
+        bench.comes(ms(2005), Event::Up);
+        bench.sending(Ok(()));
+        run(&mut vcu, &bench, ms(3000));
+        assert_eq!(vcu.status().trouble, None);
+        assert_eq!(vcu.status().sent, sent + 100 * 8 + 10);
+        // The car went on all the while.
+        assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (301, 0));
+        let told: Vec<_> = happenings(vcu.status())
+            .into_iter()
+            .filter(|(_, what)| is_trouble(what) || **what == What::Up)
+            .collect();
+        assert_eq!(told, [(1005, &What::Trouble(trouble)), (2005, &What::Up)]);
+    }
+}
+
+#[test]
+fn bus_off_is_told_and_so_is_the_restart() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    bench.frame_comes(ms(105), FrameKind::Error, 0x40, &[0; 8]);
+    bench.comes(ms(105), Event::Trouble(Trouble::BusOff));
+    bench.frame_comes(ms(505), FrameKind::Error, 0x100, &[0; 8]);
+    bench.comes(ms(505), Event::Up);
+    run(&mut vcu, &bench, ms(110));
+    bench.sending(Err(Trouble::Full));
+    run(&mut vcu, &bench, ms(300));
+    // A full queue is what comes of it, and no news.
+    assert_eq!(vcu.status().trouble, Some(Trouble::BusOff));
+    bench.sending(Ok(()));
+    run(&mut vcu, &bench, ms(400));
+    assert_eq!(
+        vcu.status().trouble,
+        Some(Trouble::BusOff),
+        "that frames are taken does not mean that they are sent"
+    );
+    run(&mut vcu, &bench, ms(600));
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().errors), (None, 2));
+    assert_eq!(count(vcu.status(), is_trouble), 1);
+    assert_eq!(count(vcu.status(), |what| *what == What::Up), 1);
+}
+
+#[test]
+fn error_frames_are_counted_and_told_in_words_not_too_often() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    for at in 0..2500 {
+        bench.frame_comes(ms(at), FrameKind::Error, 0x4, &[0, 0x30, 0, 0, 0, 0, 0, 0]);
+    }
+    run(&mut vcu, &bench, ms(3000));
+    assert_eq!((vcu.status().errors, vcu.status().received), (2500, 2500));
+    let told: Vec<_> = happenings(vcu.status())
+        .into_iter()
+        .filter_map(|(at, what)| match what {
+            What::ErrorFrame(text) => Some((at, text.as_str())),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(told.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [0, 1000, 2000]);
+    #[cfg(target_os = "linux")]
+    assert!(told[0].1.contains("controller problem"), "{told:?}");
+}
+
+#[test]
+fn a_full_queue_costs_frames_and_no_time() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    run(&mut vcu, &bench, ms(100));
+    bench.sending(Err(Trouble::Full));
+    run(&mut vcu, &bench, ms(200));
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Trouble::Full), 81));
+    bench.sending(Ok(()));
+    run(&mut vcu, &bench, ms(300));
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (None, 81));
+    assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (31, 0));
+    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    assert_eq!(told, [(110, &What::Trouble(Trouble::Full)), (210, &What::Up)]);
+}
+
+#[test]
+fn foreign_frames_change_nothing() {
+    let quiet = Bench::new();
+    let mut alone = vcu(&quiet, "0.5 asms on\n1 tsms on\n");
+    run(&mut alone, &quiet, ms(3000));
+
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "0.5 asms on\n1 tsms on\n");
+    for at in 0..3000 {
+        // The AI Computer's own identifiers as other frames than it sends, and others' as any.
+        bench.frame_comes(ms(at), FrameKind::Extended, 0x510, &[0xFF; 8]);
+        bench.frame_comes(ms(at), FrameKind::Remote { extended: false, len: 8 }, 0x510, &[]);
+        bench.frame_comes(ms(at), FrameKind::Extended, 0x520, &[0xFF; 8]);
+        bench.frame_comes(ms(at), FrameKind::Standard, 0x7FF, &[0xFF; 8]);
+        bench.frame_comes(ms(at), FrameKind::Standard, 0x181, &[]);
+    }
+    run(&mut vcu, &bench, ms(3000));
+    assert_eq!(bench.take_sent(), quiet.take_sent());
+    let status = vcu.status();
+    assert_eq!((status.received, status.foreign, status.refused), (15_000, 0, 0));
+    assert_eq!(status.happened, alone.status().happened);
+}
+
+#[test]
+fn garbage_of_the_ai_computer_is_refused_and_told() {
+    let quiet = Bench::new();
+    let mut alone = vcu(&quiet, "");
+    run(&mut alone, &quiet, ms(5000));
+
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    let (mut seed, mut refused) = (1_u64, 0);
+    for at in 0..5000 {
+        // A generator of Knuth's: any garbage will do.
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let bytes = seed.to_be_bytes();
+        let id = 0x510 + (at % 5) as u16;
+        let data = &bytes[..usize::from(bytes[1] % 9)];
+        refused += u64::from(adsdv_spec::AiMessages::default().receive(id, data).is_err());
+        bench.frame_comes(ms(at), FrameKind::Standard, id.into(), data);
+    }
+    run(&mut vcu, &bench, ms(5000));
+    let status = vcu.status();
+    assert!(refused > 1000, "{refused}");
+    assert_eq!((status.received, status.refused), (5000, refused));
+    // One a second for each of five identifiers.
+    let told = count(status, |what| matches!(what, What::Refused(_)));
+    assert!((5..=25).contains(&told), "{told}");
+    let text = status.happened.iter().find_map(|happening| match &happening.what {
+        What::Refused(text) => Some(text.clone()),
+        _ => None,
+    });
+    assert!(text.as_ref().is_some_and(|text| text.starts_with("51") && text.contains("h: ")), "{text:?}");
+    assert_eq!(bench.take_sent().len(), quiet.take_sent().len());
+    assert_eq!(status.cycles.late, 0);
+}
+
+#[test]
+fn a_second_vcu_is_told() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    run(&mut vcu, &bench, ms(500));
+    let status = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() }.encode();
+    for at in (500..2000).step_by(10) {
+        bench.frame_comes(ms(at), FrameKind::Standard, status.id.into(), status.data());
+    }
+    run(&mut vcu, &bench, ms(2500));
+    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let text = "somebody else sends 520h, which is the VCU's".to_owned();
+    assert_eq!(told, [(500, &What::OtherVcu(text.clone())), (1500, &What::OtherVcu(text))]);
+    assert_eq!(vcu.status().foreign, 150);
+    // It does not take the other's state for its own.
+    assert_eq!(vcu.status().outputs.map(|outputs| outputs.state), Some(AsState::Off));
+}
+
+#[test]
+fn an_ai_computer_that_vanishes_costs_the_mission_and_is_heard_again() {
+    let bench = Bench::new();
+    bench.plug_in(Ai::default());
+    let mut vcu = mission(&bench);
+    while vcu.status().outputs.map(|outputs| outputs.state) != Some(AsState::Driving) {
+        assert!(bench.time() < ms(60_000), "{:#?}", vcu.status().happened);
+        vcu.turn();
+    }
+    let unplugged = bench.time();
+    bench.unplug();
+    run(&mut vcu, &bench, unplugged + ms(300));
+    let status = vcu.status();
+    assert_eq!(status.outputs.map(|outputs| outputs.state), Some(AsState::EmergencyBrake));
+    assert_eq!(count(status, |what| *what == What::AiSilent), 1);
+    assert!(
+        status.ai_silent_ms.is_some_and(|silent| (290..=310).contains(&silent)),
+        "{:?}",
+        status.ai_silent_ms
+    );
+    let heard = count(status, |what| *what == What::AiHeard);
+
+    bench.plug_in(Ai::default());
+    run(&mut vcu, &bench, unplugged + ms(600));
+    assert_eq!(count(vcu.status(), |what| *what == What::AiHeard), heard + 1);
+    assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));
+}
+
+#[test]
+fn a_power_cycle_silences_the_vcu_for_a_while() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "1 power cycle\n");
+    run(&mut vcu, &bench, ms(4000));
+    let sent = bench.take_sent();
+    let dark = sent.windows(2).map(|pair| pair[1].0.saturating_sub(pair[0].0)).max();
+    assert!(dark.is_some_and(|dark| (ms(1000)..=ms(1020)).contains(&dark)), "{dark:?}");
+    let states: Vec<_> = vcu
+        .status()
+        .happened
+        .iter()
+        .filter_map(|happening| match happening.what {
+            What::State { from, to, .. } => Some((from, to)),
+            _ => None,
+        })
+        .collect();
+    let off = Some(AsState::Off);
+    assert_eq!(states, [(None, off), (off, None), (None, off)]);
+}

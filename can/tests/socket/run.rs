@@ -1,0 +1,131 @@
+//! The virtual VCU and the AI Computer on a bus of the kernel's.
+
+use std::env;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use adsdv_can::ai::Ai;
+use adsdv_can::bus::{Event, Listen as _};
+use adsdv_can::live::{AiComputer, Handle, Vcu, Watch};
+use adsdv_can::scenario::{Player, Scenario};
+use adsdv_can::socket;
+use adsdv_can::status::{Status, What};
+use adsdv_oracle::judge::Verdict;
+use adsdv_oracle::log::LogOptions;
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Fault, Machine};
+use libtest_mimic::Completion;
+
+use super::vcan::{Outcome, Test, Tried, Vcan, ensure, undisturbed, wait_until};
+
+pub(crate) const TESTS: &[Test] = &[
+    ("run::a_whole_mission_conforms", mission),
+    ("run::two_vcus_hear_of_each_other", two_vcus),
+    ("run::an_ai_computer_that_vanishes_is_missed_and_heard_again", vanishes),
+    ("run::the_cycle_is_held", cycle),
+];
+
+fn vcu(vcan: &Vcan, scenario: Option<&Scenario>) -> Tried<Handle> {
+    Ok(Handle::start(Vcu::new(socket::open(&vcan.0)?, Machine::REFERENCE, scenario.map(Player::new)))?)
+}
+
+fn ai(vcan: &Vcan) -> Tried<Handle> {
+    Ok(Handle::start(AiComputer::new(socket::open(&vcan.0)?, Ai::default()))?)
+}
+
+fn state(status: &Status) -> Option<AsState> {
+    status.outputs.map(|outputs| outputs.state)
+}
+
+fn mission() -> Outcome {
+    undisturbed("run::mission", watched_mission)
+}
+
+fn watched_mission() -> Tried<bool> {
+    let vcan = Vcan::new()?;
+    let mut listener = socket::listen(&vcan.0)?;
+    let ai = ai(&vcan)?;
+    let vcu = vcu(&vcan, Some(&Scenario::mission()))?;
+    let mut watch = Watch::new(&vcan.0, LogOptions::default());
+    let begun = Instant::now();
+    while vcu.is_running() {
+        ensure!(begun.elapsed() < Duration::from_secs(90), "{:#?}", vcu.status());
+        if state(&vcu.status()) == Some(AsState::EmergencyBrake) {
+            let status = vcu.join()?;
+            let lost = status.outputs.is_some_and(|outputs| outputs.faults.has(Fault::AiCommsFault));
+            ensure!(lost, "{:#?}", status.happened);
+            return Ok(false);
+        }
+        if let Event::Frame(frame) = listener.receive(Instant::now() + Duration::from_millis(50)) {
+            watch.dropped(listener.dropped());
+            watch.frame(&frame);
+        }
+    }
+    let (vcu, ai) = (vcu.join()?, ai.join()?);
+    let to = |status: &Status| -> Vec<AsState> {
+        let states = status.happened.iter().map(|happening| match happening.what {
+            What::State { to, .. } => to,
+            _ => None,
+        });
+        states.flatten().collect()
+    };
+    let way = [AsState::Off, AsState::Ready, AsState::Driving, AsState::Finished, AsState::Off];
+    ensure!(to(&vcu) == way, "{:#?}", vcu.happened);
+    ensure!(to(&ai) == way, "{:#?}", ai.happened);
+    ensure!(vcu.unsent + vcu.refused + vcu.foreign + vcu.dropped == 0, "{vcu:#?}");
+    let sent = vcu.sent + ai.sent;
+    ensure!(vcan.sent()? == sent, "{} of {sent} frames, with a listener on the bus", vcan.sent()?);
+    let report = watch.finish()?;
+    ensure!(report.verdict() == Verdict::Conforms, "{:#?}", report.findings);
+    ensure!(report.transitions.len() == way.len() - 1, "{:#?}", report.transitions);
+    Ok(true)
+}
+
+fn two_vcus() -> Outcome {
+    let vcan = Vcan::new()?;
+    let (one, two) = (vcu(&vcan, None)?, vcu(&vcan, None)?);
+    wait_until("both hear the other", || one.status().foreign > 10 && two.status().foreign > 10)?;
+    for status in [one.join()?, two.join()?] {
+        let told = status.happened.iter().any(|happening| matches!(happening.what, What::OtherVcu(_)));
+        ensure!(told, "{:#?}", status.happened);
+    }
+    Ok(Completion::Completed)
+}
+
+fn vanishes() -> Outcome {
+    let vcan = Vcan::new()?;
+    let vcu = vcu(&vcan, Some(&"0 ebs ARMED, ami TRACK_DRIVE, tsms on, asms on\n".parse()?))?;
+    let first = ai(&vcan)?;
+    wait_until("it is ready", || state(&vcu.status()) == Some(AsState::Ready))?;
+    first.join()?;
+    wait_until("the AI Computer is missed", || state(&vcu.status()) == Some(AsState::EmergencyBrake))?;
+    wait_until("that is told", || {
+        vcu.status().happened.iter().any(|happening| happening.what == What::AiSilent)
+    })?;
+    let second = ai(&vcan)?;
+    wait_until("it is heard again", || vcu.status().ai_silent_ms.is_some_and(|silent| silent < 50))?;
+    second.join()?;
+    let status = vcu.join()?;
+    let heard = status.happened.iter().filter(|happening| happening.what == What::AiHeard).count();
+    ensure!(heard >= 2, "{:#?}", status.happened);
+    Ok(Completion::Completed)
+}
+
+/// What the cycle is like is measured, and asserted only where the machine is said to be idle.
+fn cycle() -> Outcome {
+    let vcan = Vcan::new()?;
+    let (vcu, ai) = (vcu(&vcan, Some(&"0 tsms on\n".parse()?))?, ai(&vcan)?);
+    thread::sleep(Duration::from_secs(10));
+    let (status, _) = (vcu.join()?, ai.join()?);
+    let cycles = status.cycles;
+    println!(
+        "run::the_cycle_is_held: {} cycles, {} late; p99 {:.2} ms, worst {:.2} ms",
+        cycles.count, cycles.late, cycles.p99_ms, cycles.worst_ms
+    );
+    let idle = env::var_os("ADSDV_IDLE").is_some_and(|value| value == "1");
+    ensure!(!idle || cycles.p99_ms < 2.0, "the 99th percentile is {:.2} ms", cycles.p99_ms);
+    // Whatever the machine: no cycle is lost without being counted.
+    let at_least = status.time_ms / 10 / 2;
+    ensure!(cycles.late > 0 || cycles.count >= at_least, "{cycles:?} in {} ms", status.time_ms);
+    Ok(Completion::Completed)
+}
