@@ -11,6 +11,10 @@ use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
+mod bus;
+
+pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
+
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
 /// The most steps that outputs may be late.
@@ -27,9 +31,10 @@ const MOST_THREADS: usize = 256;
 /// The executable specification of the ADS-DV AI/VCU interface.
 ///
 /// The ADS-DV is the car that Formula Student AI teams share. Its AI Computer talks over CAN to a Vehicle Control
-/// Unit (VCU) that runs the Autonomous System state machine. adsdv holds a recorded log of that bus against the
-/// ADS-DV Software Interface Specification 3.0 and says who broke which section, when, and why; it shows that the state
-/// machine it judges by keeps the document's promises; and it prints its tables.
+/// Unit (VCU) that runs the Autonomous System state machine. adsdv holds a recorded log of that bus, a live one or a program
+/// against the ADS-DV Software Interface Specification 3.0 and says who broke which section, when, and why; it is a virtual
+/// VCU that an AI stack can be driven against; it shows that the state machine it judges by keeps the document's promises;
+/// and it prints its tables.
 #[derive(Debug, Parser)]
 #[command(
     name = "adsdv",
@@ -38,9 +43,16 @@ const MOST_THREADS: usize = 256;
     arg_required_else_help = true,
     after_long_help = "\
 EXAMPLES
+  See a whole mission driven and judged, without a car and without CAN:
+      adsdv demo
+
   Record a run, and have it judged:
       candump -L can0 > run.log
       adsdv check run.log
+
+  Drive an AI stack against the virtual VCU, with a judge beside it:
+      adsdv vcu vcan0
+      adsdv watch vcan0
 
   Explore the whole state machine, and walk through it in a browser:
       adsdv verify
@@ -67,6 +79,7 @@ pub(crate) struct Cli {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    Ai(AiArgs),
     Check(CheckArgs),
     Conform(ConformArgs),
     /// Print the CAN database (DBC).
@@ -82,13 +95,16 @@ EXIT STATUS
   0  the database has been printed
   2  it could not be written, or the arguments are wrong")]
     Dbc,
+    Demo(DemoArgs),
     Diagram(DiagramArgs),
     Explore(ExploreArgs),
     Export(ExportArgs),
     Readings(ReadingsArgs),
     Schema(SchemaArgs),
     Suite(SuiteArgs),
+    Vcu(VcuArgs),
     Verify(VerifyArgs),
+    Watch(WatchArgs),
 }
 
 /// Print the conformance test suite, or prove that it is complete.

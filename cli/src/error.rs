@@ -4,6 +4,7 @@ use std::fmt;
 use std::io::{self, Write as _};
 use std::path::Path;
 
+use adsdv_can::socket::OpenError;
 use adsdv_oracle::log::LogError;
 
 use crate::status::Status;
@@ -83,6 +84,53 @@ impl Error {
         Self { what: log.display().to_string(), why, hint: hint.to_owned() }
     }
 
+    /// The log of a live bus could not be recorded.
+    pub(crate) fn record(log: &Path, error: &io::Error) -> Self {
+        let hint = match error.kind() {
+            io::ErrorKind::StorageFull => "free some space, or name a file on another disk with --log",
+            io::ErrorKind::NotFound => "make the directory first, or name another file with --log",
+            _ => "name a file that can be written with --log",
+        };
+        let why = format!("cannot record the log: {error}");
+        Self { what: log.display().to_string(), why, hint: hint.to_owned() }
+    }
+
+    /// Nothing came from a live bus.
+    pub(crate) fn silent_bus(interface: &str) -> Self {
+        Self {
+            what: interface.to_owned(),
+            why: "no frame came, so that there is nothing to judge".to_owned(),
+            hint: "is the car on, or `adsdv vcu` running, on this bus? candump shows what comes".to_owned(),
+        }
+    }
+
+    /// The system did not give what every command may have.
+    pub(crate) fn system(what: &str, error: &io::Error) -> Self {
+        Self {
+            what: what.to_owned(),
+            why: format!("the system has none left: {error}"),
+            hint: "end other programs, or ask for higher limits (ulimit -a)".to_owned(),
+        }
+    }
+
+    /// The terminal screen could not be shown.
+    pub(crate) fn screen(error: &io::Error) -> Self {
+        Self {
+            what: "the terminal".to_owned(),
+            why: error.to_string(),
+            hint: "run it in a terminal; `adsdv vcu --plain` and `adsdv demo` need none".to_owned(),
+        }
+    }
+
+    /// A thread ended by a mistake in this program.
+    pub(crate) fn mistake(interface: &str, panicked: adsdv_can::live::Panicked) -> Self {
+        Self {
+            what: interface.to_owned(),
+            why: panicked.to_string(),
+            hint: "start it again, and keep what it printed for the report".to_owned(),
+        }
+    }
+
     /// The Explorer could not have its port.
     pub(crate) fn port(port: u16, error: &io::Error) -> Self {
         let hint = "name another port with --port, or 0 for any that is free";
@@ -95,6 +143,12 @@ impl Error {
         // If standard error cannot be written there is nobody left to tell; the status still tells.
         let _ = writeln!(io::stderr(), "adsdv: {self}");
         Status::Trouble
+    }
+}
+
+impl From<OpenError> for Error {
+    fn from(OpenError { what, why, hint }: OpenError) -> Self {
+        Self { what, why, hint }
     }
 }
 

@@ -5,31 +5,43 @@
 //!   |          |         json   (for a program)
 //!   |          +-------> the verdict is the exit status
 //!   +------> conform --> a program under test, asked and judged, and the exit status
+//!   +------> demo -----> a mission without any CAN, judged as a log is
+//!   +------> vcu, ai --> the car, or a small AI Computer, on a bus until it is stopped
+//!   +------> watch ----> the judge of a live bus until it is stopped, and the exit status
 //!   +------> verify ---> the properties of the state machine, and the exit status
 //!   +------> explore:    a web page, until it is stopped
 //!   +------> suite ----> the conformance test suite, or the proof that it is complete
 //!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model
 //! ```
 //!
-//! Every command makes its whole text first and hands it to [`output`], which alone writes to standard output.
+//! Every command makes its whole text first and hands it to [`output`], which alone writes to standard output, but for those
+//! that go on until they are stopped: these hand over one piece after the other, or have a [`screen`].
 
 #![forbid(unsafe_code)]
 
+mod ai;
 mod args;
 mod check;
 mod conform;
+mod demo;
 mod error;
 mod explore;
+mod interrupt;
 mod json;
 mod layout;
+mod operate;
 mod output;
 mod pins;
+mod plain;
 mod progress;
 mod report;
+mod screen;
 mod status;
 mod suite;
 mod tables;
+mod vcu;
 mod verify;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -49,7 +61,9 @@ fn main() -> ExitCode {
 
 fn run(command: &Command) -> Result<Status, Error> {
     match command {
+        Command::Ai(args) => ai::run(args),
         Command::Check(args) => check::run(args),
+        Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
         Command::Dbc => tables::dbc(),
         Command::Diagram(args) => tables::diagram(args),
@@ -58,7 +72,9 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Suite(args) => suite::run(args),
         Command::Explore(args) => explore::run(args),
         Command::Export(args) => tables::export(args),
+        Command::Vcu(args) => vcu::run(args),
         Command::Verify(args) => verify::run(args),
+        Command::Watch(args) => watch::run(args),
     }
 }
 

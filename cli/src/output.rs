@@ -25,13 +25,27 @@ pub(crate) fn width() -> usize {
 
 /// Writes text with ANSI styles, without them if they are not wanted or `NO_COLOR` is set.
 pub(crate) fn styled(text: &str, color: ColorChoice) -> Result<(), Error> {
-    let choice = match color {
+    write(AutoStream::new(io::stdout().lock(), choice(color)), text)
+}
+
+/// Whether text on standard output is colored.
+pub(crate) fn is_colored(color: ColorChoice) -> bool {
+    choice(color) != anstream::ColorChoice::Never
+}
+
+fn choice(color: ColorChoice) -> anstream::ColorChoice {
+    match color {
         // A terminal, and nothing else: CLICOLOR_FORCE does not put escapes into files.
         ColorChoice::Auto if io::stdout().is_terminal() => AutoStream::choice(&io::stdout()),
         ColorChoice::Auto | ColorChoice::Never => anstream::ColorChoice::Never,
         ColorChoice::Always => anstream::ColorChoice::Always,
-    };
-    write(AutoStream::new(io::stdout().lock(), choice), text)
+    }
+}
+
+/// Writes a part of what goes on until the command is told to stop, with ANSI styles as [`styled`] does. Tells whether anybody
+/// still reads.
+pub(crate) fn follow(text: &str, color: ColorChoice) -> Result<bool, Error> {
+    write_some(AutoStream::new(io::stdout().lock(), choice(color)), text)
 }
 
 /// Writes text as it is.
@@ -39,9 +53,15 @@ pub(crate) fn plain(text: &str) -> Result<(), Error> {
     write(io::stdout().lock(), text)
 }
 
-fn write(mut out: impl Write, text: &str) -> Result<(), Error> {
+fn write(out: impl Write, text: &str) -> Result<(), Error> {
+    write_some(out, text).map(drop)
+}
+
+/// Tells whether anybody reads.
+fn write_some(mut out: impl Write, text: &str) -> Result<bool, Error> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::output(&error)),
-        _ => Ok(()),
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+        Err(error) => Err(Error::output(&error)),
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn write(out: &mut String, findings: &[Finding], width: usize) -> fmt
     Ok(())
 }
 
-fn write_one(out: &mut String, finding: &Finding, times: usize, width: usize) -> fmt::Result {
+pub(super) fn write_one(out: &mut String, finding: &Finding, times: usize, width: usize) -> fmt::Result {
     let Finding { t_ns, severity, party, clause, rule, message } = finding;
     let style = style::of(*severity);
     write!(

@@ -6,7 +6,7 @@ mod timeline;
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::{Options, Report, Severity, Verdict};
+use adsdv_oracle::judge::{Finding, Options, Report, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
 use adsdv_spec::Choice;
 
@@ -34,6 +34,30 @@ pub(crate) fn text(subject: &Subject<'_>, report: &Report, width: usize) -> Stri
     // Writing to a string does not fail.
     let _ = write(&mut text, subject, report, width);
     text
+}
+
+/// What a judge has found while it still judges, in order of time.
+pub(crate) fn news(transitions: &[Transition], findings: &[Finding], width: usize) -> String {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write_news(&mut text, transitions, findings, width);
+    text
+}
+
+fn write_news(
+    out: &mut String,
+    transitions: &[Transition],
+    findings: &[Finding],
+    width: usize,
+) -> fmt::Result {
+    let mut findings = findings.iter().peekable();
+    for transition in transitions {
+        while let Some(finding) = findings.next_if(|finding| finding.t_ns < transition.t_ns) {
+            findings::write_one(out, finding, 1, width)?;
+        }
+        timeline::write_one(out, transition, width)?;
+    }
+    findings.try_for_each(|finding| findings::write_one(out, finding, 1, width))
 }
 
 fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {

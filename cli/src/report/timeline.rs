@@ -14,17 +14,19 @@ pub(super) fn write(out: &mut String, transitions: &[Transition], width: usize) 
     if transitions.is_empty() {
         writeln!(out, "  no change of AS_STATE seen")?;
     }
-    for transition in transitions {
-        let Transition { t_ns, from, to, clause, justified, .. } = transition;
-        let word = match justified {
-            Truth::True => Styled(style::QUIET, "justified"),
-            Truth::Unknown => Styled(style::CARE, "not certain"),
-            Truth::False => Styled(style::BAD, "VIOLATION"),
-        };
-        writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {clause:<8}  {word}", Seconds(*t_ns))?;
-        if let Some((term, known)) = transition.decided {
-            wrapped(out, conditions(&term, known), INDENT, width);
-        }
+    transitions.iter().try_for_each(|transition| write_one(out, transition, width))
+}
+
+pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize) -> fmt::Result {
+    let Transition { t_ns, from, to, clause, justified, .. } = transition;
+    let word = match justified {
+        Truth::True => Styled(style::QUIET, "justified"),
+        Truth::Unknown => Styled(style::CARE, "not certain"),
+        Truth::False => Styled(style::BAD, "VIOLATION"),
+    };
+    writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {clause:<8}  {word}", Seconds(*t_ns))?;
+    if let Some((term, known)) = transition.decided {
+        wrapped(out, conditions(&term, known), INDENT, width);
     }
     Ok(())
 }

@@ -2,8 +2,10 @@
 
 use crate::run::run;
 
-const COMMANDS: [&str; 10] =
-    ["check", "conform", "dbc", "diagram", "explore", "export", "readings", "schema", "suite", "verify"];
+const COMMANDS: [&str; 14] = [
+    "ai", "check", "conform", "dbc", "demo", "diagram", "explore", "export", "readings", "schema", "suite",
+    "vcu", "verify", "watch",
+];
 
 #[test]
 fn every_help_text_has_examples_and_exit_status() {

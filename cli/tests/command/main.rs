@@ -4,6 +4,7 @@
 
 mod color;
 mod conform;
+mod demo;
 mod errors;
 mod explore;
 mod export;

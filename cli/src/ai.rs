@@ -1,0 +1,16 @@
+//! `adsdv ai`: a small AI Computer on a CAN interface.
+
+use adsdv_can::ai::Ai;
+use adsdv_can::live::AiComputer;
+use adsdv_can::socket;
+
+use crate::args::AiArgs;
+use crate::error::Error;
+use crate::plain;
+use crate::status::Status;
+
+pub(crate) fn run(args: &AiArgs) -> Result<Status, Error> {
+    let bus = socket::open(&args.interface)?;
+    plain::run(AiComputer::new(bus, Ai::default()), args.color)?;
+    Ok(Status::Conforms)
+}

@@ -1,0 +1,239 @@
+//! The arguments of the commands that are on a bus, or make one of their own: `demo`, `vcu`, `ai`, `watch`.
+
+use std::path::PathBuf;
+
+use adsdv_oracle::judge::Options;
+use adsdv_spec::Choice;
+use clap::{Args, ColorChoice};
+
+/// Drive a whole mission without any CAN, and have it judged.
+///
+/// The first thing to run: it needs no car, no CAN interface and no file. The reference VCU with a plain car, and a small AI
+/// Computer, are on a bus of 500 kbit/s within this program. They drive a mission in simulated time, which takes much less than
+/// a second, and the judge of `adsdv check` says what it saw.
+///
+/// What the operator does comes from a scenario, a few lines of text: which switch, and when. can/README.md says what may
+/// stand in one, and can/scenarios has some to begin with.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv demo
+
+  Keep the log, and have it judged again:
+      adsdv demo --log demo.log
+      adsdv check demo.log
+
+  The remote E-stop in the middle of the mission:
+      adsdv demo --scenario can/scenarios/remote-estop.txt
+
+  A scenario of one's own:
+      printf '0 ebs ARMED, ami SKIDPAD, tsms on, asms on\\nAS_READY +1 end\\n' |
+          adsdv demo --scenario -
+
+OUTPUT
+  OPERATOR  what the operator did, and when
+  Then comes the report of the log: see adsdv check --help.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  the run conforms: no violation was found
+  1  the run violates the document
+  2  no verdict: the scenario could not be read or does not come to its end, the log or
+     the report could not be written, or the arguments are wrong")]
+pub(crate) struct DemoArgs {
+    /// What the operator does: a file, or - for standard input; by default a whole mission.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) scenario: Option<PathBuf>,
+
+    /// Write the frames to this file, as a log of `candump -L`. What it held before is lost.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
+
+    /// Print one JSON object instead of text: that of `adsdv check --json`.
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Drive in real time on a terminal screen, with the switches as keys.
+    #[arg(long, conflicts_with_all = ["json"])]
+    pub(crate) screen: bool,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}
+
+/// Be the VCU, and the car around it, on a CAN interface.
+///
+/// The reference VCU runs the state machine of Figure 2 every 10 ms and sends 500h, 502h and 520h to 526h; a plain vehicle
+/// obeys the torque, brake and steering requests that reach the actuators. An AI Computer on the same bus sees a car: a team's
+/// whole stack can be run on a laptop.
+///
+/// The operator's side (master switches, mission, "Go", the shutdown circuit, faults, power) comes from a scenario, a few lines of
+/// text, or from the keys of the terminal screen. can/README.md says what may stand in a scenario, and can/scenarios has some to
+/// begin with.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  Make a virtual bus, and be the car on it:
+      sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up
+      adsdv vcu vcan0
+
+  In other terminals: the AI stack, or the one that comes with adsdv, and the judge of both:
+      adsdv ai vcan0
+      adsdv watch vcan0
+
+  Without a screen, in a script; `end` in the scenario ends the command:
+      adsdv vcu vcan0 --plain --scenario can/scenarios/mission.txt
+
+  On a real bus of 500 kbit/s, in place of a VCU:
+      sudo ip link set can0 up type can bitrate 500000
+      adsdv vcu can0
+
+OUTPUT
+  With --plain a line for each thing that happens: the AS state with the section and the
+  conditions that decided, what the operator does, frames that were refused, another VCU
+  on the bus, error frames, the bus going down and coming back, cycles that were late, the
+  AI Computer falling silent and being heard again. In the end the frames, how well the
+  cycle of 10 ms was held, and how fast the AI Computer answered the handshake.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  it was told to stop (Ctrl-C, SIGTERM), or the scenario came to its end
+  2  the interface could not be opened or the scenario not be read, the output could not
+     be written, or the arguments are wrong")]
+pub(crate) struct VcuArgs {
+    /// The CAN interface, such as vcan0.
+    #[arg(value_name = "IFACE")]
+    pub(crate) interface: String,
+
+    /// What the operator does: a file, or - for standard input.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) scenario: Option<PathBuf>,
+
+    /// Follow another answer to a question that the document leaves open; may be repeated.
+    ///
+    /// Without it, the default. `adsdv readings` lists the ids and their choices.
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
+    pub(crate) readings: Vec<Choice>,
+
+    /// Print what happens, line by line, instead of the terminal screen.
+    #[arg(long)]
+    pub(crate) plain: bool,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}
+
+/// Be a small AI Computer on a CAN interface.
+///
+/// It answers the handshake, confirms the mission that is selected, drives forty metres when it may, stops and says so: all that
+/// the document asks of an AI Computer, and no more. To try a VCU or a simulator with, where there is no AI stack at hand.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  A whole mission on a virtual bus, judged while it is driven:
+      sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up
+      adsdv ai vcan0 &
+      adsdv watch vcan0 &
+      adsdv vcu vcan0 --plain --scenario can/scenarios/mission.txt
+
+OUTPUT
+  A line for each thing that happens: the AS state that the VCU shows, frames that were
+  refused, another AI Computer on the bus, error frames, the bus going down and coming
+  back. In the end the frames, and how well the cycle of 10 ms was held.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  it was told to stop (Ctrl-C, SIGTERM)
+  2  the interface could not be opened, the output could not be written, or the arguments
+     are wrong")]
+pub(crate) struct AiArgs {
+    /// The CAN interface, such as vcan0.
+    #[arg(value_name = "IFACE")]
+    pub(crate) interface: String,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}
+
+/// Judge a live bus.
+///
+/// The judge of `adsdv check`, while the car drives: each transition and finding is printed as soon as it is certain, which is a
+/// window after it happened. It ends with the same report, on Ctrl-C. It only listens: it never sends a frame.
+///
+/// Frames that the kernel had to drop, because they were not taken in time, are counted and told; what they said is unknown, and
+/// nobody is blamed for it.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv watch can0
+
+  Record the run at the same time, and judge it again later:
+      adsdv watch can0 --log run.log
+      adsdv check run.log
+
+  Two minutes, for a program:
+      timeout --signal INT 120 adsdv watch can0 --json > run.json
+
+  A virtual bus to try it on; `adsdv vcu` and `adsdv ai` make the traffic:
+      sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up
+      adsdv watch vcan0
+
+OUTPUT
+  Times are in seconds since the first frame, by the clock of the kernel. The report in
+  the end is that of adsdv check; below it stand the frames in a second, on average and at
+  most, and those that were dropped. With --log every frame is recorded as candump -L
+  does it, remote, extended and error frames included; the file has it within a fraction
+  of a second.
+
+ENVIRONMENT
+  NO_COLOR  if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  what was seen conforms: no violation was found
+  1  it violates the document
+  2  no verdict: the interface could not be opened, no frame came, or the arguments are
+     wrong; or the report or the log could not be written")]
+pub(crate) struct WatchArgs {
+    /// The CAN interface, such as can0.
+    #[arg(value_name = "IFACE")]
+    pub(crate) interface: String,
+
+    /// Record every frame to this file, as a log of `candump -L`. What it held before is lost.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<PathBuf>,
+
+    /// Print one JSON object in the end instead of text: that of `adsdv check --json`.
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// The window W: how long after its cause an effect may be seen, in milliseconds.
+    ///
+    /// The cycle of the VCU and the delay of the bus. A wider window finds less, and is wrong less often.
+    #[arg(long, value_name = "MS", default_value_t = Options::default().window_ms, value_parser = super::milliseconds,
+        allow_negative_numbers = true)]
+    pub(crate) window: u32,
+
+    /// The deadline D: how long a cause must last before its missing effect is a violation, in milliseconds.
+    #[arg(long, value_name = "MS", default_value_t = Options::default().deadline_ms, value_parser = super::milliseconds,
+        allow_negative_numbers = true)]
+    pub(crate) deadline: u32,
+
+    /// Pin a question that the document leaves open; may be repeated.
+    ///
+    /// Without a pin, the judge allows for every choice. `adsdv readings` lists the ids and their choices.
+    #[arg(long = "reading", value_name = "ID=CHOICE")]
+    pub(crate) readings: Vec<Choice>,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}

@@ -1,0 +1,138 @@
+//! A node on a bus without a screen: what happens, line by line, until it is told to stop.
+
+use std::fmt::Write as _;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+use adsdv_can::live::{Handle, Runner};
+use adsdv_can::status::{Happening, Status, What};
+use clap::ColorChoice;
+
+use crate::error::Error;
+use crate::layout::{Seconds, counted};
+use crate::report::style::{self, Styled};
+use crate::screen::happened::words;
+use crate::{interrupt, output};
+
+/// Between two looks at what has happened.
+const PACE: Duration = Duration::from_millis(20);
+
+/// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of whoever reads the output.
+pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> Result<(), Error> {
+    let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
+    let bus = runner.status().bus.clone();
+    let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
+    let mut seen = 0;
+    let mut read = output::follow(&format!("on {bus}; Ctrl-C stops\n"), color)?;
+    while read && handle.is_running() && !told.load(Ordering::Relaxed) {
+        std::thread::sleep(PACE);
+        read = show(&handle.status(), &mut seen, color)?;
+    }
+    let status = handle.join().map_err(|error| Error::mistake(&bus, error))?;
+    if read && show(&status, &mut seen, color)? {
+        output::follow(&summary(&status), color)?;
+    }
+    Ok(())
+}
+
+/// Prints how it went.
+pub(crate) fn conclude(status: &Status, color: ColorChoice) -> Result<(), Error> {
+    output::styled(summary(status).trim_start(), color)
+}
+
+/// Prints what is new. Tells whether anybody still reads.
+fn show(status: &Status, seen: &mut u64, color: ColorChoice) -> Result<bool, Error> {
+    let missed = status.happenings.saturating_sub(*seen);
+    let (news, now) = status.since(*seen);
+    *seen = now;
+    let mut text = String::new();
+    let mut kept = 0;
+    for happening in news {
+        kept += 1;
+        text.push_str(&line(happening));
+    }
+    if missed > kept {
+        let _ = writeln!(text, "{:>10}    {} more, not kept", "", missed - kept);
+    }
+    if text.is_empty() { Ok(true) } else { output::follow(&text, color) }
+}
+
+fn line(happening: &Happening) -> String {
+    let ns = i64::try_from(happening.time_ms).unwrap_or(i64::MAX).saturating_mul(1_000_000);
+    let style = match happening.what {
+        What::State { .. } => style::HEADING,
+        What::Up | What::AiHeard => style::GOOD,
+        What::Trouble(_) => style::BAD,
+        What::Did(_) => style::QUIET,
+        _ => style::CARE,
+    };
+    format!("{:>10} s  {}\n", Seconds(ns), Styled(style, words(&happening.what)))
+}
+
+/// How it went.
+fn summary(status: &Status) -> String {
+    let mut text = String::new();
+    let Status { received, sent, unsent, dropped, refused, foreign, errors, .. } = status;
+    let _ = writeln!(text, "\n{}: {} sent, {received} received", status.bus, counted(*sent, "frame"));
+    for (count, what) in [
+        (unsent, "not sent"),
+        (dropped, "lost, because they were not taken in time"),
+        (refused, "refused"),
+        (foreign, "from somebody else with identifiers of this node"),
+        (errors, "of the error kind"),
+    ] {
+        if *count > 0 {
+            let _ = writeln!(text, "  {} {what}", counted(*count, "frame"));
+        }
+    }
+    let cycles = status.cycles;
+    let _ = writeln!(
+        text,
+        "{}: {} late; lateness p99 {:.2}, max {:.2} ms",
+        counted(cycles.count, "cycle"),
+        cycles.late,
+        cycles.p99_ms,
+        cycles.worst_ms
+    );
+    let times = &status.responses;
+    if let (Some(min), Some(median), Some(p99), Some(max)) =
+        (times.min_ms(), times.quantile_ms(0.5), times.quantile_ms(0.99), times.max_ms())
+    {
+        let _ = writeln!(
+            text,
+            "AI handshake: {}; min {min:.2}, median {median:.2}, p99 {p99:.2}, max {max:.2} ms",
+            counted(times.count(), "answer")
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_can::bus::Trouble;
+    use adsdv_can::status::KEPT;
+
+    use super::*;
+
+    #[test]
+    fn a_happening_is_a_line_with_its_time() {
+        let happening = Happening { time_ms: 12_345, what: What::Trouble(Trouble::Down) };
+        let text = anstream::adapter::strip_str(&line(&happening)).to_string();
+        assert_eq!(text, "    12.345 s  the interface is down\n");
+    }
+
+    #[test]
+    fn the_summary_has_what_there_is() {
+        let mut status =
+            Status { bus: "vcan0".to_owned(), sent: 9, received: 1, unsent: 2, ..Status::default() };
+        status.responses.add(4_000_000);
+        assert_eq!(
+            summary(&status),
+            "\nvcan0: 9 frames sent, 1 received\n  2 frames not sent\n0 cycles: 0 late; lateness p99 0.00, max 0.00 ms\n\
+             AI handshake: 1 answer; min 4.00, median 4.00, p99 4.00, max 4.00 ms\n"
+        );
+        let mut status = Status::default();
+        (0..=KEPT).for_each(|_| status.happen(0, What::Up));
+        assert_eq!(status.since(0).0.count(), KEPT);
+    }
+}

@@ -1,0 +1,164 @@
+//! What happened, the latest at the bottom, and what the scenario does next.
+
+use adsdv_can::status::{Happening, Status, What};
+use adsdv_spec::messages::AsState;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+use crate::layout::{Seconds, counted, wrapped};
+use crate::screen::theme::{QUIET, STRONG, Theme};
+
+/// The column of the times.
+const TIME: usize = 11;
+
+/// How much of what happened is seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::screen) struct Room {
+    /// So many lines are seen at once.
+    pub(in crate::screen) seen: usize,
+    /// By so many lines it can be scrolled back.
+    pub(in crate::screen) most_back: usize,
+}
+
+/// The title, with what comes next and how far it is scrolled back.
+pub(in crate::screen) fn title(status: &Status, theme: Theme, back: usize) -> Line<'static> {
+    let mut title = Line::from(" What happened ");
+    if back > 0 {
+        title.push_span(Span::styled(
+            format!("({} further down) ", counted(to_u64(back), "line")),
+            theme.care(),
+        ));
+    }
+    if let Some(next) = &status.next {
+        title.push_span(Span::styled(format!("── next: {next} "), QUIET));
+    }
+    title
+}
+
+/// The lines that are seen, and how much there is.
+pub(in crate::screen) fn lines(
+    status: &Status,
+    theme: Theme,
+    width: usize,
+    height: usize,
+    back: usize,
+) -> (Vec<Line<'static>>, Room) {
+    let mut lines: Vec<Line<'static>> =
+        status.happened.iter().flat_map(|happening| told(happening, theme, width)).collect();
+    let room = Room { seen: height, most_back: lines.len().saturating_sub(height) };
+    let end = lines.len().saturating_sub(back.min(room.most_back));
+    lines.truncate(end);
+    lines.drain(..end.saturating_sub(height));
+    (lines, room)
+}
+
+/// A happening, on as many lines as it takes.
+fn told(happening: &Happening, theme: Theme, width: usize) -> Vec<Line<'static>> {
+    let mut text = String::new();
+    wrapped(&mut text, words(&happening.what).split_whitespace(), 0, width.saturating_sub(TIME));
+    let time = i64::try_from(happening.time_ms).unwrap_or(i64::MAX).saturating_mul(1_000_000);
+    let mut time = format!("{:>8} s ", Seconds(time));
+    let style = style(&happening.what, theme);
+    text.lines()
+        .map(|line| {
+            let time = std::mem::replace(&mut time, " ".repeat(TIME));
+            Line::from(vec![Span::styled(time, QUIET), Span::styled(line.to_owned(), style)])
+        })
+        .collect()
+}
+
+/// What happened, in words.
+pub(crate) fn words(what: &What) -> String {
+    match what {
+        What::State { from, to, clause, why } => {
+            let name = |state: &Option<AsState>| state.map_or("no power", AsState::name);
+            let clause = if clause.is_empty() { String::new() } else { format!(" ({clause})") };
+            let why = if why.is_empty() { String::new() } else { format!(": {why}") };
+            format!("{} -> {}{clause}{why}", name(from), name(to))
+        }
+        What::Did(action) => format!("operator: {action}"),
+        What::Refused(why) => format!("frame of the AI Computer refused: {why}"),
+        What::OtherVcu(what) | What::OtherAi(what) => what.clone(),
+        What::ErrorFrame(what) => format!("error frame: {what}"),
+        What::Trouble(trouble) => trouble.to_string(),
+        What::Up => "the interface is up again".to_owned(),
+        What::Late(cycles) => format!("late: {} left out", counted(*cycles, "cycle")),
+        What::AiHeard => "the AI Computer is heard".to_owned(),
+        What::AiSilent => "the AI Computer has fallen silent".to_owned(),
+    }
+}
+
+fn style(what: &What, theme: Theme) -> Style {
+    match what {
+        What::State { to: Some(AsState::EmergencyBrake), .. } | What::Trouble(_) => theme.bad(),
+        What::State { .. } => STRONG,
+        What::Did(_) => Style::new(),
+        What::Up | What::AiHeard => theme.good(),
+        What::Refused(_)
+        | What::OtherVcu(_)
+        | What::OtherAi(_)
+        | What::ErrorFrame(_)
+        | What::Late(_)
+        | What::AiSilent => theme.care(),
+    }
+}
+
+fn to_u64(count: usize) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_can::bus::Trouble;
+
+    use super::*;
+
+    fn status(happened: impl IntoIterator<Item = What>) -> Status {
+        let happened = (0..).zip(happened).map(|(place, what)| Happening { time_ms: place * 1500, what });
+        Status { happened: happened.collect(), ..Status::default() }
+    }
+
+    fn seen(status: &Status, height: usize, back: usize) -> (Vec<String>, Room) {
+        let (lines, room) = lines(status, Theme::new(true), 40, height, back);
+        (lines.iter().map(ToString::to_string).collect(), room)
+    }
+
+    #[test]
+    fn the_latest_is_seen_and_the_rest_can_be_scrolled_to() {
+        let status = status((0..5).map(|place| What::Did(format!("action {place}"))));
+        let (latest, room) = seen(&status, 2, 0);
+        assert_eq!(latest, ["   4.500 s operator: action 3", "   6.000 s operator: action 4"]);
+        assert_eq!(room, Room { seen: 2, most_back: 3 });
+        assert_eq!(seen(&status, 2, 1).0[0], "   3.000 s operator: action 2");
+        assert_eq!(seen(&status, 2, 99).0[0], "   0.000 s operator: action 0");
+        assert_eq!(seen(&status, 9, 0).0.len(), 5);
+        assert_eq!(seen(&status, 0, 0).0.len(), 0);
+    }
+
+    #[test]
+    fn what_is_long_is_wrapped() {
+        let why = "0x513 cannot be 24.1 deg (raw 241), allowed: -24.0 to 24.0 deg";
+        let (lines, _) = seen(&status([What::Refused(why.to_owned())]), 9, 0);
+        assert!(lines.len() > 2 && lines.iter().all(|line| line.chars().count() <= 40), "{lines:#?}");
+        let text: Vec<&str> = lines.iter().flat_map(|line| line.split_whitespace()).skip(2).collect();
+        assert_eq!(text.join(" "), format!("frame of the AI Computer refused: {why}"));
+    }
+
+    #[test]
+    fn each_happening_has_its_words() {
+        let state = |from, to, clause, why: &str| What::State { from, to, clause, why: why.to_owned() };
+        let (off, ready) = (Some(AsState::Off), Some(AsState::Ready));
+        for (what, expected) in [
+            (state(None, off, "", ""), "no power -> AS_OFF"),
+            (state(off, ready, "3.1", "SDC closed"), "AS_OFF -> AS_READY (3.1): SDC closed"),
+            (state(ready, None, "", ""), "AS_READY -> no power"),
+            (What::Did("asms on".to_owned()), "operator: asms on"),
+            (What::OtherVcu("somebody else sends 520h".to_owned()), "somebody else sends 520h"),
+            (What::ErrorFrame("bus-off".to_owned()), "error frame: bus-off"),
+            (What::Trouble(Trouble::Down), "the interface is down"),
+            (What::Late(1), "late: 1 cycle left out"),
+        ] {
+            assert_eq!(words(&what), expected);
+        }
+    }
+}

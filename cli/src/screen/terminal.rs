@@ -1,0 +1,114 @@
+//! The loop between a car and a terminal.
+
+use std::io::{self, IsTerminal as _, stdout};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use adsdv_spec::Inputs;
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event};
+use ratatui::crossterm::style::force_color_output;
+#[cfg(unix)]
+use ratatui::crossterm::{execute, terminal};
+use ratatui::layout::{Position, Rect};
+
+use super::render::render;
+use super::{Effect, Screen, Source, keys};
+
+/// The screen is drawn this often, at least.
+const FRAME: Duration = Duration::from_millis(50);
+
+/// Shows the car, and does what the operator does, until one of them has had enough.
+///
+/// The terminal is left as it was found, whatever happens.
+///
+/// # Errors
+///
+/// Standard output is no terminal, or the terminal cannot be read or written.
+pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
+    if !stdout().is_terminal() {
+        let why = "the screen needs a terminal, and standard output is none";
+        return Err(io::Error::new(io::ErrorKind::Unsupported, why));
+    }
+    // Whether colors are wanted has been decided; NO_COLOR was asked then.
+    force_color_output(color);
+    // The panic hook that this sets puts the terminal back before a panic is told.
+    let mut open = Open(ratatui::try_init().inspect_err(|_| put_back())?);
+    let (mut screen, begun) = (Screen::new(color), Instant::now());
+    while !source.is_over() {
+        let status = source.status();
+        screen.tick(begun.elapsed().as_millis());
+        let mut log = screen.log;
+        open.0.draw(|frame| log = render(&status, &screen, frame.area(), frame.buffer_mut()))?;
+        screen.log = log;
+        if listen(source, &mut screen, &status.inputs, &mut open.0)?.is_break() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Follows the keys until the next frame is due.
+fn listen(
+    source: &dyn Source,
+    screen: &mut Screen,
+    inputs: &Inputs,
+    terminal: &mut DefaultTerminal,
+) -> io::Result<ControlFlow<()>> {
+    let due = Instant::now() + FRAME;
+    while event::poll(due.saturating_duration_since(Instant::now()))? {
+        let command = match event::read()? {
+            Event::Key(key) => keys::command(key),
+            // A new size: the next frame has it.
+            _ => return Ok(ControlFlow::Continue(())),
+        };
+        match command.map(|command| screen.follow(command, inputs)) {
+            Some(Effect::Quit) => return Ok(ControlFlow::Break(())),
+            Some(Effect::Act(action)) => source.act(action),
+            Some(Effect::Redraw) => anew(terminal)?,
+            Some(Effect::Suspend) => suspend(terminal)?,
+            Some(Effect::Nothing) | None => {}
+        }
+        if Instant::now() >= due {
+            break;
+        }
+    }
+    Ok(ControlFlow::Continue(()))
+}
+
+/// Forgets what the terminal shows. Unlike `Terminal::clear`, this asks the terminal nothing that it may not answer.
+fn anew(screen: &mut DefaultTerminal) -> io::Result<()> {
+    let size = screen.size()?;
+    screen.resize(Rect::from((Position::ORIGIN, size)))
+}
+
+/// Hands the terminal back to the shell, and goes on when the shell says so. The whole program stops, the car with it.
+#[cfg(unix)]
+fn suspend(screen: &mut DefaultTerminal) -> io::Result<()> {
+    screen.show_cursor()?;
+    ratatui::try_restore()?;
+    signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
+    terminal::enable_raw_mode()?;
+    execute!(stdout(), terminal::EnterAlternateScreen)?;
+    anew(screen)
+}
+
+#[cfg(not(unix))]
+#[expect(clippy::unnecessary_wraps, reason = "as on unix")]
+fn suspend(_: &mut DefaultTerminal) -> io::Result<()> {
+    Ok(())
+}
+
+/// A terminal that is put back when it is dropped.
+struct Open(DefaultTerminal);
+
+impl Drop for Open {
+    fn drop(&mut self) {
+        put_back();
+    }
+}
+
+fn put_back() {
+    // If it cannot be put back it is most likely gone, and so is whoever could be told.
+    let _ = ratatui::try_restore();
+}

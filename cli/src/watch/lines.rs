@@ -1,0 +1,95 @@
+//! What is printed while the bus is watched.
+
+use std::fmt::{self, Display, Write as _};
+use std::path::Path;
+
+use adsdv_can::bus::Trouble;
+use adsdv_can::live::Traffic;
+use adsdv_oracle::judge::{Finding, Transition};
+use clap::ColorChoice;
+
+use crate::args::WatchArgs;
+use crate::error::Error;
+use crate::layout::{Seconds, counted};
+use crate::report::style::{self, Styled};
+use crate::{output, report};
+
+/// Prints lines, unless JSON was asked for, which comes in the end.
+pub(super) struct Lines {
+    color: ColorChoice,
+    quiet: bool,
+    read: bool,
+}
+
+impl Lines {
+    pub(super) fn new(args: &WatchArgs) -> Self {
+        Self { color: args.color, quiet: args.json, read: true }
+    }
+
+    /// Whether anybody still reads what is printed.
+    pub(super) fn is_read(&self) -> bool {
+        self.read
+    }
+
+    pub(super) fn begin(&mut self, bus: &str, log: Option<&Path>) -> Result<(), Error> {
+        let recorded = log.map(|log| format!(", recorded in {}", log.display())).unwrap_or_default();
+        self.print(&format!("{bus} is watched{recorded}; Ctrl-C stops\n"))
+    }
+
+    /// What the judge found.
+    pub(super) fn news(
+        &mut self,
+        (transitions, findings): (Vec<Transition>, Vec<Finding>),
+    ) -> Result<(), Error> {
+        if transitions.is_empty() && findings.is_empty() {
+            return Ok(());
+        }
+        self.print(&report::news(&transitions, &findings, output::width()))
+    }
+
+    /// What happened to the bus, at a time since the first frame.
+    pub(super) fn trouble(&mut self, t_ns: i64, trouble: &Trouble) -> Result<(), Error> {
+        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::BAD, trouble)))
+    }
+
+    pub(super) fn up(&mut self, t_ns: i64) -> Result<(), Error> {
+        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::GOOD, "the bus is there again")))
+    }
+
+    fn print(&mut self, text: &str) -> Result<(), Error> {
+        if !self.quiet && self.read {
+            self.read = output::follow(text, self.color)?;
+        }
+        Ok(())
+    }
+}
+
+/// What went over the bus, for the end.
+pub(super) fn traffic(traffic: Traffic, duration_ns: i64, log: Option<impl Display>) -> String {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write_traffic(&mut text, traffic, duration_ns, log);
+    text
+}
+
+fn write_traffic(
+    out: &mut String,
+    traffic: Traffic,
+    duration_ns: i64,
+    log: Option<impl Display>,
+) -> fmt::Result {
+    let Traffic { frames, errors, dropped, troubles, busiest, .. } = traffic;
+    let ms = u64::try_from(duration_ns / 1_000_000).unwrap_or(0);
+    let mean = frames.saturating_mul(1000).checked_div(ms).unwrap_or(frames);
+    write!(out, "bus: {mean} frames/s, at most {busiest}; {} dropped", counted(dropped, "frame"))?;
+    if errors > 0 {
+        write!(out, ", {}", counted(errors, "error frame"))?;
+    }
+    if troubles > 0 {
+        write!(out, ", trouble {}", counted(troubles, "time"))?;
+    }
+    match log {
+        Some(log) => writeln!(out, "; recorded in {log}"),
+        None => writeln!(out),
+    }
+}
