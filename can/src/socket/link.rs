@@ -305,8 +305,8 @@ mod tests {
         let cases = [
             (Errno::EAFNOSUPPORT, "has no CAN", "modprobe"),
             (Errno::EPROTONOSUPPORT, "has no CAN", "adsdv demo"),
-            (Errno::EPERM, "may not open", "as a user who may"),
-            (Errno::EACCES, "may not open", "container"),
+            (Errno::EPERM, "no permission to open", "sandbox"),
+            (Errno::EACCES, "no permission to open", "container"),
             (Errno::EMFILE, "cannot open it: Too many open files", "candump"),
         ];
         for (errno, why, hint) in cases {
