@@ -8,7 +8,7 @@ use std::io::Read;
 
 use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus, message_by_id};
 
-use crate::candump::{Direction, Entry, FrameKind, ReadError, Reader, Record};
+use crate::candump::{Direction, Dropped, Entry, FrameKind, ReadError, Reader, Record};
 use crate::judge::{Finding, Judge, Options, Party, Report, Rule, Severity, Transition};
 
 /// How a log is judged.
@@ -119,6 +119,7 @@ pub fn judge_log(
                 }
                 log.frame(&record);
             }
+            Some(Entry::Dropped(dropped)) => log.dropped(&dropped),
             Some(Entry::Broken(error)) => log.broken(error),
             None => break,
         }
@@ -302,13 +303,19 @@ impl LogJudge {
 
     /// So many frames were lost before the next one. What they said is unknown, so that the judge starts anew.
     pub fn lost(&mut self, count: u64) {
-        self.judge.lost(format!(
-            "{} lost here, because nobody took what came in time; judged as a new recording from here on",
-            counted(count, "frame")
-        ));
+        self.judge.lost(count);
     }
 
-    /// The transitions and findings that are new since this was last asked. The report has them as well.
+    /// The log says that frames were lost before the next one; it concerns the judge if they came from the interface that is
+    /// judged, or if that is not known yet.
+    pub fn dropped(&mut self, dropped: &Dropped<'_>) {
+        if self.interface.as_ref().is_none_or(|interface| interface == dropped.interface) {
+            self.judge.lost(dropped.count);
+        }
+    }
+
+    /// The transitions and findings that are new since this was last asked. The report has them as well, but for findings
+    /// beyond the number that it lists: see [`Judge::news`].
     pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.judge.news()
     }
@@ -334,6 +341,7 @@ impl LogJudge {
                 .collect();
             return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
         }
+        self.judge.end();
         for (reason, count) in &self.passed_over {
             let message = format!("{} {reason}, not judged", counted(*count, "frame"));
             self.judge.report(Severity::Note, Party::Log, "2", Rule::NotJudged, message);

@@ -6,15 +6,15 @@
 //! ```
 //!
 //! A [`Reader`] streams such a log from anything that can be read, in bounded memory and without an
-//! allocation for each line, and hands out one [`Entry`] after the other: a [`Record`], which is a line that
-//! was read, or a [`LineError`], which is a line that could not be. A broken line costs itself and nothing
+//! allocation for each line, and hands out one [`Entry`] after the other: a [`Record`], which is a frame that
+//! was read, a [`Dropped`], which tells of frames that were lost, or a [`LineError`], which is a line that could not be read. A broken line costs itself and nothing
 //! else: the reader says what it found and what it expected, and goes on with the next line.
 //!
 //! Everything that can-utils may put on a line is read, whether this interface uses it or not: extended
 //! identifiers, remote and error frames, CAN FD and CAN XL, the direction mark of `candump -x`, several
 //! buses. What a record means is for the judge to say, not for the reader.
 //!
-//! [`write_frame`] and [`write_record`] are the way back.
+//! [`write_frame`], [`write_record`] and [`write_dropped`] are the way back.
 //!
 //! ```
 //! use adsdv_oracle::candump::{Entry, Reader};
@@ -25,6 +25,7 @@
 //! while let Some(entry) = reader.next_record()? {
 //!     match entry {
 //!         Entry::Frame(record) => frames += usize::from(record.id == 0x520),
+//!         Entry::Dropped(_) => {}
 //!         Entry::Broken(error) => broken.push(error.to_string()),
 //!     }
 //! }
@@ -33,6 +34,7 @@
 //! # Ok::<(), adsdv_oracle::candump::ReadError>(())
 //! ```
 
+mod dropped;
 mod error;
 mod frame;
 mod hex;
@@ -45,10 +47,11 @@ mod time;
 mod usual;
 mod writer;
 
+pub use dropped::Dropped;
 pub use error::{Excerpt, LineError, ReadError};
 pub use reader::{Entry, Reader};
 pub use record::{Direction, FrameKind, Record};
-pub use writer::{write_frame, write_record};
+pub use writer::{write_dropped, write_frame, write_record};
 
 /// The longest line that is read, in bytes; a longer one is reported as broken.
 ///

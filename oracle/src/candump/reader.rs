@@ -6,6 +6,7 @@ use std::ops::Range;
 use memchr::memchr;
 
 use super::MAX_LINE;
+use super::dropped::{self, Dropped};
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::record::{FrameKind, MAX_DATA, Record};
@@ -21,11 +22,13 @@ const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to f
 /// The longest name of an interface that is remembered for [`usual::read`]; Linux has shorter ones alone.
 const MAX_INTERFACE: usize = 64;
 
-/// What a log has in store: a frame, or a line that is none.
+/// What a log has in store: a frame, word of frames that are missing, or a line that is neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entry<'a> {
     /// A line that was read.
     Frame(Record<'a>),
+    /// Frames were lost before the next one.
+    Dropped(Dropped<'a>),
     /// A line that was passed over.
     Broken(LineError),
 }
@@ -106,7 +109,11 @@ impl<R: Read> Reader<R> {
         let parsed = if text.len() > MAX_LINE {
             Err(Flaw { at: 0, expected: SHORTER })
         } else {
-            line::parse(self.line, text, &mut self.data)
+            match dropped::parse(self.line, text) {
+                Some(Ok(dropped)) => return Ok(Some(Entry::Dropped(dropped))),
+                Some(Err(flaw)) => Err(flaw),
+                None => line::parse(self.line, text, &mut self.data),
+            }
         };
         Ok(Some(match parsed {
             Ok(record) => {

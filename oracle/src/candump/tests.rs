@@ -8,13 +8,14 @@ use super::*;
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Seen {
     Frame { line: u64, time_ns: i64, interface: String, kind: FrameKind, id: u32, data: Vec<u8> },
+    Dropped { line: u64, interface: String, count: u64, total: u64 },
     Broken(LineError),
 }
 
 impl Seen {
     fn line(&self) -> u64 {
         match self {
-            Self::Frame { line, .. } => *line,
+            Self::Frame { line, .. } | Self::Dropped { line, .. } => *line,
             Self::Broken(error) => error.line,
         }
     }
@@ -33,6 +34,9 @@ fn read_all(source: impl Read) -> (Vec<Seen>, Option<ReadError>) {
                 id: record.id,
                 data: record.data.to_vec(),
             }),
+            Ok(Some(Entry::Dropped(Dropped { line, interface, count, total }))) => {
+                seen.push(Seen::Dropped { line, interface: interface.to_owned(), count, total });
+            }
             Ok(Some(Entry::Broken(error))) => seen.push(Seen::Broken(error)),
             Ok(None) => return (seen, None),
             Err(error) => return (seen, Some(error)),
@@ -46,10 +50,10 @@ fn read(text: &[u8]) -> Vec<Seen> {
     seen
 }
 
-/// `Ok` with its line number for each frame, `Err` for each broken line.
+/// `Ok` with its line number for each line that was read, `Err` for each broken one.
 fn outline(seen: &[Seen]) -> Vec<Result<u64, u64>> {
     seen.iter()
-        .map(|entry| if matches!(entry, Seen::Frame { .. }) { Ok(entry.line()) } else { Err(entry.line()) })
+        .map(|entry| if matches!(entry, Seen::Broken(_)) { Err(entry.line()) } else { Ok(entry.line()) })
         .collect()
 }
 
@@ -145,7 +149,7 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
         .into_iter()
         .map(|entry| match entry {
             Seen::Frame { interface, kind, .. } => (interface, kind),
-            Seen::Broken(error) => panic!("{error}"),
+            other => panic!("{other:?}"),
         })
         .collect();
     let expected = [
@@ -217,6 +221,26 @@ fn an_endless_source_without_line_feeds_takes_no_memory() {
 }
 
 #[test]
+fn lost_frames_are_read_as_they_are_written() -> io::Result<()> {
+    let mut log = b"(1.000000) vcan0 520#00\n".to_vec();
+    for (count, total) in [(1, 1), (3, 4), (u64::from(u32::MAX), u64::MAX >> 1)] {
+        write_dropped(&mut log, &Dropped { line: 0, interface: "vcan0", count, total })?;
+    }
+    let told = String::from_utf8_lossy(&log).into_owned();
+    assert!(told.contains("DROPCOUNT: dropped 1 CAN frame on 'vcan0' socket (total drops 1)\n"), "{told}");
+    log.extend(b"DROPCOUNT: dropped 3 CAN fr");
+    let seen = read(&log);
+    assert_eq!(outline(&seen), [Ok(1), Ok(2), Ok(3), Ok(4), Err(5)]);
+    let dropped = |line, count, total| Seen::Dropped { line, interface: "vcan0".to_owned(), count, total };
+    assert_eq!(seen[1..4], [dropped(2, 1, 1), dropped(3, 3, 4), dropped(4, 0xFFFF_FFFF, u64::MAX >> 1)]);
+    let mut nothing = Vec::new();
+    let refused = write_dropped(&mut nothing, &Dropped { line: 0, interface: "can 0", count: 1, total: 1 });
+    assert_eq!(refused.map_err(|error| error.kind()), Err(io::ErrorKind::InvalidInput));
+    assert!(nothing.is_empty());
+    Ok(())
+}
+
+#[test]
 fn a_failing_source_costs_no_line_before_the_failure() {
     struct Fails;
     impl Read for Fails {
@@ -254,7 +278,7 @@ fn rubbish_never_panics_and_never_hides_a_line() {
         assert!(seen.is_sorted_by(|one, next| one.line() < next.line()));
         let frames = seen.iter().filter_map(|entry| match entry {
             Seen::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
-            Seen::Broken(_) => None,
+            Seen::Dropped { .. } | Seen::Broken(_) => None,
         });
         // Rubbish may happen to be a frame; every frame that was written has to be there.
         let frames: Vec<_> =

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::dropped::Dropped;
 use super::frame::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::line;
 use super::record::{Direction, FrameKind, Record};
@@ -72,17 +73,58 @@ pub fn write_record(out: &mut impl Write, record: &Record<'_>) -> io::Result<()>
     if time_ns < 0 {
         return Err(invalid(format!("the time is {time_ns} ns, and a log needs one of at least 0")));
     }
-    if !line::is_interface(interface) {
-        return Err(invalid(format!(
-            "{interface:?} is no interface; a name has no spaces or control characters, such as vcan0"
-        )));
-    }
+    check_interface(interface)?;
     check_limits(record)?;
+    put(out, interface, |room| print(room, record))
+}
+
+/// Writes that frames were lost before the next one, in the words of `candump -d`.
+///
+/// ```
+/// use adsdv_oracle::candump::{Dropped, write_dropped};
+///
+/// let mut log = Vec::new();
+/// write_dropped(&mut log, &Dropped { line: 0, interface: "vcan0", count: 3, total: 7 })?;
+/// assert_eq!(log, b"DROPCOUNT: dropped 3 CAN frames on 'vcan0' socket (total drops 7)\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// Fails when `out` does, and with [`io::ErrorKind::InvalidInput`], nothing written, for an interface that
+/// [`write_record`] refuses.
+pub fn write_dropped(out: &mut impl Write, dropped: &Dropped<'_>) -> io::Result<()> {
+    let Dropped { interface, count, total, .. } = *dropped;
+    check_interface(interface)?;
+    let s = if count > 1 { "s" } else { "" };
+    put(out, interface, |room| {
+        writeln!(
+            room,
+            "DROPCOUNT: dropped {count} CAN frame{s} on '{interface}' socket (total drops {total})"
+        )
+    })
+}
+
+fn check_interface(interface: &str) -> io::Result<()> {
+    if line::is_interface(interface) {
+        return Ok(());
+    }
+    Err(invalid(format!(
+        "{interface:?} is no interface; a name has no spaces or control characters, such as vcan0"
+    )))
+}
+
+/// Writes a line in one piece.
+fn put(
+    out: &mut impl Write,
+    interface: &str,
+    print: impl FnOnce(&mut io::Cursor<&mut [u8]>) -> io::Result<()>,
+) -> io::Result<()> {
     let mut line = [0; LINE];
-    let mut room = line.as_mut_slice();
-    print(&mut room, record)
+    let mut room = io::Cursor::new(line.as_mut_slice());
+    print(&mut room)
         .map_err(|_| invalid(format!("{interface:?} is too long for an interface; Linux has 15 bytes")))?;
-    let len = LINE - room.len();
+    let len = usize::try_from(room.position()).unwrap_or_default();
     out.write_all(line.get(..len).unwrap_or_default())
 }
 

@@ -45,32 +45,79 @@ impl Judge {
     #[inline]
     pub(super) fn tick(&mut self, t_ns: i64) -> i64 {
         let t = t_ns.clamp(-FAR_NS, FAR_NS) + self.offset;
-        if t < self.now || !self.started {
-            return self.set_back(t);
+        // Neither a silence nor a step back, which is a very long silence as an unsigned number.
+        if t < self.next_event && (t - self.now).cast_unsigned() <= self.pause.cast_unsigned() {
+            self.now = t;
+            return t;
         }
-        if t >= self.next_event {
-            if t - self.now > self.window {
-                self.postpone(t - self.now);
-            }
-            self.events(t);
-        }
-        self.now = t;
-        t
-    }
-
-    /// Whether a time is later than that of everything so far.
-    pub(super) fn is_later(&self, t_ns: i64) -> bool {
-        self.started && t_ns.clamp(-FAR_NS, FAR_NS) + self.offset > self.now
+        self.tick_with_events(t)
     }
 
     #[cold]
-    fn set_back(&mut self, t: i64) -> i64 {
+    fn tick_with_events(&mut self, t: i64) -> i64 {
+        let last = self.quiet_since.take().unwrap_or(self.now);
+        let heard = t.max(last);
+        let t = if !self.started || t < last {
+            self.set_back(t, last)
+        } else {
+            let silent = t > self.silence_begins(last);
+            if !silent {
+                self.lose(last, t);
+            }
+            self.go_on(t.max(self.now), silent);
+            self.now
+        };
+        if self.started && heard < t {
+            // A frame that was on its way while time was told to pass comes late, but in order; so may the next.
+            self.quiet_since = Some(heard);
+            self.next_event = i64::MIN;
+        }
+        self.lose(last, t);
+        t
+    }
+
+    /// No frame has come up to this time.
+    pub(super) fn quiet_until(&mut self, t_ns: i64) {
+        let t = t_ns.clamp(-FAR_NS, FAR_NS) + self.offset;
+        let last = self.quiet_since.unwrap_or(self.now);
+        // Before that it is not known yet whether this will be a silence: the next frame tells.
+        if !self.started || t <= self.now || t <= self.silence_begins(last) {
+            return;
+        }
+        self.go_on(t, true);
+        self.quiet_since = Some(last);
+        self.next_event = i64::MIN;
+    }
+
+    /// When it becomes a silence that no frame has come since `last`: longer than usual, also where only 520h was recorded, and
+    /// that rarely.
+    fn silence_begins(&self, last: i64) -> i64 {
+        let status = self.slots.get(STATUS).filter(|slot| slot.last.is_some());
+        (last + self.pause).max(status.map_or(i64::MIN, super::Slot::stale_at))
+    }
+
+    /// Time goes on to `t`; `silent`: all of it, since the last frame, is a silence.
+    fn go_on(&mut self, t: i64, silent: bool) {
+        self.events(t, silent);
+        self.pass(t, silent);
+    }
+
+    fn pass(&mut self, t: i64, silent: bool) {
+        if silent {
+            self.postpone(t - self.now);
+        }
+        self.now = t;
+    }
+
+    /// `last` is when the last frame came.
+    #[cold]
+    fn set_back(&mut self, t: i64, last: i64) -> i64 {
         if !self.started {
             self.started = true;
             self.offset = -t;
             return self.now;
         }
-        let back = self.now - t;
+        let back = last - t;
         // A recorder shuffles frames by no more than the window; beyond that, its clock was set back.
         if back <= self.window {
             if !std::mem::replace(&mut self.shuffled, true) {
@@ -84,6 +131,8 @@ impl Judge {
             }
             return self.now;
         }
+        self.settle_all(self.now);
+        self.now = last;
         self.report(
             Severity::Note,
             Party::Log,
@@ -94,15 +143,14 @@ impl Judge {
                 milliseconds(back)
             ),
         );
-        self.settle_all(self.now);
         self.offset = (self.offset + back).min(FAR_NS);
         self.forget_everything();
+        self.forget_values();
         self.now
     }
 
     /// No frame came for a while: the recorder paused, or its clock was set. What has lasted long enough by its clock
     /// may not have by the VCU's.
-    #[cold]
     fn postpone(&mut self, by: i64) {
         for timer in self.vcu.timers.iter_mut().filter(|timer| timer.becomes == Truth::True) {
             timer.at += by;
@@ -121,13 +169,18 @@ impl Judge {
         for slot in &mut self.slots {
             slot.fresh = false;
             slot.last = None;
+        }
+    }
+
+    /// That values were bad is not known any more, either: if they still are, it is told again.
+    pub(super) fn forget_values(&mut self) {
+        for slot in &mut self.slots {
             slot.bad = 0;
         }
     }
 
     /// Does everything whose time has come by `t`, in order.
-    #[cold]
-    fn events(&mut self, t: i64) {
+    fn events(&mut self, t: i64, silent: bool) {
         // Each event is settled when it comes up; the bound only guards against a mistake that would loop.
         for _ in 0..10_000 {
             let next = self.upcoming();
@@ -135,7 +188,7 @@ impl Judge {
             if next > t {
                 return;
             }
-            self.now = self.now.max(next);
+            self.pass(self.now.max(next), silent);
             self.event(next);
         }
     }
@@ -148,7 +201,7 @@ impl Judge {
         stale
             .chain(pending)
             .chain(timers)
-            .chain([self.comms_event(), self.due_event(), self.held_event()])
+            .chain([self.comms_event(), self.due_event(), self.held_event(), self.loss_event()])
             .min()
             .unwrap_or(i64::MAX)
     }
@@ -172,7 +225,10 @@ impl Judge {
             return self.due_ripens();
         }
         if self.held_event() <= t {
-            self.report_held();
+            return self.report_held();
+        }
+        if self.loss_event() <= t {
+            self.report_loss();
         }
     }
 

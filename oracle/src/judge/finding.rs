@@ -168,6 +168,8 @@ pub struct Transition {
     pub justified: Truth,
     /// The alternative of the guard that decided, or may have, and what was known of its conditions.
     pub decided: Option<(Term, Knowledge)>,
+    /// Alternatives that may have decided instead: the VCU reports them as the very same fault, so that a log cannot tell.
+    pub or: Vec<(Term, Knowledge)>,
 }
 
 /// Whether the log keeps to the document.

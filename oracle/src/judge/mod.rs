@@ -39,6 +39,7 @@ mod flags;
 mod handshake;
 mod history;
 mod lenient;
+mod loss;
 mod options;
 mod output;
 mod response;
@@ -117,6 +118,8 @@ pub struct Judge {
     variants: Variants,
     window: i64,
     deadline: i64,
+    /// No shorter time without a frame is a silence.
+    pause: i64,
 
     slot_of: SlotOf,
     slots: [Slot; slots::COUNT],
@@ -132,6 +135,9 @@ pub struct Judge {
     pending: Vec<Pending>,
     due: Option<transitions::Due>,
     now: i64,
+    /// When the last frame came, if time has been told to pass since.
+    quiet_since: Option<i64>,
+    loss: loss::Loss,
     started: bool,
     /// Whether it was said that frames do not come in the order of time.
     shuffled: bool,
@@ -139,7 +145,7 @@ pub struct Judge {
     requests: Atoms,
     /// Added to the time of frames, so that time goes on after it was set back.
     offset: i64,
-    /// Nothing is to be done before this time.
+    /// Nothing is to be done before this time; the least of all when something is to be done at the next frame anyway.
     next_event: i64,
     frames: u64,
     out: Output,
@@ -150,6 +156,9 @@ impl Judge {
     pub fn new(options: Options) -> Self {
         let interface = Interface::V3_0;
         let variants = Variants::new(&interface, options.readings);
+        let window = i64::from(options.window_ms) * MS;
+        // Most messages come once a cycle, all at once: one frame may be missing.
+        let pause = window.max(i64::from(interface.timing.cycle_ms) * 2 * MS);
         let requests = variants.atoms(AsState::Ready, AsState::Driving).intersection(AI_SCOPE);
         Self {
             options,
@@ -157,7 +166,8 @@ impl Judge {
             variants,
             shuffled: false,
             requests,
-            window: i64::from(options.window_ms) * MS,
+            window,
+            pause,
             deadline: i64::from(options.deadline_ms) * MS,
             slot_of: SlotOf::new(),
             slots: Slot::all(),
@@ -171,9 +181,11 @@ impl Judge {
             pending: Vec::new(),
             due: None,
             now: 0,
+            quiet_since: None,
+            loss: loss::Loss::default(),
             started: false,
             offset: 0,
-            next_event: i64::MAX,
+            next_event: i64::MIN,
             frames: 0,
             out: Output::default(),
         }
@@ -213,16 +225,24 @@ impl Judge {
     ///
     /// A time before that of the last frame changes nothing.
     pub fn time_passes(&mut self, t_ns: i64) {
-        if self.is_later(t_ns) {
-            self.tick(t_ns);
-        }
+        self.quiet_until(t_ns);
     }
 
-    /// Frames were lost before the next one: what they said is unknown, and nothing is known any more.
-    pub fn lost(&mut self, message: String) {
-        self.report(Severity::Warning, Party::Log, "2", Rule::Gap, message);
-        self.settle_all(self.now);
-        self.forget_everything();
+    /// So many frames were lost before the next one: what they said is unknown, and nothing is known any more.
+    ///
+    /// Losses that follow one another within a window are reported as one.
+    pub fn lost(&mut self, count: u64) {
+        self.will_be_lost(count);
+    }
+
+    /// There is no further frame: settles what is still open. What is reported from now on has the time of the last one,
+    /// whatever time has been told to pass since.
+    pub(crate) fn end(&mut self) {
+        let end = self.quiet_since.take().unwrap_or(self.now);
+        self.now = end;
+        self.lose(end, end);
+        self.settle_all(end);
+        self.report_loss();
     }
 
     /// Adds what the reader of the log found out.
@@ -239,15 +259,15 @@ impl Judge {
 
     /// The end of the log: settles what is still open.
     pub fn finish(mut self) -> Report {
-        let end = self.now;
-        self.settle_all(end);
+        self.end();
         self.note_one_sided();
-        self.out.report(self.frames, end)
+        self.out.report(self.frames, self.now)
     }
 
     /// What has been found since this was last asked, in order; for a live bus. The report has it as well.
     ///
-    /// What the report only counts is not among it: findings of one rule beyond the first few hundred, for one.
+    /// Of the findings of one rule that the report only counts, because there are too many to be listed, one in a second is
+    /// among it; the first of them comes behind a finding of [`Rule::Repeated`] that says so. These the report does not have.
     pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.out.news()
     }

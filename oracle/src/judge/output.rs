@@ -7,6 +7,8 @@ use super::response::ResponseTimes;
 
 /// Findings of one rule beyond this many are counted, not listed.
 const MAX_FINDINGS: usize = 200;
+/// So long after a finding that is counted and not listed, another of its rule is news.
+const NEWS_NS: i64 = 1_000_000_000;
 /// Transitions beyond this many are counted, not listed.
 const MAX_TRANSITIONS: usize = 50_000;
 
@@ -16,13 +18,24 @@ pub(super) struct Output {
     transitions: Vec<Transition>,
     findings: Vec<Finding>,
     listed: Vec<usize>,
-    left_out: Vec<Option<(u64, Finding)>>,
+    left_out: Vec<Option<LeftOut>>,
+    /// Findings that are news, and not listed: no more than there are rules.
+    unlisted: Vec<Finding>,
     transitions_left_out: u64,
     /// How many transitions and findings have been handed out as news.
     told: (usize, usize),
     /// Identifiers that have been reported, once for nobody and once for the AI Computer.
     reported_ids: [HashSet<u32>; 2],
     pub(super) responses: ResponseTimes,
+}
+
+/// Findings of one rule that are counted, not listed.
+#[derive(Clone, Debug)]
+struct LeftOut {
+    count: u64,
+    first: Finding,
+    /// When the next one is news.
+    news_at: i64,
 }
 
 impl Default for Output {
@@ -32,6 +45,7 @@ impl Default for Output {
             findings: Vec::new(),
             listed: vec![0; Rule::ALL.len()],
             left_out: vec![None; Rule::ALL.len()],
+            unlisted: Vec::new(),
             transitions_left_out: 0,
             told: (0, 0),
             reported_ids: [HashSet::new(), HashSet::new()],
@@ -48,8 +62,22 @@ impl Output {
                 *listed += 1;
                 self.findings.push(finding);
             }
-            (_, Some(Some((count, _)))) => *count += 1,
-            (_, Some(none)) => *none = Some((1, finding)),
+            (_, Some(Some(left_out))) => {
+                left_out.count += 1;
+                if finding.t_ns >= left_out.news_at && self.unlisted.len() < Rule::ALL.len() {
+                    left_out.news_at = finding.t_ns.saturating_add(NEWS_NS);
+                    self.unlisted.push(finding);
+                }
+            }
+            (_, Some(none)) => {
+                let news_at = finding.t_ns.saturating_add(NEWS_NS);
+                *none = Some(LeftOut { count: 1, first: finding.clone(), news_at });
+                let message = format!(
+                    "further findings of {} are counted, and no longer listed; one in a second is told",
+                    finding.rule.id()
+                );
+                self.unlisted.push(Finding { rule: Rule::Repeated, message, ..finding });
+            }
             _ => {}
         }
     }
@@ -75,20 +103,20 @@ impl Output {
     /// What is new since this was last asked.
     pub(super) fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         let told = std::mem::replace(&mut self.told, (self.transitions.len(), self.findings.len()));
-        (
-            self.transitions.get(told.0..).unwrap_or_default().to_vec(),
-            self.findings.get(told.1..).unwrap_or_default().to_vec(),
-        )
+        let mut findings = self.findings.get(told.1..).unwrap_or_default().to_vec();
+        findings.append(&mut self.unlisted);
+        (self.transitions.get(told.0..).unwrap_or_default().to_vec(), findings)
     }
 
     pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.listed.fill(0);
         self.told = (0, 0);
+        self.unlisted.clear();
         (std::mem::take(&mut self.transitions), std::mem::take(&mut self.findings))
     }
 
     pub(super) fn report(mut self, frames: u64, duration_ns: i64) -> Report {
-        for (count, first) in std::mem::take(&mut self.left_out).into_iter().flatten() {
+        for LeftOut { count, first, .. } in std::mem::take(&mut self.left_out).into_iter().flatten() {
             self.findings.push(Finding {
                 rule: Rule::Repeated,
                 message: format!("{count} more of {} from here on, not listed", first.rule.id()),

@@ -124,7 +124,29 @@ impl Judge {
                 message,
             });
         }
-        self.out.transition(Transition { t_ns: t, from, to, clause, justified, decided });
+        let or = decided.map(|(term, _)| self.told_alike(from, to, &term, window)).unwrap_or_default();
+        self.out.transition(Transition { t_ns: t, from, to, clause, justified, decided, or });
+    }
+
+    /// Where the shutdown circuit decided: the alternatives that the VCU reports as the same fault (D-13), as far as they are
+    /// possible.
+    fn told_alike(
+        &self,
+        from: AsState,
+        to: AsState,
+        decided: &Term,
+        window: Knowledge,
+    ) -> Vec<(Term, Knowledge)> {
+        let cause = self.vcu.status.and_then(|status| Fault::of_cause(status.shutdown_cause));
+        let Some(fault) = cause.filter(|_| decided.on.has(Atom::SdcOpen)) else { return Vec::new() };
+        let terms = self.variants.of(from).iter().flatten().filter(|g| g.to == to).flat_map(|g| &g.terms);
+        let mut alike: Vec<(Term, Knowledge)> = Vec::new();
+        for term in terms.filter(|term| term.fault == Some(fault) && term.truth(window) != Truth::False) {
+            if !alike.iter().any(|(known, _)| known == term) {
+                alike.push((*term, window));
+            }
+        }
+        alike
     }
 
     /// The alternative that the VCU itself gives as its reason, if that is possible.

@@ -143,8 +143,14 @@ fn without_parts(tests: Vec<Test>) -> Vec<Test> {
 }
 
 impl Test {
-    /// Lets this test check what another one with the same steps does.
+    /// Lets this test check what another one with the same steps does. Of the two the one of a row gives the name: each row
+    /// has a test that is called after it.
     fn join(&mut self, same: &Self) {
+        if same.kind == Kind::Row && self.kind != Kind::Row {
+            self.kind = same.kind;
+            (self.name, self.about, self.section) =
+                (same.name.clone(), same.about.clone(), same.section.clone());
+        }
         self.reading = self.reading.or(same.reading);
         for id in &same.requirements {
             if !self.requirements.contains(id) {

@@ -1,0 +1,46 @@
+//! Reasons of an emergency that the VCU reports alike, so that a log cannot tell which it was (D-13).
+
+use adsdv_oracle::judge::{Options, Transition};
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Truth};
+use adsdv_tests::world::World;
+
+/// Something that happens.
+type Happens = fn(&mut World);
+
+/// The arrow to EMERGENCY_BRAKE in a world that was driving, when this has happened.
+fn brake(happens: Happens) -> Transition {
+    let mut world = World::reference();
+    world.driving();
+    happens(&mut world);
+    world.wait(500);
+    let report = world.judge(Options::default());
+    let to_brake = |transition: &Transition| transition.to == AsState::EmergencyBrake;
+    report.transitions.into_iter().find(to_brake).expect("it brakes")
+}
+
+fn alternatives(transition: &Transition) -> Vec<Atom> {
+    let decided = transition.decided.iter().chain(&transition.or);
+    decided.flat_map(|(term, _)| term.conditions()).map(|(atom, _)| atom).collect()
+}
+
+#[test]
+fn go_off_and_an_open_circuit_are_told_together() {
+    let cases: [(Happens, Atom); 3] = [
+        (|world| world.inputs.go = false, Atom::GoOn),
+        (|world| world.inputs.asms = false, Atom::Asms),
+        (|world| world.inputs.sdc.remote_estop = true, Atom::SdcOpen),
+    ];
+    for (happens, reason) in cases {
+        let transition = brake(happens);
+        assert_eq!(transition.justified, Truth::True);
+        assert!(alternatives(&transition).contains(&reason), "{reason}: {transition:#?}");
+    }
+}
+
+#[test]
+fn what_has_a_cause_of_its_own_is_told_alone() {
+    let transition = brake(|world| world.inputs.sdc.bms_fault = true);
+    assert_eq!(alternatives(&transition), [Atom::SdcOpen]);
+    assert!(transition.or.is_empty());
+}
