@@ -28,8 +28,9 @@ PATH=$PATH:/usr/sbin:/sbin
 cargo build --locked -p adsdv
 export ADSDV="$target/debug/adsdv" ADSDV_REQUIRE_VCAN=1
 # What the tests ask of the machine, asked once before.
-if ip link add vcanprobe type vcan 2>/dev/null; then
-  ip link del vcanprobe
+probe=vcan-$$
+if ip link add "$probe" type vcan 2>/dev/null; then
+  ip link del "$probe"
   echo "SocketCAN: on this machine's own kernel"
 else
   scripts/vm/image.sh >/dev/null || exit

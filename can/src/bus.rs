@@ -17,8 +17,14 @@ pub trait Listen {
     /// Waits until a frame comes, something happens to the bus, or it is this time. Never longer, and never without end.
     fn receive(&mut self, until: Instant) -> Event;
 
-    /// How many frames the kernel has had to drop so far, because nobody took them in time.
+    /// How many frames the kernel has had to drop so far, because nobody took them in time. It tells with each frame how many
+    /// before it were dropped: this is as of the last frame that came.
     fn dropped(&self) -> u64;
+
+    /// Whether the kernel keeps fewer frames for this program than were asked for, so that it drops some sooner.
+    fn has_small_buffer(&self) -> bool {
+        false
+    }
 
     /// The time now. Buses of tests have a time of their own.
     fn now(&self) -> Instant {
@@ -41,7 +47,7 @@ pub enum Event {
     Nothing,
     /// Something happened to the bus. It may come back: receiving goes on, and tells [`Event::Up`] when it does.
     Trouble(Trouble),
-    /// The bus is there again: frames came from it, or its interface is up.
+    /// The bus is there again: its interface is up, or others are heard on it.
     Up,
 }
 

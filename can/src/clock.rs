@@ -35,6 +35,7 @@ pub struct Clock {
     next: u64,
     count: u64,
     late: u64,
+    left_out: u64,
     /// How late cycles began. The histogram of answers serves as well.
     lateness: ResponseTimes,
 }
@@ -54,7 +55,7 @@ impl Clock {
     /// A clock whose first cycle is due at `start`, and the next every `cycle_ms` milliseconds, at least one.
     pub fn new(start: Instant, cycle_ms: u32) -> Self {
         let lateness = ResponseTimes::default();
-        Self { start, cycle_ms: cycle_ms.max(1), next: 0, count: 0, late: 0, lateness }
+        Self { start, cycle_ms: cycle_ms.max(1), next: 0, count: 0, late: 0, left_out: 0, lateness }
     }
 
     /// When the next cycle is due.
@@ -76,6 +77,7 @@ impl Clock {
         self.next = self.next.saturating_add(cycles);
         self.count += 1;
         self.late += u64::from(left_out > 0);
+        self.left_out = self.left_out.saturating_add(left_out);
         self.lateness.add(i64::try_from(late_by.as_nanos()).unwrap_or(i64::MAX));
         let dt_ms = u32::try_from(cycles.saturating_mul(self.cycle_ms.into())).unwrap_or(u32::MAX);
         Begun { dt_ms, left_out, late_by }
@@ -96,7 +98,9 @@ impl Clock {
         Cycles {
             count: self.count,
             late: self.late,
+            left_out: self.left_out,
             worst_ms: self.lateness.max_ms().unwrap_or(0.0),
+            p50_ms: self.lateness.quantile_ms(0.5).unwrap_or(0.0),
             p99_ms: self.lateness.quantile_ms(0.99).unwrap_or(0.0),
         }
     }
@@ -138,6 +142,8 @@ mod tests {
             // The next is due on the same grid, in the future, and less than a cycle away.
             assert_eq!(clock.deadline(), start + us((left_out + 2) * 10_000));
             assert_eq!(clock.cycles().late, u64::from(left_out > 0));
+            assert_eq!(clock.cycles().left_out, left_out);
+            assert_eq!(clock.cycles().count + left_out, clock.time_ms() / 10 + 1);
             // The times of all steps add up to the time that has passed.
             assert_eq!(clock.time_ms(), u64::from(dt_ms));
         }
@@ -152,9 +158,10 @@ mod tests {
             let late = if cycle % 200 == 7 { 7_000 } else { 150 };
             clock.begin(start + us(cycle * 10_000 + late));
         }
-        let Cycles { count, late, worst_ms, p99_ms } = clock.cycles();
-        assert_eq!((count, late), (1000, 0));
+        let Cycles { count, late, left_out, worst_ms, p50_ms, p99_ms } = clock.cycles();
+        assert_eq!((count, late, left_out), (1000, 0, 0));
         assert!((worst_ms - 7.0).abs() < 1e-9 && (p99_ms - 0.15).abs() < 1e-9, "{worst_ms} {p99_ms}");
+        assert!((p50_ms - 0.15).abs() < 1e-9, "{p50_ms}");
     }
 
     #[test]

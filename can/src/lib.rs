@@ -35,6 +35,9 @@ pub mod scenario;
 pub mod socket;
 pub mod status;
 
+/// The bit rate of the bus, in bits per second (section 1).
+pub const BITRATE: u32 = 500_000;
+
 /// The examples of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

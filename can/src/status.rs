@@ -8,6 +8,7 @@ use adsdv_spec::{Inputs, Outputs};
 
 use crate::bus::Trouble;
 use crate::car::Missing;
+use crate::scenario::Stuck;
 
 /// So many happenings are kept.
 pub const KEPT: usize = 200;
@@ -41,9 +42,9 @@ pub struct Status {
     pub sent: u64,
     /// Frames that could not be sent.
     pub unsent: u64,
-    /// Frames that the kernel dropped because they were not taken in time.
+    /// Frames that the kernel dropped because they were not taken in time, as of the last frame that came.
     pub dropped: u64,
-    /// Frames of the AI Computer that did not decode.
+    /// Frames of the other node that did not decode: of the AI Computer, to a VCU; of the VCU, to an AI Computer.
     pub refused: u64,
     /// Frames with identifiers of this node that somebody else sent.
     pub foreign: u64,
@@ -57,6 +58,8 @@ pub struct Status {
     pub time_ms: u64,
     /// What the scenario does next, in words; `None` without a scenario, or at its end.
     pub next: Option<String>,
+    /// Why the scenario was given up, if it was: see [`Vcu::with_patience`](crate::live::Vcu::with_patience).
+    pub stuck: Option<Stuck>,
     /// What happened, the latest last; see [`KEPT`].
     pub happened: VecDeque<Happening>,
     /// How many things have happened so far, those that are not kept any more among them.
@@ -95,10 +98,14 @@ impl Status {
 pub struct Cycles {
     /// How many cycles there were.
     pub count: u64,
-    /// How many of them began more than a cycle late, so that one was left out.
+    /// How many of them began more than a cycle late, so that at least one was left out.
     pub late: u64,
+    /// How many were left out. Together with `count`, these are all that were due.
+    pub left_out: u64,
     /// How late the latest one began, in milliseconds.
     pub worst_ms: f64,
+    /// The lateness that every second cycle kept, in milliseconds.
+    pub p50_ms: f64,
     /// The lateness that 99 of 100 cycles kept, in milliseconds.
     pub p99_ms: f64,
 }
@@ -128,7 +135,7 @@ pub enum What {
     },
     /// The operator did something.
     Did(String),
-    /// A frame of the AI Computer was refused: what is wrong with it.
+    /// A frame of the other node did not decode: its identifier, and what is wrong with it.
     Refused(String),
     /// Somebody else sends frames with identifiers of the VCU.
     OtherVcu(String),
@@ -140,9 +147,16 @@ pub enum What {
     Trouble(Trouble),
     /// The bus is there again.
     Up,
-    /// A cycle was so late that this many were left out.
+    /// The kernel dropped frames, because they were not taken in time.
+    Dropped {
+        /// How many, since this was told last.
+        frames: u64,
+        /// Whether the kernel keeps fewer for this program than were asked for.
+        small_buffer: bool,
+    },
+    /// So many cycles were left out, since this was told last, because others began late.
     Late(u64),
-    /// The AI Computer is heard for the first time, or again.
+    /// The AI Computer is heard for the first time; or again, for a second without a pause or after a longer one.
     AiHeard,
     /// The AI Computer has fallen silent.
     AiSilent,

@@ -35,7 +35,7 @@ fn cycle(ai: &mut Ai, vcu: Vcu, said: &AiMessages) -> AiMessages {
     };
     let steer = Vcu2AiSteer { steer_angle: SteerAngle::clamped(vcu.steer), ..Vcu2AiSteer::default() };
     for frame in [vcu.status.encode(), drive.encode(), steer.encode(), brake.encode(), speeds.encode()] {
-        ai.receive(&frame);
+        ai.receive(&frame).expect("what the VCU sends");
     }
     messages(&ai.cycle(10))
 }
@@ -71,11 +71,12 @@ fn it_sends_every_message_of_the_ai_computer_once_it_has_heard_the_vcu() {
     let mut ai = Ai::default();
     assert_eq!(ai.cycle(10), []);
     // Somebody else, and garbage.
-    ai.receive(&Frame::new(0x123, &[1, 2]).expect("a frame"));
-    ai.receive(&Frame::new(0x520, &[1]).expect("a frame"));
-    ai.receive(&Frame::new(0x520, &[0, 0, 0xFF, 0, 0, 0, 0, 0]).expect("a frame"));
+    assert_eq!(ai.receive(&Frame::new(0x123, &[1, 2]).expect("a frame")), Ok(()));
+    ai.receive(&Frame::new(0x520, &[1]).expect("a frame")).expect_err("too short");
+    ai.receive(&Frame::new(0x520, &[0, 0, 0xFF, 0, 0, 0, 0, 0]).expect("a frame"))
+        .expect_err("no such state");
     assert_eq!(ai.cycle(10), []);
-    ai.receive(&Vcu2AiStatus::default().encode());
+    assert_eq!(ai.receive(&Vcu2AiStatus::default().encode()), Ok(()));
     let ids: Vec<u16> = ai.cycle(10).iter().map(|frame| frame.id).collect();
     assert_eq!(ids, [0x501, 0x510, 0x511, 0x512, 0x513, 0x514]);
     assert!(ids.iter().all(|&id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai)));

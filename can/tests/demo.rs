@@ -114,6 +114,37 @@ fn a_state_that_never_comes_is_told() {
     );
 }
 
+/// What is told is what leads to the state that the scenario waits for, and what was done until then is there.
+#[test]
+fn what_leads_to_the_awaited_state_is_told() {
+    let options = Options { patience_ms: 20_000, ..Options::default() };
+    let cases = [
+        (
+            "AS_DRIVING +1 remote_estop on\nAS_OFF end",
+            "EMERGENCY_BRAKE after 20 s; AS_OFF (section 3.9) still needs: AS master switch OFF",
+        ),
+        (
+            "AS_DRIVING +1 remote_estop on\n+16 asms off\n+1 asms on, remote_estop off\nAS_READY end",
+            "AS_OFF after 20 s; AS_READY (section 3.1) still needs: a power cycle",
+        ),
+        (
+            "AS_DRIVING +1 ami SKIDPAD\nAS_READY end",
+            "AS_FINISHED after 20 s; AS_OFF (section 3.4) still needs: ",
+        ),
+        ("AS_DRIVING +1 asms on\nEMERGENCY_BRAKE end", "EMERGENCY_BRAKE (section 3.8) still needs: SDC open"),
+    ];
+    for (text, expected) in cases {
+        let text = format!("0 asms on, tsms on, ami SKIDPAD, ebs ARMED\nAS_READY +5.5 go on\n{text}");
+        let scenario: Scenario = text.parse().expect("a scenario");
+        let error = run(&scenario, Ai::default(), &options, |_, _| Ok::<(), Infallible>(())).unwrap_err();
+        assert!(error.to_string().contains(expected), "{error}\nexpected {expected}");
+        let RunError::Waits { run, stuck } = error;
+        let done: usize = scenario.lines().iter().map(|line| line.actions.len()).sum();
+        assert_eq!((run.actions.len(), run.state), (done, stuck.state));
+        assert!(run.duration_ms > 25_000 && run.frames > 10_000, "{run:?}");
+    }
+}
+
 #[test]
 fn a_sink_that_fails_stops_the_run() {
     let mut left = 100;
@@ -181,8 +212,8 @@ fn the_local_bus_has_an_ai_computer_on_it() {
     assert!(begun.elapsed() >= 30 * cycle);
     assert!((25 * 6..=31 * 6).contains(&received), "{received}");
     assert_eq!(car.outputs().map(|outputs| outputs.state), Some(AsState::Ready));
-    let left = missing(&car).expect("the way to AS_DRIVING").conditions;
-    assert!(left.contains(&"\"Go\" signal OFF -> ON"), "{left:?}");
+    let left = missing(&car).expect("the way to AS_DRIVING").to_string();
+    assert!(left.contains("\"Go\" signal OFF -> ON"), "{left}");
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 use std::io::{self, BufRead, BufReader, Read};
 
-use adsdv_can::car::Switch;
-use adsdv_can::scenario::{MAX_LINE, Player, Scenario, Unreadable, When};
+use adsdv_can::car::{Action, Switch};
+use adsdv_can::scenario::{MAX_BYTES, MAX_LINE, Player, Scenario, Unreadable, When};
 use adsdv_spec::messages::AsState;
 
 fn errors(text: &[u8]) -> Vec<String> {
@@ -54,7 +54,7 @@ fn what_may_stand_in_a_file() {
 
 #[test]
 fn each_bad_line_is_told_with_what_was_found_and_expected() {
-    let cases: [(&str, &str); 31] = [
+    let cases = [
         (
             "asms on",
             "column 1: found \"asms\", expected a time such as 12.5 or +0.5, or one of AS_OFF, AS_READY, ",
@@ -78,7 +78,16 @@ fn each_bad_line_is_told_with_what_was_found_and_expected() {
         ("AS_READY + asms on", "column 10: found \"+\", expected + and seconds"),
         ("AS_READY +x asms on", "column 10: found \"+x\", expected + and seconds"),
         ("AS_READY+x asms on", "column 9: found \"+x\", expected + and seconds"),
-        ("AS_READY 5 asms on", "column 10: found \"5\", expected power cycle, or one of asms"),
+        (
+            "AS_READY 5.5 go on",
+            "column 10: found \"5.5\", expected +5.5: a time behind a state begins with +",
+        ),
+        ("AS_READY 5,5 go on", "column 10: found \"5,5\", expected + and seconds such as"),
+        ("AS_READY + 5 asms on", "column 10: found \"+ 5\", expected +5 without a space"),
+        ("+ 0.5 asms on", "column 1: found \"+ 0.5\", expected +0.5 without a space"),
+        ("AS_REDY + 5 asms on", "column 1: found \"AS_REDY\", expected a time"),
+        ("AS_REDY 5 asms on", "column 1: found \"AS_REDY\", expected a time"),
+        ("nonsense", "column 1: found \"nonsense\", expected a time"),
         ("0", "column 2: found nothing, expected an action such as asms on"),
         ("0 asms", "column 7: found nothing, expected asms to be off or on"),
         ("0 asms up", "column 8: found \"up\", expected asms to be off or on"),
@@ -91,6 +100,19 @@ fn each_bad_line_is_told_with_what_was_found_and_expected() {
             "0 ami TRACKDRIVE",
             "column 7: found \"TRACKDRIVE\", expected ami to be NOT_SELECTED, ACCELERATION, ",
         ),
+        ("4 power cycle now", "column 15: found \"now\", expected nothing behind power cycle"),
+        ("3 power", "column 3: found \"power\", expected power cycle"),
+        ("3 power  off", "column 3: found \"power  off\", expected power cycle"),
+        (
+            "3 pwoer cycle",
+            "column 3: found \"pwoer\", expected the name of a switch; did you mean power cycle?",
+        ),
+        ("3 ASMS on", "column 3: found \"ASMS\", expected the name of a switch; did you mean asms?"),
+        (
+            "3 remote-estop on",
+            "column 3: found \"remote-estop\", expected the name of a switch; did you mean remote_estop?",
+        ),
+        ("3 END", "column 3: found \"END\", expected an action; did you mean end?"),
         ("0 handshake on", "column 3: found \"handshake\", expected power cycle, or one of asms"),
         ("0 asms on, asms off", "column 12: found \"asms off\", expected each switch once in a line"),
         ("0 end, asms on", "column 8: found \"asms on\", expected nothing behind end"),
@@ -111,7 +133,7 @@ fn every_error_is_told_and_none_hides_another() {
         "line 1, column 12: found \"horn\"",
         "line 2, column 1: found \"x\"",
         "line 2, column 8: found \"maybe\"",
-        "line 4, column 3: found \"\\\\xff\\\\xfe\", expected text in UTF-8",
+        "line 4, column 3: found \"\\xff\\xfe\", expected text in UTF-8",
         "line 6, column 1: found \"AS_REDY\"",
         "line 6, column 15: found \"in\"",
     ];
@@ -136,7 +158,10 @@ fn lines_that_cannot_take_place_in_their_order() {
     );
     let told = errors(b"0 end\n\n1 end\n2 asms on\n");
     assert_eq!(told[0], "line 3, column 1: found \"1 end\", expected nothing more: end stands in line 1");
-    assert_eq!(told.len(), 2, "{told:?}");
+    assert_eq!(told.len(), 1, "it is told once: {told:?}");
+    // What else is wrong there is told as well.
+    let told = errors(b"0 end\n1 end\n2 asms up\n");
+    assert!(told.len() == 2 && told[1].starts_with("line 3, column 8: found \"up\""), "{told:?}");
     // At the same time is well.
     assert_eq!(scenario("1 asms on\n1 tsms on\n+0 go on").lines().len(), 3);
 }
@@ -165,10 +190,10 @@ fn a_long_line_is_passed_over_and_told() {
     assert!(told[1].starts_with("line 2, column 8: found \"up\""), "{told:?}");
 }
 
-/// A gigabyte without a line feed, and then another line; and the buffer stays small.
+/// Megabytes without a line feed, and then another line; and the buffer stays small.
 #[test]
-fn a_line_of_a_gigabyte_is_passed_over() {
-    let long = io::repeat(b'x').take(1 << 30).chain(&b"\n1 asms up\n"[..]);
+fn a_line_of_megabytes_is_passed_over() {
+    let long = io::repeat(b'x').take(MAX_BYTES - 100).chain(&b"\n1 asms up\n"[..]);
     let source = BufReader::with_capacity(1 << 16, long);
     let Err(Unreadable::Lines { errors, more: 0 }) = Scenario::read(source) else {
         panic!("it is no scenario")
@@ -180,15 +205,62 @@ fn a_line_of_a_gigabyte_is_passed_over() {
 #[test]
 fn a_flood_of_errors_is_counted() {
     let text = "x\n".repeat(10_000);
-    // Each line has a bad time, and does nothing.
+    // Each line has one mistake: its first word. That nothing is done then is no other.
     let Err(Unreadable::Lines { errors, more }) = text.parse::<Scenario>() else {
         panic!("it is no scenario")
     };
-    assert_eq!((errors.len(), more), (50, 20_000 - 50));
-    assert!(text.parse::<Scenario>().unwrap_err().to_string().ends_with("\nand 19950 more"));
+    assert_eq!((errors.len(), more), (50, 10_000 - 50));
+    assert!(text.parse::<Scenario>().unwrap_err().to_string().ends_with("\nand 9950 more"));
     let many = "0 asms on\n".repeat(200_000);
     let told = errors_of(&many);
     assert!(told.ends_with("expected at most 100000 lines that say something"), "{told}");
+}
+
+#[test]
+fn every_switch_is_named_once() {
+    let told = errors(b"0 horn on\n1 wiper on, hooter on\n2 horn\n");
+    let expected = [
+        "line 1, column 3: found \"horn\", expected power cycle, or one of asms, tsms, ",
+        "line 2, column 3: found \"wiper\", expected the name of a switch: line 1 has them all",
+        "line 2, column 13: found \"hooter\", expected the name of a switch: line 1 has them all",
+        "line 3, column 3: found \"horn\", expected the name of a switch: line 1 has them all",
+    ];
+    assert_eq!(told.len(), expected.len(), "{told:#?}");
+    for (told, expected) in told.iter().zip(expected) {
+        assert!(told.starts_with(expected), "{told}");
+    }
+}
+
+#[test]
+fn a_source_without_end_is_refused() {
+    for byte in [b'\0', b'\n', b' ', b'x'] {
+        let error = Scenario::read(BufReader::new(io::repeat(byte))).unwrap_err();
+        assert_eq!(error.to_string(), "is longer than 4194304 bytes; expected a scenario");
+    }
+    // So long it may be.
+    let room = usize::try_from(MAX_BYTES).expect("a few megabytes");
+    let mut text = b"0 asms on\n".to_vec();
+    text.resize(room, b'\n');
+    assert!(Scenario::read(&text[..]).is_ok() && Scenario::read(BufReader::new(&text[..])).is_ok());
+    text.push(b'\n');
+    for read in [Scenario::read(&text[..]), Scenario::read(BufReader::new(&text[..]))] {
+        assert!(matches!(read, Err(Unreadable::Long { bytes: MAX_BYTES })), "{read:?}");
+    }
+}
+
+/// What is cut off is text and bytes that are none, at any place.
+#[test]
+fn what_was_found_is_shown_as_it_is() {
+    let shown = |found: &[u8]| {
+        let told = errors(&[b"0 asms on #".to_vec(), found.to_vec(), vec![b'x'; MAX_LINE]].concat());
+        let (_, told) = told[0].split_once("found \"0 asms on #").expect("the beginning");
+        let (found, _) = told.split_once("\"..., ").expect("it is cut");
+        found.to_owned()
+    };
+    assert_eq!(shown(b""), "x".repeat(29));
+    assert_eq!(shown("'\u{fc}\"\u{1b}".as_bytes()), format!("'\u{fc}\\\"\\u{{1b}}{}", "x".repeat(25)));
+    assert_eq!(shown(b"a\xffb"), format!("a\\xffb{}", "x".repeat(26)));
+    assert_eq!(shown(&[0xff; 40]), "\\xff".repeat(29));
 }
 
 fn errors_of(text: &str) -> String {
@@ -398,12 +470,19 @@ fn the_readme_names_every_switch() {
     let expected: Vec<String> = Switch::all()
         .map(|switch| {
             let positions = switch.positions().into_iter().map(|raw| format!("`{}`", switch.position(raw)));
-            format!("| `{}` | {} |", switch.key(), positions.collect::<Vec<_>>().join(", "))
+            let positions = positions.collect::<Vec<_>>().join(", ");
+            format!("| `{}` | {positions} | {} |", switch.key(), switch.about())
         })
         .collect();
-    assert_eq!(table.len(), expected.len());
-    for (line, expected) in table.iter().zip(&expected) {
-        assert!(line.starts_with(expected.as_str()), "{line}\nexpected {expected}");
+    assert_eq!(table, expected);
+    // It says for how long a scenario may wait, and what comes behind its last line.
+    let defaults = adsdv_can::demo::Options::default();
+    assert_eq!((defaults.patience_ms, defaults.tail_ms), (600_000, 1000));
+    for words in ["after 600 seconds", "stops a second after the last line", Action::POWER_CYCLE] {
+        assert!(readme.contains(words), "{words:?} is missing");
+    }
+    for (name, _) in Scenario::SAMPLES {
+        assert!(readme.contains(&format!("- `{name}`: ")), "{name} is missing");
     }
     // Its example is a scenario.
     let scenarios = readme.split("## Scenarios").nth(1).expect("a section");

@@ -144,7 +144,7 @@ with_libraries() {
 }
 
 files=$(for program in "${programs[@]}"; do with_libraries "$(command -v "$program")"; done | sort -u)
-made_from=$({ cat "$vm/kernel/made-by"; echo "$files"; xargs cat "$busybox" "$here/init.sh" <<<"$files"; } | sha256sum)
+made_from=$({ cat "$vm/kernel/made-by"; echo "$files"; xargs cat "$busybox" "$here/image.sh" "$here/init.sh" <<<"$files"; } | sha256sum)
 if [ ! -e "$vm/base.cpio" ] || [ ! -e "$vm/base.made-from" ] || [ "$(cat "$vm/base.made-from")" != "$made_from" ]; then
   base=$work/base
   mkdir -p "$base"/{bin,dev,etc,lib/modules,proc,root,run,sbin,sys,tmp,usr/bin,usr/sbin,var}

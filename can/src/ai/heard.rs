@@ -1,6 +1,8 @@
 //! What the AI Computer has heard of the VCU.
 
-use adsdv_spec::messages::{AnyMessage, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds};
+use adsdv_spec::messages::{
+    AnyMessage, DecodeError, Frame, Node, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds, message_by_id,
+};
 use adsdv_spec::{Atom, Thresholds};
 
 /// What it keeps of the VCU's frames.
@@ -24,26 +26,29 @@ pub(super) struct Heard {
 
 impl Heard {
     /// Keeps what a frame says, and tells whether it was 520h. One that does not decode changes nothing.
-    pub(super) fn frame(&mut self, frame: &Frame, thresholds: Thresholds) -> bool {
+    pub(super) fn frame(&mut self, frame: &Frame, thresholds: Thresholds) -> Result<bool, DecodeError> {
+        if message_by_id(frame.id).is_none_or(|message| message.sender != Node::Vcu) {
+            return Ok(false);
+        }
         let before = (self.torque, self.brake);
         let [front, rear] = self.torque;
-        match AnyMessage::decode(frame.id, frame.data()) {
-            Ok(AnyMessage::Vcu2AiStatus(status)) => {
+        match AnyMessage::decode(frame.id, frame.data())? {
+            AnyMessage::Vcu2AiStatus(status) => {
                 self.vcu = true;
                 self.status = status;
-                return true;
+                return Ok(true);
             }
-            Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+            AnyMessage::Vcu2AiDriveF(drive) => {
                 self.torque = [drive.front_axle_trq_request.raw() > 0, rear];
             }
-            Ok(AnyMessage::Vcu2AiDriveR(drive)) => {
+            AnyMessage::Vcu2AiDriveR(drive) => {
                 self.torque = [front, drive.rear_axle_trq_request.raw() > 0];
             }
-            Ok(AnyMessage::Vcu2AiSteer(steer)) => self.steer_angle = steer.steer_angle,
-            Ok(AnyMessage::Vcu2AiBrake(brake)) => {
+            AnyMessage::Vcu2AiSteer(steer) => self.steer_angle = steer.steer_angle,
+            AnyMessage::Vcu2AiBrake(brake) => {
                 self.brake = brake.hyd_press_f_req.raw() > 0 && brake.hyd_press_r_req.raw() > 0;
             }
-            Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
+            AnyMessage::Vcu2AiWheelSpeeds(speeds) => {
                 self.wheel_speeds = speeds;
                 self.at_rest = speeds.atoms(&thresholds).has(Atom::AtRest);
             }
@@ -53,7 +58,7 @@ impl Heard {
             // What was measured before may be outdated.
             self.at_rest = false;
         }
-        false
+        Ok(false)
     }
 
     /// Whether the vehicle has stopped for good: the VCU returns the brake request and no torque request, so that none is on

@@ -16,8 +16,8 @@ mod motion;
 
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AsState,
-    AxleTorqueRequest, BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax,
-    SpeedKmh, SteerAngle,
+    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, Frame, Message, MissionStatus,
+    MotorSpeedMax, SpeedKmh, SteerAngle,
 };
 use adsdv_spec::{AiMessages, Interface};
 
@@ -91,7 +91,9 @@ pub enum Stage {
 ///     car.act(&action.parse()?);
 /// }
 /// for _ in 0..5 {
-///     car.cycle(10).frames.iter().for_each(|frame| ai.receive(frame));
+///     for frame in car.cycle(10).frames {
+///         ai.receive(&frame).expect("so does the VCU");
+///     }
 ///     for frame in ai.cycle(10) {
 ///         car.receive(&frame).expect("the AI Computer sends what the document allows");
 ///     }
@@ -145,11 +147,13 @@ impl Ai {
         self.stage
     }
 
-    /// A frame that came from the bus. What is not of the VCU, or does not decode, changes nothing.
-    pub fn receive(&mut self, frame: &Frame) {
-        if self.heard.frame(frame, self.interface.thresholds) {
+    /// A frame that came from the bus. What is not of the VCU changes nothing; what is, and does not decode, neither, and is an
+    /// error.
+    pub fn receive(&mut self, frame: &Frame) -> Result<(), DecodeError> {
+        if self.heard.frame(frame, self.interface.thresholds)? {
             self.silent_ms = 0;
         }
+        Ok(())
     }
 
     /// One cycle, `dt_ms` after the last one: the frames to send, in the order in which they win the bus.

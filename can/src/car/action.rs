@@ -1,6 +1,6 @@
 //! What the operator can do: set a switch, or cycle the power.
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 use std::str::FromStr;
 
 use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Value};
@@ -30,8 +30,36 @@ pub enum Action {
     PowerCycle,
 }
 
-/// The words for the power cycle.
-const POWER_CYCLE: &str = "power cycle";
+impl Action {
+    /// The words for the power cycle.
+    pub const POWER_CYCLE: &str = "power cycle";
+
+    /// What the power cycle is, in a few words.
+    pub const ABOUT_POWER_CYCLE: &str = "turns the power of the VCU off and on again";
+}
+
+/// What each switch is, in a few words: with all that tells of switches to people, this is where it is told.
+const ABOUT: [(&str, &str); 19] = [
+    ("asms", "the Autonomous System Master Switch"),
+    ("tsms", "the Tractive System Master Switch"),
+    ("ami", "the mission selected at the AMI"),
+    ("ebs", "the state of the Emergency Braking System"),
+    ("go", "the remote \"Go\" switch"),
+    ("remote_estop", "the remote E-stop button is pressed"),
+    ("res_link_lost", "the remote E-stop has lost its transmitter"),
+    ("vehicle_estop", "an E-stop button on the vehicle is pressed"),
+    ("crash_sensor", "the inertial crash sensor is activated"),
+    ("critical_fault", "a critical fault without a flag of its own"),
+    ("bms_fault", "a critical fault in the traction battery"),
+    ("mpp_dongle_removed", "the autonomous driving dongle is not plugged in"),
+    ("hvil_open", "HVIL or shutdown circuit: an open circuit"),
+    ("hvil_short", "HVIL or shutdown circuit: a short circuit"),
+    ("ebs_fault", "the Emergency Braking System is faulty"),
+    ("offboard_charger_fault", "the off-board charger is faulty"),
+    ("charging", "the battery charges: a fault once ASMS or TSMS is on"),
+    ("batt_temp_high", "the battery is hot (a warning)"),
+    ("batt_soc_low", "the battery's charge is low (a warning)"),
+];
 
 /// Something that the operator or the world sets: a master switch, the mission, "Go", a cause of an open shutdown circuit, a
 /// fault that another controller reports.
@@ -60,6 +88,38 @@ impl Switch {
     /// Its name, such as `asms`.
     pub fn key(self) -> &'static str {
         self.0.key
+    }
+
+    /// What it is, in a few words.
+    ///
+    /// ```
+    /// use adsdv_can::car::Switch;
+    ///
+    /// let asms = Switch::named("asms").expect("a switch");
+    /// assert_eq!(asms.about(), "the Autonomous System Master Switch");
+    /// ```
+    pub fn about(self) -> &'static str {
+        // The tests hold that there is one for each.
+        ABOUT.iter().find(|(key, _)| *key == self.key()).map_or("", |(_, about)| about)
+    }
+
+    /// The switch whose name is most like this one, if one is like it at all.
+    fn like(name: &str) -> Option<&'static str> {
+        /// The name of no switch is nearly as long.
+        const LONGEST: usize = 40;
+        if name.len() > LONGEST {
+            return None;
+        }
+        let name = name.to_ascii_lowercase();
+        let (power, _) = Action::POWER_CYCLE.split_once(' ')?;
+        let switches = Self::all().map(|switch| (switch.key(), switch.key()));
+        let (_, meant) = switches
+            .chain([(power, Action::POWER_CYCLE)])
+            .map(|(word, meant)| (strsim::damerau_levenshtein(&name, word), word, meant))
+            .filter(|(typing_errors, word, _)| *typing_errors <= (word.len() / 3).min(2))
+            .map(|(typing_errors, _, meant)| (typing_errors, meant))
+            .min_by_key(|(typing_errors, _)| *typing_errors)?;
+        Some(meant)
     }
 
     /// The part of the inputs that it is of: `sdc`, `reports`, or empty for the switches of the car itself.
@@ -98,22 +158,13 @@ impl Switch {
             Domain::Number { min, max } => (min..=max).collect(),
         }
     }
-
-    /// What its positions are, in words.
-    fn expected(self) -> String {
-        let positions: Vec<String> = self.positions().into_iter().map(|raw| self.position(raw)).collect();
-        match positions.split_last() {
-            Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-            _ => positions.concat(),
-        }
-    }
 }
 
 impl fmt::Display for Action {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Set(switch, raw) => write!(f, "{} {}", switch.key(), switch.position(*raw)),
-            Self::PowerCycle => f.write_str(POWER_CYCLE),
+            Self::PowerCycle => f.write_str(Self::POWER_CYCLE),
         }
     }
 }
@@ -126,20 +177,60 @@ pub struct UnknownSwitch {
     /// What was found; empty if nothing was.
     pub found: String,
     /// What was expected.
-    pub expected: String,
+    pub expected: Expected,
 }
 
 impl fmt::Display for UnknownSwitch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "found {}, expected {}", Excerpt(&self.found), self.expected)
+        write!(f, "found {}, expected {}", Excerpt(self.found.as_bytes()), self.expected)
     }
 }
 
 impl std::error::Error for UnknownSwitch {}
 
+/// What was expected of words that are no action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// An action: there is nothing.
+    Action,
+    /// The name of a switch; with the one that may be meant, if there is one that is like it.
+    Name(Option<&'static str>),
+    /// One of the positions of this switch.
+    Position(Switch),
+    /// Both words of the power cycle.
+    PowerCycle,
+    /// Nothing behind the power cycle.
+    NothingBehind,
+}
+
+impl fmt::Display for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let power_cycle = Action::POWER_CYCLE;
+        match self {
+            Self::Action => f.write_str("an action such as asms on"),
+            Self::Name(Some(like)) => write!(f, "the name of a switch; did you mean {like}?"),
+            Self::Name(None) => {
+                let names: Vec<&str> = Switch::all().map(Switch::key).collect();
+                write!(f, "{power_cycle}, or one of {}", names.join(", "))
+            }
+            Self::Position(switch) => {
+                let positions = switch.positions().into_iter().map(|raw| switch.position(raw));
+                let positions: Vec<String> = positions.collect();
+                let all = match positions.split_last() {
+                    Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+                    _ => positions.concat(),
+                };
+                write!(f, "{} to be {all}", switch.key())
+            }
+            Self::PowerCycle => f.write_str(power_cycle),
+            Self::NothingBehind => write!(f, "nothing behind {power_cycle}"),
+        }
+    }
+}
+
 /// What was found, short and printable: rubbish in a file does not reach a terminal.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Excerpt<'a>(pub(crate) &'a str);
+pub(crate) struct Excerpt<'a>(pub(crate) &'a [u8]);
 
 impl fmt::Display for Excerpt<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -148,10 +239,26 @@ impl fmt::Display for Excerpt<'_> {
         if self.0.is_empty() {
             return f.write_str("nothing");
         }
-        match self.0.char_indices().nth(SHOWN) {
-            Some((end, _)) => write!(f, "{:?}...", self.0.get(..end).unwrap_or_default()),
-            None => write!(f, "{:?}", self.0),
+        let mut left = SHOWN;
+        let mut cut = false;
+        f.write_char('"')?;
+        for chunk in self.0.utf8_chunks() {
+            let text = chunk.valid();
+            let end = text.char_indices().nth(left).map(|(end, _)| end);
+            let shown = format!("{:?}", text.get(..end.unwrap_or(text.len())).unwrap_or_default());
+            // The quotation marks are around it all.
+            f.write_str(shown.strip_prefix('"').and_then(|shown| shown.strip_suffix('"')).unwrap_or(&shown))?;
+            left = left.saturating_sub(text.chars().count());
+            let bytes = chunk.invalid();
+            let fits = bytes.get(..left.min(bytes.len())).unwrap_or_default();
+            write!(f, "{}", fits.escape_ascii())?;
+            left -= fits.len();
+            cut = end.is_some() || fits.len() < bytes.len();
+            if cut {
+                break;
+            }
         }
+        f.write_str(if cut { "\"..." } else { "\"" })
     }
 }
 
@@ -159,27 +266,34 @@ impl FromStr for Action {
     type Err = UnknownSwitch;
 
     fn from_str(text: &str) -> Result<Self, UnknownSwitch> {
-        let error = |rest: &str, found: &str, expected: String| {
-            Err(UnknownSwitch { at: text.len() - rest.len(), found: found.to_owned(), expected })
+        let error = |found: &str, behind: &str, expected: Expected| {
+            let at = text.len() - behind.len();
+            Err(UnknownSwitch { at, found: found.to_owned(), expected })
         };
-        if text.split_whitespace().eq(POWER_CYCLE.split(' ')) {
-            return Ok(Self::PowerCycle);
-        }
         let text = text.trim_end();
         let start = text.trim_start();
-        let (name, rest) = start.split_once(char::is_whitespace).unwrap_or((start, ""));
+        let (name, rest) = split_word(start);
         if name.is_empty() {
-            return error("", "", "an action such as asms on".to_owned());
+            return error("", "", Expected::Action);
+        }
+        if let Some((_, cycle)) = Self::POWER_CYCLE.split_once(' ').filter(|(power, _)| *power == name) {
+            let (word, behind) = split_word(rest);
+            return match (word == cycle, behind) {
+                (true, "") => Ok(Self::PowerCycle),
+                (true, behind) => error(behind, behind, Expected::NothingBehind),
+                (false, _) => error(start, start, Expected::PowerCycle),
+            };
         }
         let Some(switch) = Switch::named(name) else {
-            let names: Vec<&str> = Switch::all().map(Switch::key).collect();
-            return error(start, name, format!("{POWER_CYCLE}, or one of {}", names.join(", ")));
+            return error(name, start, Expected::Name(Switch::like(name)));
         };
-        let position = rest.trim_start();
-        let raw = switch.positions().into_iter().find(|&raw| switch.position(raw) == position);
-        raw.map_or_else(
-            || error(position, position, format!("{name} to be {}", switch.expected())),
-            |raw| Ok(Self::Set(switch, raw)),
-        )
+        let raw = switch.positions().into_iter().find(|&raw| switch.position(raw) == rest);
+        raw.map_or_else(|| error(rest, rest, Expected::Position(switch)), |raw| Ok(Self::Set(switch, raw)))
     }
+}
+
+/// The first word, and what follows it without the white space between them.
+fn split_word(text: &str) -> (&str, &str) {
+    let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    (word, rest.trim_start())
 }

@@ -17,8 +17,8 @@ use adsdv_spec::messages::{AsState, DecodeError, Frame, Vcu2LogStatus};
 use adsdv_spec::{Actuation, AiMessages, Control, Inputs, Machine, Outputs};
 
 pub(crate) use action::Excerpt;
-pub use action::{Action, Switch, UnknownSwitch};
-pub use missing::{Missing, missing};
+pub use action::{Action, Expected, Switch, UnknownSwitch};
+pub use missing::{Condition, Missing, missing, missing_for};
 pub(crate) use vehicle::gear_ratio;
 pub use vehicle::{Physics, Vehicle};
 

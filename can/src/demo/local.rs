@@ -14,15 +14,14 @@ use crate::bus::{Bus, Event, Listen, Received, Trouble};
 
 /// A bus with the AI Computer on it, for a machine without CAN. Frames are there at once.
 ///
-/// The AI Computer has a cycle of its own, as long as the VCU's and without drift. Cycles for which nobody waited are left
-/// out: the AI Computer then sees that more time has passed.
+/// The AI Computer has a cycle of its own, as long as the VCU's and without drift. For cycles in which nobody waited, time
+/// stands still for the AI Computer: whoever was held up held it up as well, and it takes nobody to be silent for that.
 #[derive(Debug)]
 pub struct LocalBus {
     ai: Ai,
     cycle: Duration,
-    /// When the AI Computer's next cycle is due, and when the last one was.
+    /// When the AI Computer's next cycle is due.
     next: Instant,
-    last: Instant,
     sent: VecDeque<Frame>,
 }
 
@@ -31,18 +30,16 @@ impl LocalBus {
     pub fn new(ai: Ai) -> Self {
         let now = Instant::now();
         let cycle = Duration::from_millis(Interface::V3_0.timing.cycle_ms.into());
-        Self { ai, cycle, next: now, last: now, sent: VecDeque::new() }
+        Self { ai, cycle, next: now, sent: VecDeque::new() }
     }
 
     fn ai_cycle(&mut self, now: Instant) {
         let late = now.saturating_duration_since(self.next);
         // In whole cycles, so that no time is lost to rounding.
         let missed = late.as_nanos().checked_div(self.cycle.as_nanos()).unwrap_or_default();
-        let due = self.next + self.cycle.saturating_mul(u32::try_from(missed).unwrap_or(u32::MAX));
-        let dt_ms = due.saturating_duration_since(self.last).as_millis();
-        self.sent.extend(self.ai.cycle(u32::try_from(dt_ms).unwrap_or(u32::MAX)));
-        self.last = due;
-        self.next = due + self.cycle;
+        let cycles = u32::try_from(missed).unwrap_or(u32::MAX).saturating_add(1);
+        self.next += self.cycle.saturating_mul(cycles);
+        self.sent.extend(self.ai.cycle(Interface::V3_0.timing.cycle_ms.into()));
     }
 }
 
@@ -75,7 +72,8 @@ impl Listen for LocalBus {
 
 impl Bus for LocalBus {
     fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
-        self.ai.receive(frame);
+        // What does not decode is the business of the AI Computer, which nobody asks here.
+        let _ = self.ai.receive(frame);
         Ok(())
     }
 }

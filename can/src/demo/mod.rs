@@ -12,18 +12,16 @@ use std::fmt;
 use adsdv_spec::Machine;
 use adsdv_spec::messages::{AsState, Frame};
 
+use crate::BITRATE;
 use crate::ai::Ai;
-use crate::car::{Action, Car, Missing, missing};
-use crate::scenario::{Player, Scenario, Waiting};
+use crate::car::{Action, Car, missing_for};
+use crate::scenario::{PATIENCE_MS, Player, Scenario, Stuck};
 
 pub use local::LocalBus;
 use wire::{Node, Wire};
 
 /// The name of the bus in logs.
 pub const BUS: &str = "demo";
-
-/// The bit rate of the bus, in bits per second (section 1).
-pub const BIT_RATE: i64 = 500_000;
 
 /// A millisecond in nanoseconds.
 const MS: i64 = 1_000_000;
@@ -42,11 +40,11 @@ pub struct Options {
 impl Default for Options {
     /// Ten minutes of patience, 4 ms, and a second.
     fn default() -> Self {
-        Self { patience_ms: 600_000, phase_ms: 4, tail_ms: 1000 }
+        Self { patience_ms: PATIENCE_MS, phase_ms: 4, tail_ms: 1000 }
     }
 }
 
-/// What came of a run.
+/// What came of a run, or has come of it so far.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// How long it was, in milliseconds of simulated time.
@@ -67,13 +65,9 @@ pub enum RunError<E> {
     /// The scenario waits for a state that does not come.
     Waits {
         /// What it waits for.
-        waiting: Waiting,
-        /// The state that it has instead; `None` if the VCU is without power.
-        state: Option<AsState>,
-        /// For how long it has waited, in milliseconds of simulated time.
-        waited_ms: u64,
-        /// What is missing for the next arrow on the way to `AS_DRIVING`.
-        missing: Option<Missing>,
+        stuck: Box<Stuck>,
+        /// What came of the run until then.
+        run: Box<Run>,
     },
     /// The frames could not be taken.
     Sink(E),
@@ -82,17 +76,7 @@ pub enum RunError<E> {
 impl<E: fmt::Display> fmt::Display for RunError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Waits { waiting: Waiting { line, state: wanted, .. }, state, waited_ms, missing } => {
-                let found = state.map_or("a VCU without power", AsState::name);
-                let seconds = waited_ms / 1000;
-                write!(f, "line {line}: expected {wanted}, found {found} after {seconds} s")?;
-                match missing {
-                    Some(Missing { to, clause, conditions }) if !conditions.is_empty() => {
-                        write!(f, "; {to} (section {clause}) still needs: {}", conditions.join(", "))
-                    }
-                    _ => Ok(()),
-                }
-            }
+            Self::Waits { stuck, .. } => write!(f, "{stuck}"),
             Self::Sink(error) => write!(f, "{error}"),
         }
     }
@@ -136,7 +120,9 @@ pub fn run<E>(
             if run.is_over(options) {
                 return Ok(run.result());
             }
-            run.is_patient(options)?;
+            if let Some(stuck) = run.stuck(options) {
+                return Err(RunError::Waits { stuck: Box::new(stuck), run: Box::new(run.result()) });
+            }
             run.vcu_cycle();
         } else {
             run.ai_cycle();
@@ -168,7 +154,7 @@ impl Running {
             car: Car::new(Machine::REFERENCE),
             ai,
             player: Player::new(scenario),
-            wire: Wire::new(BIT_RATE),
+            wire: Wire::new(BITRATE.into()),
             state: None,
             vcu_ns: 0,
             ai_ns: i64::from(options.phase_ms) * MS,
@@ -185,8 +171,8 @@ impl Running {
     fn deliver(&mut self, from: Node, frame: &Frame) {
         self.frames += 1;
         match from {
-            Node::Vcu => self.ai.receive(frame),
-            // The AI Computer sends what the document allows; were it otherwise, the judge would tell.
+            // Both send what the document allows; were it otherwise, the judge would tell.
+            Node::Vcu => drop(self.ai.receive(frame)),
             Node::Ai => drop(self.car.receive(frame)),
         }
     }
@@ -221,13 +207,8 @@ impl Running {
         self.player.is_over() || self.done_at_ms.is_some_and(over)
     }
 
-    fn is_patient<E>(&self, options: &Options) -> Result<(), RunError<E>> {
-        let Some(waiting) = self.player.waiting_for() else { return Ok(()) };
-        let waited_ms = self.time_ms().saturating_sub(waiting.since_ms);
-        if waited_ms < options.patience_ms {
-            return Ok(());
-        }
-        Err(RunError::Waits { waiting, state: self.state, waited_ms, missing: missing(&self.car) })
+    fn stuck(&self, options: &Options) -> Option<Stuck> {
+        self.player.stuck(self.time_ms(), options.patience_ms, |state| missing_for(&self.car, state))
     }
 
     fn result(self) -> Run {

@@ -4,7 +4,8 @@ use adsdv_spec::Interface;
 use adsdv_spec::messages::{AsState, Message as _, Node, Vcu2AiStatus, message_by_id};
 
 use super::handle::Runner;
-use super::line::{Line, Note};
+use super::line::Line;
+use super::note::Note;
 use crate::ai::Ai;
 use crate::bus::{Bus, Received};
 use crate::car::Action;
@@ -57,16 +58,14 @@ impl<B: Bus> AiComputer<B> {
             });
             return;
         }
-        self.ai.receive(&frame);
-        if frame.id == Vcu2AiStatus::ID {
-            match Vcu2AiStatus::decode(frame.data()) {
-                Ok(status) => self.show(status.as_state),
-                Err(error) => {
-                    self.line.status.refused += 1;
-                    let id = frame.id;
-                    self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
-                }
-            }
+        if let Err(error) = self.ai.receive(&frame) {
+            self.line.status.refused += 1;
+            let id = frame.id;
+            self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
+        } else if frame.id == Vcu2AiStatus::ID
+            && let Ok(status) = Vcu2AiStatus::decode(frame.data())
+        {
+            self.show(status.as_state);
         }
     }
 

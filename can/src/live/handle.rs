@@ -33,9 +33,10 @@ pub struct Handle {
     thread: Option<JoinHandle<()>>,
 }
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Shared {
-    status: Mutex<Status>,
+    /// Shared, so that nobody waits for a copy to be made while the other has the lock.
+    status: Mutex<Arc<Status>>,
     actions: Mutex<Vec<Action>>,
     stop: AtomicBool,
 }
@@ -55,7 +56,11 @@ impl std::error::Error for Panicked {}
 impl Handle {
     /// Lets a runner take its turns, until it is told to stop. Fails if the system has no thread for it.
     pub fn start(mut runner: impl Runner + Send + 'static) -> io::Result<Self> {
-        let shared = Arc::new(Shared { status: Mutex::new(runner.status().clone()), ..Shared::default() });
+        let shared = Arc::new(Shared {
+            status: Mutex::new(Arc::new(runner.status().clone())),
+            actions: Mutex::default(),
+            stop: AtomicBool::new(false),
+        });
         let theirs = Arc::clone(&shared);
         let thread = thread::Builder::new().name("bus".to_owned()).spawn(move || {
             while !theirs.stop.load(Ordering::Acquire) && !runner.is_over() {
@@ -63,16 +68,17 @@ impl Handle {
                     runner.act(&action);
                 }
                 runner.turn();
-                let status = runner.status().clone();
-                *lock(&theirs.status) = status;
+                let status = Arc::new(runner.status().clone());
+                // The one before is dropped when the lock is free again.
+                let _before = std::mem::replace(&mut *lock(&theirs.status), status);
             }
         })?;
         Ok(Self { shared, thread: Some(thread) })
     }
 
     /// How everything stood after the last turn.
-    pub fn status(&self) -> Status {
-        lock(&self.shared.status).clone()
+    pub fn status(&self) -> Arc<Status> {
+        Arc::clone(&lock(&self.shared.status))
     }
 
     /// Lets the operator do something, before the next turn.
@@ -91,7 +97,7 @@ impl Handle {
     }
 
     /// Stops the runner, waits until it has, and tells how everything stood in the end.
-    pub fn join(mut self) -> Result<Status, Panicked> {
+    pub fn join(mut self) -> Result<Arc<Status>, Panicked> {
         self.stop();
         if let Some(thread) = self.thread.take() {
             thread.join().map_err(|_| Panicked)?;

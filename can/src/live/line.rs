@@ -7,19 +7,13 @@ use adsdv_spec::messages::Frame;
 
 use crate::bus::{Bus, Event, Received, Trouble};
 use crate::clock::{Begun, Clock};
+use crate::live::note::{Note, Told};
 use crate::socket;
 use crate::status::{Status, What};
 
-/// What comes again and again is noted once in so many milliseconds. It is counted every time.
-const NOTED_EVERY_MS: u64 = 1000;
-
-/// What comes again and again, and of which identifier.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Note {
-    Refused(u16),
-    Foreign,
-    Error,
-}
+/// For so long a bus has to take all frames of every cycle before its queue is no longer full. One that has room for a frame
+/// now and then is full.
+const WHOLE_MS: u64 = 1000;
 
 /// The bus, the clock of the cycle, and the status that both fill.
 #[derive(Debug)]
@@ -27,9 +21,16 @@ pub(super) struct Line<B> {
     bus: B,
     clock: Clock,
     pub(super) status: Status,
-    /// When each was noted last. There are as many as notes, which are few.
-    noted: Vec<(Note, u64)>,
-    /// When this turn no longer takes frames that are there already, though its cycle is due; `None` before the first frame.
+    told: Told,
+    /// What was told of the bus last, which is not how it stands if that changes all the time.
+    told_trouble: Option<Trouble>,
+    /// Since when the bus has taken all frames, in milliseconds since the beginning; `None` if it did not the last time.
+    whole_since: Option<u64>,
+    /// Cycles that were left out, and have not been told.
+    untold_late: u64,
+    /// Frames that were dropped and told.
+    told_dropped: u64,
+    /// When this turn no longer takes frames that are there already, though its cycle is due; `None` while it is not.
     give_up: Option<Instant>,
     /// For how long it does.
     patience: Duration,
@@ -41,7 +42,18 @@ impl<B: Bus> Line<B> {
         let status = Status { bus: bus.name().to_owned(), ..Status::default() };
         let clock = Clock::new(bus.now(), cycle_ms);
         let patience = Duration::from_millis(cycle_ms.into()) / 2;
-        Self { bus, clock, status, noted: Vec::new(), give_up: None, patience }
+        Self {
+            bus,
+            clock,
+            status,
+            told: Told::default(),
+            told_trouble: None,
+            whole_since: None,
+            untold_late: 0,
+            told_dropped: 0,
+            give_up: None,
+            patience,
+        }
     }
 
     /// The next frame before the cycle is due, of whatever kind but the error kind; `None` when the cycle is to begin.
@@ -50,9 +62,12 @@ impl<B: Bus> Line<B> {
     /// not for long: a bus that brings more than can be taken does not hold up the cycle.
     pub(super) fn next_frame(&mut self) -> Option<Received> {
         let deadline = self.clock.deadline();
-        let begun = self.bus.now();
-        let give_up = *self.give_up.get_or_insert(deadline.max(begun) + self.patience);
-        while self.bus.now() < give_up {
+        loop {
+            let now = self.bus.now();
+            // Counted from when the cycle is seen to be due: who was held up while waiting still takes what came meanwhile.
+            if now >= deadline && now >= *self.give_up.get_or_insert(now + self.patience) {
+                return None;
+            }
             match self.bus.receive(deadline) {
                 Event::Nothing if self.bus.now() >= deadline => return None,
                 Event::Nothing => {}
@@ -69,15 +84,16 @@ impl<B: Bus> Line<B> {
                 }
             }
         }
-        None
     }
 
     /// The cycle begins.
     pub(super) fn begin(&mut self) -> Begun {
         self.give_up = None;
         let begun = self.clock.begin(self.bus.now());
-        if begun.left_out > 0 {
-            self.happen(What::Late(begun.left_out));
+        self.untold_late = self.untold_late.saturating_add(begun.left_out);
+        if self.untold_late > 0 && self.may_tell(Note::Late) {
+            let late = std::mem::take(&mut self.untold_late);
+            self.happen(What::Late(late));
         }
         begun
     }
@@ -100,19 +116,30 @@ impl<B: Bus> Line<B> {
     /// Sends the frames of a cycle. Tells whether the bus took all of them.
     pub(super) fn send_all(&mut self, frames: &[Frame]) -> bool {
         let unsent = frames.iter().filter(|frame| !self.send(frame)).count();
-        // That frames are taken again is all that tells of a queue that is no longer full.
-        if unsent == 0
-            && !frames.is_empty()
-            && matches!(self.status.trouble, Some(Trouble::Full | Trouble::Other(_)))
-        {
-            self.up();
+        let now = self.time_ms();
+        if unsent > 0 {
+            self.whole_since = None;
+        } else if !frames.is_empty() {
+            // That frames are taken again is all that tells of a queue that is no longer full.
+            let since = *self.whole_since.get_or_insert(now);
+            if now >= since.saturating_add(WHOLE_MS)
+                && matches!(self.status.trouble, Some(Trouble::Full | Trouble::Other(_)))
+            {
+                self.up();
+            }
         }
         unsent == 0
     }
 
     /// The end of a turn: what the status has of the bus and the cycle.
     pub(super) fn end(&mut self) {
+        self.tell_trouble();
         self.status.dropped = self.bus.dropped();
+        let dropped = self.status.dropped.saturating_sub(self.told_dropped);
+        if dropped > 0 && self.may_tell(Note::Dropped) {
+            self.told_dropped = self.status.dropped;
+            self.happen(What::Dropped { frames: dropped, small_buffer: self.bus.has_small_buffer() });
+        }
         self.status.cycles = self.clock.cycles();
         self.status.time_ms = self.time_ms();
     }
@@ -137,32 +164,38 @@ impl<B: Bus> Line<B> {
         self.status.happen(time_ms, what);
     }
 
-    /// Notes what may come again and again, not too often.
+    /// Tells what may come again and again, not too often.
     pub(super) fn note(&mut self, note: Note, what: impl FnOnce() -> What) {
-        let now = self.time_ms();
-        match self.noted.iter_mut().find(|(noted, _)| *noted == note) {
-            Some((_, last)) if now < *last + NOTED_EVERY_MS => return,
-            Some((_, last)) => *last = now,
-            None => self.noted.push((note, now)),
+        if self.may_tell(note) {
+            self.happen(what());
         }
-        self.happen(what());
+    }
+
+    fn may_tell(&mut self, note: Note) -> bool {
+        let now = self.time_ms();
+        self.told.may(note, now)
     }
 
     fn trouble(&mut self, trouble: Trouble) {
         // A full queue is what comes of a bus that is off, and says less.
-        let known = match &self.status.trouble {
-            Some(now) => *now == trouble || trouble == Trouble::Full,
-            None => false,
-        };
-        if !known {
-            self.status.trouble = Some(trouble.clone());
-            self.happen(What::Trouble(trouble));
+        if self.status.trouble.is_none() || trouble != Trouble::Full {
+            self.status.trouble = Some(trouble);
+            self.tell_trouble();
         }
     }
 
     fn up(&mut self) {
-        if self.status.trouble.take().is_some() {
-            self.happen(What::Up);
+        self.status.trouble = None;
+        self.tell_trouble();
+    }
+
+    /// Tells how the bus stands, if that is news. A bus that goes and comes all the time is told now and then.
+    fn tell_trouble(&mut self) {
+        if self.told_trouble == self.status.trouble || !self.may_tell(Note::of(self.status.trouble.as_ref()))
+        {
+            return;
         }
+        self.told_trouble.clone_from(&self.status.trouble);
+        self.happen(self.status.trouble.clone().map_or(What::Up, What::Trouble));
     }
 }

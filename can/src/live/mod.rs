@@ -13,10 +13,13 @@
 mod ai;
 mod handle;
 mod line;
+mod note;
+mod traffic;
 mod vcu;
 mod watch;
 
 pub use ai::AiComputer;
 pub use handle::{Handle, Panicked, Runner};
+pub use traffic::{Outage, Traffic};
 pub use vcu::Vcu;
-pub use watch::{Traffic, Watch};
+pub use watch::Watch;

@@ -4,9 +4,10 @@ use adsdv_oracle::judge::Meter;
 use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node, message_by_id};
 
 use super::handle::Runner;
-use super::line::{Line, Note};
+use super::line::Line;
+use super::note::{Note, TOLD_EVERY_MS};
 use crate::bus::{Bus, Received};
-use crate::car::{Action, Car, Cycle, missing};
+use crate::car::{Action, Car, Cycle, missing, missing_for};
 use crate::scenario::Player;
 use crate::status::{Status, What};
 
@@ -29,10 +30,14 @@ pub struct Vcu<B> {
     line: Line<B>,
     car: Car,
     player: Option<Player>,
+    /// For how long the player may wait for a state, in milliseconds; `None` without end.
+    patience_ms: Option<u64>,
     meter: Meter,
     /// When the last frame of the AI Computer came, in nanoseconds since the beginning.
     heard_at: Option<i64>,
-    /// Whether it is heard at the moment.
+    /// Since when it is heard without a pause, in nanoseconds since the beginning; `None` while it is silent.
+    heard_since: Option<i64>,
+    /// Whether it was last told to be heard, or to be silent.
     heard: bool,
     /// Since when the state lasts, in milliseconds since the beginning.
     state_since: u64,
@@ -46,11 +51,20 @@ impl<B: Bus> Vcu<B> {
             line: Line::new(bus, car.cycle_ms()),
             car,
             player,
+            patience_ms: None,
             meter: Meter::default(),
             heard_at: None,
+            heard_since: None,
             heard: false,
             state_since: 0,
         }
+    }
+
+    /// The same, with a scenario that is given up when it has waited for a state for so many milliseconds: the VCU then
+    /// [is over](Runner::is_over), and its status says why.
+    #[must_use]
+    pub fn with_patience(self, patience_ms: u64) -> Self {
+        Self { patience_ms: Some(patience_ms), ..self }
     }
 
     /// One cycle: receives until it is due, lets the operator act, makes the step and sends its frames.
@@ -88,6 +102,10 @@ impl<B: Bus> Vcu<B> {
         for action in due {
             self.act(&action);
         }
+        if let (Some(player), Some(patience_ms)) = (&self.player, self.patience_ms) {
+            self.line.status.stuck =
+                player.stuck(time_ms, patience_ms, |state| missing_for(&self.car, state));
+        }
     }
 
     fn hear(&mut self, received: &Received) {
@@ -107,10 +125,7 @@ impl<B: Bus> Vcu<B> {
 
     fn hear_ai(&mut self, frame: &Frame) {
         let now = self.line.now_ns();
-        self.heard_at = Some(now);
-        if !std::mem::replace(&mut self.heard, true) {
-            self.line.happen(What::AiHeard);
-        }
+        self.is_heard(now);
         match self.car.receive(frame) {
             Ok(true) if frame.id == Ai2VcuStatus::ID => {
                 let answer = self.car.inputs().ai.status.handshake;
@@ -125,6 +140,18 @@ impl<B: Bus> Vcu<B> {
                 let id = frame.id;
                 self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
             }
+        }
+    }
+
+    /// The AI Computer is heard. One that pauses again and again is told to be silent once, and to be heard when it has stopped
+    /// doing so.
+    fn is_heard(&mut self, now: i64) {
+        let paused = self.heard_at.replace(now).map(|before| elapsed_ms(before, now));
+        let since = *self.heard_since.get_or_insert(now);
+        let long = paused.is_none_or(|paused| paused >= TOLD_EVERY_MS);
+        if !self.heard && (long || elapsed_ms(since, now) >= TOLD_EVERY_MS) {
+            self.heard = true;
+            self.line.happen(What::AiHeard);
         }
     }
 
@@ -153,15 +180,17 @@ impl<B: Bus> Vcu<B> {
     fn look_for_ai(&mut self) {
         let silent = self.ai_silent_ms();
         let limit = self.car.machine().interface().timing.handshake_ms.into();
-        if self.heard && silent.is_some_and(|silent| silent > limit) {
-            self.heard = false;
-            self.line.happen(What::AiSilent);
+        if silent.is_some_and(|silent| silent > limit) {
+            self.heard_since = None;
+            if std::mem::replace(&mut self.heard, false) {
+                self.line.happen(What::AiSilent);
+            }
         }
     }
 
     fn ai_silent_ms(&self) -> Option<u64> {
         let heard_at = self.heard_at?;
-        Some(self.line.now_ns().saturating_sub(heard_at).unsigned_abs() / 1_000_000)
+        Some(elapsed_ms(heard_at, self.line.now_ns()))
     }
 
     fn fill(&mut self) {
@@ -193,8 +222,13 @@ impl<B: Bus> Runner for Vcu<B> {
     }
 
     fn is_over(&self) -> bool {
-        self.player.as_ref().is_some_and(Player::is_over)
+        self.line.status.stuck.is_some() || self.player.as_ref().is_some_and(Player::is_over)
     }
+}
+
+/// From a time in nanoseconds to another.
+fn elapsed_ms(from: i64, to: i64) -> u64 {
+    to.saturating_sub(from).max(0).unsigned_abs() / 1_000_000
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a duration for display")]

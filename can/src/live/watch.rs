@@ -1,9 +1,10 @@
 //! The judge of a live bus: what is told to it comes from a bus, and not from a log.
 
-use adsdv_oracle::candump::FrameKind;
+use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 
+use super::traffic::{Outage, Outages, Traffic};
 use crate::bus::{Received, Trouble};
 
 /// A frame is told within this time after the kernel had it, or there is none: so long after, silence is told to the judge.
@@ -12,32 +13,16 @@ const DELAY_NS: i64 = 100_000_000;
 /// What candump writes is as fine as this, in nanoseconds. The judge sees no more than the log will have.
 const LOGGED_NS: i64 = 1000;
 
-/// What went over the bus.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Traffic {
-    /// Frames of every kind.
-    pub frames: u64,
-    /// Error frames among them.
-    pub errors: u64,
-    /// Frames that the kernel dropped because they were not taken in time.
-    pub dropped: u64,
-    /// How often something went wrong with the bus.
-    pub troubles: u64,
-    /// The most frames that came in a second.
-    pub busiest: u64,
-    /// The frames of the second that has begun, and when it did, in nanoseconds since 1970.
-    second: (u64, i64),
-}
-
 /// The judge of a live bus. It is told what comes, and never sends.
 ///
-/// What it says is what [`judge_log`](adsdv_oracle::log::judge_log) says of the same frames in a log, and it says it as soon as
-/// it is certain, also while nothing comes.
+/// What it says is what [`judge_log`](adsdv_oracle::log::judge_log) says of the log that has what [`frame`](Self::frame) and
+/// [`dropped`](Self::dropped) return, and it says it as soon as it is certain, also while nothing comes.
 #[derive(Debug)]
 pub struct Watch {
     judge: LogJudge,
     bus: String,
     traffic: Traffic,
+    outages: Outages,
     /// When the first frame came.
     first_ns: Option<i64>,
 }
@@ -49,14 +34,14 @@ impl Watch {
             judge: LogJudge::new(options),
             bus: bus.to_owned(),
             traffic: Traffic::default(),
+            outages: Outages::default(),
             first_ns: None,
         }
     }
 
     /// A frame came. Returns it as the log is to have it.
     pub fn frame(&mut self, frame: &Received) -> Received {
-        let time_ns = frame.time_ns.max(0);
-        let frame = Received { time_ns: time_ns - time_ns % LOGGED_NS, ..*frame };
+        let frame = Received { time_ns: logged(frame.time_ns.max(0)), ..*frame };
         self.first_ns.get_or_insert(frame.time_ns);
         self.traffic.count(&frame);
         self.judge.frame(&frame.record(&self.bus));
@@ -65,22 +50,29 @@ impl Watch {
 
     /// Nothing has come up to this time, in nanoseconds since 1970.
     pub fn silence(&mut self, now_ns: i64) {
-        self.judge.time_passes(now_ns.saturating_sub(DELAY_NS));
+        self.judge.time_passes(logged(now_ns.saturating_sub(DELAY_NS)));
     }
 
-    /// Something went wrong with the bus.
-    pub fn trouble(&mut self, _trouble: &Trouble) {
+    /// Something went wrong with the bus, at a time in nanoseconds since 1970.
+    pub fn trouble(&mut self, now_ns: i64, trouble: &Trouble) {
         self.traffic.troubles += 1;
+        self.outages.begin(self.since_first(now_ns), trouble);
+    }
+
+    /// The bus is there again, at a time in nanoseconds since 1970.
+    pub fn up(&mut self, now_ns: i64) {
+        self.outages.end(self.since_first(now_ns));
     }
 
     /// The kernel has dropped so many frames so far, the last of them before the next frame. What they said is unknown to the
     /// judge, and so it does not take what follows for an answer to what came before.
-    pub fn dropped(&mut self, dropped: u64) {
-        let more = dropped.saturating_sub(self.traffic.dropped);
-        if more > 0 {
-            self.judge.lost(more);
-        }
+    ///
+    /// Returns what the log is to have before that frame, so that whoever reads it knows as much; `None` if nothing is new.
+    pub fn dropped(&mut self, dropped: u64) -> Option<Dropped<'_>> {
+        let count = dropped.checked_sub(self.traffic.dropped).filter(|&count| count > 0)?;
+        self.judge.lost(count);
         self.traffic.dropped = dropped;
+        Some(Dropped { line: 0, interface: &self.bus, count, total: dropped })
     }
 
     /// The transitions and findings that are new since this was last asked.
@@ -98,22 +90,19 @@ impl Watch {
         self.traffic
     }
 
+    /// What was wrong with the bus so far, in order. Of very many troubles the first thousand are here, and
+    /// [`Traffic::troubles`] counts all.
+    pub fn outages(&self) -> &[Outage] {
+        self.outages.all()
+    }
+
     /// The end: what is still open is settled.
     pub fn finish(self) -> Result<Report, LogError> {
         self.judge.finish(0)
     }
 }
 
-impl Traffic {
-    fn count(&mut self, frame: &Received) {
-        self.frames += 1;
-        self.errors += u64::from(frame.kind == FrameKind::Error);
-        let (count, since) = &mut self.second;
-        // A clock that was set back begins a new second as well.
-        if !(0..1_000_000_000).contains(&(frame.time_ns - *since)) {
-            (*count, *since) = (0, frame.time_ns);
-        }
-        *count += 1;
-        self.busiest = self.busiest.max(*count);
-    }
+/// A time as the log has it.
+fn logged(time_ns: i64) -> i64 {
+    time_ns - time_ns % LOGGED_NS
 }

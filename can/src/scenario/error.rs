@@ -12,8 +12,8 @@ pub struct LineError {
     pub line: u64,
     /// Where it is wrong, in bytes; the first is 1.
     pub column: usize,
-    /// What was found there; empty if nothing was.
-    pub found: String,
+    /// What was found there, as it is in the file; empty if nothing was.
+    pub found: Vec<u8>,
     /// What was expected instead.
     pub expected: String,
 }
@@ -37,6 +37,11 @@ pub enum Unreadable {
         /// Why.
         source: io::Error,
     },
+    /// It is longer than any scenario.
+    Long {
+        /// So many bytes were read: [`MAX_BYTES`](super::MAX_BYTES).
+        bytes: u64,
+    },
     /// These lines are wrong, in their order; each line of its text is one of them.
     Lines {
         /// The first of what is wrong, at most [`MAX_ERRORS`].
@@ -53,6 +58,7 @@ impl fmt::Display for Unreadable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io { line, source } => write!(f, "cannot read on at line {line}: {source}"),
+            Self::Long { bytes } => write!(f, "is longer than {bytes} bytes; expected a scenario"),
             Self::Lines { errors, more } => {
                 for (index, error) in errors.iter().enumerate() {
                     let feed = if index == 0 { "" } else { "\n" };
@@ -71,7 +77,7 @@ impl std::error::Error for Unreadable {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Io { source, .. } => Some(source),
-            Self::Lines { .. } => None,
+            Self::Long { .. } | Self::Lines { .. } => None,
         }
     }
 }

@@ -34,6 +34,7 @@ mod parse;
 mod player;
 mod read;
 mod seconds;
+mod stuck;
 
 use std::fmt;
 use std::str::FromStr;
@@ -44,7 +45,8 @@ use crate::car::Action;
 
 pub use error::{LineError, MAX_ERRORS, Unreadable};
 pub use player::{Player, Waiting};
-pub use read::MAX_LINE;
+pub use read::{MAX_BYTES, MAX_LINE};
+pub use stuck::{PATIENCE_MS, Stuck};
 
 use seconds::Seconds;
 
@@ -112,6 +114,11 @@ impl Scenario {
     pub fn mission() -> Self {
         // It reads: the tests run it. Nothing would be done otherwise.
         MISSION.parse().unwrap_or(Self { lines: Vec::new() })
+    }
+
+    /// The text of the sample of this name.
+    pub fn sample(name: &str) -> Option<&'static str> {
+        Self::SAMPLES.into_iter().find_map(|(sample, text)| (sample == name).then_some(text))
     }
 
     /// The lines, in their order.

@@ -5,7 +5,7 @@ use adsdv_spec::messages::AsState;
 use super::error::LineError;
 use super::seconds::Seconds;
 use super::{Line, When};
-use crate::car::Action;
+use crate::car::{Action, Expected};
 
 /// The word that stops the program.
 pub(super) const END: &str = "end";
@@ -13,8 +13,11 @@ pub(super) const END: &str = "end";
 /// Reads one line after the other, and knows what the lines before say.
 #[derive(Default)]
 pub(super) struct Lines {
-    /// The line that ended the scenario.
+    /// The line that ended the scenario, and whether it has been told that there are lines behind it.
     ended: Option<u64>,
+    told_more: bool,
+    /// The line whose error names every switch.
+    named: Option<u64>,
     /// When the line before takes place at the earliest, in milliseconds since the start, and its number.
     earliest: Option<(u64, u64)>,
 }
@@ -52,14 +55,23 @@ impl Piece<'_> {
     }
 
     fn wrong(self, expected: impl Into<String>) -> Wrong {
-        Wrong { at: self.at, found: self.text.to_owned(), expected: expected.into() }
+        Wrong { at: self.at, found: self.text.into(), expected: expected.into() }
+    }
+
+    fn is_time(self) -> bool {
+        Seconds::parse(self.text).is_ok()
+    }
+
+    /// Whether it looks like a time, right or wrong.
+    fn is_like_time(self) -> bool {
+        self.text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '.'))
     }
 }
 
 /// Something wrong with a line, before its number is known.
 struct Wrong {
     at: usize,
-    found: String,
+    found: Vec<u8>,
     expected: String,
 }
 
@@ -73,10 +85,9 @@ impl Lines {
             Ok(text) => self.read(number, Piece { at: 0, text }.trimmed(), &mut wrong),
             Err(error) => {
                 let found = text.get(error.valid_up_to()..).unwrap_or_default().iter().take(4);
-                let found: Vec<u8> = found.copied().collect();
                 wrong.push(Wrong {
                     at: error.valid_up_to(),
-                    found: found.escape_ascii().to_string(),
+                    found: found.copied().collect(),
                     expected: "text in UTF-8".to_owned(),
                 });
                 None
@@ -94,7 +105,8 @@ impl Lines {
         if text.text.is_empty() {
             return None;
         }
-        if let Some(ended) = self.ended {
+        if let Some(ended) = self.ended.filter(|_| !self.told_more) {
+            self.told_more = true;
             wrong.push(text.wrong(format!("nothing more: {END} stands in line {ended}")));
         }
         let (when, doings) = match when(text) {
@@ -107,7 +119,11 @@ impl Lines {
         if wrong.is_empty() {
             self.in_order(number, when, text, wrong);
         }
-        let (actions, ends) = self::doings(doings, wrong);
+        // A line of which nothing is right has one mistake, and not two.
+        if doings.text.is_empty() && !wrong.is_empty() {
+            return None;
+        }
+        let (actions, ends) = self.doings(number, doings, wrong);
         if ends && self.ended.is_none() {
             self.ended = Some(number);
         }
@@ -146,10 +162,13 @@ fn when(text: Piece<'_>) -> Result<(When, Piece<'_>), (Wrong, Piece<'_>)> {
         }
         None => None,
     };
+    if let Some(error) = parted(word, rest) {
+        return Err(error);
+    }
     if let Some(time) = plus(word) {
         return time.map(|ms| (When::After(ms), rest)).map_err(|error| (error, rest));
     }
-    if word.text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '.')) {
+    if word.is_like_time() {
         return seconds(word).map(|ms| (When::At(ms), rest)).map_err(|expected| (word.wrong(expected), rest));
     }
     // The plus sign may follow the state without a space.
@@ -167,47 +186,90 @@ fn when(text: Piece<'_>) -> Result<(When, Piece<'_>), (Wrong, Piece<'_>)> {
     } else {
         rest.split_word()
     };
+    if let Some(error) = parted(next, behind) {
+        return Err(error);
+    }
     match plus(next) {
+        None if next.is_like_time() => {
+            let expected = match seconds(next) {
+                Ok(ms) => format!("+{}: a time behind a state begins with +", Seconds(ms.into())),
+                Err(expected) => format!("+ and {expected}"),
+            };
+            Err((next.wrong(expected), behind))
+        }
         None => Ok((When::State(state, 0), rest)),
         Some(time) => time.map(|ms| (When::State(state, ms), behind)).map_err(|error| (error, behind)),
     }
 }
 
+/// A plus sign, and the time that belongs to it behind a space: what is wrong, and the rest.
+fn parted<'a>(plus: Piece<'a>, behind: Piece<'a>) -> Option<(Wrong, Piece<'a>)> {
+    let (time, rest) = behind.split_word();
+    (plus.text == "+" && time.is_time()).then(|| {
+        let found = format!("+ {}", time.text).into();
+        (Wrong { at: plus.at, found, expected: format!("+{} without a space", time.text) }, rest)
+    })
+}
+
 /// What follows a time that belongs to a state, if there is one.
 fn after_time(text: Piece<'_>) -> Piece<'_> {
     let (word, rest) = text.split_word();
-    if word.text.starts_with('+') { rest } else { text }
+    match word.text {
+        "+" if rest.split_word().0.is_like_time() => rest.split_word().1,
+        plus if plus.starts_with('+') => rest,
+        _ if word.is_like_time() => rest,
+        _ => text,
+    }
 }
 
-/// What is done, and whether the program stops then.
-fn doings(text: Piece<'_>, wrong: &mut Vec<Wrong>) -> (Vec<Action>, bool) {
-    let mut actions: Vec<Action> = Vec::new();
-    let mut ends = false;
-    for piece in text.split_commas() {
-        if ends {
-            wrong.push(piece.wrong(format!("nothing behind {END}")));
-            continue;
-        }
-        if piece.text == END {
-            ends = true;
-            continue;
-        }
-        match piece.text.parse::<Action>() {
-            Ok(action) if actions.iter().any(|before| same_switch(*before, action)) => {
-                wrong.push(piece.wrong("each switch once in a line: what is done at once has no order"));
+impl Lines {
+    /// What is done, and whether the program stops then.
+    fn doings(&mut self, number: u64, text: Piece<'_>, wrong: &mut Vec<Wrong>) -> (Vec<Action>, bool) {
+        let mut actions: Vec<Action> = Vec::new();
+        let mut ends = false;
+        for piece in text.split_commas() {
+            if ends {
+                wrong.push(piece.wrong(format!("nothing behind {END}")));
+                continue;
             }
-            Ok(action) => actions.push(action),
-            Err(error) => wrong.push(Wrong {
-                at: piece.at + error.at,
-                found: error.found,
-                expected: match piece.text.split_whitespace().count() {
-                    1 if !error.expected.contains(" to be ") => format!("{END}, {}", error.expected),
-                    _ => error.expected,
-                },
-            }),
+            if piece.text == END {
+                ends = true;
+                continue;
+            }
+            match piece.text.parse::<Action>() {
+                Ok(action) if actions.iter().any(|before| same_switch(*before, action)) => {
+                    wrong.push(piece.wrong("each switch once in a line: what is done at once has no order"));
+                }
+                Ok(action) => actions.push(action),
+                Err(error) => wrong.push(Wrong {
+                    at: piece.at + error.at,
+                    expected: self.expected(number, piece, &error.expected),
+                    found: error.found.into(),
+                }),
+            }
+        }
+        (actions, ends)
+    }
+
+    /// What was expected instead of an action, in words. The switches are named once in a file.
+    fn expected(&mut self, number: u64, piece: Piece<'_>, expected: &Expected) -> String {
+        let is_word = piece.split_word().1.text.is_empty();
+        match (expected, self.named) {
+            (Expected::Name(_), _) if piece.text.eq_ignore_ascii_case(END) => {
+                format!("an action; did you mean {END}?")
+            }
+            (Expected::Name(None), Some(named)) if named != number => {
+                format!("the name of a switch: line {named} has them all")
+            }
+            (Expected::Name(None), Some(_)) => "the name of a switch".to_owned(),
+            (Expected::Name(None), None) => {
+                self.named = Some(number);
+                let end = if is_word { format!("{END}, ") } else { String::new() };
+                format!("{end}{expected}")
+            }
+            _ => expected.to_string(),
         }
     }
-    (actions, ends)
 }
 
 fn is_doing(text: &str) -> bool {

@@ -2,8 +2,8 @@
 
 use adsdv_spec::messages::AsState;
 
-use super::{Line, Scenario, Seconds, When};
-use crate::car::Action;
+use super::{Line, Scenario, Seconds, Stuck, When};
+use crate::car::{Action, Missing};
 
 /// Plays a scenario: says at each cycle what the operator does.
 ///
@@ -115,6 +115,25 @@ impl Player {
         // The state has been another since the line began to wait, or since it was left.
         let since_ms = self.done_at;
         (self.state != Some(wanted)).then_some(Waiting { line: line.number, state: wanted, since_ms })
+    }
+
+    /// Whether it has waited for a state for so long that no patience is left, and for what. All times are in milliseconds, and
+    /// `missing` is asked for that state, and only then.
+    pub(crate) fn stuck(
+        &self,
+        time_ms: u64,
+        patience_ms: u64,
+        missing: impl FnOnce(AsState) -> Option<Missing>,
+    ) -> Option<Stuck> {
+        let waiting = self.waiting_for()?;
+        let waited_ms = time_ms.saturating_sub(waiting.since_ms);
+        let missing = || missing(waiting.state);
+        (waited_ms >= patience_ms).then(|| Stuck {
+            waiting,
+            state: self.state,
+            waited_ms,
+            missing: missing(),
+        })
     }
 
     fn line(&self) -> Option<&Line> {

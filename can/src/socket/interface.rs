@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::OpenError;
+use crate::BITRATE;
 
 /// Where the interfaces stand.
 const INTERFACES: &str = "/sys/class/net";
@@ -120,7 +121,7 @@ impl Interfaces {
     /// How an interface is set up. One of hardware needs to know how fast its bus is.
     fn set_up(&self, name: &str) -> String {
         let hardware = self.folder.join(name).join("device").exists();
-        let rate = if hardware { " type can bitrate 500000" } else { "" };
+        let rate = if hardware { format!(" type can bitrate {BITRATE}") } else { String::new() };
         format!("sudo ip link set {name} up{rate}")
     }
 

@@ -17,6 +17,8 @@ use crate::bus::{Bus, Event, Listen, Received, Trouble};
 
 /// An interface that is not there is looked for this often.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
+/// So many frames are taken from a socket that failed. It has no more, for nothing comes to it any longer.
+const MOST_QUEUED: usize = 1 << 16;
 
 /// A bus of SocketCAN, to send to and to receive from.
 ///
@@ -52,6 +54,10 @@ impl Listen for CanBus {
     fn dropped(&self) -> u64 {
         self.0.dropped()
     }
+
+    fn has_small_buffer(&self) -> bool {
+        self.0.has_small_buffer()
+    }
 }
 
 impl Bus for CanBus {
@@ -71,6 +77,10 @@ impl Listen for Listener {
 
     fn dropped(&self) -> u64 {
         self.0.dropped()
+    }
+
+    fn has_small_buffer(&self) -> bool {
+        self.0.has_small_buffer()
     }
 }
 
@@ -130,12 +140,17 @@ impl Link {
                 Ok(None)
             };
             match came {
-                Ok(Some(frame)) => self.came(frame),
+                Ok(Some(frame)) => {
+                    // Who hears others is on the bus, unless they were heard before it went down.
+                    if !self.up && self.is_up() {
+                        self.is_back();
+                    }
+                    self.came(frame);
+                }
                 Ok(None) if !self.up && Instant::now() >= self.look_at => self.look(),
                 Ok(None) => return Event::Nothing,
                 Err(error) => {
-                    let trouble = self.failed(error);
-                    return Event::Trouble(trouble);
+                    self.failed(error);
                 }
             }
         }
@@ -151,12 +166,10 @@ impl Link {
                 up = self.bus_off && error.is_restarted();
             }
         } else {
-            // Who hears others is on the bus.
-            up = self.bus_off || !self.up;
+            up = self.bus_off;
         }
         if up {
             self.bus_off = false;
-            self.up = true;
             self.pending.push_back(Event::Up);
         }
         self.pending.push_back(Event::Frame(frame));
@@ -173,11 +186,13 @@ impl Link {
         match self.interfaces.state(&self.name) {
             State::Gone => {
                 if bound.is_some() {
+                    self.drain();
                     self.lose();
                     self.pending.push_back(Event::Trouble(Trouble::Gone));
                 }
             }
             State::Up { index } | State::Down { index } if bound != Some(index) => {
+                self.drain();
                 self.lose();
                 if let Ok(socket) = Raw::open(index) {
                     // Whether it is up is found out when it is looked for next, or when a frame comes.
@@ -189,13 +204,22 @@ impl Link {
                     }
                 }
             }
-            State::Up { .. } => {
-                self.up = true;
-                self.bus_off = false;
-                self.pending.push_back(Event::Up);
-            }
+            State::Up { .. } => self.is_back(),
             State::Down { .. } => {}
         }
+    }
+
+    /// Whether the interface that the socket is bound to is up.
+    fn is_up(&self) -> bool {
+        let bound = self.socket.as_ref().map(|&(_, index)| index);
+        matches!(self.interfaces.state(&self.name), State::Up { index } if bound == Some(index))
+    }
+
+    /// The interface is up again.
+    fn is_back(&mut self) {
+        self.up = true;
+        self.bus_off = false;
+        self.pending.push_back(Event::Up);
     }
 
     /// The socket is of no use any more.
@@ -205,11 +229,29 @@ impl Link {
         self.up = false;
     }
 
-    /// The socket failed: what that means.
+    /// What the socket still has comes before what is told next. Returns the last error that it had, if any.
+    ///
+    /// The kernel tells of an interface that goes down or is removed before it hands out the frames that came until then.
+    fn drain(&mut self) -> Option<Errno> {
+        let mut last = None;
+        for _ in 0..MOST_QUEUED {
+            let Some((socket, _)) = &mut self.socket else { break };
+            match socket.receive(Instant::now()) {
+                Ok(Some(frame)) => self.came(frame),
+                Ok(None) => break,
+                // It may go down and be removed at once.
+                Err(error) => last = Some(error),
+            }
+        }
+        last
+    }
+
+    /// The socket failed: what that means, which is also told once what it still has is.
     fn failed(&mut self, error: Errno) -> Trouble {
+        let error = self.drain().unwrap_or(error);
         self.look_at = Instant::now() + LOOK_EVERY;
         self.up = false;
-        match error {
+        let trouble = match error {
             Errno::ENETDOWN => Trouble::Down,
             Errno::ENODEV | Errno::ENXIO => {
                 self.lose();
@@ -219,7 +261,9 @@ impl Link {
                 self.lose();
                 Trouble::Other(io::Error::from(error).to_string())
             }
-        }
+        };
+        self.pending.push_back(Event::Trouble(trouble.clone()));
+        trouble
     }
 
     fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
@@ -244,6 +288,10 @@ impl Link {
     fn dropped(&self) -> u64 {
         let now = self.socket.as_ref().map_or(0, |(socket, _)| socket.dropped());
         self.dropped_before.saturating_add(now.into())
+    }
+
+    fn has_small_buffer(&self) -> bool {
+        self.socket.as_ref().is_some_and(|(socket, _)| socket.has_small_buffer())
     }
 }
 

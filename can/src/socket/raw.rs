@@ -9,17 +9,16 @@ use adsdv_spec::messages::Frame;
 use nix::cmsg_space;
 use nix::errno::Errno;
 use nix::poll::{PollFd, PollFlags, ppoll};
-use nix::sys::socket::{ControlMessageOwned, MsgFlags, recvmsg, setsockopt, sockopt};
+use nix::sys::socket::{ControlMessageOwned, MsgFlags, getsockopt, recvmsg, setsockopt, sockopt};
 use nix::sys::time::TimeSpec;
 use socketcan::{CanDataFrame, CanSocket, EmbeddedFrame as _, Socket as _, SocketOptions as _, StandardId};
 
 use crate::bus::Received;
 
 /// What the kernel may keep for us, in bytes: it counts less than 1 kB for a frame, so that this is some 10 000 frames, a
-/// quarter of a second of ten times a full bus of 500 kbit/s. It grants less to a program without privileges.
+/// quarter of a second of ten times a full bus of 500 kbit/s. It grants a program without privileges
+/// no more than `net.core.rmem_max`.
 const BUFFER: usize = 8 << 20;
-/// The largest buffer that one without privileges may ask for where nobody has changed `net.core.rmem_max`.
-const MODEST_BUFFER: usize = 212_992;
 
 /// The bytes of `struct can_frame`: identifier and flags, length, three that do not count, and the data.
 const FRAME_BYTES: usize = 16;
@@ -38,6 +37,8 @@ pub(super) struct Raw {
     control: Vec<u8>,
     /// How many frames it has dropped, as it counts: it begins again after 2^32.
     dropped: u32,
+    /// Whether it keeps less than was asked for.
+    small_buffer: bool,
 }
 
 impl Raw {
@@ -54,8 +55,8 @@ impl Raw {
         socket.set_error_filter_accept_all()?;
         setsockopt(&socket, sockopt::ReceiveTimestampns, &true)?;
         setsockopt(&socket, sockopt::RxqOvfl, &1)?;
-        enlarge(&socket);
-        Ok(Self { socket, control: cmsg_space!(TimeSpec, u32), dropped: 0 })
+        let small_buffer = enlarge(&socket) < BUFFER;
+        Ok(Self { socket, control: cmsg_space!(TimeSpec, u32), dropped: 0, small_buffer })
     }
 
     /// Waits for a frame until a time; `None` if none came.
@@ -121,15 +122,21 @@ impl Raw {
     pub(super) fn dropped(&self) -> u32 {
         self.dropped
     }
+
+    /// Whether it keeps fewer frames than were asked for.
+    pub(super) fn has_small_buffer(&self) -> bool {
+        self.small_buffer
+    }
 }
 
-/// Asks for a large buffer, with privileges if there are any. A small one is no reason to fail: what it costs is counted.
-fn enlarge(socket: &CanSocket) {
-    if setsockopt(socket, sockopt::RcvBufForce, &BUFFER).is_err()
-        && setsockopt(socket, sockopt::RcvBuf, &BUFFER).is_err()
-    {
-        let _ = setsockopt(socket, sockopt::RcvBuf, &MODEST_BUFFER);
+/// Asks for a large buffer, with privileges if there are any, and tells how much was granted, in bytes. A small one is no reason
+/// to fail: what it costs is counted.
+fn enlarge(socket: &CanSocket) -> usize {
+    if setsockopt(socket, sockopt::RcvBufForce, &BUFFER).is_err() {
+        // More than `net.core.rmem_max` is no error: that much is granted.
+        let _ = setsockopt(socket, sockopt::RcvBuf, &BUFFER);
     }
+    getsockopt(socket, sockopt::RcvBuf).unwrap_or_default()
 }
 
 /// The frame that 16 bytes of `struct can_frame` are.

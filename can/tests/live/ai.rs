@@ -49,13 +49,16 @@ fn another_ai_computer_garbage_and_trouble_are_told() {
     let mut ai = AiComputer::new(bench.clone(), Ai::default());
     bench.frame_comes(ms(5), FrameKind::Standard, 0x510, &[0; 8]);
     bench.frame_comes(ms(6), FrameKind::Standard, 0x520, &[0; 1]);
+    bench.frame_comes(ms(6), FrameKind::Standard, 0x525, &[0; 1]);
+    bench.frame_comes(ms(6), FrameKind::Standard, 0x123, &[0; 1]);
     bench.comes(ms(7), Event::Trouble(Trouble::Down));
     bench.comes(ms(300), Event::Up);
     run(&mut ai, &bench, ms(1000));
     let status = ai.status();
-    assert_eq!((status.foreign, status.refused, status.trouble.clone()), (1, 1, None));
+    assert_eq!((status.foreign, status.refused, status.trouble.clone()), (1, 2, None));
     assert_eq!(count(status, |what| matches!(what, What::OtherAi(text) if text.contains("510h"))), 1);
     assert_eq!(count(status, |what| matches!(what, What::Refused(text) if text.starts_with("520h: "))), 1);
+    assert_eq!(count(status, |what| matches!(what, What::Refused(text) if text.starts_with("525h: "))), 1);
     assert_eq!(count(status, |what| *what == What::Trouble(Trouble::Down)), 1);
     assert_eq!(count(status, |what| *what == What::Up), 1);
 }

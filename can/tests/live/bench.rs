@@ -30,6 +30,8 @@ struct Inner {
     dropped: u64,
     /// How long it takes to take something from the bus.
     cost: Duration,
+    /// By how much the next wait is longer than it was to be.
+    oversleep: Duration,
     /// The AI Computer on the bus, and when its next cycle is.
     ai: Option<(Ai, Instant)>,
 }
@@ -45,6 +47,7 @@ impl Bench {
             sending: Ok(()),
             dropped: 0,
             cost: Duration::ZERO,
+            oversleep: Duration::ZERO,
             ai: None,
         })))
     }
@@ -77,6 +80,11 @@ impl Bench {
 
     pub(crate) fn cost(&self, cost: Duration) {
         self.inner().cost = cost;
+    }
+
+    /// The next wait lasts longer by so much, as if the machine had something else to do.
+    pub(crate) fn oversleep(&self, by: Duration) {
+        self.inner().oversleep = by;
     }
 
     pub(crate) fn dropped(&self, dropped: u64) {
@@ -129,6 +137,11 @@ impl Listen for Bench {
     fn receive(&mut self, until: Instant) -> Event {
         let mut inner = self.inner();
         let until = until.max(inner.now);
+        if until > inner.now {
+            let by = std::mem::take(&mut inner.oversleep);
+            inner.now += by;
+        }
+        let until = until.max(inner.now);
         inner.ai_cycle(until);
         match inner.coming.front() {
             Some((at, _)) if *at <= until => {
@@ -160,7 +173,7 @@ impl Bus for Bench {
         let at = inner.now - inner.start;
         inner.sent.push((at, *frame));
         if let Some((ai, _)) = &mut inner.ai {
-            ai.receive(frame);
+            ai.receive(frame).expect("the VCU sends what the document allows");
         }
         Ok(())
     }

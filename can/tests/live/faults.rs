@@ -2,6 +2,7 @@
 
 use adsdv_can::ai::Ai;
 use adsdv_can::bus::{Event, Trouble};
+use adsdv_can::live::Runner as _;
 use adsdv_can::status::What;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
@@ -98,11 +99,110 @@ fn a_full_queue_costs_frames_and_no_time() {
     run(&mut vcu, &bench, ms(200));
     assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Trouble::Full), 81));
     bench.sending(Ok(()));
-    run(&mut vcu, &bench, ms(300));
+    run(&mut vcu, &bench, ms(1200));
+    // Frames are taken again: for how long, nobody knows yet.
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Trouble::Full), 81));
+    run(&mut vcu, &bench, ms(1300));
     assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (None, 81));
-    assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (31, 0));
+    assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (131, 0));
     let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
-    assert_eq!(told, [(110, &What::Trouble(Trouble::Full)), (210, &What::Up)]);
+    assert_eq!(told, [(110, &What::Trouble(Trouble::Full)), (1210, &What::Up)]);
+}
+
+/// A bus that nobody answers on has room for a frame now and then.
+#[test]
+fn a_queue_that_is_full_again_and_again_is_told_once() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "1 asms on\n");
+    for cycle in 1..=3000 {
+        bench.sending(if cycle % 3 == 0 { Err(Trouble::Full) } else { Ok(()) });
+        run(&mut vcu, &bench, ms(cycle * 10));
+    }
+    bench.sending(Ok(()));
+    run(&mut vcu, &bench, ms(32_000));
+    let status = vcu.status();
+    assert_eq!(count(status, |what| *what == What::Trouble(Trouble::Full)), 1, "{:#?}", status.happened);
+    assert_eq!(count(status, |what| *what == What::Up), 1);
+    // What happened at the beginning is still there.
+    assert_eq!(count(status, |what| matches!(what, What::State { .. })), 1);
+    assert_eq!(count(status, |what| matches!(what, What::Did(_))), 1);
+}
+
+/// A controller that is restarted a tenth of a second after it has gone bus-off, and goes so again.
+#[test]
+fn a_bus_that_goes_and_comes_all_the_time_is_told_now_and_then_and_as_it_stands() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    for round in 0..100 {
+        bench.comes(ms(105 + round * 110), Event::Trouble(Trouble::BusOff));
+        bench.comes(ms(205 + round * 110), Event::Up);
+    }
+    bench.comes(ms(11_105), Event::Trouble(Trouble::BusOff));
+    run(&mut vcu, &bench, ms(13_000));
+    let status = vcu.status();
+    let told: Vec<_> = happenings(status).into_iter().skip(1).collect();
+    assert_eq!(told.first(), Some(&(105, &What::Trouble(Trouble::BusOff))));
+    assert!((20..=26).contains(&told.len()), "{told:#?}");
+    // Whatever was left out on the way, the last that is told is how it stands.
+    assert_eq!(status.trouble, Some(Trouble::BusOff));
+    assert_eq!(told.last().map(|(_, what)| *what), Some(&What::Trouble(Trouble::BusOff)));
+}
+
+/// It answers each time a little too late.
+#[test]
+fn an_ai_computer_that_pauses_again_and_again_is_told_to_be_silent_once() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    let answer = [0; 8];
+    for frame in 0..500 {
+        bench.frame_comes(ms(15 + frame * 65), FrameKind::Standard, 0x510, &answer);
+    }
+    // Then it does as it should.
+    for frame in 0..200 {
+        bench.frame_comes(ms(32_515 + frame * 10), FrameKind::Standard, 0x510, &answer);
+    }
+    run(&mut vcu, &bench, ms(34_500));
+    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let [(15, What::AiHeard), (70, What::AiSilent), (heard, What::AiHeard)] = told[..] else {
+        panic!("{told:#?}")
+    };
+    assert!((33_400..33_600).contains(&heard), "{heard}");
+}
+
+#[test]
+fn frames_that_were_dropped_are_told_and_not_too_often() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "");
+    run(&mut vcu, &bench, ms(100));
+    for dropped in 1..=150 {
+        bench.dropped(dropped);
+        run(&mut vcu, &bench, ms(100 + dropped * 10));
+    }
+    run(&mut vcu, &bench, ms(4000));
+    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let dropped = |frames| What::Dropped { frames, small_buffer: false };
+    assert_eq!(told, [(110, &dropped(1)), (1110, &dropped(100)), (2110, &dropped(49))]);
+    assert_eq!(vcu.status().dropped, 150);
+}
+
+#[test]
+fn a_scenario_that_waits_in_vain_is_given_up_after_a_while() {
+    let bench = Bench::new();
+    let mut vcu = vcu(&bench, "1 asms on\nAS_READY end\n").with_patience(5000);
+    while !vcu.is_over() {
+        assert!(bench.time() < ms(10_000), "{:#?}", vcu.status());
+        vcu.turn();
+    }
+    assert_eq!(bench.time(), ms(6000));
+    let stuck = vcu.status().stuck.as_ref().map(ToString::to_string).unwrap_or_default();
+    let told = "line 2: expected AS_READY, found AS_OFF after 5 s; AS_READY (section 3.1) still needs: ";
+    assert!(stuck.starts_with(told) && stuck.contains("TS master switch ON"), "{stuck}");
+
+    // Without patience that could end it waits on, as for an operator who is not there yet.
+    let bench = Bench::new();
+    let mut vcu = super::vcu(&bench, "AS_READY end\n");
+    run(&mut vcu, &bench, ms(700_000));
+    assert!(!vcu.is_over() && vcu.status().stuck.is_none());
 }
 
 #[test]
@@ -202,8 +302,12 @@ fn an_ai_computer_that_vanishes_costs_the_mission_and_is_heard_again() {
     );
     let heard = count(status, |what| *what == What::AiHeard);
 
+    // It is seen at once, and told when it has been heard for a second.
     bench.plug_in(Ai::default());
     run(&mut vcu, &bench, unplugged + ms(600));
+    assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));
+    assert_eq!(count(vcu.status(), |what| *what == What::AiHeard), heard);
+    run(&mut vcu, &bench, unplugged + ms(1400));
     assert_eq!(count(vcu.status(), |what| *what == What::AiHeard), heard + 1);
     assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));
 }

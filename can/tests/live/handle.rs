@@ -1,5 +1,6 @@
 //! A runner in a thread: told what to do, stopped in order, over by itself.
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use adsdv_can::ai::Ai;
@@ -12,7 +13,7 @@ use adsdv_spec::Machine;
 
 const PATIENCE: Duration = Duration::from_secs(20);
 
-fn wait_for(handle: &Handle, is: impl Fn(&Status) -> bool) -> Status {
+fn wait_for(handle: &Handle, is: impl Fn(&Status) -> bool) -> Arc<Status> {
     let begun = Instant::now();
     loop {
         let status = handle.status();

@@ -3,8 +3,10 @@
 use std::time::Duration;
 
 use adsdv_can::ai::Ai;
+use adsdv_can::live::Runner as _;
 use adsdv_can::status::What;
 use adsdv_oracle::candump::FrameKind;
+use adsdv_spec::AsState;
 
 use super::{Bench, count, ms, run, vcu};
 
@@ -27,6 +29,25 @@ fn a_full_bus_and_ten_times_that_cost_nothing() {
         assert_eq!((status.received, status.cycles.count, status.cycles.late), (frames.into(), 311, 0));
         assert!(status.cycles.worst_ms < 1.0, "{} ms", status.cycles.worst_ms);
     }
+}
+
+#[test]
+fn a_mission_is_driven_beside_a_full_bus() {
+    let bench = Bench::new();
+    bench.plug_in(Ai::default());
+    let mut vcu = super::mission(&bench);
+    bench.cost(us(20));
+    for frame in 0..240_000 {
+        bench.frame_comes(us(250) * frame, FrameKind::Standard, 0x100 + frame % 16, &[1, 2, 3]);
+    }
+    while !vcu.is_over() {
+        assert!(bench.time() < ms(60_000), "{:#?}", vcu.status().happened);
+        vcu.turn();
+    }
+    let status = vcu.status();
+    assert!(status.distance_m > 40.0, "{} m: {:#?}", status.distance_m, status.happened);
+    assert_eq!(count(status, |what| *what == What::AiSilent), 0);
+    assert!(status.outputs.is_some_and(|outputs| outputs.faults.is_empty()), "{:?}", status.outputs);
 }
 
 #[test]
@@ -58,7 +79,9 @@ fn cycles_that_nobody_had_time_for_are_left_out_and_told() {
     run(&mut vcu, &bench, ms(2000));
     let status = vcu.status();
     assert_eq!(count(status, |what| *what == What::Late(4)), 1, "{:#?}", status.happened);
-    assert_eq!((status.cycles.count, status.cycles.late), (201 - 4, 1));
+    let cycles = status.cycles;
+    assert_eq!((cycles.count, cycles.late, cycles.left_out), (201 - 4, 1, 4));
+    assert_eq!(cycles.count + cycles.left_out, status.time_ms / 10 + 1);
     // The grid is the same as before: nothing drifted.
     let sent = bench.take_sent();
     let last = sent.last().expect("it sent").0;
@@ -77,5 +100,36 @@ fn nobody_is_blamed_for_answers_that_the_vcu_had_no_time_for() {
     }
     let status = vcu.status();
     assert!(status.cycles.late >= 39, "{:?}", status.cycles);
+    // They are told once a second, and none is forgotten.
+    let told = status.happened.iter().map(|happening| match happening.what {
+        What::Late(cycles) => cycles,
+        _ => 0,
+    });
+    let told: Vec<u64> = told.filter(|cycles| *cycles > 0).collect();
+    assert!((15..=25).contains(&told.len()), "{told:?}");
+    assert!(status.cycles.left_out - told.iter().sum::<u64>() < 10, "{told:?} of {:?}", status.cycles);
     assert!(status.outputs.is_some_and(|outputs| outputs.faults.is_empty()), "{:?}", status.outputs);
+}
+
+#[test]
+fn who_sleeps_too_long_still_takes_what_came_meanwhile() {
+    for begin in 2000..2020 {
+        let bench = Bench::new();
+        bench.plug_in(Ai::default());
+        let mut vcu = super::mission(&bench);
+        run(&mut vcu, &bench, ms(1990));
+        // Foreign frames that wait before the answer.
+        for place in 0..20 {
+            bench.frame_comes(ms(begin) + us(place), FrameKind::Standard, 0x100, &[1]);
+        }
+        while bench.time() < ms(begin) {
+            vcu.turn();
+        }
+        bench.oversleep(ms(60));
+        run(&mut vcu, &bench, ms(3000));
+        let status = vcu.status();
+        assert!(count(status, |what| matches!(what, What::Late(_))) > 0, "{begin}");
+        let state = status.outputs.map(|outputs| outputs.state);
+        assert_eq!(state, Some(AsState::Ready), "{begin}: {:#?}", status.happened);
+    }
 }

@@ -5,8 +5,8 @@ use std::error::Error;
 use adsdv_can::ai::Ai;
 use adsdv_can::bus::{Received, Trouble};
 use adsdv_can::live::Watch;
-use adsdv_oracle::candump::{FrameKind, write_record};
-use adsdv_oracle::judge::{Finding, Rule, Severity, Transition};
+use adsdv_oracle::candump::{FrameKind, write_dropped, write_record};
+use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
 use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
 
@@ -109,8 +109,8 @@ fn lost_frames_are_told_and_blamed_on_nobody() -> Result<(), Box<dyn Error>> {
             watch.frame(&at(cycle * 10 * MS, status(AsState::Off)));
         }
         if lost {
-            watch.dropped(350);
-            watch.dropped(350);
+            assert!(watch.dropped(350).is_some());
+            assert_eq!(watch.dropped(350), None);
         }
         // What was between them would have led here.
         for cycle in 100..200 {
@@ -132,7 +132,177 @@ fn lost_frames_are_told_and_blamed_on_nobody() -> Result<(), Box<dyn Error>> {
 fn a_bus_without_a_frame_has_no_report() {
     let mut watch = Watch::new("can0", LogOptions::default());
     watch.silence(ORIGIN);
-    watch.trouble(&Trouble::Down);
+    watch.trouble(ORIGIN, &Trouble::Down);
     assert_eq!((watch.traffic().frames, watch.traffic().troubles), (0, 1));
     assert!(matches!(watch.finish(), Err(LogError::NoFrame { .. })));
+}
+
+/// A small generator of pseudo-random numbers (xorshift64*), so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: i64) -> i64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33).cast_signed() % bound
+    }
+}
+
+/// The same as `check` says of the log, whatever happens between the frames.
+fn assert_same(live: &Report, log: &[u8], what: &str) -> Result<(), Box<dyn Error>> {
+    let recorded = judge_log(log, &LogOptions::default(), |_| {})?;
+    assert_eq!(live.transitions, recorded.transitions, "{what}");
+    // Of two long lists, what only one of them has.
+    let only = |one: &Report, other: &Report| -> Vec<Finding> {
+        one.findings.iter().filter(|finding| !other.findings.contains(finding)).cloned().collect()
+    };
+    assert_eq!((only(live, &recorded), only(&recorded, live)), (vec![], vec![]), "{what}");
+    assert!(live.findings == recorded.findings, "{what}: the order, or how often");
+    assert_eq!((live.frames, live.duration_ns), (recorded.frames, recorded.duration_ns), "{what}");
+    assert_eq!(live.responses.count(), recorded.responses.count(), "{what}");
+    Ok(())
+}
+
+#[test]
+fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> {
+    let frames = traffic();
+    let (mut silences, mut losses, mut gaps) = (0, 0, 0);
+    for round in 0..60 {
+        let mut random = Random(0x0AD5_D001 + round);
+        let mut watch = Watch::new("vcan0", LogOptions::default());
+        let mut log = Vec::new();
+        let (mut later, mut dropped, mut skip) = (0, 0, 0);
+        let mut last = ORIGIN;
+        for frame in &frames {
+            // The bus is silent from time to time, for as long as to be noticed, or not.
+            if random.below(400) == 0 {
+                later += random.below(600) * MS;
+                silences += 1;
+            }
+            // Or frames are lost, one or many, once or time and again.
+            if skip == 0 && random.below(if dropped % 2 == 1 { 20 } else { 600 }) == 0 {
+                skip = 1 + random.below(40);
+            }
+            if skip > 0 {
+                skip -= 1;
+                dropped += 1;
+                continue;
+            }
+            let frame = Received { time_ns: frame.time_ns + later, ..*frame };
+            // The thread that listens is told of silence every 50 ms or so, and has been told nothing wrong.
+            let mut now = last;
+            while now < frame.time_ns {
+                now += 1 + random.below(120 * MS);
+                if now - 100 * MS < frame.time_ns {
+                    watch.silence(now);
+                }
+            }
+            last = frame.time_ns;
+            if let Some(lost) = watch.dropped(dropped) {
+                write_dropped(&mut log, &lost)?;
+                losses += 1;
+            }
+            let logged = watch.frame(&frame);
+            write_record(&mut log, &logged.record("vcan0"))?;
+            watch.news();
+        }
+        watch.silence(last + random.below(1000) * MS);
+        let live = watch.finish()?;
+        gaps += live.findings.iter().filter(|finding| finding.message.contains("lost")).count();
+        assert_same(&live, &log, &format!("round {round}"))?;
+    }
+    assert!(silences > 100 && losses > 100 && gaps > 50 && gaps < losses, "{silences} {losses} {gaps}");
+    Ok(())
+}
+
+#[test]
+fn a_pause_of_the_recorder_counts_whole_towards_no_timer() -> Result<(), Box<dyn Error>> {
+    // AS_READY for just less than its dwell by the frames; a silence makes it more by the clock.
+    let mut watch = Watch::new("can0", LogOptions::default());
+    let mut log = Vec::new();
+    let mut later = 0;
+    for cycle in 0..700 {
+        if cycle == 300 {
+            for step in 1..=9 {
+                watch.silence(ORIGIN + (cycle * 10 + step * 50) * MS);
+            }
+            later = 400 * MS;
+        }
+        let state = match cycle {
+            10..490 => AsState::Ready,
+            _ => AsState::Off,
+        };
+        let logged = watch.frame(&at(cycle * 10 * MS + later, status(state)));
+        write_record(&mut log, &logged.record("can0"))?;
+    }
+    assert_same(&watch.finish()?, &log, "a pause of 400 ms")
+}
+
+#[test]
+fn losses_without_end_are_few_findings_with_their_sum() -> Result<(), Box<dyn Error>> {
+    let mut watch = Watch::new("can0", LogOptions::default());
+    let mut log = Vec::new();
+    for cycle in 0..2500_u32 {
+        // Each second frame was dropped, for 25 s; the value is wrong in all that came.
+        if let Some(lost) = watch.dropped(cycle.into()) {
+            write_dropped(&mut log, &lost)?;
+        }
+        let wrong = received(FrameKind::Standard, 0x520, &[0, 0, 0xFF, 0, 0, 0, 0, 0]);
+        let logged = watch.frame(&at(i64::from(cycle) * 10 * MS, wrong));
+        write_record(&mut log, &logged.record("can0"))?;
+    }
+    assert_eq!(watch.traffic().dropped, 2499);
+    let live = watch.finish()?;
+    assert_same(&live, &log, "each second frame lost")?;
+    let told: Vec<_> = live.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
+    assert_eq!(told.len(), 3, "{told:#?}");
+    let sum: u64 = told.iter().filter_map(|f| f.message.split(' ').next()?.parse::<u64>().ok()).sum();
+    assert_eq!(sum, 2499);
+    assert!(told[0].message.contains("times in") && told[0].message.contains("each time"), "{told:#?}");
+    let values = live.findings.iter().filter(|finding| finding.rule == Rule::Value).count();
+    assert!((1..=30).contains(&values), "{values}");
+    Ok(())
+}
+
+#[test]
+fn the_log_blames_nobody_for_what_was_lost() -> Result<(), Box<dyn Error>> {
+    let mut watch = Watch::new("can0", LogOptions::default());
+    let mut log = Vec::new();
+    for cycle in 0..200 {
+        if cycle == 100 {
+            write_dropped(&mut log, &watch.dropped(7).ok_or("7 are new")?)?;
+        }
+        let state = if cycle < 100 { AsState::Off } else { AsState::Finished };
+        let logged = watch.frame(&at(cycle * 10 * MS, status(state)));
+        write_record(&mut log, &logged.record("can0"))?;
+    }
+    assert_same(&watch.finish()?, &log, "7 lost")?;
+    let judged = |log: &[u8]| judge_log(log, &LogOptions::default(), |_| {});
+    assert_eq!(judged(&log)?.count(Severity::Violation), 0);
+    // What another interface lost excuses nobody.
+    let other = String::from_utf8(log)?.replace("'can0'", "'can1'");
+    assert!(judged(other.as_bytes())?.count(Severity::Violation) > 0);
+    Ok(())
+}
+
+#[test]
+fn of_more_findings_than_are_listed_one_a_second_is_told() -> Result<(), Box<dyn Error>> {
+    let mut watch = Watch::new("can0", LogOptions::default());
+    let mut told = Vec::new();
+    for cycle in 0..1000 {
+        // Off and Finished, with no arrow either way: 100 violations a second for ten seconds.
+        let state = if cycle % 2 == 0 { AsState::Off } else { AsState::Finished };
+        watch.frame(&at(cycle * 10 * MS, status(state)));
+        told.extend(watch.news().1);
+    }
+    let of = |rule: Rule| told.iter().filter(move |finding| finding.rule == rule).collect::<Vec<_>>();
+    let listed = watch.finish()?.findings.iter().filter(|finding| finding.rule == Rule::NoArrow).count();
+    let further: Vec<_> = of(Rule::Repeated);
+    let further: Vec<_> = further.iter().filter(|f| f.message.contains(Rule::NoArrow.id())).collect();
+    assert_eq!(further.len(), 1, "{further:#?}");
+    assert!(further[0].message.contains("counted"), "{further:#?}");
+    let more = of(Rule::NoArrow).len() - listed;
+    assert!(listed == 200 && (5..=8).contains(&more), "{listed} listed, {more} more told");
+    Ok(())
 }

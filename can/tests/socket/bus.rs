@@ -17,6 +17,9 @@ pub(crate) const TESTS: &[Test] = &[
     ("bus::what_is_sent_reaches_others_and_not_the_sender", sends),
     ("bus::an_interface_that_goes_down_and_up_is_told", down_and_up),
     ("bus::an_interface_that_is_removed_and_made_again_is_told", gone_and_back),
+    ("bus::what_came_before_it_went_down_comes_before_that_is_told", down_with_frames),
+    ("bus::what_came_before_it_was_removed_comes_before_that_is_told", gone_with_frames),
+    ("bus::sending_to_one_that_went_down_loses_nothing_that_came", down_while_sending),
     ("bus::bus_off_and_restart_are_told", bus_off),
     ("bus::a_burst_of_ten_times_a_full_bus_is_not_lost", burst),
     ("bus::what_is_dropped_is_counted", dropped),
@@ -137,6 +140,80 @@ fn gone_and_back() -> Outcome {
         vcan.other()?.send_standard(0x510, &FRAME)?;
         ensure!(next_frame(&mut bus)?.id == 0x510, "another frame");
     }
+    Ok(Completion::Completed)
+}
+
+/// Frames that wait in the socket when the interface goes.
+const WAITING: u8 = 100;
+
+fn send_waiting(vcan: &Vcan) -> Tried {
+    let other = vcan.other()?;
+    (0..WAITING).try_for_each(|number| other.send_standard(0x123, &[number]))
+}
+
+fn expect_waiting(bus: &mut impl Listen) -> Tried {
+    for number in 0..WAITING {
+        let came = next_frame(bus)?;
+        ensure!(came.data() == [number], "frame {number}: {came:?}");
+    }
+    Ok(())
+}
+
+fn is_down_until_up(vcan: &Vcan, bus: &mut impl Listen) -> Tried {
+    expect(bus, &Event::Trouble(Trouble::Down))?;
+    let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
+    ensure!(nothing == Event::Nothing, "{nothing:?}");
+    vcan.set("up")?;
+    expect(bus, &Event::Up)
+}
+
+fn down_with_frames() -> Outcome {
+    let vcan = Vcan::new()?;
+    let mut bus = socket::listen(&vcan.0)?;
+    send_waiting(&vcan)?;
+    vcan.set("down")?;
+    expect_waiting(&mut bus)?;
+    is_down_until_up(&vcan, &mut bus)?;
+    // It is looked at again the next time as well.
+    send_waiting(&vcan)?;
+    vcan.set("down")?;
+    expect_waiting(&mut bus)?;
+    is_down_until_up(&vcan, &mut bus)?;
+    Ok(Completion::Completed)
+}
+
+fn gone_with_frames() -> Outcome {
+    let vcan = Vcan::new()?;
+    let mut bus = socket::listen(&vcan.0)?;
+    send_waiting(&vcan)?;
+    vcan.delete()?;
+    expect_waiting(&mut bus)?;
+    let mut came = next(&mut bus)?;
+    if came == Event::Trouble(Trouble::Down) {
+        came = next(&mut bus)?;
+    }
+    ensure!(came == Event::Trouble(Trouble::Gone), "{came:?}");
+    let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
+    ensure!(nothing == Event::Nothing, "{nothing:?}");
+    Ok(Completion::Completed)
+}
+
+/// It is the sender that the kernel tells, and nobody else after it.
+fn down_while_sending() -> Outcome {
+    let vcan = Vcan::new()?;
+    let mut bus = socket::open(&vcan.0)?;
+    send_waiting(&vcan)?;
+    vcan.set("down")?;
+    let sent = bus.send(&frame(0x520, &[])?);
+    ensure!(sent == Err(Trouble::Down), "{sent:?}");
+    expect_waiting(&mut bus)?;
+    is_down_until_up(&vcan, &mut bus)?;
+
+    send_waiting(&vcan)?;
+    vcan.delete()?;
+    let sent = bus.send(&frame(0x520, &[])?);
+    ensure!(matches!(sent, Err(Trouble::Gone | Trouble::Down)), "{sent:?}");
+    expect_waiting(&mut bus)?;
     Ok(Completion::Completed)
 }
 

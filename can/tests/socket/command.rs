@@ -20,10 +20,10 @@ pub(crate) const TESTS: &[Test] = &[
 ];
 
 /// A program that is ended with the test.
-struct Program(Child);
+pub(crate) struct Program(Child);
 
 impl Program {
-    fn start(program: &Path, words: &[&str]) -> Tried<Self> {
+    pub(crate) fn start(program: &Path, words: &[&str]) -> Tried<Self> {
         Self::start_into(program, words, Stdio::piped())
     }
 
@@ -38,14 +38,14 @@ impl Program {
         Ok(Self(child))
     }
 
-    fn signal(&self, signal: &str) -> Tried {
+    pub(crate) fn signal(&self, signal: &str) -> Tried {
         let id = self.0.id().to_string();
         ensure!(Command::new("kill").args(["-s", signal, &id]).status()?.success(), "kill {id}");
         Ok(())
     }
 
     /// Waits for its end: its exit status and what it printed.
-    fn end(mut self) -> Tried<(Option<i32>, String, String)> {
+    pub(crate) fn end(mut self) -> Tried<(Option<i32>, String, String)> {
         let begun = Instant::now();
         while self.0.try_wait()?.is_none() {
             ensure!(begun.elapsed() < Duration::from_secs(100), "it does not end");
@@ -67,23 +67,23 @@ impl Drop for Program {
     }
 }
 
-fn adsdv() -> Option<PathBuf> {
+pub(crate) fn adsdv() -> Option<PathBuf> {
     env::var_os("ADSDV").map(PathBuf::from)
 }
 
-fn without() -> Completion {
+pub(crate) fn without() -> Completion {
     Completion::ignored_with("ADSDV does not name the command")
 }
 
-fn log(name: &str) -> PathBuf {
+pub(crate) fn log(name: &str) -> PathBuf {
     env::temp_dir().join(format!("adsdv-{name}-{}.log", std::process::id()))
 }
 
-fn text(path: &Path) -> Tried<&str> {
+pub(crate) fn text(path: &Path) -> Tried<&str> {
     path.to_str().ok_or_else(|| "an odd name of a file".into())
 }
 
-fn lines(path: &Path) -> usize {
+pub(crate) fn lines(path: &Path) -> usize {
     fs::read_to_string(path).map_or(0, |text| text.lines().count())
 }
 

@@ -9,6 +9,8 @@ mod bus;
 #[cfg(target_os = "linux")]
 mod command;
 #[cfg(target_os = "linux")]
+mod load;
+#[cfg(target_os = "linux")]
 mod open;
 #[cfg(target_os = "linux")]
 mod run;
@@ -21,14 +23,16 @@ fn main() {
 
     let missing = vcan::missing();
     let required = std::env::var_os("ADSDV_REQUIRE_VCAN").is_some_and(|value| value == "1");
-    let tests = open::TESTS.iter().chain(bus::TESTS).chain(run::TESTS).chain(command::TESTS);
+    let tests =
+        open::TESTS.iter().chain(bus::TESTS).chain(run::TESTS).chain(command::TESTS).chain(load::TESTS);
     let trials = tests
         .map(|&(name, test)| {
             let missing = missing.clone();
             Trial::ignorable_test(name, move || match missing {
-                None => test().map_err(|error| Failed::from(error.to_string())),
-                Some(why) if required => Err(Failed::from(why)),
-                Some(why) => Ok(Completion::ignored_with(why)),
+                Err(error) => Err(Failed::from(error)),
+                Ok(None) => test().map_err(|error| Failed::from(error.to_string())),
+                Ok(Some(why)) if required => Err(Failed::from(why)),
+                Ok(Some(why)) => Ok(Completion::ignored_with(why)),
             })
         })
         .collect();

@@ -32,9 +32,13 @@ macro_rules! ensure {
 }
 pub(crate) use ensure;
 
-/// Why there is no virtual bus here; `None` if there is.
-pub(crate) fn missing() -> Option<String> {
-    Vcan::new().err().map(|error| format!("no vcan here: {error}"))
+/// Why there is no virtual bus here; `None` if there is. That its name is taken is no such reason, and an error.
+pub(crate) fn missing() -> Result<Option<String>, String> {
+    match Vcan::new().map_err(|error| error.to_string()) {
+        Ok(_) => Ok(None),
+        Err(error) if error.contains("File exists") => Err(error),
+        Err(error) => Ok(Some(format!("no vcan here: {error}"))),
+    }
 }
 
 /// Runs a program of iproute2.
@@ -64,7 +68,8 @@ pub(crate) struct Vcan(pub(crate) String);
 impl Vcan {
     pub(crate) fn new() -> Tried<Self> {
         static COUNT: AtomicU32 = AtomicU32::new(0);
-        let name = format!("adsdv{}", COUNT.fetch_add(1, Ordering::Relaxed));
+        // Two runs at once are not in each other's way; with both numbers it has at most 15 bytes, as the kernel wants it.
+        let name = format!("adsdv{:x}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         ip(&format!("link add {name} type vcan"))?;
         let vcan = Self(name);
         vcan.set("up")?;
