@@ -166,7 +166,7 @@ pub(crate) struct SuiteArgs {
 #[command(after_long_help = "\
 EXAMPLES
   adsdv conform -- ./vcu
-  adsdv conform -- python3 oracle/examples/adapter.py
+  adsdv conform -- python3 oracle/examples/adapter.py   # after: pip install ./python
 
   A simulator that steps every 10 ms and shows its outputs up to 2 steps late:
       adsdv conform --cycle-ms 10 --latency 2 -- ./simulator --headless
@@ -308,8 +308,10 @@ pub(crate) struct SchemaArgs {
 /// The commands whose `--json` has a schema.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum WithJson {
-    /// adsdv check.
+    /// adsdv check, and adsdv demo.
     Check,
+    /// adsdv watch.
+    Watch,
     /// adsdv conform.
     Conform,
     /// adsdv suite: a line of the suite.

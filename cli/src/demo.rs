@@ -2,6 +2,8 @@
 //!
 //! The log is written and judged frame by frame, as the frames come: no file is read back, and none has to be there.
 
+pub(crate) mod help;
+
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs::{self, File};
@@ -9,9 +11,10 @@ use std::io::{self, BufReader, BufWriter, Write as _};
 use std::path::Path;
 
 use adsdv_can::ai::Ai;
+use adsdv_can::car::Action;
 use adsdv_can::demo::{self, BUS, LocalBus, Options, Run, RunError};
 use adsdv_can::live::Vcu;
-use adsdv_can::scenario::{Player, Scenario, Unreadable};
+use adsdv_can::scenario::{Player, Scenario, Stuck, Unreadable};
 use adsdv_oracle::candump::{FrameKind, Record, write_record};
 use adsdv_oracle::log::{LogJudge, LogOptions};
 use adsdv_spec::Machine;
@@ -61,9 +64,9 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     let run = match made {
         Ok(run) => run,
         Err(RunError::Sink(error)) => return Err(write_error(&name, &error)),
-        Err(error) => {
+        Err(RunError::Waits { stuck, run }) => {
             written(flushed)?;
-            return Err(waits(args.scenario.as_deref(), &error));
+            return Err(waits(args, &stuck, &run));
         }
     };
     written(flushed)?;
@@ -90,10 +93,7 @@ fn on_screen(args: &DemoArgs) -> Result<Status, Error> {
 
 /// What was done: the lines before the report.
 fn story(args: &DemoArgs, run: &Run, width: usize) -> String {
-    let scenario = match &args.scenario {
-        Some(file) => format!("the scenario {}", scenario_name(file)),
-        None => "the built-in scenario".to_owned(),
-    };
+    let scenario = told(args.scenario.as_deref());
     let mut text = String::new();
     let about = format!(
         "A virtual VCU with its car, and a small AI Computer, on a bus within this program: {scenario}, {} s of \
@@ -104,16 +104,27 @@ fn story(args: &DemoArgs, run: &Run, width: usize) -> String {
     wrapped(&mut text, about.split(' '), 0, width);
     // Writing to a string does not fail.
     let _ = writeln!(text, "\n{}", Styled(style::HEADING, "OPERATOR"));
-    let mut actions = run.actions.iter().peekable();
-    while let Some((time_ms, action)) = actions.next() {
+    text.push_str(&did(&run.actions));
+    text.push('\n');
+    text
+}
+
+/// What the operator did, a line for each time.
+fn did(actions: &[(u64, Action)]) -> String {
+    let mut text = String::new();
+    let mut left = actions.iter().peekable();
+    while let Some((time_ms, action)) = left.next() {
         let mut together = vec![action.to_string()];
-        while let Some((_, action)) = actions.next_if(|(time, _)| time == time_ms) {
+        while let Some((_, action)) = left.next_if(|(time, _)| time == time_ms) {
             together.push(action.to_string());
         }
         let time = Seconds(nanoseconds(*time_ms));
+        // Writing to a string does not fail.
         let _ = writeln!(text, "{time:>10} s  {}", together.join(", "));
     }
-    text.push('\n');
+    if actions.is_empty() {
+        text.push_str("  nothing\n");
+    }
     text
 }
 
@@ -125,21 +136,44 @@ pub(crate) fn scenario_name(file: &Path) -> String {
     if file == Path::new(STDIN) { "standard input".to_owned() } else { file.display().to_string() }
 }
 
-/// The scenario of a file, or of standard input.
+/// The scenario in a sentence.
+fn told(scenario: Option<&Path>) -> String {
+    match scenario {
+        None => "the built-in scenario".to_owned(),
+        Some(file) if sample(file).is_some() => format!("the built-in scenario {}", file.display()),
+        Some(file) if file == Path::new(STDIN) => "the scenario on standard input".to_owned(),
+        Some(file) => format!("the scenario {}", file.display()),
+    }
+}
+
+/// The text of the scenario that comes with the program under this name.
+fn sample(name: &Path) -> Option<&'static str> {
+    Scenario::sample(name.to_str()?)
+}
+
+/// The scenario of a file, of standard input, or of those that come with the program.
 pub(crate) fn read(file: &Path) -> Result<Scenario, Error> {
     let name = scenario_name(file);
     let read = if file == Path::new(STDIN) {
         Scenario::read(io::stdin().lock())
+    } else if let Some(text) = sample(file) {
+        text.parse()
     } else {
         let source = File::open(file).map_err(|error| Error {
             what: name.clone(),
             why: format!("cannot open the scenario: {error}"),
             hint: match error.kind() {
-                io::ErrorKind::NotFound => "check the path; - stands for standard input",
-                io::ErrorKind::PermissionDenied => "this user may not read it; change its permissions",
-                _ => "give a file of text; can/scenarios has some to begin with",
-            }
-            .to_owned(),
+                io::ErrorKind::NotFound => {
+                    format!(
+                        "check the path; - stands for standard input, and these come with adsdv: {}",
+                        samples()
+                    )
+                }
+                io::ErrorKind::PermissionDenied => {
+                    "this user may not read it; change its permissions".to_owned()
+                }
+                _ => format!("give a file of text, or one that comes with adsdv: {}", samples()),
+            },
         })?;
         Scenario::read(BufReader::new(source))
     };
@@ -148,13 +182,20 @@ pub(crate) fn read(file: &Path) -> Result<Scenario, Error> {
             Unreadable::Io { source, .. } if source.kind() == io::ErrorKind::IsADirectory => {
                 "is a directory; expected a scenario".to_owned()
             }
-            Unreadable::Io { .. } => error.to_string(),
+            Unreadable::Io { .. } | Unreadable::Long { .. } => error.to_string(),
             Unreadable::Lines { .. } => format!("is no scenario\n{error}"),
         },
         what: name,
-        hint: "can/README.md says what may stand in a scenario; can/scenarios has some to begin with"
-            .to_owned(),
+        hint: format!(
+            "adsdv demo --help says what may stand in a scenario; these come with adsdv: {}",
+            samples()
+        ),
     })
+}
+
+/// The names of the scenarios that come with the program.
+fn samples() -> String {
+    Scenario::SAMPLES.map(|(name, _)| name).join(", ")
 }
 
 /// Makes the log, empty. It is not the scenario, which would be lost.
@@ -193,11 +234,17 @@ fn write_error(name: &str, error: &io::Error) -> Error {
     Error { what: name.to_owned(), why: format!("cannot write the log: {error}"), hint: hint.to_owned() }
 }
 
-/// A scenario that does not come to its end.
-fn waits(scenario: Option<&Path>, error: &RunError<io::Error>) -> Error {
+/// A scenario that does not come to its end: what it did until then is told as well, and is in the log.
+fn waits(args: &DemoArgs, stuck: &Stuck, run: &Run) -> Error {
+    let mut why = format!("{stuck}\n\nOPERATOR until then\n{}", did(&run.actions));
+    if let Some(log) = &args.log {
+        let time = Seconds(nanoseconds(run.duration_ms));
+        // Writing to a string does not fail.
+        let _ = write!(why, "\n{} has the run until then: {time} s, {} frames", log.display(), run.frames);
+    }
     Error {
-        what: scenario.map_or_else(|| "the built-in scenario".to_owned(), scenario_name),
-        why: error.to_string(),
+        what: args.scenario.as_deref().map_or_else(|| told(None), scenario_name),
+        why: why.trim_end().to_owned(),
         hint: "have the operator do what is missing in a line before that one".to_owned(),
     }
 }

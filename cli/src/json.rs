@@ -1,11 +1,16 @@
-//! The forms for programs. That of a report is described by `schema/check.schema.json`.
+//! The forms for programs. That of a report is described by `schema/check.schema.json`, and by `schema/watch.schema.json` for
+//! a live bus.
 
+use adsdv_can::live::{Outage, Traffic};
 use adsdv_oracle::judge::{Finding, Report, ResponseTimes, Transition};
 use adsdv_spec::{Choice, Reading, Readings};
 use serde::Serialize;
 
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
+
+/// The JSON Schema of what [`watched`] writes.
+pub(crate) const WATCH_SCHEMA: &str = include_str!("../schema/watch.schema.json");
 
 /// The JSON Schema of what `adsdv conform --json` writes.
 pub(crate) const CONFORM_SCHEMA: &str = include_str!("../schema/conform.schema.json");
@@ -22,6 +27,18 @@ pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json"
 /// A report as one JSON object on one line.
 pub(crate) fn text(report: &Report) -> String {
     line(&CheckJson::from(report))
+}
+
+/// A report of a live bus, and what went over it, as one JSON object on one line.
+pub(crate) fn watched(report: &Report, bus: &Bus<'_>) -> String {
+    line(&WatchJson { report: report.into(), bus: BusJson::new(bus, report.duration_ns) })
+}
+
+/// What a live bus was like.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bus<'a> {
+    pub(crate) traffic: Traffic,
+    pub(crate) outages: &'a [Outage],
 }
 
 /// The readings as one JSON array on one line.
@@ -44,6 +61,35 @@ struct CheckJson<'a> {
     findings: Vec<FindingJson<'a>>,
     handshake_response_ms: Option<ResponseJson>,
     verdict: &'static str,
+}
+
+#[derive(Serialize)]
+struct WatchJson<'a> {
+    #[serde(flatten)]
+    report: CheckJson<'a>,
+    bus: BusJson,
+}
+
+#[derive(Serialize)]
+struct BusJson {
+    frames_per_second: RateJson,
+    error_frames: u64,
+    dropped_frames: u64,
+    troubles: Vec<TroubleJson>,
+    troubles_not_listed: u64,
+}
+
+#[derive(Serialize)]
+struct RateJson {
+    mean: f64,
+    busiest: u64,
+}
+
+#[derive(Serialize)]
+struct TroubleJson {
+    t: f64,
+    until: Option<f64>,
+    what: String,
 }
 
 #[derive(Serialize)]
@@ -100,6 +146,37 @@ impl<'a> From<&'a Report> for CheckJson<'a> {
             verdict: report.verdict().name(),
         }
     }
+}
+
+impl BusJson {
+    fn new(bus: &Bus<'_>, duration_ns: i64) -> Self {
+        let Traffic { frames, errors, dropped, troubles, busiest, .. } = bus.traffic;
+        let listed = u64::try_from(bus.outages.len()).unwrap_or(troubles);
+        Self {
+            frames_per_second: RateJson { mean: mean(frames, duration_ns), busiest },
+            error_frames: errors,
+            dropped_frames: dropped,
+            troubles: bus.outages.iter().map(TroubleJson::from).collect(),
+            troubles_not_listed: troubles.saturating_sub(listed),
+        }
+    }
+}
+
+impl From<&Outage> for TroubleJson {
+    fn from(outage: &Outage) -> Self {
+        Self {
+            t: seconds(outage.t_ns),
+            until: outage.until_ns.map(seconds),
+            what: outage.trouble.to_string(),
+        }
+    }
+}
+
+/// Frames in a second, with one decimal; of a run shorter than a second, the frames themselves.
+#[allow(clippy::cast_precision_loss, reason = "a rate for display")]
+fn mean(frames: u64, duration_ns: i64) -> f64 {
+    let seconds = (duration_ns as f64 / 1e9).max(1.0);
+    (frames as f64 / seconds * 10.0).round() / 10.0
 }
 
 impl From<&Transition> for TransitionJson {

@@ -1,6 +1,7 @@
 //! The virtual VCU with an operator: on the terminal screen, or line by line where there is none.
 
 use std::io::{self, IsTerminal as _};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use adsdv_can::car::Action;
@@ -17,15 +18,19 @@ pub(crate) fn has_screen() -> bool {
     io::stdout().is_terminal() && io::stdin().is_terminal()
 }
 
-/// Runs it on the terminal screen until the operator leaves it, then prints how it went.
-pub(crate) fn on_screen(runner: impl Runner + Send + 'static, color: ColorChoice) -> Result<(), Error> {
+/// Runs it on the terminal screen until the operator leaves it, then prints how it went, and tells how everything stood.
+pub(crate) fn on_screen(
+    runner: impl Runner + Send + 'static,
+    color: ColorChoice,
+) -> Result<Arc<Status>, Error> {
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
     let operated = Operated { handle: &handle, told: &told };
     screen::run(&operated, output::is_colored(color)).map_err(|error| Error::screen(&error))?;
     let status = handle.join().map_err(|error| Error::mistake(&bus, error))?;
-    plain::conclude(&status, color)
+    plain::conclude(&status, color)?;
+    Ok(status)
 }
 
 /// A runner on the screen, until somebody sends a signal.
@@ -36,7 +41,7 @@ struct Operated<'a> {
 
 impl Source for Operated<'_> {
     fn status(&self) -> Status {
-        self.handle.status()
+        Status::clone(&self.handle.status())
     }
 
     fn act(&self, action: Action) {

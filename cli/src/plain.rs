@@ -1,6 +1,7 @@
 //! A node on a bus without a screen: what happens, line by line, until it is told to stop.
 
 use std::fmt::Write as _;
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -17,8 +18,9 @@ use crate::{interrupt, output};
 /// Between two looks at what has happened.
 const PACE: Duration = Duration::from_millis(20);
 
-/// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of whoever reads the output.
-pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> Result<(), Error> {
+/// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of whoever reads the output. Tells
+/// how everything stood in the end.
+pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> Result<Arc<Status>, Error> {
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
@@ -32,7 +34,7 @@ pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> R
     if read && show(&status, &mut seen, color)? {
         output::follow(&summary(&status), color)?;
     }
-    Ok(())
+    Ok(status)
 }
 
 /// Prints how it went.
@@ -76,7 +78,7 @@ fn summary(status: &Status) -> String {
     let _ = writeln!(text, "\n{}: {} sent, {received} received", status.bus, counted(*sent, "frame"));
     for (count, what) in [
         (unsent, "not sent"),
-        (dropped, "lost, because they were not taken in time"),
+        (dropped, "lost, not taken in time (as of the last that came)"),
         (refused, "refused"),
         (foreign, "from somebody else with identifiers of this node"),
         (errors, "of the error kind"),
@@ -88,9 +90,10 @@ fn summary(status: &Status) -> String {
     let cycles = status.cycles;
     let _ = writeln!(
         text,
-        "{}: {} late; lateness p99 {:.2}, max {:.2} ms",
+        "{}: {} late, {} left out; lateness p99 {:.2}, max {:.2} ms",
         counted(cycles.count, "cycle"),
         cycles.late,
+        cycles.left_out,
         cycles.p99_ms,
         cycles.worst_ms
     );
@@ -123,12 +126,19 @@ mod tests {
 
     #[test]
     fn the_summary_has_what_there_is() {
-        let mut status =
-            Status { bus: "vcan0".to_owned(), sent: 9, received: 1, unsent: 2, ..Status::default() };
+        let mut status = Status {
+            bus: "vcan0".to_owned(),
+            sent: 9,
+            received: 1,
+            unsent: 2,
+            dropped: 1,
+            ..Status::default()
+        };
         status.responses.add(4_000_000);
         assert_eq!(
             summary(&status),
-            "\nvcan0: 9 frames sent, 1 received\n  2 frames not sent\n0 cycles: 0 late; lateness p99 0.00, max 0.00 ms\n\
+            "\nvcan0: 9 frames sent, 1 received\n  2 frames not sent\n  1 frame lost, not taken in time (as of the last that came)\n\
+             0 cycles: 0 late, 0 left out; lateness p99 0.00, max 0.00 ms\n\
              AI handshake: 1 answer; min 4.00, median 4.00, p99 4.00, max 4.00 ms\n"
         );
         let mut status = Status::default();

@@ -1,7 +1,10 @@
 //! `adsdv vcu`: the reference VCU and its car on a CAN interface.
 
+use std::path::Path;
+
+use adsdv_can::bus::Bus;
 use adsdv_can::live::Vcu;
-use adsdv_can::scenario::Player;
+use adsdv_can::scenario::{PATIENCE_MS, Player, Stuck};
 use adsdv_can::socket;
 use adsdv_spec::{Interface, Machine};
 
@@ -14,11 +17,66 @@ pub(crate) fn run(args: &VcuArgs) -> Result<Status, Error> {
     let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
     let scenario = args.scenario.as_deref().map(demo::read).transpose()?;
     let bus = socket::open(&args.interface)?;
-    let vcu = Vcu::new(bus, machine, scenario.as_ref().map(Player::new));
-    if !args.plain && operate::has_screen() {
-        operate::on_screen(vcu, args.color)?;
+    drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), args)
+}
+
+/// Lets the VCU run until it is told to stop, or its scenario is over or given up.
+fn drive<B: Bus + Send + 'static>(vcu: Vcu<B>, args: &VcuArgs) -> Result<Status, Error> {
+    let asked = args.patience.map(|seconds| u64::from(seconds) * 1000);
+    let status = if !args.plain && operate::has_screen() {
+        // An operator at the keys can do what the scenario waits for.
+        let vcu = match asked {
+            Some(patience_ms) => vcu.with_patience(patience_ms),
+            None => vcu,
+        };
+        operate::on_screen(vcu, args.color)?
     } else {
-        plain::run(vcu, args.color)?;
+        plain::run(vcu.with_patience(asked.unwrap_or(PATIENCE_MS)), args.color)?
+    };
+    match &status.stuck {
+        Some(stuck) => Err(given_up(args.scenario.as_deref(), stuck)),
+        None => Ok(Status::Conforms),
     }
-    Ok(Status::Conforms)
+}
+
+/// The scenario waits for a state that does not come.
+fn given_up(scenario: Option<&Path>, stuck: &Stuck) -> Error {
+    Error {
+        what: scenario.map_or_else(|| "the scenario".to_owned(), demo::scenario_name),
+        why: stuck.to_string(),
+        hint:
+            "see what is missing: the AI Computer has to do it, or the operator in a line before that one; \
+               --patience waits longer"
+                .to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_can::ai::Ai;
+    use adsdv_can::demo::LocalBus;
+    use adsdv_can::scenario::Scenario;
+    use clap::ColorChoice;
+
+    use super::*;
+
+    #[test]
+    fn a_scenario_that_waits_in_vain_is_given_up_and_says_for_what() -> Result<(), Box<dyn std::error::Error>>
+    {
+        let args = VcuArgs {
+            interface: "demo".to_owned(),
+            scenario: Some("in-vain.txt".into()),
+            patience: Some(1),
+            readings: Vec::new(),
+            plain: true,
+            color: ColorChoice::Never,
+        };
+        let scenario: Scenario = "0 ebs ARMED, asms on\nAS_READY end\n".parse()?;
+        let vcu = Vcu::new(LocalBus::new(Ai::default()), Machine::REFERENCE, Some(Player::new(&scenario)));
+        let error = drive(vcu, &args).expect_err("no mission is selected").to_string();
+        let told = "in-vain.txt: line 2: expected AS_READY, found AS_OFF after 1 s; AS_READY (section 3.1) still needs: ";
+        assert!(error.starts_with(told) && error.contains("TS master switch ON"), "{error}");
+        assert!(error.contains("--patience"), "{error}");
+        Ok(())
+    }
 }

@@ -12,38 +12,12 @@ use clap::{Args, ColorChoice};
 /// Computer, are on a bus of 500 kbit/s within this program. They drive a mission in simulated time, which takes much less than
 /// a second, and the judge of `adsdv check` says what it saw.
 ///
-/// What the operator does comes from a scenario, a few lines of text: which switch, and when. can/README.md says what may
-/// stand in one, and can/scenarios has some to begin with.
+/// What the operator does comes from a scenario, a few lines of text: which switch, and when. What may stand in one is below, and
+/// some come with adsdv.
 #[derive(Args, Debug)]
-#[command(after_long_help = "\
-EXAMPLES
-  adsdv demo
-
-  Keep the log, and have it judged again:
-      adsdv demo --log demo.log
-      adsdv check demo.log
-
-  The remote E-stop in the middle of the mission:
-      adsdv demo --scenario can/scenarios/remote-estop.txt
-
-  A scenario of one's own:
-      printf '0 ebs ARMED, ami SKIDPAD, tsms on, asms on\\nAS_READY +1 end\\n' |
-          adsdv demo --scenario -
-
-OUTPUT
-  OPERATOR  what the operator did, and when
-  Then comes the report of the log: see adsdv check --help.
-
-ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
-
-EXIT STATUS
-  0  the run conforms: no violation was found
-  1  the run violates the document
-  2  no verdict: the scenario could not be read or does not come to its end, the log or
-     the report could not be written, or the arguments are wrong")]
+#[command(after_long_help = crate::demo::help::after())]
 pub(crate) struct DemoArgs {
-    /// What the operator does: a file, or - for standard input; by default a whole mission.
+    /// What the operator does: a file, - for standard input, or one that comes with adsdv; by default a whole mission.
     #[arg(long, value_name = "FILE")]
     pub(crate) scenario: Option<PathBuf>,
 
@@ -56,7 +30,10 @@ pub(crate) struct DemoArgs {
     pub(crate) json: bool,
 
     /// Drive in real time on a terminal screen, with the switches as keys.
-    #[arg(long, conflicts_with_all = ["json"])]
+    ///
+    /// The operator is whoever sits there: ? explains the keys, and q leaves. --scenario works the switches as well; without it,
+    /// nothing is done by itself. Nothing is judged, and no log is written.
+    #[arg(long, conflicts_with_all = ["json", "log"])]
     pub(crate) screen: bool,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
@@ -71,8 +48,8 @@ pub(crate) struct DemoArgs {
 /// whole stack can be run on a laptop.
 ///
 /// The operator's side (master switches, mission, "Go", the shutdown circuit, faults, power) comes from a scenario, a few lines of
-/// text, or from the keys of the terminal screen. can/README.md says what may stand in a scenario, and can/scenarios has some to
-/// begin with.
+/// text, or from the keys of the terminal screen. `adsdv demo --help` says what may stand in a scenario, and names those that come
+/// with adsdv.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -85,7 +62,7 @@ EXAMPLES
       adsdv watch vcan0
 
   Without a screen, in a script; `end` in the scenario ends the command:
-      adsdv vcu vcan0 --plain --scenario can/scenarios/mission.txt
+      adsdv vcu vcan0 --plain --scenario mission
 
   On a real bus of 500 kbit/s, in place of a VCU:
       sudo ip link set can0 up type can bitrate 500000
@@ -95,24 +72,33 @@ OUTPUT
   With --plain a line for each thing that happens: the AS state with the section and the
   conditions that decided, what the operator does, frames that were refused, another VCU
   on the bus, error frames, the bus going down and coming back, cycles that were late, the
-  AI Computer falling silent and being heard again. In the end the frames, how well the
-  cycle of 10 ms was held, and how fast the AI Computer answered the handshake.
+  AI Computer falling silent and being heard again, frames that were lost. What comes again
+  and again is told once a second. In the end the frames, how well the cycle of 10 ms was
+  held, and how fast the AI Computer answered the handshake. The kernel tells of lost
+  frames with the next one that comes: the count is as of the last frame.
 
 ENVIRONMENT
   NO_COLOR  if set and not empty, --color auto means never
 
 EXIT STATUS
   0  it was told to stop (Ctrl-C, SIGTERM), or the scenario came to its end
-  2  the interface could not be opened or the scenario not be read, the output could not
-     be written, or the arguments are wrong")]
+  2  the interface could not be opened or the scenario not be read, the scenario waited in
+     vain for a state, the output could not be written, or the arguments are wrong")]
 pub(crate) struct VcuArgs {
     /// The CAN interface, such as vcan0.
     #[arg(value_name = "IFACE")]
     pub(crate) interface: String,
 
-    /// What the operator does: a file, or - for standard input.
+    /// What the operator does: a file, - for standard input, or one that comes with adsdv: see `adsdv demo --help`.
     #[arg(long, value_name = "FILE")]
     pub(crate) scenario: Option<PathBuf>,
+
+    /// Give the scenario up when it has waited for a state for so long.
+    ///
+    /// Without it, ten minutes; with the terminal screen, whose keys can do what is missing, no end.
+    #[arg(long, value_name = "SECONDS", requires = "scenario", value_parser = clap::value_parser!(u32).range(1..),
+        allow_negative_numbers = true)]
+    pub(crate) patience: Option<u32>,
 
     /// Follow another answer to a question that the document leaves open; may be repeated.
     ///
@@ -140,7 +126,7 @@ EXAMPLES
       sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up
       adsdv ai vcan0 &
       adsdv watch vcan0 &
-      adsdv vcu vcan0 --plain --scenario can/scenarios/mission.txt
+      adsdv vcu vcan0 --plain --scenario mission
 
 OUTPUT
   A line for each thing that happens: the AS state that the VCU shows, frames that were
@@ -169,8 +155,8 @@ pub(crate) struct AiArgs {
 /// The judge of `adsdv check`, while the car drives: each transition and finding is printed as soon as it is certain, which is a
 /// window after it happened. It ends with the same report, on Ctrl-C. It only listens: it never sends a frame.
 ///
-/// Frames that the kernel had to drop, because they were not taken in time, are counted and told; what they said is unknown, and
-/// nobody is blamed for it.
+/// Frames that the kernel had to drop, because they were not taken in time, are counted, told and noted in the log; what they said
+/// is unknown, and nobody is blamed for it, by this command or by `adsdv check` of the log.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -191,8 +177,9 @@ OUTPUT
   Times are in seconds since the first frame, by the clock of the kernel. The report in
   the end is that of adsdv check; below it stand the frames in a second, on average and at
   most, and those that were dropped. With --log every frame is recorded as candump -L
-  does it, remote, extended and error frames included; the file has it within a fraction
-  of a second.
+  does it, remote, extended and error frames included, and lost ones as DROPCOUNT lines,
+  as candump -d does it; the file has it within a fraction of a second. Of more than 200
+  findings of one rule, the further ones are counted, and one in a second is printed.
 
 ENVIRONMENT
   NO_COLOR  if set and not empty, --color auto means never
@@ -211,7 +198,9 @@ pub(crate) struct WatchArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) log: Option<PathBuf>,
 
-    /// Print one JSON object in the end instead of text: that of `adsdv check --json`.
+    /// Print one JSON object in the end instead of text: that of `adsdv check --json`, and what the bus was like.
+    ///
+    /// `adsdv schema watch` describes it.
     #[arg(long)]
     pub(crate) json: bool,
 
@@ -236,4 +225,18 @@ pub(crate) struct WatchArgs {
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
     pub(crate) color: ColorChoice,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_help_has_the_bit_rate_of_the_bus() {
+        let mut command = super::super::Cli::command();
+        let vcu = command.find_subcommand_mut("vcu").expect("a command");
+        let help = vcu.render_long_help().to_string();
+        assert!(help.contains(&format!("bitrate {}\n", adsdv_can::BITRATE)), "{help}");
+        assert!(help.contains(&format!("{} kbit/s", adsdv_can::BITRATE / 1000)), "{help}");
+    }
 }

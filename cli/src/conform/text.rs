@@ -47,7 +47,16 @@ fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize)
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "READINGS"))?;
     for follows in &report.follows {
-        reading(out, follows, width)?;
+        match subject.args.readings.iter().find(|pin| pin.reading() == follows.reading) {
+            Some(pin) => {
+                writeln!(out, "  {:17} pinned to {}: {}", follows.reading, pin.id(), pin.text())?;
+            }
+            None => reading(out, follows, width)?,
+        }
+    }
+    if !subject.args.readings.is_empty() && !report.conforms() {
+        let note = "what else the program may follow was not asked: leave the pins out to learn it";
+        wrapped(out, note.split(' '), 2, width);
     }
     verdict(out, subject, report)
 }
@@ -90,6 +99,14 @@ fn header(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize
 
 fn requirements(out: &mut String, report: &Report, width: usize) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "REQUIREMENTS"))?;
+    // Those of a suite that somebody else wrote may be any.
+    let about = match report.about_the_vcu.checked_sub(report.requirements.len()) {
+        Some(more) if more > 0 => {
+            format!("; {more} more about the VCU are in no test, for no output shows them")
+        }
+        _ => String::new(),
+    };
+    wrapped(out, format!("their sentences stand in spec/REQUIREMENTS.md{about}").split(' '), 2, width);
     writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>TESTS$}  FAILED", "ID", "RESULT", "TESTS")?;
     for Requirement { id, outcome, tests, checked, failed } in &report.requirements {
         let style = match outcome {

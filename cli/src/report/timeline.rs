@@ -28,6 +28,11 @@ pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize)
     if let Some((term, known)) = transition.decided {
         wrapped(out, conditions(&term, known), INDENT, width);
     }
+    for (term, _) in &transition.or {
+        let conditions: Vec<&str> = term.conditions().map(|(atom, needed)| atom.text(needed)).collect();
+        let line = format!("or {}, which the VCU reports alike", conditions.join(", "));
+        wrapped(out, line.split(' '), INDENT, width);
+    }
     Ok(())
 }
 

@@ -21,7 +21,7 @@ pub(super) fn draw(theme: Theme, area: Rect, buffer: &mut Buffer) {
             Line::from(vec![
                 Span::styled(format!(" {} ", key.stroke), theme.key()),
                 Span::raw(format!("{:<NAME$}", key.name)),
-                Span::raw(key.meaning),
+                Span::raw(key.meaning()),
             ])
         })
         .collect();

@@ -1,6 +1,6 @@
 //! What the keys do.
 
-use adsdv_can::car::Switch;
+use adsdv_can::car::{Action, Switch};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 /// A key that the operator has, and what it does.
@@ -8,47 +8,56 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 pub(super) struct Key {
     /// The key. The capital letter, if it is a letter, turns the switch the other way.
     pub(super) stroke: char,
-    /// The name of the switch, or [`POWER_CYCLE`].
+    /// The name of the switch, or [`Action::POWER_CYCLE`].
     pub(super) name: &'static str,
-    /// What the switch says.
-    pub(super) meaning: &'static str,
 }
-
-/// What is not a switch, by the name of its action.
-pub(super) const POWER_CYCLE: &str = "power cycle";
 
 /// Every switch with its key, in the order in which the screen has them.
 pub(super) const KEYS: [Key; 20] = [
-    key('a', "asms", "the Autonomous System Master Switch"),
-    key('t', "tsms", "the Tractive System Master Switch"),
-    key('m', "ami", "the mission selected at the AMI"),
-    key('e', "ebs", "the state of the Emergency Braking System"),
-    key('g', "go", "the remote \"Go\" switch"),
-    key('p', POWER_CYCLE, "turns the power of the VCU off and on again"),
-    key('1', "remote_estop", "the remote E-stop button is pressed"),
-    key('2', "res_link_lost", "the remote E-stop has lost its transmitter"),
-    key('3', "vehicle_estop", "an E-stop button on the vehicle is pressed"),
-    key('4', "crash_sensor", "the crash sensor is activated"),
-    key('5', "critical_fault", "a critical fault without a flag of its own"),
-    key('6', "bms_fault", "a critical fault in the traction battery"),
-    key('7', "mpp_dongle_removed", "the autonomous driving dongle is not plugged in"),
-    key('o', "hvil_open", "HVIL or shutdown circuit: an open circuit"),
-    key('s', "hvil_short", "HVIL or shutdown circuit: a short circuit"),
-    key('b', "ebs_fault", "the Emergency Braking System is faulty"),
-    key('f', "offboard_charger_fault", "the off-board charger is faulty"),
-    key('c', "charging", "a fault as soon as ASMS or TSMS is on"),
-    key('w', "batt_temp_high", "the battery is hot (a warning)"),
-    key('l', "batt_soc_low", "the battery's charge is low (a warning)"),
+    key('a', "asms"),
+    key('t', "tsms"),
+    key('m', "ami"),
+    key('e', "ebs"),
+    key('g', "go"),
+    key('p', Action::POWER_CYCLE),
+    key('1', "remote_estop"),
+    key('2', "res_link_lost"),
+    key('3', "vehicle_estop"),
+    key('4', "crash_sensor"),
+    key('5', "critical_fault"),
+    key('6', "bms_fault"),
+    key('7', "mpp_dongle_removed"),
+    key('o', "hvil_open"),
+    key('s', "hvil_short"),
+    key('b', "ebs_fault"),
+    key('f', "offboard_charger_fault"),
+    key('c', "charging"),
+    key('w', "batt_temp_high"),
+    key('l', "batt_soc_low"),
 ];
 
-const fn key(stroke: char, name: &'static str, meaning: &'static str) -> Key {
-    Key { stroke, name, meaning }
+const fn key(stroke: char, name: &'static str) -> Key {
+    Key { stroke, name }
 }
 
 impl Key {
     /// The switch; `None` is the power cycle.
     pub(super) fn switch(&self) -> Option<Switch> {
         Switch::named(self.name)
+    }
+
+    /// What the switch says.
+    pub(super) fn meaning(&self) -> &'static str {
+        self.switch().map_or(Action::ABOUT_POWER_CYCLE, Switch::about)
+    }
+
+    /// The key for what the operator can do.
+    pub(super) fn of(action: Action) -> Option<Self> {
+        let name = match action {
+            Action::Set(switch, _) => switch.key(),
+            Action::PowerCycle => Action::POWER_CYCLE,
+        };
+        KEYS.into_iter().find(|key| key.name == name)
     }
 }
 
@@ -150,8 +159,6 @@ fn operator(key: char) -> Option<Command> {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_can::car::Action;
-
     use super::*;
 
     fn press(code: KeyCode, modifiers: KeyModifiers) -> Option<Command> {
@@ -165,11 +172,15 @@ mod tests {
     #[test]
     fn every_switch_has_one_key() {
         let mut names: Vec<&str> = KEYS.iter().map(|key| key.name).collect();
-        let mut expected: Vec<&str> = Switch::all().map(Switch::key).chain([POWER_CYCLE]).collect();
+        let mut expected: Vec<&str> = Switch::all().map(Switch::key).chain([Action::POWER_CYCLE]).collect();
         names.sort_unstable();
         expected.sort_unstable();
         assert_eq!(names, expected);
-        assert_eq!(POWER_CYCLE.parse(), Ok(Action::PowerCycle));
+        assert_eq!(Action::POWER_CYCLE.parse(), Ok(Action::PowerCycle));
+        for key in KEYS {
+            let action = key.switch().map_or(Action::PowerCycle, |switch| Action::Set(switch, 0));
+            assert_eq!(Key::of(action).map(|found| found.stroke), Some(key.stroke), "{}", key.name);
+        }
     }
 
     #[test]

@@ -1,18 +1,17 @@
 //! Cars in situations that the tests draw.
 
 use adsdv_can::bus::Trouble;
-use adsdv_can::car::Missing;
+use adsdv_can::car::{Action, Car, Condition, Missing, missing};
 use adsdv_can::status::{Cycles, Happening, Status, What};
 use adsdv_spec::messages::{
     AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
     MissionStatus, MotorSpeedMax, ShutdownCause, SteerAngle, WheelSpeed,
 };
-use adsdv_spec::{Atom, Fault, Faults, Inputs, Outputs};
+use adsdv_spec::{Atom, Fault, Faults, Inputs, Machine, Outputs};
 
 /// What the VCU says in this state, without a fault.
 fn outputs(state: AsState) -> Outputs {
-    let (_, outputs) =
-        adsdv_spec::Machine::REFERENCE.step(&adsdv_spec::Control::INITIAL, &Inputs::default(), 10);
+    let (_, outputs) = Machine::REFERENCE.step(&adsdv_spec::Control::INITIAL, &Inputs::default(), 10);
     Outputs { state, faults: Faults::NONE, shutdown_cause: ShutdownCause::NoShutdown, ..outputs }
 }
 
@@ -28,16 +27,20 @@ fn changed(from: Option<AsState>, to: Option<AsState>, clause: &'static str, why
     What::State { from, to, clause, why: why.to_owned() }
 }
 
+fn condition(atom: Atom, value: bool, action: Option<Action>) -> Condition {
+    Condition { atom, value, left_ms: None, action }
+}
+
 /// The VCU has just been switched on, and there is no AI Computer.
 pub(super) fn off() -> Status {
-    let conditions = [Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed]
-        .map(|atom| atom.text(true));
+    let mut car = Car::new(Machine::REFERENCE);
+    car.cycle(10);
     Status {
         bus: "vcan0".to_owned(),
         outputs: Some(outputs(AsState::Off)),
         in_state_ms: 1_240,
-        missing: Some(Missing { to: AsState::Ready, clause: "3.1", conditions: conditions.to_vec() }),
-        cycles: Cycles { count: 124, late: 0, worst_ms: 0.21, p99_ms: 0.08 },
+        missing: missing(&car),
+        cycles: Cycles { count: 124, worst_ms: 0.21, p99_ms: 0.08, ..Cycles::default() },
         sent: 1_005,
         time_ms: 1_240,
         happened: happenings([(10, changed(None, Some(AsState::Off), "", ""))]).collect(),
@@ -47,20 +50,19 @@ pub(super) fn off() -> Status {
 
 /// AS_READY has just begun, and the AI Computer asks for too much.
 pub(super) fn ready() -> Status {
-    let conditions = [
-        Atom::DwellElapsed,
-        Atom::FrontTorqueZero,
-        Atom::RearTorqueZero,
-        Atom::SteerRequestZero,
-        Atom::SteerStraight,
-        Atom::DirectionNeutral,
-        Atom::GoEdge,
-    ]
-    .map(|atom| atom.text(true));
+    let conditions = vec![
+        Condition { left_ms: Some(2_830), ..condition(Atom::DwellElapsed, true, None) },
+        condition(Atom::FrontTorqueZero, true, None),
+        condition(Atom::RearTorqueZero, true, None),
+        condition(Atom::SteerRequestZero, true, None),
+        condition(Atom::SteerStraight, true, None),
+        condition(Atom::DirectionNeutral, true, None),
+        condition(Atom::GoEdge, true, "go on".parse().ok()),
+    ];
     Status {
         outputs: Some(outputs(AsState::Ready)),
         in_state_ms: 2_170,
-        missing: Some(Missing { to: AsState::Driving, clause: "3.2", conditions: conditions.to_vec() }),
+        missing: Some(Missing { to: AsState::Driving, clause: "3.2", conditions, then: None }),
         ..driving()
     }
 }
@@ -99,7 +101,7 @@ pub(super) fn driving() -> Status {
         in_state_ms: 12_340,
         ai_silent_ms: Some(4),
         last_response_ms: Some(2.1),
-        cycles: Cycles { count: 2_153, late: 0, worst_ms: 0.64, p99_ms: 0.12 },
+        cycles: Cycles { count: 2_153, worst_ms: 0.64, p99_ms: 0.12, ..Cycles::default() },
         received: 10_766,
         sent: 17_440,
         speed_mps: 9.54,
@@ -150,8 +152,14 @@ pub(super) fn emergency() -> Status {
         Some(Outputs { faults, shutdown_cause: faults.cause(), ..outputs(AsState::EmergencyBrake) });
     status.time_ms = 26_400;
     status.in_state_ms = 1_390;
+    let conditions = vec![
+        Condition { left_ms: Some(13_610), ..condition(Atom::EbsTimerComplete, true, None) },
+        condition(Atom::Asms, false, "asms off".parse().ok()),
+    ];
+    let then = Some(condition(Atom::PowerCycleNeeded, false, Some(Action::PowerCycle)));
+    status.missing = Some(Missing { to: AsState::Off, clause: "3.9", conditions, then });
     status.ai_silent_ms = Some(2_480);
-    status.cycles = Cycles { count: 2_640, late: 2, worst_ms: 23.4, p99_ms: 0.31 };
+    status.cycles = Cycles { count: 2_637, late: 2, left_out: 3, worst_ms: 23.4, p50_ms: 0.07, p99_ms: 0.31 };
     [status.unsent, status.refused, status.dropped] = [131, 3, 12];
     [status.foreign, status.errors] = [1, 7];
     status.next = None;

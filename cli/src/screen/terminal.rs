@@ -1,5 +1,7 @@
 //! The loop between a car and a terminal.
 
+use std::env;
+use std::ffi::OsStr;
 use std::io::{self, IsTerminal as _, stdout};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -24,12 +26,9 @@ const FRAME: Duration = Duration::from_millis(50);
 ///
 /// # Errors
 ///
-/// Standard output is no terminal, or the terminal cannot be read or written.
+/// Standard output is no terminal, or a dumb one, or the terminal cannot be read or written.
 pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
-    if !stdout().is_terminal() {
-        let why = "the screen needs a terminal, and standard output is none";
-        return Err(io::Error::new(io::ErrorKind::Unsupported, why));
-    }
+    fit(stdout().is_terminal(), env::var_os("TERM").as_deref())?;
     // Whether colors are wanted has been decided; NO_COLOR was asked then.
     force_color_output(color);
     // The panic hook that this sets puts the terminal back before a panic is told.
@@ -46,6 +45,18 @@ pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Whether a screen can be drawn there.
+fn fit(is_terminal: bool, kind: Option<&OsStr>) -> io::Result<()> {
+    let why = if !is_terminal {
+        "the screen needs a terminal, and standard output is none"
+    } else if kind.is_some_and(|kind| kind == "dumb") {
+        "the screen needs a terminal with a cursor that moves, and TERM says dumb"
+    } else {
+        return Ok(());
+    };
+    Err(io::Error::new(io::ErrorKind::Unsupported, why))
 }
 
 /// Follows the keys until the next frame is due.
@@ -111,4 +122,24 @@ impl Drop for Open {
 fn put_back() {
     // If it cannot be put back it is most likely gone, and so is whoever could be told.
     let _ = ratatui::try_restore();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_screen_needs_a_terminal_that_is_not_dumb() {
+        let told = |is_terminal, kind: &str| {
+            fit(is_terminal, Some(OsStr::new(kind))).map_err(|error| (error.kind(), error.to_string()))
+        };
+        for (is_terminal, kind, part) in
+            [(true, "dumb", "TERM says dumb"), (false, "xterm", "standard output is none")]
+        {
+            let (kind, why) = told(is_terminal, kind).expect_err("no screen");
+            assert!(kind == io::ErrorKind::Unsupported && why.contains(part), "{why}");
+        }
+        assert_eq!(told(true, "xterm-256color"), Ok(()));
+        assert!(fit(true, None).is_ok());
+    }
 }

@@ -23,7 +23,7 @@ pub(super) struct Heard {
     pub(super) event: Event,
     /// How many frames had been dropped by then.
     pub(super) dropped: u64,
-    /// When it was heard, in nanoseconds since 1970.
+    /// When it was heard, in nanoseconds since 1970; of nothing, up to when it is certain that nothing came.
     pub(super) now_ns: i64,
 }
 
@@ -79,20 +79,23 @@ fn listen(mut bus: impl Listen, tell: &SyncSender<Heard>, stop: &AtomicBool) {
             last = Some(Instant::now() + SILENCE);
         }
         let until = if last.is_some() { Instant::now() } else { Instant::now() + SILENCE };
+        // A thread may be held up behind the waiting as well, while frames come.
+        let asked = now_ns();
         let event = bus.receive(until);
         if let Some(last) = last
             && (event == Event::Nothing || Instant::now() >= last)
         {
             return;
         }
-        let heard = Heard { event, dropped: bus.dropped(), now_ns: now_ns() };
+        let now_ns = if event == Event::Nothing { asked } else { now_ns() };
+        let heard = Heard { event, dropped: bus.dropped(), now_ns };
         if tell.send(heard).is_err() {
             return;
         }
     }
 }
 
-fn now_ns() -> i64 {
+pub(super) fn now_ns() -> i64 {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     i64::try_from(since.as_nanos()).unwrap_or(i64::MAX)
 }

@@ -19,48 +19,58 @@ pub(super) struct Lines {
     color: ColorChoice,
     quiet: bool,
     read: bool,
+    failed: Option<Error>,
 }
 
 impl Lines {
     pub(super) fn new(args: &WatchArgs) -> Self {
-        Self { color: args.color, quiet: args.json, read: true }
+        Self { color: args.color, quiet: args.json, read: true, failed: None }
     }
 
-    /// Whether anybody still reads what is printed.
+    /// Whether anybody still reads what is printed, and it can be.
     pub(super) fn is_read(&self) -> bool {
         self.read
     }
 
-    pub(super) fn begin(&mut self, bus: &str, log: Option<&Path>) -> Result<(), Error> {
+    /// Why nothing could be printed any more, unless it is that nobody reads.
+    pub(super) fn finish(self) -> Result<(), Error> {
+        self.failed.map_or(Ok(()), Err)
+    }
+
+    pub(super) fn begin(&mut self, bus: &str, log: Option<&Path>) {
         let recorded = log.map(|log| format!(", recorded in {}", log.display())).unwrap_or_default();
-        self.print(&format!("{bus} is watched{recorded}; Ctrl-C stops\n"))
+        self.print(&format!("{bus} is watched{recorded}; Ctrl-C stops\n"));
     }
 
     /// What the judge found.
-    pub(super) fn news(
-        &mut self,
-        (transitions, findings): (Vec<Transition>, Vec<Finding>),
-    ) -> Result<(), Error> {
-        if transitions.is_empty() && findings.is_empty() {
-            return Ok(());
+    pub(super) fn news(&mut self, (transitions, findings): (Vec<Transition>, Vec<Finding>)) {
+        if !transitions.is_empty() || !findings.is_empty() {
+            self.print(&report::news(&transitions, &findings, output::width()));
         }
-        self.print(&report::news(&transitions, &findings, output::width()))
     }
 
     /// What happened to the bus, at a time since the first frame.
-    pub(super) fn trouble(&mut self, t_ns: i64, trouble: &Trouble) -> Result<(), Error> {
-        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::BAD, trouble)))
+    pub(super) fn trouble(&mut self, t_ns: i64, trouble: &Trouble) {
+        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::BAD, trouble)));
     }
 
-    pub(super) fn up(&mut self, t_ns: i64) -> Result<(), Error> {
-        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::GOOD, "the bus is there again")))
+    pub(super) fn up(&mut self, t_ns: i64) {
+        self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::GOOD, "the bus is there again")));
     }
 
-    fn print(&mut self, text: &str) -> Result<(), Error> {
-        if !self.quiet && self.read {
-            self.read = output::follow(text, self.color)?;
+    fn print(&mut self, text: &str) {
+        if self.quiet || !self.read {
+            return;
         }
-        Ok(())
+        // The run is not over with it: what was heard is still judged and recorded, and then this is told.
+        self.note(output::follow(text, self.color));
+    }
+
+    pub(super) fn note(&mut self, printed: Result<bool, Error>) {
+        self.read = printed.unwrap_or_else(|error| {
+            self.failed = Some(error);
+            false
+        });
     }
 }
 

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use adsdv_can::bus::{Event, Listen};
-use adsdv_can::live::{Traffic, Watch};
+use adsdv_can::live::Watch;
 use adsdv_can::socket;
 use adsdv_oracle::judge::{Options, Report};
 use adsdv_oracle::log::{LogError, LogOptions};
@@ -25,7 +25,7 @@ use crate::error::Error;
 use crate::report::{self, Subject};
 use crate::status::Status;
 use crate::{interrupt, json, output, pins};
-use ears::Ears;
+use ears::{Ears, Heard};
 use lines::Lines;
 use record::Recorder;
 
@@ -40,89 +40,120 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let listener = socket::listen(&args.interface)?;
     let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
     let lines = Lines::new(args);
-    let Watched { watch, recorder, lines } = watch(listener, &options, recorder, lines, &told)?;
+    let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &told)?;
     let log = recorder.map_or(Ok(()), Recorder::finish);
-    let traffic = watch.traffic();
+    let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
     let report = watch.finish().map_err(|error| match error {
         LogError::NoFrame { .. } => Error::silent_bus(&args.interface),
         error => Error::log(&args.interface, &error),
-    })?;
-    if lines.is_read() {
-        summarize(args, &options, &report, traffic)?;
+    });
+    let printed = match &report {
+        Ok(report) if lines.is_read() => {
+            summarize(args, &options, report, &json::Bus { traffic, outages: &outages })
+        }
+        _ => lines.finish(),
+    };
+    // All that went wrong is told, what ended the watching last.
+    let (verdict, report) = match report {
+        Ok(report) => (Some(report.verdict()), Ok(())),
+        Err(error) => (None, Err(error)),
+    };
+    let mut errors: Vec<Error> = [report, log, printed].into_iter().filter_map(Result::err).collect();
+    match (errors.pop(), verdict) {
+        (None, Some(verdict)) => Ok(verdict.into()),
+        (Some(last), _) => {
+            for error in &errors {
+                error.tell();
+            }
+            Err(last)
+        }
+        (None, None) => Ok(Status::Trouble),
     }
-    log?;
-    Ok(report.verdict().into())
 }
 
-/// What there is when watching ends.
+/// What there is while it is watched, and when that ends.
 struct Watched {
+    name: String,
     watch: Watch,
     recorder: Option<Recorder>,
     lines: Lines,
 }
 
-/// Watches until it is told to stop, or nobody reads any more.
+/// Watches until it is told to stop, or nothing can be printed any more.
 fn watch(
     listener: impl Listen + Send + 'static,
     options: &LogOptions,
-    mut recorder: Option<Recorder>,
+    recorder: Option<Recorder>,
     mut lines: Lines,
     told: &AtomicBool,
 ) -> Result<Watched, Error> {
     let name = listener.name().to_owned();
-    let mut watch = Watch::new(&name, options.clone());
+    let watch = Watch::new(&name, options.clone());
     let ears = Ears::start(listener).map_err(|error| Error::system("threads", &error))?;
-    lines.begin(&name, recorder.as_ref().map(Recorder::path))?;
-    while lines.is_read() && !told.load(Ordering::Relaxed) {
+    lines.begin(&name, recorder.as_ref().map(Recorder::path));
+    let mut watched = Watched { name, watch, recorder, lines };
+    while watched.lines.is_read() && !told.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
-        for heard in ears.take() {
-            watch.dropped(heard.dropped);
-            match heard.event {
-                Event::Frame(frame) => {
-                    let frame = watch.frame(&frame);
-                    if let Some(recorder) = &mut recorder {
-                        recorder.frame(&frame.record(&name));
-                    }
-                }
-                Event::Nothing => watch.silence(heard.now_ns),
-                Event::Trouble(trouble) => {
-                    watch.trouble(&trouble);
-                    lines.trouble(watch.since_first(heard.now_ns), &trouble)?;
-                }
-                Event::Up => lines.up(watch.since_first(heard.now_ns))?,
-            }
-        }
-        if let Some(recorder) = &mut recorder {
+        ears.take().into_iter().for_each(|heard| watched.hear(heard));
+        if let Some(recorder) = &mut watched.recorder {
             recorder.flush_now_and_then();
         }
-        lines.news(watch.news())?;
+        watched.tell_news();
     }
     // What the kernel had when it was told to stop is of the run as well.
-    for heard in ears.finish() {
-        if let Event::Frame(frame) = heard.event {
-            watch.dropped(heard.dropped);
-            let frame = watch.frame(&frame);
-            if let Some(recorder) = &mut recorder {
-                recorder.frame(&frame.record(&name));
+    ears.finish().into_iter().for_each(|heard| watched.hear(heard));
+    watched.tell_news();
+    Ok(watched)
+}
+
+impl Watched {
+    fn hear(&mut self, heard: Heard) {
+        let Self { name, watch, recorder, lines } = self;
+        let Heard { event, dropped, now_ns } = heard;
+        if let Some(lost) = watch.dropped(dropped)
+            && let Some(recorder) = recorder
+        {
+            recorder.dropped(&lost);
+        }
+        match event {
+            Event::Frame(frame) => {
+                let frame = watch.frame(&frame);
+                if let Some(recorder) = recorder {
+                    recorder.frame(&frame.record(name));
+                }
+            }
+            Event::Nothing => watch.silence(now_ns),
+            Event::Trouble(trouble) => {
+                watch.trouble(now_ns, &trouble);
+                lines.trouble(watch.since_first(now_ns), &trouble);
+            }
+            Event::Up => {
+                watch.up(now_ns);
+                lines.up(watch.since_first(now_ns));
             }
         }
     }
-    lines.news(watch.news())?;
-    Ok(Watched { watch, recorder, lines })
+
+    fn tell_news(&mut self) {
+        let news = self.watch.news();
+        self.lines.news(news);
+    }
 }
 
-fn summarize(args: &WatchArgs, options: &LogOptions, report: &Report, traffic: Traffic) -> Result<(), Error> {
+fn summarize(
+    args: &WatchArgs,
+    options: &LogOptions,
+    report: &Report,
+    bus: &json::Bus<'_>,
+) -> Result<(), Error> {
     if args.json {
-        return output::plain(&json::text(report));
+        return output::plain(&json::watched(report, bus));
     }
     let subject = Subject { name: &args.interface, options, pins: &args.readings };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),
-        lines::traffic(traffic, report.duration_ns, args.log.as_deref().map(Path::display))
+        lines::traffic(bus.traffic, report.duration_ns, args.log.as_deref().map(Path::display))
     );
     output::styled(&text, args.color)
 }
-
-#[cfg(test)]
-mod tests;

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use adsdv_oracle::candump::{Record, write_record};
+use adsdv_oracle::candump::{Dropped, Record, write_dropped, write_record};
 
 use crate::error::Error;
 
@@ -45,6 +45,15 @@ impl<W: Write> Recorder<W> {
     pub(super) fn frame(&mut self, frame: &Record<'_>) {
         if self.failed.is_none()
             && let Err(error) = write_record(&mut self.out, frame)
+        {
+            self.fail(error);
+        }
+    }
+
+    /// Writes that frames were lost before the next one, so that nobody is blamed for it by whoever judges the log.
+    pub(super) fn dropped(&mut self, dropped: &Dropped<'_>) {
+        if self.failed.is_none()
+            && let Err(error) = write_dropped(&mut self.out, dropped)
         {
             self.fail(error);
         }

@@ -75,3 +75,91 @@ fn trouble_and_dropped_frames_are_in_the_end() {
         "bus: 200 frames/s, at most 2; 12 frames dropped, trouble 1 time; recorded in run.log\n"
     );
 }
+
+#[test]
+fn the_json_of_a_live_bus_keeps_to_its_schema() {
+    let events =
+        [frame(0), Event::Trouble(Trouble::Down), Event::Up, Event::Trouble(Trouble::Gone), frame(10)];
+    let watch = watched(events, 12).watch;
+    let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
+    let report = watch.finish().expect("frames");
+    let text = json::watched(&report, &json::Bus { traffic, outages: &outages });
+    let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
+    let validator = jsonschema::draft202012::new(&schema).expect("a schema");
+    let errors: Vec<_> = validator.iter_errors(&told).map(|error| error.to_string()).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    assert_eq!(told["bus"]["dropped_frames"], 12);
+    assert_eq!(told["bus"]["troubles"].as_array().map(Vec::len), Some(2));
+    assert!(told["bus"]["troubles"][0]["until"].is_number() && told["bus"]["troubles"][1]["until"].is_null());
+    let mut spoiled = told.clone();
+    spoiled["bus"]["extra"] = 1.into();
+    assert!(!validator.is_valid(&spoiled) && !validator.is_valid(&without_bus(&told)));
+
+    // But for the bus it is the report of a log.
+    let check: serde_json::Value = serde_json::from_str(json::CHECK_SCHEMA).expect("JSON");
+    assert!(jsonschema::draft202012::new(&check).expect("a schema").is_valid(&without_bus(&told)));
+    for key in ["state", "transition", "finding", "response"] {
+        assert_eq!(schema["$defs"][key], check["$defs"][key], "{key}");
+    }
+}
+
+fn without_bus(told: &serde_json::Value) -> serde_json::Value {
+    let mut report = told.clone();
+    report.as_object_mut().map(|report| report.remove("bus"));
+    report
+}
+
+#[test]
+fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
+    let told = Arc::new(AtomicBool::new(false));
+    let script = Script((0..5000).map(frame).collect(), Arc::clone(&told), Arc::new(Mutex::new(3)));
+    let log = std::env::temp_dir().join(format!("adsdv-watch-{}.log", std::process::id()));
+    let recorder = Recorder::create(&log).expect("a file");
+    let mut lines = Lines::new(&args(&["--json"]));
+    lines.note(Err(Error::output(&std::io::ErrorKind::StorageFull.into())));
+    let watched = watch(script, &LogOptions::default(), Some(recorder), lines, &told).expect("it watches");
+    assert!(watched.recorder.is_some_and(|recorder| recorder.finish().is_ok()));
+    let text = std::fs::read_to_string(&log).expect("the log");
+    _ = std::fs::remove_file(&log);
+    assert!(
+        text.starts_with("DROPCOUNT: dropped 3 CAN frames on 'script0' socket (total drops 3)\n"),
+        "{text:.80}"
+    );
+    // All that was heard, and as much as was judged: the thread that listens may have been stopped early.
+    assert_eq!(text.lines().count() as u64, watched.watch.traffic().frames + 1);
+    assert!(watched.watch.traffic().frames > 0);
+    let error = watched.lines.finish().expect_err("the output failed").to_string();
+    assert!(error.starts_with("standard output: "), "{error}");
+}
+
+/// A bus on which nothing comes, and behind whose waiting the thread is held up.
+struct HeldUp(Arc<Mutex<Vec<i64>>>);
+
+impl Listen for HeldUp {
+    fn name(&self) -> &'static str {
+        "script0"
+    }
+
+    fn receive(&mut self, _: Instant) -> Event {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(ears::now_ns());
+        thread::sleep(Duration::from_millis(20));
+        Event::Nothing
+    }
+
+    fn dropped(&self) -> u64 {
+        0
+    }
+}
+
+#[test]
+fn silence_is_told_for_the_time_before_the_waiting() {
+    let asked = Arc::new(Mutex::new(Vec::new()));
+    let ears = Ears::start(HeldUp(Arc::clone(&asked))).expect("a thread");
+    let heard = std::iter::repeat_with(|| ears.take()).flatten().take(3).collect::<Vec<_>>();
+    let asked = asked.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    for (heard, asked) in heard.iter().zip(asked) {
+        assert!(heard.now_ns <= asked, "{} ns after it was asked", heard.now_ns - asked);
+    }
+    drop(ears.finish());
+}

@@ -25,6 +25,11 @@ fn refused(outcome: &Outcome, error: &str, hint: &str) {
     assert!(last.starts_with("hint: ") && last.contains(hint), "{}", outcome.stderr);
 }
 
+/// What is printed, however its lines are broken.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn a_whole_mission_conforms() {
     let demo = run(&["demo"]);
@@ -104,7 +109,10 @@ fn a_scenario_from_standard_input() {
     let output = child.wait_with_output().expect("the command ends");
     let told = String::from_utf8(output.stdout).expect("text");
     assert_eq!(output.status.code(), Some(0), "{told}");
-    assert!(told.contains("-> AS_READY") && told.contains("standard input, "), "{told}");
+    assert!(
+        told.contains("-> AS_READY") && one_line(&told).contains("the scenario on standard input, "),
+        "{told}"
+    );
 }
 
 #[test]
@@ -112,7 +120,7 @@ fn a_scenario_with_mistakes_tells_all_of_them() {
     let bad = temporary("demo-bad.txt", b"0 asms up\n\n1 horn\nAS_READY +1 end\n");
     let log = place("demo-bad.log");
     let outcome = run(&["demo", "--scenario", text(&bad), "--log", text(&log)]);
-    refused(&outcome, "demo-bad.txt: is no scenario\n", "can/README.md");
+    refused(&outcome, "demo-bad.txt: is no scenario\n", "adsdv demo --help");
     let lines: Vec<&str> = outcome.stderr.lines().collect();
     assert_eq!(lines[1], "line 1, column 8: found \"up\", expected asms to be off or on");
     assert!(
@@ -127,21 +135,27 @@ fn a_scenario_that_cannot_be_read() {
     refused(
         &run(&["demo", "--scenario", "no-such.txt"]),
         "no-such.txt: cannot open the scenario: ",
-        "check the path",
+        "these come with adsdv: mission, go-too-early, ",
     );
     refused(
         &run(&["demo", "--scenario", "can"]),
         "can: is a directory; expected a scenario",
-        "can/scenarios",
+        "adsdv demo --help",
     );
     refused(
         &run(&["demo", "--scenario", "/dev/null"]),
         "line 1, column 1: found nothing, expected a line such as",
-        "can/README.md",
+        "adsdv demo --help",
     );
     let folder = File::open(workspace()).expect("the workspace");
     let given = outcome(adsdv(&["demo", "--scenario", "-"]).stdin(folder));
-    refused(&given, "standard input: is a directory; expected a scenario", "can/scenarios");
+    refused(&given, "standard input: is a directory; expected a scenario", "adsdv demo --help");
+    #[cfg(target_os = "linux")]
+    refused(
+        &run(&["demo", "--scenario", "/dev/zero"]),
+        "/dev/zero: is longer than 4194304 bytes; expected a scenario",
+        "adsdv demo --help",
+    );
 }
 
 #[test]
@@ -150,11 +164,83 @@ fn a_scenario_that_waits_for_ever_is_told_with_its_line() {
     let log = place("demo-waits.log");
     let outcome = run(&["demo", "--scenario", text(&waits), "--log", text(&log)]);
     let expected = "demo-waits.txt: line 2: expected AS_READY, found AS_OFF after 600 s; AS_READY (section 3.1) still needs: \
-                    EBS_state == ARMED";
+                    EBS_state == ARMED\n\nOPERATOR until then\n     0.000 s  asms on, tsms on, ami SKIDPAD\n\n";
     refused(&outcome, expected, "in a line before that one");
     // What happened until then is in the log.
-    assert!(fs::read(&log).is_ok_and(|log| log.len() > 1_000_000 && log.ends_with(b"\n")));
+    let written = fs::read(&log).expect("the log");
+    assert!(written.len() > 1_000_000 && written.ends_with(b"\n"));
+    let frames = written.split(|&byte| byte == b'\n').count() - 1;
+    let told = format!("demo-waits.log has the run until then: 600.000 s, {frames} frames\n");
+    assert!(outcome.stderr.contains(&told), "{told}{}", outcome.stderr);
     fs::remove_file(&log).expect("it is ours");
+    // Nothing was done, and no log was asked for.
+    let waits = temporary("demo-waits-idly.txt", b"AS_READY end\n");
+    let outcome = run(&["demo", "--scenario", text(&waits)]);
+    refused(&outcome, "\nOPERATOR until then\n  nothing\n", "in a line before that one");
+    assert!(!outcome.stderr.contains("has the run"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_scenario_that_does_nothing_says_so() {
+    let idle = temporary("demo-idle.txt", b"1 end\n");
+    let demo = run(&["demo", "--scenario", text(&idle)]);
+    assert_eq!(demo.status, Some(0), "{}", demo.stderr);
+    assert!(demo.stdout.contains("\nOPERATOR\n  nothing\n\n"), "{}", demo.stdout);
+}
+
+#[test]
+fn the_scenarios_that_come_with_it_have_names() {
+    for name in ["mission", "go-lost", "go-too-early", "remote-estop", "power-cycle"] {
+        let file = run(&["demo", "--json", "--scenario", &format!("can/scenarios/{name}.txt")]);
+        let named = run(&["demo", "--json", "--scenario", name]);
+        assert_eq!((named.status, named.stderr.as_str()), (Some(0), ""));
+        assert_eq!(named.stdout, file.stdout, "{name}");
+    }
+    let demo = run(&["demo", "--scenario", "go-lost"]);
+    assert!(
+        one_line(&demo.stdout).contains("within this program: the built-in scenario go-lost, "),
+        "{}",
+        demo.stdout
+    );
+    refused(&run(&["demo", "--scenario", "./go-lost"]), "./go-lost: cannot open the scenario", "go-lost");
+}
+
+/// The help is all that somebody has who installed the program: every file that it names is one that it has made before.
+#[test]
+fn the_help_is_enough_to_write_a_scenario() {
+    let help = run(&["demo", "--help"]).stdout;
+    assert!(!help.contains("can/"), "there is no such folder: {help}");
+    for part in
+        ["asms off|on", "TRACK_DRIVE", "AS_READY +5.5 ", "after 600 s", "stops 1 s after the last line"]
+    {
+        assert!(one_line(&help).contains(part.trim()), "{part:?}: {help}");
+    }
+    let (_, example) = help.split_once("printf '").expect("an example");
+    let (scenario, _) = example.split_once('\'').expect("its end");
+    let own = temporary("demo-help.txt", scenario.replace("\\n", "\n").as_bytes());
+    let demo = run(&["demo", "--scenario", text(&own)]);
+    assert_eq!((demo.status, demo.stderr.as_str()), (Some(0), ""));
+    assert!(
+        one_line(&demo.stdout).contains(" 3.1 justified ") && !demo.stdout.contains("not certain"),
+        "{}",
+        demo.stdout
+    );
+    for option in ["--scenario remote-estop", "--log demo.log"] {
+        assert!(help.contains(&format!("adsdv demo {option}\n")), "{option}: {help}");
+    }
+}
+
+#[test]
+fn a_screen_writes_no_log() {
+    let log = place("demo-screen.log");
+    for option in [&["--log", text(&log)][..], &["--json"]] {
+        let outcome = run(&[&["demo", "--screen"], option].concat());
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains("cannot be used with"), "{}", outcome.stderr);
+    }
+    assert!(!log.exists());
+    // Here is no terminal.
+    refused(&run(&["demo", "--screen"]), "the screen needs a terminal", "run it in a terminal");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What happened, the latest at the bottom, and what the scenario does next.
 
+use adsdv_can::bus::Trouble;
 use adsdv_can::status::{Happening, Status, What};
 use adsdv_spec::messages::AsState;
 use ratatui::style::Style;
@@ -77,11 +78,19 @@ pub(crate) fn words(what: &What) -> String {
             format!("{} -> {}{clause}{why}", name(from), name(to))
         }
         What::Did(action) => format!("operator: {action}"),
-        What::Refused(why) => format!("frame of the AI Computer refused: {why}"),
+        What::Refused(why) => format!("frame refused: {why}"),
         What::OtherVcu(what) | What::OtherAi(what) => what.clone(),
         What::ErrorFrame(what) => format!("error frame: {what}"),
+        What::Trouble(Trouble::Full) => {
+            format!("{}; a longer queue: ip link set IFACE txqueuelen 1000", Trouble::Full)
+        }
         What::Trouble(trouble) => trouble.to_string(),
-        What::Up => "the interface is up again".to_owned(),
+        What::Up => "the bus is there again".to_owned(),
+        What::Dropped { frames, small_buffer } => {
+            let more = "; for more room: sysctl -w net.core.rmem_max=8388608";
+            let more = if *small_buffer { more } else { "" };
+            format!("{} lost, not taken in time{more}", counted(*frames, "frame"))
+        }
         What::Late(cycles) => format!("late: {} left out", counted(*cycles, "cycle")),
         What::AiHeard => "the AI Computer is heard".to_owned(),
         What::AiSilent => "the AI Computer has fallen silent".to_owned(),
@@ -98,6 +107,7 @@ fn style(what: &What, theme: Theme) -> Style {
         | What::OtherVcu(_)
         | What::OtherAi(_)
         | What::ErrorFrame(_)
+        | What::Dropped { .. }
         | What::Late(_)
         | What::AiSilent => theme.care(),
     }
@@ -109,8 +119,6 @@ fn to_u64(count: usize) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_can::bus::Trouble;
-
     use super::*;
 
     fn status(happened: impl IntoIterator<Item = What>) -> Status {
@@ -141,7 +149,7 @@ mod tests {
         let (lines, _) = seen(&status([What::Refused(why.to_owned())]), 9, 0);
         assert!(lines.len() > 2 && lines.iter().all(|line| line.chars().count() <= 40), "{lines:#?}");
         let text: Vec<&str> = lines.iter().flat_map(|line| line.split_whitespace()).skip(2).collect();
-        assert_eq!(text.join(" "), format!("frame of the AI Computer refused: {why}"));
+        assert_eq!(text.join(" "), format!("frame refused: {why}"));
     }
 
     #[test]
@@ -156,6 +164,16 @@ mod tests {
             (What::OtherVcu("somebody else sends 520h".to_owned()), "somebody else sends 520h"),
             (What::ErrorFrame("bus-off".to_owned()), "error frame: bus-off"),
             (What::Trouble(Trouble::Down), "the interface is down"),
+            (
+                What::Trouble(Trouble::Full),
+                "the bus does not take frames: the queue is full; a longer queue: ip link set IFACE txqueuelen 1000",
+            ),
+            (What::Up, "the bus is there again"),
+            (What::Dropped { frames: 1, small_buffer: false }, "1 frame lost, not taken in time"),
+            (
+                What::Dropped { frames: 7, small_buffer: true },
+                "7 frames lost, not taken in time; for more room: sysctl -w net.core.rmem_max=8388608",
+            ),
             (What::Late(1), "late: 1 cycle left out"),
         ] {
             assert_eq!(words(&what), expected);

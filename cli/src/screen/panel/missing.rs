@@ -1,11 +1,12 @@
-//! What is still missing before AS_DRIVING.
+//! What is still missing before AS_DRIVING, or before the way there is open again.
 
-use adsdv_can::car::Missing;
+use adsdv_can::car::{Condition, Missing};
 use adsdv_can::status::Status;
 use adsdv_spec::messages::AsState;
 use ratatui::text::{Line, Span};
 
 use super::spaced;
+use crate::screen::keys::Key;
 use crate::screen::theme::{QUIET, STRONG, Theme};
 
 /// All conditions hold.
@@ -29,13 +30,13 @@ pub(in crate::screen) fn lines(
     let Some(missing) = &status.missing else {
         return vec![Line::styled(without(status), QUIET)];
     };
-    if missing.conditions.len() > height {
+    if count(missing) > height {
         return spaced(pieces(missing, theme), " ", width);
     }
-    if missing.conditions.is_empty() {
+    if count(missing) == 0 {
         return vec![Line::styled(NOTHING, theme.good())];
     }
-    missing.conditions.iter().map(|&condition| Line::styled(condition, theme.care())).collect()
+    texts(missing).map(|text| Line::styled(text, theme.care())).collect()
 }
 
 /// All in a row, and no rule above it; nothing where nothing can be missing.
@@ -45,7 +46,7 @@ pub(in crate::screen) fn in_a_row(status: &Status, theme: Theme, width: usize) -
     };
     let mut all = vec![vec![Span::styled(format!("Missing for {}", missing.to), STRONG)]];
     all.extend(pieces(missing, theme));
-    if missing.conditions.is_empty() {
+    if count(missing) == 0 {
         all.push(vec![Span::styled(NOTHING, theme.good())]);
     }
     spaced(all, " ", width)
@@ -53,16 +54,33 @@ pub(in crate::screen) fn in_a_row(status: &Status, theme: Theme, width: usize) -
 
 /// The height at which each condition has a line.
 pub(in crate::screen) fn height(status: &Status) -> usize {
-    status.missing.as_ref().map_or(0, |missing| missing.conditions.len())
+    status.missing.as_ref().map_or(0, count)
+}
+
+fn count(missing: &Missing) -> usize {
+    texts(missing).count()
+}
+
+/// What is missing, each with its key where a key does it.
+fn texts(missing: &Missing) -> impl Iterator<Item = String> {
+    let conditions = missing.conditions.iter().map(text);
+    conditions.chain(missing.then.iter().map(|condition| format!("then {}", text(condition))))
+}
+
+fn text(condition: &Condition) -> String {
+    match condition.action.and_then(Key::of) {
+        Some(key) => format!("{condition} ({})", key.stroke),
+        None => condition.to_string(),
+    }
 }
 
 fn pieces(missing: &Missing, theme: Theme) -> Vec<Vec<Span<'static>>> {
-    let count = missing.conditions.len();
-    let piece = |(&condition, place)| {
+    let count = count(missing);
+    let piece = |(text, place)| {
         let comma = if place == count { "" } else { "," };
-        vec![Span::styled(format!("{condition}{comma}"), theme.care())]
+        vec![Span::styled(format!("{text}{comma}"), theme.care())]
     };
-    missing.conditions.iter().zip(1..).map(piece).collect()
+    texts(missing).zip(1..).map(piece).collect()
 }
 
 /// Why nothing is missing.
