@@ -22,6 +22,8 @@ mod golden;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
+mod simulated;
+#[cfg(test)]
 mod svg;
 
 use adsdv_can::car::{Action, Switch};

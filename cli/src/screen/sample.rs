@@ -121,8 +121,8 @@ pub(super) fn driving() -> Status {
                     off,
                     ready,
                     "3.1",
-                    "SDC closed, AS master switch ON, TS master switch ON, AMI mission selected, \
-                     MISSION_STATUS == SELECTED, EBS_state == ARMED",
+                    "AS master switch ON, TS master switch ON, AMI mission selected, \
+                     MISSION_STATUS == SELECTED, EBS_state == ARMED, no power cycle needed",
                 ),
             ),
             (9_180, did("go on")),
@@ -166,7 +166,7 @@ pub(super) fn emergency() -> Status {
     let (driving, emergency) = (Some(AsState::Driving), Some(AsState::EmergencyBrake));
     status.happened.extend(happenings([
         (25_000, did("remote_estop on")),
-        (25_010, changed(driving, emergency, "3.5", "SDC open")),
+        (25_010, changed(driving, emergency, "3.7", "SDC open")),
         (25_020, What::Refused("513h: STEER_REQUEST cannot be 24.1 deg (raw 241), allowed: -24.0 to 24.0 deg in steps of 0.1 (raw -240 to 240)".to_owned())),
         (25_030, What::OtherVcu("somebody else sends 520h, which is the VCU's".to_owned())),
         (25_100, What::AiSilent),

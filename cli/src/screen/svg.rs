@@ -1,12 +1,13 @@
 //! A picture of the screen, for the README.
 
 use std::fmt::Write as _;
+use std::time::Duration;
 
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 
 use super::golden::{compare, drawn};
-use super::{Screen, sample};
+use super::{Screen, simulated};
 
 /// A cell, in pixels: the font's size makes its letters as wide.
 const CELL: (usize, usize) = (8, 17);
@@ -18,7 +19,7 @@ const DIM: &str = "#7b8494";
 
 #[test]
 fn screenshot() {
-    let (buffer, _) = drawn(&sample::driving(), &Screen::new(true), 100, 30);
+    let (buffer, _) = drawn(&simulated::mission(Duration::from_millis(12_500)), &Screen::new(true), 100, 30);
     compare("../docs/screen.svg", &svg(&buffer));
 }
 
