@@ -51,15 +51,15 @@ pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Trouble
     match (folders.next(), folders.next(), form) {
         (_, Some("tests"), Form::Comment) => Ok(Kind::Test),
         (Some("proofs"), Some("src"), _) | (Some("model"), Some("src"), Form::Data) => Ok(Kind::Proof),
-        // The reference AI Computer and the operator of the closed model do what binds those two.
-        (Some("spec" | "oracle" | "cli" | "model"), Some("src"), Form::Comment) => {
+        // The AI Computers of the closed model and of the virtual bus, and the operator, do what binds these.
+        (Some("spec" | "oracle" | "can" | "cli" | "model"), Some("src"), Form::Comment) => {
             let only_tests = path.ends_with("/tests.rs");
             Ok(if in_tests || only_tests { Kind::Test } else { Kind::Implementation })
         }
         _ => Err(Trouble::new(
             format!("{} does not count here", form.name()),
-            "//= in src of spec, oracle, cli or model, or in tests of any crate; `/// Requirements:` in src of \
-             proofs; `requirements: &[..]` in src of model or proofs",
+            "//= in src of spec, oracle, can, cli or model, or in tests of any crate; `/// Requirements:` in src \
+             of proofs; `requirements: &[..]` in src of model or proofs",
         )),
     }
 }
@@ -74,6 +74,7 @@ mod tests {
         for (path, form, in_tests, kind) in [
             ("spec/src/messages/ai.rs", Comment, false, Some(Kind::Implementation)),
             ("model/src/closed/ai.rs", Comment, false, Some(Kind::Implementation)),
+            ("can/src/ai/mod.rs", Comment, false, Some(Kind::Implementation)),
             ("model/src/closed/ai.rs", Comment, true, Some(Kind::Test)),
             ("model/src/closed/properties.rs", Data, false, Some(Kind::Proof)),
             ("oracle/src/candump/tests.rs", Comment, false, Some(Kind::Test)),
