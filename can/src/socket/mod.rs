@@ -25,6 +25,11 @@ mod raw;
 pub use error::OpenError;
 pub use link::{CanBus, Listener, error_text};
 
+/// What the kernel may keep for us, in bytes: it counts less than 1 kB for a frame, so that this is some 10 000 frames, a
+/// quarter of a second of ten times a full bus of 500 kbit/s. It grants a program without privileges
+/// no more than `net.core.rmem_max`.
+pub const RECEIVE_BUFFER: usize = 8 << 20;
+
 /// Opens a CAN interface that is up, to send to and to receive from.
 ///
 /// ```no_run

@@ -13,12 +13,8 @@ use nix::sys::socket::{ControlMessageOwned, MsgFlags, getsockopt, recvmsg, setso
 use nix::sys::time::TimeSpec;
 use socketcan::{CanDataFrame, CanSocket, EmbeddedFrame as _, Socket as _, SocketOptions as _, StandardId};
 
+use super::RECEIVE_BUFFER;
 use crate::bus::Received;
-
-/// What the kernel may keep for us, in bytes: it counts less than 1 kB for a frame, so that this is some 10 000 frames, a
-/// quarter of a second of ten times a full bus of 500 kbit/s. It grants a program without privileges
-/// no more than `net.core.rmem_max`.
-const BUFFER: usize = 8 << 20;
 
 /// The bytes of `struct can_frame`: identifier and flags, length, three that do not count, and the data.
 const FRAME_BYTES: usize = 16;
@@ -55,7 +51,7 @@ impl Raw {
         socket.set_error_filter_accept_all()?;
         setsockopt(&socket, sockopt::ReceiveTimestampns, &true)?;
         setsockopt(&socket, sockopt::RxqOvfl, &1)?;
-        let small_buffer = enlarge(&socket) < BUFFER;
+        let small_buffer = enlarge(&socket) < RECEIVE_BUFFER;
         Ok(Self { socket, control: cmsg_space!(TimeSpec, u32), dropped: 0, small_buffer })
     }
 
@@ -132,9 +128,9 @@ impl Raw {
 /// Asks for a large buffer, with privileges if there are any, and tells how much was granted, in bytes. A small one is no reason
 /// to fail: what it costs is counted.
 fn enlarge(socket: &CanSocket) -> usize {
-    if setsockopt(socket, sockopt::RcvBufForce, &BUFFER).is_err() {
+    if setsockopt(socket, sockopt::RcvBufForce, &RECEIVE_BUFFER).is_err() {
         // More than `net.core.rmem_max` is no error: that much is granted.
-        let _ = setsockopt(socket, sockopt::RcvBuf, &BUFFER);
+        let _ = setsockopt(socket, sockopt::RcvBuf, &RECEIVE_BUFFER);
     }
     getsockopt(socket, sockopt::RcvBuf).unwrap_or_default()
 }

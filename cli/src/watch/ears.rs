@@ -82,14 +82,14 @@ fn listen(mut bus: impl Listen, tell: &SyncSender<Heard>, stop: &AtomicBool) {
         // A thread may be held up behind the waiting as well, while frames come.
         let asked = now_ns();
         let event = bus.receive(until);
-        if let Some(last) = last
-            && (event == Event::Nothing || Instant::now() >= last)
-        {
+        let nothing = event == Event::Nothing;
+        if nothing && last.is_some() {
             return;
         }
-        let now_ns = if event == Event::Nothing { asked } else { now_ns() };
+        let now_ns = if nothing { asked } else { now_ns() };
         let heard = Heard { event, dropped: bus.dropped(), now_ns };
-        if tell.send(heard).is_err() {
+        // What was taken from the bus is told, however late it is.
+        if tell.send(heard).is_err() || last.is_some_and(|last| Instant::now() >= last) {
             return;
         }
     }

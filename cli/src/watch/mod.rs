@@ -10,6 +10,8 @@
 mod ears;
 mod lines;
 mod record;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -163,3 +163,29 @@ fn silence_is_told_for_the_time_before_the_waiting() {
     }
     drop(ears.finish());
 }
+
+/// A bus on which there is always a frame.
+struct Endless(Arc<Mutex<usize>>);
+
+impl Listen for Endless {
+    fn name(&self) -> &'static str {
+        "script0"
+    }
+
+    fn receive(&mut self, _: Instant) -> Event {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) += 1;
+        thread::sleep(Duration::from_millis(1));
+        frame(0)
+    }
+
+    fn dropped(&self) -> u64 {
+        0
+    }
+}
+
+#[test]
+fn what_was_taken_from_a_bus_without_end_is_told() {
+    let taken = Arc::new(Mutex::new(0));
+    let heard = Ears::start(Endless(Arc::clone(&taken))).expect("a thread").finish();
+    assert_eq!(heard.len(), *taken.lock().unwrap_or_else(PoisonError::into_inner));
+}

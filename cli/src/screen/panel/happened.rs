@@ -1,6 +1,7 @@
 //! What happened, the latest at the bottom, and what the scenario does next.
 
 use adsdv_can::bus::Trouble;
+use adsdv_can::socket::RECEIVE_BUFFER;
 use adsdv_can::status::{Happening, Status, What};
 use adsdv_spec::messages::AsState;
 use ratatui::style::Style;
@@ -87,9 +88,12 @@ pub(crate) fn words(what: &What) -> String {
         What::Trouble(trouble) => trouble.to_string(),
         What::Up => "the bus is there again".to_owned(),
         What::Dropped { frames, small_buffer } => {
-            let more = "; for more room: sysctl -w net.core.rmem_max=8388608";
-            let more = if *small_buffer { more } else { "" };
-            format!("{} lost, not taken in time{more}", counted(*frames, "frame"))
+            let mut lost = format!("{} lost, not taken in time", counted(*frames, "frame"));
+            if *small_buffer {
+                lost += "; for more room: sysctl -w net.core.rmem_max=";
+                lost += &RECEIVE_BUFFER.to_string();
+            }
+            lost
         }
         What::Late(cycles) => format!("late: {} left out", counted(*cycles, "cycle")),
         What::AiHeard => "the AI Computer is heard".to_owned(),
