@@ -63,6 +63,6 @@ impl Handshake {
 
 /// A timer that counts up and stays at its limit.
 pub(crate) const fn count_up(timer_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
-    let sum = (timer_ms as u32).saturating_add(dt_ms);
-    if sum < limit_ms as u32 { sum as u16 } else { limit_ms }
+    let left = (limit_ms.saturating_sub(timer_ms) as u32).saturating_sub(dt_ms);
+    limit_ms - left as u16
 }

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{
     AsState, DirectionRequest, MissionStatus, ShutdownCause, Vcu2AiStatus, Vcu2AiWheelSpeeds, WheelSpeed,
 };
-use adsdv_spec::{Choice, Control, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Control, Fault, Inputs, Interface, Machine, Readings};
 
 /// Sets off a fault.
 type Cause = fn(&mut Inputs);
@@ -62,6 +62,21 @@ fn from(state: AsState, cause: Cause) -> (Control, Vcu2AiStatus) {
 }
 
 const ACTIVE: [AsState; 3] = [AsState::Ready, AsState::Driving, AsState::Finished];
+
+//= D-12, D-14
+#[test]
+fn two_causes_open_the_shutdown_circuit_as_one_does() {
+    for (one, first) in OPENING {
+        for (other, second) in OPENING {
+            let mut inputs = driving();
+            first(&mut inputs);
+            second(&mut inputs);
+            assert!(inputs.faults().has(Fault::HvilOpenFault), "{one} and {other}");
+            inputs.reports.hvil_open = true;
+            assert!(inputs.faults().has(Fault::HvilOpenFault), "{one} and {other}, and an open HVIL");
+        }
+    }
+}
 
 //= RTE-1, DTE-1, FTE-1, D-12, D-14
 #[test]

@@ -6,7 +6,7 @@ use adsdv_spec::messages::{
     Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
-use adsdv_spec::{Actuation, Assi, Control, Inputs, Machine, Outputs};
+use adsdv_spec::{Actuation, Assi, Atom, Control, Inputs, Machine, Outputs};
 
 /// Inputs under which every state stays, with requests and measurements of which no two are the same.
 fn busy() -> Inputs {
@@ -59,6 +59,20 @@ fn in_state(state: AsState, inputs: &Inputs) -> Outputs {
     let (_, outputs) = Machine::REFERENCE.step(&Control { state, ..Control::INITIAL }, inputs, 10);
     assert_eq!(outputs.state, state, "the inputs lead out of it");
     outputs
+}
+
+//= SM-1
+#[test]
+fn a_step_tells_the_arrow_and_the_alternative_that_it_took() {
+    let vcu = Machine::REFERENCE;
+    let inputs = Inputs { go: false, ..busy() };
+    let (_, outputs) = vcu.step(&Control { state: AsState::Driving, ..Control::INITIAL }, &inputs, 10);
+    let (row, term) = (outputs.row(&vcu).expect("an arrow"), outputs.term(&vcu).expect("an alternative"));
+    assert_eq!((row.clause, row.from, row.to), ("3.7", AsState::Driving, AsState::EmergencyBrake));
+    assert!(row.terms().contains(term));
+    assert_eq!(term.conditions().collect::<Vec<_>>(), [(Atom::GoOn, false)]);
+    let stays = in_state(AsState::Driving, &busy());
+    assert_eq!((stays.row(&vcu), stays.term(&vcu)), (None, None));
 }
 
 //= SM-3
