@@ -2,43 +2,21 @@
 //!
 //! `cargo +nightly miri test -p adsdv-ffi --test any_bits` watches it.
 
+mod c_border;
 mod common;
 
 use std::ffi::c_char;
-use std::mem::{MaybeUninit, size_of};
+use std::mem::size_of;
 use std::ptr::{null, null_mut};
 
 use adsdv::adsdv_status::*;
 use adsdv::*;
-use adsdv_tests::world::Random;
+use adsdv_tests::world::{Chance, Random};
+use c_border::{AnyBits, spoil, zero};
 use common::{no_error, text};
 
-/// Structs of numbers only: any bytes are one.
-trait AnyBits: Copy {}
-impl AnyBits for adsdv_machine {}
-impl AnyBits for adsdv_control {}
-impl AnyBits for adsdv_inputs {}
-impl AnyBits for adsdv_outputs {}
-impl AnyBits for adsdv_frame {}
-impl AnyBits for adsdv_signal {}
-impl AnyBits for adsdv_message {}
-impl AnyBits for adsdv_reading {}
-impl AnyBits for adsdv_error {}
-
 fn any<T: AnyBits>(random: &mut Random) -> T {
-    let mut value = MaybeUninit::<T>::uninit();
-    for place in 0..size_of::<T>() {
-        let byte = random.bits().to_le_bytes()[0];
-        // SAFETY: the byte is one of the value's.
-        unsafe { value.as_mut_ptr().cast::<u8>().add(place).write(byte) };
-    }
-    // SAFETY: all its bytes are there, and any are a value.
-    unsafe { value.assume_init() }
-}
-
-fn zero<T: AnyBits>() -> T {
-    // SAFETY: any bytes are a value.
-    unsafe { MaybeUninit::zeroed().assume_init() }
+    c_border::any(|| random.bits().to_le_bytes()[0])
 }
 
 /// Few enough for an interpreter, too.
@@ -63,13 +41,7 @@ fn any_bits_are_a_step_or_an_error() {
                 adsdv_inputs_init(&raw mut inputs, &raw mut error);
             }
             let field = random.below(size_of::<adsdv_inputs>() as u64 - 1);
-            // SAFETY: the byte is one of the inputs'.
-            unsafe {
-                (&raw mut inputs)
-                    .cast::<u8>()
-                    .add(usize::try_from(field).unwrap())
-                    .write(random.bits().to_le_bytes()[0]);
-            }
+            spoil(&mut inputs, usize::try_from(field).unwrap(), random.bits().to_le_bytes()[0]);
         }
         let machine = if right { null() } else { &raw const machine };
         let dt_ms = u32::try_from(random.bits() >> 32).unwrap();

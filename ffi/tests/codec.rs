@@ -9,7 +9,7 @@ use adsdv::adsdv_status::{self, *};
 use adsdv::*;
 use adsdv_spec::messages::{AnyMessage, DecodeError, MESSAGES, Node, SignalDef};
 use adsdv_spec::{Choice, Readings, is_reserved};
-use adsdv_tests::world::Random;
+use adsdv_tests::world::{Chance, Random};
 use common::{outcome, text};
 
 fn message_at(index: usize) -> Result<adsdv_message, (adsdv_status, String)> {

@@ -85,6 +85,9 @@ pub struct Progress {
 /// A log can name any number of interfaces; the first few tell enough.
 const MAX_INTERFACES: usize = 64;
 
+/// So many frames may be of one moment in a log whose times are coarse.
+const TIMELESS: u64 = 100;
+
 /// How many lines are read between two calls of the progress function.
 const PROGRESS_LINES: u64 = 1 << 16;
 
@@ -105,26 +108,72 @@ const PROGRESS_LINES: u64 = 1 << 16;
 pub fn judge_log(
     source: impl Read,
     options: &LogOptions,
-    mut progress: impl FnMut(Progress),
+    progress: impl FnMut(Progress),
 ) -> Result<Report, LogError> {
+    match judge_readable(source, options, progress)? {
+        (report, None) => Ok(report),
+        (_, Some(error)) => Err(LogError::Read(error)),
+    }
+}
+
+/// Judges as much of a log as can be read: where the source fails in the middle, the report of what came before, which has a
+/// warning that says so, and the failure.
+///
+/// ```
+/// use std::io::Read;
+///
+/// use adsdv_oracle::log::{LogOptions, judge_readable};
+///
+/// /// A disk that fails.
+/// struct Failing;
+///
+/// impl Read for Failing {
+///     fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+///         Err(std::io::ErrorKind::TimedOut.into())
+///     }
+/// }
+///
+/// let log = "(1.000000) can0 520#0000010000000000\n(1.010000) can0 520#0000020000000000\n";
+/// let (report, failure) = judge_readable(log.as_bytes().chain(Failing), &LogOptions::default(), |_| {})?;
+/// assert_eq!((report.frames, report.transitions.len()), (2, 1));
+/// assert_eq!(failure.map(|failure| failure.line), Some(2));
+/// # Ok::<(), adsdv_oracle::log::LogError>(())
+/// ```
+///
+/// # Errors
+///
+/// Fails if the source does before the first frame, or if the log holds no frame at all.
+pub fn judge_readable(
+    source: impl Read,
+    options: &LogOptions,
+    mut progress: impl FnMut(Progress),
+) -> Result<(Report, Option<ReadError>), LogError> {
     let mut reader = Reader::new(source);
     let mut log = LogJudge::new(options.clone());
     let mut next_progress = PROGRESS_LINES;
-    loop {
-        match reader.next_record().map_err(LogError::Read)? {
-            Some(Entry::Frame(record)) => {
+    let failure = loop {
+        let entry = match reader.next_record() {
+            Ok(Some(entry)) => entry,
+            Ok(None) => break None,
+            Err(error) if log.frames == 0 => return Err(LogError::Read(error)),
+            Err(error) => break Some(error),
+        };
+        match entry {
+            Entry::Frame(record) => {
                 if record.line >= next_progress {
                     next_progress = record.line + PROGRESS_LINES;
                     progress(Progress { lines: record.line });
                 }
                 log.frame(&record);
             }
-            Some(Entry::Dropped(dropped)) => log.dropped(&dropped),
-            Some(Entry::Broken(error)) => log.broken(error),
-            None => break,
+            Entry::Dropped(dropped) => log.dropped(&dropped),
+            Entry::Broken(error) => log.broken(error),
         }
+    };
+    if let Some(error) = &failure {
+        log.warn(Rule::BrokenLine, error.to_string());
     }
-    log.finish(reader.line())
+    Ok((log.finish(reader.line())?, failure))
 }
 
 /// The judge of a log that is told frame by frame; [`judge_log`] reads one with it.
@@ -218,7 +267,7 @@ impl LogJudge {
     #[inline]
     pub fn frame(&mut self, record: &Record<'_>) {
         self.frames += 1;
-        let t = record.time_ns - *self.origin.get_or_insert(record.time_ns);
+        let t = record.time_ns.saturating_sub(*self.origin.get_or_insert(record.time_ns));
         let ours = match &self.interface {
             Some(interface) => interface == record.interface,
             None => self.choose(record),
@@ -274,7 +323,7 @@ impl LogJudge {
             "line {}: the log ends in the middle of frame {:03X}h; expected a line feed at its end",
             record.line, record.id
         );
-        self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, message);
+        self.warn(Rule::BrokenLine, message);
     }
 
     /// Uses the direction of a frame: whether the log was recorded by the AI Computer, and sent by it what only others
@@ -320,10 +369,14 @@ impl LogJudge {
         self.judge.news()
     }
 
+    fn warn(&mut self, rule: Rule, message: String) {
+        self.judge.report(Severity::Warning, Party::Log, "2", rule, message);
+    }
+
     /// A line of the log could not be read.
     #[cold]
     pub fn broken(&mut self, error: crate::candump::LineError) {
-        self.judge.report(Severity::Warning, Party::Log, "2", Rule::BrokenLine, error.to_string());
+        self.warn(Rule::BrokenLine, error.to_string());
         self.first_broken.get_or_insert(error);
     }
 
@@ -351,6 +404,13 @@ impl LogJudge {
                 "{interface} carries messages of the document, too, and was not judged; --interface {interface} judges it"
             );
             self.judge.report(Severity::Warning, Party::Log, "2", Rule::NotJudged, message);
+        }
+        if self.frames > TIMELESS && self.judge.now_ns() == 0 {
+            let message = format!(
+                "no time passes in {} frames, so that nothing was judged that takes time; expected the time of each frame, as candump -L writes it",
+                self.frames
+            );
+            self.warn(Rule::NotJudged, message);
         }
         Ok(self.judge.finish())
     }

@@ -1,5 +1,6 @@
-//! Tests across the crates of adsdv: the tests are in `tests/`, recorded logs in `logs/`, golden files in `golden/`.
+//! Tests across the crates of adsdv: the tests are in `tests/`, recorded logs in `logs/`.
 
+pub mod fuzzed;
 pub mod world;
 
 /// The README's examples compile and run.

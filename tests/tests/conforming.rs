@@ -2,11 +2,8 @@
 //! operator do, under any readings, however the recorder jitters and whatever frames it loses.
 
 use adsdv_oracle::judge::{Options, Party, Severity};
-use adsdv_spec::messages::{
-    AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
-};
 use adsdv_spec::{AsState, Choices, Interface, Machine, Reading, Readings};
-use adsdv_tests::world::{MS, Random, World, judge, violations};
+use adsdv_tests::world::{Chance, MS, Random, World, judge, violations};
 
 /// A run of `cycles` with random changes, biased so that every state is reached.
 fn random_run(random: &mut Random, cycles: u32) -> World {
@@ -19,65 +16,17 @@ fn random_run(random: &mut Random, cycles: u32) -> World {
     };
     let mut world = World::new(Machine::new(Interface::V3_0, readings));
     let rate = random.pick(&[1, 3, 20, 100]);
-    match random.below(6) {
-        0 => {}
-        1 => world.ready(),
-        2 => world.dwelt(),
-        3 => world.driving(),
-        4 => world.stopped(),
-        _ => world.finished(),
-    }
-    let mut ebs_changed = world.t;
+    world.sets_out(random);
     for _ in 0..cycles {
         if random.one_in(rate) {
-            change(random, &mut world);
+            world.anything(random);
         }
-        // 502h comes every 100 ms: what lasts for less does not show, and an EBS does not flicker.
-        if world.t - ebs_changed > 300 * MS && random.one_in(rate * 20) {
-            world.inputs.ebs = random.pick(&[EbsState::Armed, EbsState::Armed, EbsState::Unavailable]);
-            ebs_changed = world.t;
+        if random.one_in(rate * 20) {
+            world.ebs_changes(random);
         }
         world.cycle();
     }
     world
-}
-
-fn change(random: &mut Random, world: &mut World) {
-    let mostly = |random: &mut Random| !random.one_in(4);
-    match random.below(20) {
-        0 => world.inputs.asms = mostly(random),
-        1 => world.inputs.tsms = mostly(random),
-        2 => {
-            world.inputs.ami = random.pick(&[AmiState::NotSelected, AmiState::Skidpad, AmiState::TrackDrive]);
-        }
-        3 => world.inputs.reports.batt_temp_high = random.one_in(2),
-        4 | 5 => world.inputs.go = mostly(random),
-        6 => world.ai.status.mission_status = random.pick(&MissionStatus::ALL),
-        7 => world.ai.status.mission_status = MissionStatus::Selected,
-        8 => world.ai.status.direction_request = random.pick(&DirectionRequest::ALL),
-        9 => {
-            let rpm = random.pick(&[0, 5, 9, 10, 11, 12, 300]);
-            world.wheels(rpm);
-            if random.one_in(3) {
-                world.inputs.vehicle.wheel_speeds.rl_wheel_speed = WheelSpeed::clamped(11);
-            }
-        }
-        10 => {
-            world.ai.drive_f.front_axle_trq_request =
-                AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]));
-        }
-        11 => {
-            world.ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(random.pick(&[0, 0, 1, 100]));
-        }
-        12 => world.ai.steer.steer_request = SteerAngle::clamped(random.pick(&[0, 0, 1, -1])),
-        13 => world.inputs.vehicle.steer_angle = SteerAngle::clamped(random.pick(&[0, 49, 50, -49, -50])),
-        14 => world.inputs.sdc.remote_estop = random.one_in(4),
-        15 => world.inputs.reports.hvil_short = random.one_in(4),
-        16 => world.inputs.reports.charging = random.one_in(6),
-        17 => world.ai.status.estop_request = random.one_in(3),
-        18 => world.ai_answers = mostly(random),
-        _ => world.ai_sends = mostly(random),
-    }
 }
 
 fn never_blames_the_vcu(runs: u64, jitter_ms: i64, loss: u64) {

@@ -266,11 +266,12 @@ impl FromStr for Action {
     type Err = UnknownSwitch;
 
     fn from_str(text: &str) -> Result<Self, UnknownSwitch> {
+        // Places are counted from its beginning: what follows it does not matter.
+        let text = text.trim_end();
         let error = |found: &str, behind: &str, expected: Expected| {
             let at = text.len() - behind.len();
             Err(UnknownSwitch { at, found: found.to_owned(), expected })
         };
-        let text = text.trim_end();
         let start = text.trim_start();
         let (name, rest) = split_word(start);
         if name.is_empty() {

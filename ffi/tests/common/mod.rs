@@ -9,7 +9,7 @@ use adsdv::{adsdv_error, adsdv_status};
 use adsdv_oracle::protocol::{Domain, INPUTS};
 use adsdv_spec::messages::{AmiState, DirectionRequest, EbsState, MissionStatus, ShutdownCause, SignalValue};
 use adsdv_spec::{AsState, Control, Inputs};
-use adsdv_tests::world::Random;
+use adsdv_tests::world::{Chance, Random};
 
 /// The numbers of a struct by the names of its fields, as it shows them itself.
 pub(crate) fn fields(plain: &impl Debug) -> HashMap<String, i64> {

@@ -12,7 +12,7 @@ const END: &str = "the end of the line";
 const MARK: &[u8] = b"DROPCOUNT:";
 
 /// The counter of the kernel has 32 bits; candump prints the upper half of them as negative numbers.
-const WRAP: i64 = 1 << 32;
+const WRAP: u64 = 1 << 32;
 
 /// Frames that the kernel dropped before the next one in the log, because the recorder did not take them in time.
 ///
@@ -67,10 +67,10 @@ fn take_count(cursor: &mut Cursor<'_>) -> Result<u64, Flaw> {
     let negative = cursor.skip_if(b'-');
     let len = cursor.rest().iter().take_while(|byte| byte.is_ascii_digit()).count();
     let digits = cursor.rest().get(..len).unwrap_or_default();
-    let number: Option<i64> = str::from_utf8(digits).ok().and_then(|digits| digits.parse().ok());
+    let number: Option<u64> = str::from_utf8(digits).ok().and_then(|digits| digits.parse().ok());
     let number = number.and_then(|number| if negative { WRAP.checked_sub(number) } else { Some(number) });
     cursor.skip(len);
-    number.and_then(|number| u64::try_from(number).ok()).ok_or_else(|| start.flaw(COUNT))
+    number.ok_or_else(|| start.flaw(COUNT))
 }
 
 fn take_interface<'a>(cursor: &mut Cursor<'a>) -> Result<&'a str, Flaw> {
@@ -104,6 +104,13 @@ mod tests {
                 0x8000_0001,
             ),
             ("DROPCOUNT: dropped 0 CAN frame on 'any' socket (total drops -1)", "any", 0, 0xFFFF_FFFF),
+            // As it is written, though no kernel counts so far.
+            (
+                "DROPCOUNT: dropped 18446744073709551615 CAN frames on 'any' socket (total drops 0)",
+                "any",
+                u64::MAX,
+                0,
+            ),
         ];
         for (text, interface, count, total) in cases {
             let expected = Dropped { line: 9, interface, count, total };

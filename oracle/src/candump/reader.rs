@@ -19,6 +19,9 @@ const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
 const BUFFER: usize = 128 * 1024;
 const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to fit, with room to read more");
 
+/// What some editors put before the first line of a text in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// The longest name of an interface that is remembered for [`usual::read`]; Linux has shorter ones alone.
 const MAX_INTERFACE: usize = 64;
 
@@ -90,7 +93,7 @@ impl<R: Read> Reader<R> {
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let Some(span) = self.next_line()? else { return Ok(None) };
         let terminated = self.terminated;
-        let text = self.buffer.get(span).unwrap_or_default();
+        let text = text(&self.buffer, span, self.line);
         if let Some(Usual { time_ns, id, data, len }) = usual::read(text, self.interface.as_bytes()) {
             if let Some(place) = self.data.first_chunk_mut() {
                 *place = data;
@@ -172,7 +175,7 @@ impl<R: Read> Reader<R> {
     #[inline]
     fn begin_line(&mut self, span: &Range<usize>) -> bool {
         self.line += 1;
-        !line::is_blank(self.buffer.get(span.clone()).unwrap_or_default())
+        !line::is_blank(text(&self.buffer, span.clone(), self.line))
     }
 
     /// Reads on, behind what is pending; 0 bytes at the end of the source.
@@ -195,4 +198,11 @@ impl<R: Read> Reader<R> {
             }
         }
     }
+}
+
+/// What stands there in the buffer, which is of this line.
+#[inline]
+fn text(buffer: &[u8], span: Range<usize>, line: u64) -> &[u8] {
+    let text = buffer.get(span).unwrap_or_default();
+    if line == 1 { text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text) } else { text }
 }

@@ -132,6 +132,25 @@ fn blank_lines_and_carriage_returns_are_no_errors_and_count() {
     assert_eq!(read(b"\n\r\n  "), []);
 }
 
+/// Some editors put a mark before the first line. It costs nothing; anywhere else it is what it is, rubbish.
+#[test]
+fn the_mark_of_utf_8_costs_no_line() {
+    let mark = &b"\xef\xbb\xbf"[..];
+    for (log, read) in [
+        ([mark, GOOD, b"\n", GOOD].concat(), vec![Ok(1), Ok(2)]),
+        ([mark, b"\r\n", GOOD].concat(), vec![Ok(2)]),
+        (mark.to_vec(), vec![]),
+        ([mark, mark, GOOD].concat(), vec![Err(1)]),
+        ([GOOD, b"\n", mark, GOOD].concat(), vec![Ok(1), Err(2)]),
+        ([b"\xef\xbb", GOOD].concat(), vec![Err(1)]),
+    ] {
+        assert_eq!(outline(&self::read(&log)), read, "{}", log.escape_ascii());
+        let (seen, error) = read_all(Trickle(&log, Random(3)));
+        assert!(error.is_none());
+        assert_eq!(outline(&seen), read, "{}", log.escape_ascii());
+    }
+}
+
 #[test]
 fn a_last_line_counts_without_its_line_feed_if_it_is_whole() {
     let whole = b"(1.000000) vcan0 520#0001";

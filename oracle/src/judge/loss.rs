@@ -56,6 +56,15 @@ impl Judge {
         self.wake_at(self.loss_event());
     }
 
+    /// A frame is clearly missing from what has come, of which nobody has told: others may be where it does not show.
+    #[cold]
+    pub(super) fn frames_get_lost(&mut self, t: i64) {
+        for slot in &mut self.slots {
+            slot.becomes_lossy(t);
+        }
+        self.next_event = i64::MIN;
+    }
+
     /// When it is certain that no further loss belongs to those before.
     pub(super) fn loss_event(&self) -> i64 {
         self.loss.running.map_or(i64::MAX, |loss| (loss.until + self.pause).min(loss.since + LONGEST_NS))

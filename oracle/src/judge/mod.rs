@@ -50,7 +50,7 @@ mod values;
 mod variants;
 
 use adsdv_spec::messages::{
-    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Vcu2AiStatus, Vcu2AiSteer,
+    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Node, Vcu2AiStatus, Vcu2AiSteer,
     Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
 use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
@@ -203,7 +203,15 @@ impl Judge {
         let (word, len) = load(data);
         let before = slot.last;
         let same = slot.fresh && slot.word == word && slot.len == len;
-        slot.seen(t);
+        // The AI Computer's program may well leave cycles out; the VCU keeps its own.
+        let missing = slot.seen(t) && slot.def.sender == Node::Vcu;
+        if slot.is_lossy() {
+            // It may be too old sooner than it was before.
+            self.next_event = self.next_event.min(slot.stale_at());
+        }
+        if missing {
+            self.frames_get_lost(t);
+        }
         if !same {
             self.changed(index, t, word, len, before);
         } else if index == STATUS {
@@ -285,6 +293,11 @@ impl Judge {
     /// The AS state that the VCU showed last, while its frames are fresh.
     pub fn state(&self) -> Option<AsState> {
         self.vcu.state
+    }
+
+    /// When the last frame came, by the time that the judge gives it.
+    pub(crate) fn now_ns(&self) -> i64 {
+        self.now
     }
 
     /// What is known now.

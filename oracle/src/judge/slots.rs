@@ -12,6 +12,16 @@ const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
 /// So many intervals in a row that are all longer, or all shorter, than usual are a change of rate and no jitter.
 const RUN: u8 = 10;
 
+/// Of so many intervals the shortest counts as the period, if it is shorter than the usual one: frames that are missing from
+/// the first ones would make it too long.
+const LEARNING: u8 = 16;
+
+/// So many frames after a long interval tell whether one was missing in it, or only late.
+const CONFIRMING: i64 = 3;
+
+/// For so long after a frame was clearly missing, others may be missing where the recorder's jitter hides it.
+const LOSSY_NS: i64 = 10_000_000_000;
+
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
@@ -27,6 +37,15 @@ pub(super) struct Slot {
     run: i8,
     /// For how many intervals the rate has not changed.
     steady: u8,
+    /// The shortest of the first intervals, and how many there were.
+    shortest: i64,
+    learnt: u8,
+    /// How far intervals are from the period, the largest of late: the recorder's jitter.
+    spread: i64,
+    /// The time before a long interval, and how many frames have come behind it.
+    suspect: Option<(i64, i64)>,
+    /// Until when frames are taken to get lost.
+    lossy_until: i64,
     /// Whether the last frame is recent enough to speak for now.
     pub(super) fresh: bool,
     /// The signals whose last value was not allowed, one bit each.
@@ -47,6 +66,11 @@ impl Slot {
             period: 0,
             run: 0,
             steady: 0,
+            shortest: i64::MAX,
+            learnt: 0,
+            spread: 0,
+            suspect: None,
+            lossy_until: i64::MIN,
             fresh: false,
             bad: 0,
             atoms: None,
@@ -64,14 +88,50 @@ impl Slot {
     }
 
     /// When the last frame will be too old to speak for now: a frame that is missing may have said something else.
+    ///
+    /// One that is missing between two frames makes the interval twice as long, give or take what the recorder's jitter is. Where
+    /// nothing is known to be missing, long intervals are taken for jitter as far as that can be; where frames do get lost, no
+    /// interval counts as whole into which one more would fit.
     pub(super) fn stale_at(&self) -> i64 {
-        self.last.map_or(i64::MAX, |last| last + self.period + self.period * 5 / 8)
+        let Some(last) = self.last else { return i64::MAX };
+        let learning = self.learnt < LEARNING;
+        let usual = if learning { self.period.min(self.shortest) } else { self.period };
+        let whole = usual + usual * 5 / 8;
+        if !self.is_lossy() {
+            return last + whole;
+        }
+        // The jitter to come may be larger than what was seen of it, most of all when little was seen.
+        let sure = if learning { usual + usual / 4 } else { (usual - self.spread * 3 / 2) * 2 };
+        last + sure.clamp(0, whole)
     }
 
-    /// A frame came.
-    pub(super) fn seen(&mut self, now: i64) {
+    /// Whether frames are taken to get lost.
+    pub(super) fn is_lossy(&self) -> bool {
+        self.last.is_some_and(|last| last < self.lossy_until)
+    }
+
+    /// Frames get lost, at least for a while.
+    pub(super) fn becomes_lossy(&mut self, now: i64) {
+        self.lossy_until = now + LOSSY_NS;
+    }
+
+    /// A frame came. Tells whether one before it is clearly missing.
+    pub(super) fn seen(&mut self, now: i64) -> bool {
+        let mut missing = false;
         if let Some(last) = self.last {
             let interval = now - last;
+            if self.learnt < LEARNING {
+                self.learnt += 1;
+                self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
+            }
+            if self.period > 0 {
+                let usual = self.period;
+                let whole = usual + usual * 5 / 8;
+                missing = self.was_missing(last, now);
+                if interval <= whole {
+                    self.spread = (self.spread - self.spread / 64).max((interval - usual).abs());
+                }
+            }
             self.period = match self.period {
                 0 => interval,
                 period => self.median(period, interval),
@@ -79,6 +139,26 @@ impl Slot {
             .clamp(*PERIOD_NS.start(), *PERIOD_NS.end());
         }
         self.last = Some(now);
+        missing
+    }
+
+    /// Tells whether a frame was missing in a long interval, as soon as that is clear.
+    ///
+    /// Frames that are late, held up in a queue, are followed by shorter intervals: after some of them all are in time again. After
+    /// a frame that is missing, all that follow come a period later.
+    fn was_missing(&mut self, last: i64, now: i64) -> bool {
+        let usual = self.period;
+        if let Some((since, frames)) = self.suspect {
+            let frames = frames + 1;
+            self.suspect = (frames < CONFIRMING).then_some((since, frames));
+            let whole = usual * (CONFIRMING + 1);
+            return frames == CONFIRMING && now - since > whole + usual / 2 + self.spread / 2;
+        }
+        // Jitter alone does not make it that long, and a longer silence is somebody who does not send.
+        let interval = now - last;
+        let is_long = interval > usual + usual * 5 / 8 + self.spread && interval < usual * 4;
+        self.suspect = (is_long && self.learnt == LEARNING).then_some((last, 0));
+        false
     }
 
     /// The running median after another interval: it ignores outliers, moves ever less under jitter, and follows a

@@ -2,9 +2,9 @@
 
 use adsdv_spec::Atoms;
 use adsdv_spec::messages::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Message, Node,
-    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus,
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState,
+    Message, Node, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
+    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
 };
 
 use super::finding::{Finding, Party, Rule, Severity};
@@ -105,7 +105,12 @@ impl Judge {
             }
             LOG_STATUS => {
                 let Lenient { message, bad } = self.read::<Vcu2LogStatus>(index, t, word);
-                let ebs_bad = u32::from(is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
+                // In EMERGENCY_BRAKE it is TRIGGERED whatever the EBS itself reports, and has reported since the sample before.
+                //= D-28
+                let hidden = message.state_assi == AsState::EmergencyBrake
+                    && message.state_ebs == EbsState::Triggered
+                    && !is_bad::<Vcu2LogStatus>(bad, "State_ASSI");
+                let ebs_bad = u32::from(hidden || is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
                 self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
                 let ebs = (ebs_bad == 0).then_some(message.state_ebs);
                 if let (true, Some(before)) = (self.vcu.ebs != ebs, before) {

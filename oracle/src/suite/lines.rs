@@ -1,8 +1,10 @@
 //! The suite as JSON Lines: one test a line, for any language. `suite.schema.json` of the command says what a line has.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt::{self, Write as _};
-use std::io::BufRead;
+use std::io::{self, BufRead};
+use std::sync::LazyLock;
 
 use adsdv_spec::{Interface, Machine, Reading};
 use serde::{Deserialize, Deserializer};
@@ -60,13 +62,32 @@ impl fmt::Display for BadTest {
 
 impl std::error::Error for BadTest {}
 
+/// The longest line that is read, in bytes: a test of thousands of steps. A longer one is passed over, and told; without a limit,
+/// a file without line ends would fill the memory.
+pub const MAX_LINE: usize = 4 << 20;
+
+/// So many lines that are no tests are told in full; the others are counted.
+pub const MAX_BAD: usize = 1000;
+
 /// A suite as it was read: every line that is a test, and what is wrong with the others.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReadSuite {
     /// The tests, in order.
     pub tests: Vec<Test>,
-    /// The lines that are none.
+    /// The first lines that are none, at most [`MAX_BAD`].
     pub bad: Vec<BadTest>,
+    /// How many more lines are none.
+    pub more_bad: u64,
+}
+
+impl ReadSuite {
+    fn is_bad(&mut self, line: u64, why: String) {
+        if self.bad.len() < MAX_BAD {
+            self.bad.push(BadTest { line, why });
+        } else {
+            self.more_bad += 1;
+        }
+    }
 }
 
 /// Reads a suite. A line that is no test does not keep the others from being read; empty lines are passed over.
@@ -77,30 +98,78 @@ pub struct ReadSuite {
 /// [`untested`](super::untested) has.
 ///
 /// Errors: what the reader's own errors are. Bytes that are no UTF-8 are a line that is none.
-pub fn read(mut reader: impl BufRead, machine: &Machine) -> std::io::Result<ReadSuite> {
+pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite> {
     let mut suite = ReadSuite::default();
     let requirements = requirements(machine.interface());
     let mut names = HashSet::new();
     let mut bytes = Vec::new();
     for line in 1.. {
-        bytes.clear();
-        if reader.read_until(b'\n', &mut bytes)? == 0 {
-            break;
+        match next_line(&mut reader, &mut bytes)? {
+            End::Suite => break,
+            End::TooLong => {
+                suite.is_bad(
+                    line,
+                    format!("is longer than {MAX_LINE} bytes; expected a test as one JSON object"),
+                );
+                continue;
+            }
+            End::Line => {}
         }
         match read_line(&bytes, machine, &requirements) {
-            Ok(Some(test)) if names.contains(&test.name) => suite.bad.push(BadTest {
-                line,
-                why: format!("the name {:?} is there already; expected one of its own", test.name),
-            }),
+            Ok(Some(test)) if names.contains(&test.name) => {
+                suite.is_bad(
+                    line,
+                    format!("the name {:?} is there already; expected one of its own", test.name),
+                );
+            }
             Ok(Some(test)) => {
                 names.insert(test.name.clone());
                 suite.tests.push(test);
             }
             Ok(None) => {}
-            Err(why) => suite.bad.push(BadTest { line, why }),
+            Err(why) => suite.is_bad(line, why),
         }
     }
     Ok(suite)
+}
+
+/// What came when a line was asked for.
+enum End {
+    /// Nothing: the suite is over.
+    Suite,
+    /// A line, all of it.
+    Line,
+    /// The beginning of a line of more than [`MAX_LINE`] bytes, which has been read to its end.
+    TooLong,
+}
+
+/// Reads the next line, with its line feed.
+fn next_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<End> {
+    bytes.clear();
+    let mut end = End::Suite;
+    loop {
+        let buffer = match reader.fill_buf() {
+            Ok(buffer) => buffer,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        if buffer.is_empty() {
+            return Ok(end);
+        }
+        let feed = memchr::memchr(b'\n', buffer);
+        let piece = buffer.get(..=feed.unwrap_or(buffer.len() - 1)).unwrap_or(buffer);
+        if matches!(end, End::TooLong) || bytes.len() + piece.len() > MAX_LINE {
+            end = End::TooLong;
+        } else {
+            bytes.extend_from_slice(piece);
+            end = End::Line;
+        }
+        let used = piece.len();
+        reader.consume(used);
+        if feed.is_some() {
+            return Ok(end);
+        }
+    }
 }
 
 /// A line before it is looked at.
@@ -134,9 +203,26 @@ fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
 }
 
 /// The identifiers of all requirements that there are.
-fn requirements(interface: &Interface) -> HashSet<String> {
+fn requirements(interface: &Interface) -> Cow<'static, HashSet<String>> {
+    // Making all tests takes longer than reading most suites.
+    static OF_V3_0: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(&Interface::V3_0));
+    if *interface == Interface::V3_0 {
+        Cow::Borrowed(&OF_V3_0)
+    } else {
+        Cow::Owned(requirements_of(interface))
+    }
+}
+
+fn requirements_of(interface: &Interface) -> HashSet<String> {
     let tested = super::generate(interface).into_iter().flat_map(|test| test.requirements);
     tested.chain(untested().map(|untested| untested.id)).collect()
+}
+
+/// The same without control characters: a key that is rubbish does not reach a terminal.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_control() { c.escape_default().to_string() } else { c.to_string() })
+        .collect()
 }
 
 fn read_line(
@@ -152,7 +238,7 @@ fn read_line(
     }
     let line: Line<'_> = serde_json::from_str(line).map_err(|error| {
         // The place in the line, without a line number of its own.
-        let error = error.to_string().replace("line 1 column", "column");
+        let error = printable(&error.to_string().replace("line 1 column", "column"));
         format!("{error}; expected a test as one JSON object")
     })?;
     if line.name.is_empty() {

@@ -28,7 +28,7 @@ mod walk;
 
 use adsdv_spec::Interface;
 
-pub use lines::{BadTest, ReadSuite, read};
+pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, read};
 pub use prove::{Proof, prove};
 pub(crate) use requirements::is_of_a_reading;
 pub use scenario::{Scenario, Step};

@@ -1,5 +1,7 @@
 //! A suite is read as it is written, and of what is no test of it the line is told, and what was found and expected.
 
+use std::io::BufReader;
+
 use adsdv_oracle::protocol::{Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::Machine;
@@ -121,4 +123,40 @@ fn a_name_is_told_however_far_away_the_other_one_is() {
         read.bad[0].to_string(),
         "line 2001: the name \"0\" is there already; expected one of its own"
     );
+}
+
+/// A line as long as a line may be is read; a longer one is told, and is not kept in memory, however long it is.
+#[test]
+fn a_line_that_is_too_long_costs_itself_alone() {
+    let good = tests();
+    let line = |index: usize| good[index].to_line(&Machine::REFERENCE);
+    let padded = |index: usize, len: usize| line(index) + &" ".repeat(len - 1 - line(index).len()) + "\n";
+    let text = [
+        padded(0, suite::MAX_LINE),
+        padded(1, suite::MAX_LINE + 1),
+        line(2) + "\n",
+        "x".repeat(3 * suite::MAX_LINE) + "\n",
+        line(3) + "\n",
+        "x".repeat(suite::MAX_LINE + 1),
+    ]
+    .concat();
+    for capacity in [100, 1 << 16, text.len()] {
+        let reader = BufReader::with_capacity(capacity, text.as_bytes());
+        let read = suite::read(reader, &Machine::REFERENCE).unwrap();
+        assert_eq!(read.tests, [good[0].clone(), good[2].clone(), good[3].clone()]);
+        let said: Vec<String> = read.bad.iter().map(ToString::to_string).collect();
+        let told = |line: u64| {
+            format!("line {line}: is longer than 4194304 bytes; expected a test as one JSON object")
+        };
+        assert_eq!(said, [told(2), told(4), told(6)]);
+    }
+}
+
+#[test]
+fn of_many_bad_lines_the_first_are_told_and_the_others_counted() {
+    for (lines, more) in [(suite::MAX_BAD, 0), (suite::MAX_BAD + 2, 2)] {
+        let read = suite::read("x\n".repeat(lines).as_bytes(), &Machine::REFERENCE).unwrap();
+        assert_eq!((read.bad.len(), read.more_bad), (suite::MAX_BAD, more));
+        assert_eq!(read.bad.last().map(|bad| bad.line), u64::try_from(suite::MAX_BAD).ok());
+    }
 }

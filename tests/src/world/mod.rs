@@ -3,10 +3,11 @@
 //! The VCU steps every 10 ms on what it last received, and sends its frames; the AI Computer answers half a cycle
 //! later. What it records can be jittered and thinned as a real recorder does.
 //!
-//! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `forced.rs` is a VCU that does what it
-//! is told instead of what the table says, and `recording.rs` is what a recorder and the judge make of it all.
+//! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `deeds.rs` does anything at
+//! all, `forced.rs` is a VCU that does what it is told instead of what the table says, and `recording.rs` is what a recorder and the judge make of it all.
 
 mod atoms;
+mod deeds;
 mod forced;
 mod random;
 mod recording;
@@ -16,6 +17,7 @@ use adsdv_oracle::judge::{Options, Report};
 use adsdv_spec::messages::{Message, Vcu2AiStatus};
 use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
 
+pub use deeds::Chance;
 pub use random::Random;
 pub use recording::{Recorded, judge, violations};
 
@@ -44,6 +46,8 @@ pub struct World {
     pub tells: fn(&mut Vcu2AiStatus),
     /// The time.
     pub t: i64,
+    /// When the EBS last changed.
+    ebs_changed: i64,
     /// What was recorded.
     pub log: Vec<Recorded>,
 }
@@ -60,6 +64,7 @@ impl World {
             ai_answers: true,
             tells: |_| {},
             t: 0,
+            ebs_changed: 0,
             log: Vec::new(),
         }
     }

@@ -1,5 +1,7 @@
 //! Random numbers that are the same in every run.
 
+use super::Chance;
+
 /// A small generator of random numbers (SplitMix64), so that every run is the same.
 #[derive(Clone, Debug)]
 pub struct Random(pub u64);
@@ -13,19 +15,10 @@ impl Random {
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
     }
+}
 
-    /// A number below `n`.
-    pub fn below(&mut self, n: u64) -> u64 {
+impl Chance for Random {
+    fn below(&mut self, n: u64) -> u64 {
         self.bits() % n.max(1)
-    }
-
-    /// True once in `n` times.
-    pub fn one_in(&mut self, n: u64) -> bool {
-        self.below(n) == 0
-    }
-
-    /// One of the values.
-    pub fn pick<T: Copy>(&mut self, values: &[T]) -> T {
-        values[usize::try_from(self.below(values.len() as u64)).unwrap_or(0)]
     }
 }

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use adsdv_oracle::judge::{Judge, Options, Report, Severity};
 use adsdv_spec::messages::Frame;
 
-use super::World;
 use super::random::Random;
+use super::{Chance, World};
 
 /// A frame of the recording.
 #[derive(Clone, Copy, Debug)]

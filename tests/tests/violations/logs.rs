@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
 use adsdv_spec::messages::{AsState, MESSAGES, Node, message_by_id};
-use adsdv_tests::world::{MS, Random, Recorded, World, judge, violations};
+use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::by;
 

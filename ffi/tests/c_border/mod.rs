@@ -1,0 +1,221 @@
+//! The border to C on any bits that C may hand over, as a function of any bytes: the fuzzer `c_border`, and the tests that run
+//! again what it found.
+#![allow(dead_code, reason = "each of those who share it uses some of it")]
+
+use std::ffi::{CStr, CString};
+use std::mem::{MaybeUninit, size_of};
+use std::ptr::{null, null_mut};
+
+use adsdv::adsdv_status::*;
+use adsdv::*;
+use adsdv_tests::fuzzed::Bytes;
+use adsdv_tests::world::Chance;
+
+/// Structs of numbers only: any bytes are one.
+pub(crate) trait AnyBits: Copy {}
+impl AnyBits for adsdv_machine {}
+impl AnyBits for adsdv_control {}
+impl AnyBits for adsdv_inputs {}
+impl AnyBits for adsdv_outputs {}
+impl AnyBits for adsdv_frame {}
+impl AnyBits for adsdv_signal {}
+impl AnyBits for adsdv_message {}
+impl AnyBits for adsdv_reading {}
+impl AnyBits for adsdv_error {}
+
+/// A value whose bytes come from there.
+pub(crate) fn any<T: AnyBits>(mut byte: impl FnMut() -> u8) -> T {
+    let mut value = MaybeUninit::<T>::uninit();
+    for place in 0..size_of::<T>() {
+        // SAFETY: the byte is one of the value's.
+        unsafe { value.as_mut_ptr().cast::<u8>().add(place).write(byte()) };
+    }
+    // SAFETY: all its bytes are there, and any are a value.
+    unsafe { value.assume_init() }
+}
+
+/// A value whose bytes are all 0.
+pub(crate) fn zero<T: AnyBits>() -> T {
+    any(|| 0)
+}
+
+/// Another byte somewhere in a value.
+pub(crate) fn spoil<T: AnyBits>(value: &mut T, place: usize, byte: u8) {
+    let place = place % size_of::<T>();
+    // SAFETY: the byte is one of the value's, and any are a value.
+    unsafe { (&raw mut *value).cast::<u8>().add(place).write(byte) };
+}
+
+fn given<T: AnyBits>(bytes: &mut Bytes<'_>) -> T {
+    any(|| bytes.any())
+}
+
+/// A call did what it says, or told what is wrong with what it was given.
+fn told(status: adsdv_status, error: &adsdv_error) {
+    match status {
+        ADSDV_OK => assert_eq!(error.status, ADSDV_OK as i32, "an error was written without one"),
+        ADSDV_INTERNAL | ADSDV_BAD_POINTER => panic!("{status:?}: {:?}", error.text),
+        _ => {
+            assert_eq!(error.status, status as i32);
+            let text: Vec<u8> = error.text.iter().map(|&byte| byte.to_ne_bytes()[0]).collect();
+            let text = CStr::from_bytes_until_nul(&text).expect("a NUL at its end");
+            assert!(!text.to_str().expect("UTF-8").is_empty());
+        }
+    }
+}
+
+/// A call with an error of its own.
+fn call(call: impl FnOnce(*mut adsdv_error) -> adsdv_status) -> adsdv_status {
+    let mut error = adsdv_error::default();
+    let status = call(&raw mut error);
+    told(status, &error);
+    status
+}
+
+/// A text as C has it: it ends at its first NUL.
+fn text(bytes: &mut Bytes<'_>, usual: &[&str]) -> CString {
+    if bytes.one_in(2) {
+        return CString::new(bytes.pick(usual)).unwrap_or_default();
+    }
+    let some = bytes.some(64);
+    let end = some.iter().position(|&byte| byte == 0).unwrap_or(some.len());
+    CString::new(&some[..end]).unwrap_or_default()
+}
+
+/// The body: functions in any order, on any bits.
+pub(crate) fn body(bytes: &[u8]) {
+    let mut bytes = Bytes::new(bytes);
+    let (mut machine, mut control, mut inputs) =
+        (zero::<adsdv_machine>(), zero::<adsdv_control>(), zero::<adsdv_inputs>());
+    // SAFETY: the pointers are to what they are said to be.
+    unsafe {
+        call(|error| adsdv_machine_init(&raw mut machine, null(), error));
+        call(|error| adsdv_control_init(&raw mut control, error));
+        call(|error| adsdv_inputs_init(&raw mut inputs, error));
+    }
+    for _ in 0..200 {
+        if !bytes.are_left() {
+            break;
+        }
+        match bytes.below(8) {
+            0 => machine = given(&mut bytes),
+            1 => {
+                let readings =
+                    text(&mut bytes, &["", "fault-trigger=edge", "go-edge=edge,power-cycle=not-latched"]);
+                // SAFETY: the pointers are to what they are said to be.
+                call(|error| unsafe { adsdv_machine_init(&raw mut machine, readings.as_ptr(), error) });
+            }
+            2 => spoil(&mut control, bytes.any::<u16>().into(), bytes.any()),
+            3 => spoil(&mut inputs, bytes.any::<u16>().into(), bytes.any()),
+            4 => frame(&mut bytes, &mut inputs),
+            5 => names(&mut bytes),
+            6 if bytes.one_in(4) => judge(&mut bytes),
+            _ => step(&mut bytes, &machine, &mut control, &inputs),
+        }
+    }
+}
+
+/// Steps: a control state that came out of one goes into the next.
+fn step(bytes: &mut Bytes<'_>, machine: &adsdv_machine, control: &mut adsdv_control, inputs: &adsdv_inputs) {
+    let machine = if bytes.one_in(2) { null() } else { &raw const *machine };
+    let (mut outputs, mut frames) = (zero::<adsdv_outputs>(), [zero::<adsdv_frame>(); ADSDV_VCU_FRAMES]);
+    let (shown, sent) = (&raw mut outputs, if bytes.one_in(4) { null_mut() } else { frames.as_mut_ptr() });
+    let dt_ms = if bytes.one_in(4) { bytes.any() } else { 10 };
+    // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed.
+    let status = call(|error| unsafe { adsdv_step(machine, control, inputs, dt_ms, shown, sent, error) });
+    if status == ADSDV_OK && !sent.is_null() {
+        for frame in &frames {
+            let (mut count, mut signals) = (0, [zero::<adsdv_signal>(); ADSDV_MOST_SIGNALS]);
+            let (room, count) = (signals.len(), &raw mut count);
+            // SAFETY: the pointers are to what they are said to be.
+            let status =
+                call(|error| unsafe { adsdv_decode(frame, signals.as_mut_ptr(), room, count, error) });
+            assert_eq!(status, ADSDV_OK, "what the VCU sends can be read");
+        }
+    }
+}
+
+fn frame(bytes: &mut Bytes<'_>, inputs: &mut adsdv_inputs) {
+    let mut frame: adsdv_frame = given(bytes);
+    if bytes.one_in(2) {
+        let id = if bytes.one_in(4) {
+            bytes.any()
+        } else {
+            bytes.pick(&[0x500, 0x502, 0x510, 0x511, 0x513, 0x520])
+        };
+        // SAFETY: the pointers are to what they are said to be.
+        call(|error| unsafe { adsdv_frame_init(&raw mut frame, id, error) });
+    }
+    let name = text(bytes, &["HANDSHAKE", "STEER_REQUEST_deg", "State_ASSI"]);
+    let (mut taken, mut count, mut value) = (0, 0, zero::<adsdv_signal>());
+    let mut signals = [zero::<adsdv_signal>(); ADSDV_MOST_SIGNALS];
+    let room = usize::try_from(bytes.below(ADSDV_MOST_SIGNALS as u64 + 1)).unwrap_or(0);
+    let raw = bytes.any();
+    // SAFETY: the pointers are to what they are said to be.
+    unsafe {
+        call(|error| adsdv_frame_set(&raw mut frame, name.as_ptr(), raw, error));
+        call(|error| adsdv_receive(inputs, &raw const frame, &raw mut taken, error));
+        call(|error| adsdv_decode(&raw const frame, signals.as_mut_ptr(), room, &raw mut count, error));
+        call(|error| adsdv_decode_signal(&raw const frame, name.as_ptr(), &raw mut value, error));
+    }
+    assert!(count <= room && taken <= 1);
+}
+
+fn names(bytes: &mut Bytes<'_>) {
+    let (enumeration, index) = (bytes.below(10).try_into().unwrap_or(0), usize::from(bytes.any::<u8>()));
+    let name = text(bytes, &["FORWARD", "AS_READY", "ARMED"]);
+    let (mut value, mut message, mut reading) = (0, zero::<adsdv_message>(), zero::<adsdv_reading>());
+    adsdv_is_reserved(bytes.any());
+    assert!(adsdv_value_name(enumeration, bytes.any()).is_null() || enumeration < 10);
+    let (text, length) = (name.as_ptr(), name.as_bytes().len());
+    // SAFETY: the pointers are to what they are said to be, and the text is as long as that.
+    unsafe {
+        let status = call(|error| adsdv_value_of_name(enumeration, text, length, &raw mut value, error));
+        if status == ADSDV_OK {
+            let again = CStr::from_ptr(adsdv_value_name(enumeration, value));
+            assert_eq!(again, name.as_c_str());
+        }
+        call(|error| adsdv_message_at(index, &raw mut message, error));
+        call(|error| adsdv_reading_at(index, &raw mut reading, error));
+    }
+}
+
+#[cfg(feature = "judge")]
+fn judge(bytes: &mut Bytes<'_>) {
+    let readings = text(bytes, &["", "fault-trigger=edge", "go-signal=raw"]);
+    let pinned = if bytes.one_in(2) { null() } else { readings.as_ptr() };
+    let given = adsdv_judge_options { window_ms: bytes.any(), deadline_ms: bytes.any(), readings: pinned };
+    let options = if bytes.one_in(2) { null() } else { &raw const given };
+    let mut t_ns: i64 = 0;
+    // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed; the judge is freed at the end.
+    unsafe {
+        let mut error = adsdv_error::default();
+        let judge = adsdv_judge_new(options, &raw mut error);
+        if judge.is_null() {
+            assert_ne!(error.status, ADSDV_OK as i32);
+            assert!(!readings.as_bytes().is_empty(), "nothing else can be wrong");
+            return;
+        }
+        let mut finding: adsdv_finding = std::mem::zeroed();
+        for _ in 0..bytes.below(100) {
+            t_ns = if bytes.one_in(16) {
+                bytes.any()
+            } else {
+                t_ns.saturating_add(bytes.below(30_000_000).cast_signed())
+            };
+            let id = if bytes.one_in(8) { bytes.any() } else { bytes.pick(&[0x502, 0x510, 0x520, 0x525]) };
+            let data = bytes.some(9);
+            call(|error| adsdv_judge_frame(judge, t_ns, id, data.as_ptr(), data.len(), error));
+            while bytes.one_in(2) && adsdv_judge_next(judge, &raw mut finding) {
+                let message = CStr::from_ptr(finding.message);
+                assert!(!message.to_str().expect("UTF-8").is_empty());
+            }
+        }
+        let mut report = adsdv_report::default();
+        call(|error| adsdv_judge_finish(judge, &raw mut report, error));
+        adsdv_judge_free(judge);
+    }
+}
+
+#[cfg(not(feature = "judge"))]
+fn judge(_: &mut Bytes<'_>) {}

@@ -1,0 +1,60 @@
+//! Logs that cannot be judged as a whole: one that fails while it is read, and one in which no time passes.
+
+use std::io::{self, Read};
+
+use adsdv_oracle::judge::{Report, Severity};
+use adsdv_oracle::log::{LogError, LogOptions, judge_log, judge_readable};
+
+const FRAME: &str = "can0 520#0000010000000000\n";
+
+/// A disk that fails.
+struct Failing;
+
+impl Read for Failing {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        Err(io::ErrorKind::TimedOut.into())
+    }
+}
+
+fn warnings(report: &Report) -> Vec<&str> {
+    let warnings = report.findings.iter().filter(|finding| finding.severity == Severity::Warning);
+    warnings.map(|finding| finding.message.as_str()).collect()
+}
+
+#[test]
+fn what_came_before_a_failure_is_judged() {
+    let log = format!("(1.000000) {FRAME}rubbish\n(1.010000) {FRAME}(1.0");
+    let failing = || log.as_bytes().chain(Failing);
+    let (report, failure) = judge_readable(failing(), &LogOptions::default(), |_| {}).expect("frames");
+    assert_eq!(report.frames, 2);
+    let told = warnings(&report);
+    assert!(told.len() == 2 && told[1].starts_with("cannot read on after line 3: "), "{told:?}");
+    assert_eq!(
+        failure.map(|failure| (failure.line, failure.source.kind())),
+        Some((3, io::ErrorKind::TimedOut))
+    );
+    // Who asks for a verdict on all of it gets none.
+    let error = judge_log(failing(), &LogOptions::default(), |_| {}).expect_err("it fails");
+    assert!(matches!(&error, LogError::Read(read) if read.line == 3), "{error}");
+    // Nothing that could be judged.
+    let error = judge_readable(b"rubbish\n".chain(Failing), &LogOptions::default(), |_| {}).map(|_| ());
+    assert!(matches!(error, Err(LogError::Read(read)) if read.line == 1));
+    let (report, failure) = judge_readable(log.as_bytes(), &LogOptions::default(), |_| {}).expect("frames");
+    assert!(failure.is_none() && warnings(&report).len() == 2, "{report:?}");
+}
+
+#[test]
+fn a_log_in_which_no_time_passes_says_so() {
+    let log = |frames: usize, last: &str| format!("(1.000000) {FRAME}").repeat(frames) + last;
+    for (log, says) in [
+        (log(100, ""), None),
+        (log(101, ""), Some("no time passes in 101 frames, ")),
+        (log(101, &format!("(1.000001) {FRAME}")), None),
+        (format!("(1.000002) {FRAME}") + &log(101, ""), Some("no time passes in 102 frames, ")),
+    ] {
+        let report = judge_log(log.as_bytes(), &LogOptions::default(), |_| {}).expect("frames");
+        let told = warnings(&report);
+        assert_eq!(told.len(), usize::from(says.is_some()), "{told:?}");
+        assert!(told.iter().zip(says).all(|(told, says)| told.starts_with(says)), "{told:?}");
+    }
+}

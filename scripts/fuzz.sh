@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Builds every fuzzer of fuzz/ once, and runs each for a while: from the corpus and the inputs that went wrong once, with the
+# dictionary of its format. fuzz/README.md tells about the fuzzers.
+#
+# usage: scripts/fuzz.sh [-t SECONDS] [-j JOBS] [TARGET ...]
+#   -t SECONDS  how long each fuzzer runs, 10 if nothing is said
+#   -j JOBS     how many processes run one fuzzer at the same time, 1 if nothing is said
+#   TARGET      these alone, as in fuzz/Cargo.toml
+#
+# What it finds that is new goes to fuzz/target/corpus, where the next run begins; the committed corpus stays as it is.
+# Exit status: 0 nothing went wrong, 1 an input did, or a fuzzer does not build, 2 wrong usage, or a tool is missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+fail() { echo "fuzz.sh: $2" >&2; exit "$1"; }
+usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/fuzz.sh; }
+
+seconds=10 jobs=1
+while getopts t:j:h option; do
+  case $option in
+    t) seconds=$OPTARG ;;
+    j) jobs=$OPTARG ;;
+    h) usage; exit 0 ;;
+    *) fail 2 "see scripts/fuzz.sh -h" ;;
+  esac
+done
+shift $((OPTIND - 1))
+for number in "$seconds" "$jobs"; do
+  [[ $number =~ ^[1-9][0-9]*$ ]] || fail 2 "'$number' is no number of seconds or jobs; expected a whole number from 1"
+done
+
+cargo +nightly --version >/dev/null 2>&1 \
+  || fail 2 "there is no nightly toolchain; install it with: rustup toolchain install nightly"
+cargo fuzz --version >/dev/null 2>&1 || fail 2 "cargo-fuzz is not installed; install it with: cargo install --locked cargo-fuzz"
+# cargo-fuzz cannot be told to leave fuzz/Cargo.lock as it is.
+cargo +nightly metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null \
+  || fail 1 "fuzz/Cargo.lock is not up to date; write it with: cargo update --workspace --manifest-path fuzz/Cargo.toml"
+
+all=$(cargo +nightly fuzz list)
+for target in "$@"; do
+  grep -qx -- "$target" <<<"$all" || fail 2 "there is no fuzzer '$target'; expected one of $(echo $all)"
+done
+targets=${*:-$all}
+
+cargo +nightly fuzz build -O --debug-assertions || fail 1 "the fuzzers do not build"
+bin=fuzz/target/$(rustc +nightly -vV | sed -n 's/^host: //p')/release
+
+for target in $targets; do
+  found=fuzz/target/corpus/$target artifacts=fuzz/artifacts/$target log=fuzz/target/$target.log
+  mkdir -p "$found" "$artifacts"
+  inputs=("$found")
+  for folder in corpus regressions; do
+    [ ! -d "fuzz/$folder/$target" ] || inputs+=("fuzz/$folder/$target")
+  done
+  options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$artifacts/" -print_final_stats=1)
+  [ ! -f "fuzz/dictionaries/$target.dict" ] || options+=(-dict="fuzz/dictionaries/$target.dict")
+  # -fork goes on after an input that is slow or takes too much memory, unless it is told not to.
+  [ "$jobs" = 1 ] || options+=(-fork="$jobs" -ignore_ooms=0 -ignore_timeouts=0)
+  printf '%-16s ' "$target"
+  if "$bin/$target" "${options[@]}" "${inputs[@]}" >"$log" 2>&1; then
+    awk '
+      /^#[0-9]+[ \t]/ { runs = $1; gsub(/[^0-9]/, "", runs); for (i = 2; i < NF; i++) if ($i == "cov:") cov = $(i + 1) }
+      /^stat::number_of_executed_units/ { runs = $2 }
+      END { printf "%10d runs, %6d edges, nothing went wrong\n", runs, cov }
+    ' "$log"
+    continue
+  fi
+  input=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
+  echo "an input went wrong"
+  grep -E -A 8 'panicked at|ERROR: |SUMMARY: ' "$log" | head -n 40 >&2 || tail -n 20 "$log" >&2
+  {
+    echo
+    echo "fuzz.sh: $target fails; all that it wrote is in $log"
+    if [ -n "$input" ]; then
+      echo "The input is $input. It fails again with"
+      echo "  cargo +nightly fuzz run $target $input"
+      echo "To make it smaller:"
+      echo "  cargo +nightly fuzz tmin $target $input"
+      echo "To make it a test of stable Rust, which fails until the program is mended, name it after what it is:"
+      echo "  mkdir -p fuzz/regressions/$target && cp $input fuzz/regressions/$target/NAME"
+      [ "$target" = c_border ] && test="-p adsdv-ffi" || test="-p adsdv-tests"
+      echo "  cargo test $test --test fuzzed"
+    fi
+  } >&2
+  exit 1
+done

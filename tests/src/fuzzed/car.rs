@@ -1,0 +1,155 @@
+//! The car and the small AI Computer, and what watches a bus: any frames at any times, any switches.
+
+use adsdv_can::ai::{Ai, Plan};
+use adsdv_can::bus::{Received, Trouble};
+use adsdv_can::car::{Action, Car, Switch, missing};
+use adsdv_can::live::Watch;
+use adsdv_oracle::candump::FrameKind;
+use adsdv_oracle::log::LogOptions;
+use adsdv_spec::messages::{AnyMessage, Frame, MESSAGES, Node, Vcu2LogStatus, WheelSpeed};
+use adsdv_spec::{Interface, Machine};
+
+use super::Bytes;
+use crate::world::Chance;
+
+/// Nothing goes on for longer than this many times.
+const TURNS: u32 = 3000;
+
+/// The body.
+pub fn body(bytes: &[u8]) {
+    let mut bytes = Bytes::new(bytes);
+    let readings = bytes.readings();
+    let mut car = Car::new(Machine::new(Interface::V3_0, readings));
+    let mut ai = Ai::new(Plan::DEFAULT);
+    let mut watch = Watch::new("can0", LogOptions::default());
+    let switches: Vec<Switch> = Switch::all().collect();
+    let mut time_ns: i64 = 1_000_000_000_000;
+    let mut turns = 0;
+    while bytes.are_left() && turns < TURNS {
+        turns += 1;
+        match bytes.below(8) {
+            0 => {
+                let switch = bytes.pick(&switches);
+                let raw = if bytes.one_in(4) { bytes.any() } else { bytes.pick(&switch.positions()) };
+                let before = switch.get(car.inputs());
+                car.act(&Action::Set(switch, raw));
+                let now = switch.get(car.inputs());
+                let there = switch.positions().contains(&raw);
+                assert_eq!(now, if there { raw } else { before }, "{} {raw}", switch.key());
+            }
+            1 if bytes.one_in(8) => car.act(&Action::PowerCycle),
+            2 => {
+                let frame = frame(&mut bytes);
+                let known = AnyMessage::decode(frame.id, frame.data());
+                if let Err(error) = car.receive(&frame) {
+                    assert_eq!(known, Err(error));
+                }
+                if let Err(error) = ai.receive(&frame) {
+                    assert_eq!(known, Err(error));
+                }
+            }
+            3 => seen(&mut watch, &mut bytes, time_ns),
+            _ => {
+                let cycle_ms = car.cycle_ms();
+                let dt_ms = match bytes.below(8) {
+                    0 => bytes.any(),
+                    1 => u32::try_from(bytes.below(20_000)).unwrap_or(0),
+                    _ => cycle_ms,
+                };
+                for _ in 0..=bytes.below(16) {
+                    together(&mut car, &mut ai, &mut watch, time_ns, dt_ms);
+                    time_ns = time_ns.saturating_add(i64::from(dt_ms) * 1_000_000);
+                }
+            }
+        }
+    }
+    let _ = (watch.traffic(), watch.outages().len());
+    if let Err(error) = watch.finish() {
+        assert!(!error.to_string().is_empty());
+    }
+}
+
+/// A cycle of both, and the bus between them.
+fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: u32) {
+    let before = car.vehicle().distance_m();
+    let cycle = car.cycle(dt_ms);
+    let timing = &car.machine().interface().timing;
+    assert!(car.control().is_consistent(timing, car.machine().readings()), "{:?}", car.control());
+    assert_eq!(cycle.state(), cycle.outputs.map(|_| car.control().state));
+    assert!(cycle.frames.len() >= 8 || cycle.state().is_none(), "{} frames", cycle.frames.len());
+    let (speed, distance) = (car.vehicle().speed_mps(), car.vehicle().distance_m());
+    assert!(speed.is_finite() && speed >= 0.0, "{speed} m/s");
+    assert!(distance.is_finite() && distance >= before, "{before} m, and then {distance} m");
+    let wheels = car.inputs().vehicle.wheel_speeds;
+    assert!(wheels.fl_wheel_speed <= WheelSpeed::MAX && wheels.rr_wheel_speed <= WheelSpeed::MAX);
+    if let Some(missing) = missing(car) {
+        assert!(missing.conditions.iter().all(|condition| !condition.to_string().is_empty()));
+    }
+    for frame in &cycle.frames {
+        sent(frame, Node::Vcu);
+        assert!(ai.receive(frame).is_ok());
+        heard(watch, time_ns, frame);
+    }
+    for frame in ai.cycle(dt_ms) {
+        sent(&frame, Node::Ai);
+        assert!(car.receive(&frame).is_ok());
+        heard(watch, time_ns, &frame);
+    }
+    watch.news();
+}
+
+/// Whoever sends sends what is theirs, and can be read.
+fn sent(frame: &Frame, node: Node) {
+    assert!(node.may_send(frame.id), "{frame}");
+    let message = AnyMessage::decode(frame.id, frame.data()).expect("what is sent can be read");
+    assert_eq!(message.def().sender, node);
+    assert!(frame.id != Vcu2LogStatus::ID || node == Node::Vcu);
+}
+
+fn heard(watch: &mut Watch, time_ns: i64, frame: &Frame) {
+    let mut data = [0; 8];
+    for (place, byte) in data.iter_mut().zip(frame.data()) {
+        *place = *byte;
+    }
+    let len = u8::try_from(frame.data().len()).unwrap_or(8);
+    watch.frame(&Received { time_ns, kind: FrameKind::Standard, id: frame.id.into(), len, data });
+}
+
+/// Anything that a bus may tell.
+fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
+    let time_ns = if bytes.one_in(4) { bytes.any() } else { now_ns };
+    match bytes.below(6) {
+        0 => watch.silence(time_ns),
+        1 => {
+            let troubles = [Trouble::Down, Trouble::Gone, Trouble::BusOff, Trouble::Full];
+            watch.trouble(time_ns, &troubles[usize::from(bytes.any::<u8>()) % troubles.len()]);
+        }
+        2 => watch.up(time_ns),
+        3 => drop(watch.dropped(bytes.any())),
+        _ => {
+            let (extended, len) = (bytes.any(), bytes.any());
+            let kind = match bytes.below(8) {
+                0 => FrameKind::Extended,
+                1 => FrameKind::Error,
+                2 => FrameKind::Remote { extended, len },
+                3 => FrameKind::Fd { extended, flags: len },
+                4 => FrameKind::Xl,
+                _ => FrameKind::Standard,
+            };
+            let received = Received { time_ns, kind, id: bytes.any(), len: bytes.any(), data: bytes.any() };
+            let logged = watch.frame(&received);
+            assert!(logged.time_ns >= 0 && logged.data().len() <= 8);
+            assert!(received.frame().is_none_or(|frame| frame.is_valid()));
+        }
+    }
+}
+
+fn frame(bytes: &mut Bytes<'_>) -> Frame {
+    if bytes.one_in(2)
+        && let Ok(message) = bytes.0.arbitrary::<AnyMessage>()
+    {
+        return message.encode();
+    }
+    let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(&MESSAGES).id };
+    Frame::new(id, bytes.some(8)).expect("the identifier and the length are those of a frame")
+}

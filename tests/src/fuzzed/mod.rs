@@ -1,0 +1,61 @@
+//! What is fuzzed: everything that reads or decides, each as a function of any bytes that panics where something is wrong.
+//!
+//! A body has no other input than its bytes, so that what a fuzzer finds fails again wherever the same bytes are run: in the
+//! fuzzer, in the tests of this crate, which run all of `fuzz/corpus` and `fuzz/regressions`, and in a debugger.
+//!
+//! | body | what it reads or decides | what that is held against |
+//! |---|---|---|
+//! | [`codec`] | frames: any identifier, length and bytes | the table of signals; what is read is written again |
+//! | [`step`] | any inputs, one step after the other, under any readings | the document's words as `if`s; the invariant |
+//! | [`theorems`] | any theorem of `adsdv-proofs`, on any values | the theorem |
+//! | [`candump`] | any bytes as a log | the same log in other pieces; the same log written again |
+//! | [`judge_any`] | any bytes as a log, any frames at any time | the same frames as a log; what each report promises |
+//! | [`judge_reference`] | logs of the reference under any readings, late and with losses | the VCU is never blamed |
+//! | [`protocol`] | any line between `conform` and a program | the same line written again |
+//! | [`suite`] | any bytes as a test suite | the same tests written again |
+//! | [`scenario`] | any bytes as a scenario, and how it is played | the same scenario written again; the order of its lines |
+//! | [`conform`] | the answers of a VCU that lies, and of one that does not | what each report promises; who is right conforms |
+//! | [`names`] | any words of a command line, any JSON | the same name; the same value written again |
+//! | [`car`] | any frames, switches and times, at the car, the AI Computer and the live judge | their ranges; what they send can be read |
+//!
+//! The border to C is the one body that needs `unsafe`, and so it stands in `ffi/tests/c_border`.
+
+// That a body panics where something is wrong is what it is for.
+#![allow(clippy::missing_panics_doc)]
+
+mod bytes;
+pub mod candump;
+pub mod car;
+pub mod codec;
+pub mod conform;
+pub mod judge_any;
+pub mod judge_reference;
+pub mod names;
+pub mod protocol;
+pub mod replay;
+pub mod scenario;
+pub mod seeds;
+pub mod step;
+pub mod suite;
+pub mod theorems;
+
+pub use bytes::Bytes;
+
+/// A body, and the name of its fuzzer.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// Every body of this crate. `fuzz/Cargo.toml` has a fuzzer of each name.
+pub const TARGETS: [Target; 12] = [
+    ("candump", candump::body),
+    ("car", car::body),
+    ("codec", codec::body),
+    ("conform", conform::body),
+    ("judge_any", judge_any::body),
+    ("judge_reference", judge_reference::body),
+    ("names", names::body),
+    ("protocol", protocol::body),
+    ("scenario", scenario::body),
+    ("step", step::body),
+    ("suite", suite::body),
+    ("theorems", theorems::body),
+];

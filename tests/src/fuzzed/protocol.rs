@@ -1,0 +1,86 @@
+//! The protocol of `conform`: each sort of line, read and written.
+
+use std::fmt::{Debug, Display};
+use std::str::FromStr;
+
+use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, Request, SHOWN, Shown, Told};
+use adsdv_spec::{Control, Inputs, Interface, Machine};
+
+use super::Bytes;
+use crate::world::Chance;
+
+/// The choice that makes the rest of the bytes lines.
+pub const AS_TEXT: [u8; 1] = [1];
+
+/// The body.
+pub fn body(bytes: &[u8]) {
+    let mut bytes = Bytes::new(bytes);
+    if bytes.one_in(4) {
+        any_step(&mut bytes);
+    } else {
+        let text = String::from_utf8_lossy(bytes.rest());
+        // A program's answer ends with its line.
+        text.split('\n').for_each(line);
+    }
+}
+
+/// A line is each of the sorts or not, and what is one is written as it was read.
+fn line(line: &str) {
+    same_again::<Request>(line);
+    same_again::<Told>(line);
+    match line.parse::<Answer>() {
+        Ok(answer) => {
+            assert!(answer.has("as_state") && answer.keys().count() <= SHOWN.len());
+            for field in SHOWN {
+                assert_eq!(answer.has(field.key), answer.keys().any(|key| key == field.key));
+                if let Some(value) = answer.get(field.key) {
+                    assert!(!value.to_string().is_empty());
+                }
+            }
+            // What is an answer to a step is none to a reset.
+            assert_eq!(Answer::is_reset(line), Ok(false));
+        }
+        Err(error) => told(&error),
+    }
+    if let Err(error) = Answer::is_reset(line) {
+        told(&error);
+    }
+}
+
+/// What is wrong is told in one line.
+fn told(error: &BadLine) {
+    let text = error.to_string();
+    assert!(!text.is_empty() && !text.contains(|c: char| c.is_control()), "{text:?}");
+}
+
+fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &str) {
+    match line.parse::<T>() {
+        Ok(read) => {
+            let written = read.to_string();
+            assert!(!written.contains('\n'));
+            assert_eq!(written.parse(), Ok(read), "{written}");
+        }
+        Err(error) => told(&error),
+    }
+}
+
+/// Any step, told to a program, is the step that it gets; and what it shows is read as it was shown.
+fn any_step(bytes: &mut Bytes<'_>) {
+    let readings = bytes.readings();
+    let machine = Machine::new(Interface::V3_0, readings);
+    let (inputs, dt_ms): (Inputs, u32) = (bytes.any(), bytes.any());
+    let given = Request::Step { dt_ms, inputs }.to_string();
+    // What a VCU measures itself, and the protocol has no key for, is left at its default.
+    let Ok(Request::Step { dt_ms: again, inputs: read }) = given.parse() else { panic!("{given} is a step") };
+    assert_eq!(again, dt_ms);
+    for field in INPUTS {
+        assert_eq!((field.get)(&read), (field.get)(&inputs), "{}", field.key);
+    }
+    let (_, outputs) = machine.step(&Control::INITIAL, &read, dt_ms);
+    let shown = Shown::of(&outputs, &read);
+    let answer: Answer = shown.to_string().parse().expect("what is shown is an answer");
+    assert_eq!(answer, Answer::from(shown));
+    assert!(answer.agrees(&shown) && answer.differences(&shown).next().is_none());
+    // What it sees of the rest of the car is no condition of the document.
+    assert_eq!(shown, Shown::of(&machine.step(&Control::INITIAL, &inputs, dt_ms).1, &read));
+}

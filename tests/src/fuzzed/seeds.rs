@@ -1,0 +1,289 @@
+//! What fuzzers begin with: the inputs of `fuzz/corpus` and the words of `fuzz/dictionaries`, made from what the project has.
+//!
+//! `cargo run -p adsdv-tests --bin seeds` writes them, and a test tells when they have to be written again.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+
+use adsdv_can::car::{Action, Switch};
+use adsdv_can::scenario::Scenario;
+use adsdv_oracle::candump::{Dropped, write_dropped};
+use adsdv_oracle::protocol::{INPUTS, Request, SHOWN, Shown, Told};
+use adsdv_oracle::suite::{self, Kind, Test};
+use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
+use adsdv_spec::{
+    AiMessages, Atom, Choice, Choices, Control, Fault, Inputs, Interface, Knowledge, Machine, Observation,
+    Outputs, Reading, Readings, Timing, Truth, VcuMessages,
+};
+use serde::Serialize;
+use serde_json::Value;
+
+use super::{codec, judge_any, protocol};
+use crate::world::Random;
+
+/// The logs that the project has, each with its name.
+const LOGS: [(&str, &str); 2] = [
+    ("mission", include_str!("../../logs/mission.log")),
+    ("finished-while-moving", include_str!("../../logs/finished-while-moving.log")),
+];
+
+/// So many lines of a log are enough to begin with, and of so many of its frames bytes are taken.
+const LINES: usize = 60;
+/// A body has at most so many inputs to begin with.
+pub const MOST: usize = 40;
+
+/// By the name of a body, the inputs that it begins with, each with its name.
+pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
+
+/// Every input of `fuzz/corpus`.
+pub fn corpus() -> Corpus {
+    let mut all = Corpus::new();
+    let mut add = |target: &'static str, name: &str, bytes: Vec<u8>| {
+        all.entry(target).or_default().insert(name.to_owned(), bytes);
+    };
+    for (name, log) in LOGS {
+        for (place, piece) in pieces(log).enumerate() {
+            let name = format!("{name}-{}", place + 1);
+            add("candump", &name, with(&[7], piece.as_bytes()));
+            add("judge_any", &name, with(&judge_any::AS_TEXT, piece.as_bytes()));
+        }
+    }
+    for (name, line) in other_lines() {
+        add("candump", name, with(&[0], line.as_bytes()));
+        add("judge_any", name, with(&judge_any::AS_TEXT, line.as_bytes()));
+    }
+    for (name, text) in Scenario::SAMPLES {
+        add("scenario", name, with(text.as_bytes(), &with(&[0], &any_bytes(name.len() as u64, 60))));
+    }
+    let tests = suite::generate(&Interface::V3_0);
+    for kind in Kind::ALL {
+        // The shortest of each kind says as much as a longer one.
+        let shortest = tests.iter().filter(|test| test.kind == kind).min_by_key(|test| line(test).len());
+        if let Some(test) = shortest {
+            add("suite", kind.name(), line(test).into_bytes());
+            for (place, text) in exchange(test).into_iter().enumerate().take(3) {
+                add("protocol", &format!("{kind}-{}", place + 1), with(&protocol::AS_TEXT, text.as_bytes()));
+            }
+        }
+    }
+    for (name, text) in jsons() {
+        add("names", name, text.into_bytes());
+    }
+    add("names", "names", words("names").into_iter().collect::<Vec<String>>().join("\n").into_bytes());
+    for def in MESSAGES {
+        let first = (LOGS.iter()).find_map(|(_, log)| log.lines().find_map(|line| data_of(line, def.id)));
+        let data = first.unwrap_or_else(|| vec![0; def.len.into()]);
+        add("codec", &format!("{:03X}", def.id), codec::as_data(def.id, &data));
+    }
+    for target in [
+        "c_border",
+        "car",
+        "codec",
+        "conform",
+        "judge_any",
+        "judge_reference",
+        "protocol",
+        "step",
+        "theorems",
+    ] {
+        for (place, len) in [16_u16, 48, 64, 96, 128, 192, 256, 400].into_iter().enumerate() {
+            add(target, &format!("any-{}", place + 1), any_bytes(place as u64 + 1, len));
+        }
+    }
+    all
+}
+
+/// The dictionary of each format that is text, as libFuzzer reads it.
+pub fn dictionaries() -> BTreeMap<&'static str, String> {
+    let text = |target: &str| {
+        let mut text = format!("# The words of {target}; written by: cargo run -p adsdv-tests --bin seeds\n");
+        for word in words(target) {
+            text.push('"');
+            for byte in word.bytes() {
+                match byte {
+                    b'"' | b'\\' => text.extend(['\\', char::from(byte)]),
+                    b' '..=b'~' => text.push(char::from(byte)),
+                    _ => {
+                        // Writing to a string does not fail.
+                        let _ = write!(text, "\\x{byte:02X}");
+                    }
+                }
+            }
+            text.push_str("\"\n");
+        }
+        text
+    };
+    ["candump", "judge_any", "names", "protocol", "scenario", "suite"]
+        .into_iter()
+        .map(|target| (target, text(target)))
+        .collect()
+}
+
+/// The words of a format.
+fn words(target: &str) -> BTreeSet<String> {
+    let mut words = BTreeSet::new();
+    match target {
+        "candump" | "judge_any" => {
+            words.extend(MESSAGES.iter().map(|def| format!("{:03X}#", def.id)));
+            for (_, line) in other_lines() {
+                words.extend(line.split_inclusive(' ').map(str::to_owned));
+            }
+            words.extend(
+                ["(", ".", ") ", " can0 ", "##", "#R", "_F", " R\n", " T\n", "\r\n"].map(str::to_owned),
+            );
+        }
+        "scenario" => {
+            for switch in Switch::all() {
+                words.insert(switch.key().to_owned());
+                let positions = switch.positions().into_iter().map(|raw| switch.position(raw));
+                // Of numbers there are too many, and a fuzzer knows them.
+                words.extend(positions.filter(|position| position.parse::<i32>().is_err()));
+            }
+            words.extend(AsState::ALL.iter().map(|state| state.name().to_owned()));
+            words.extend([Action::POWER_CYCLE, "end", "+", ", ", "#", "0.5", "\n"].map(str::to_owned));
+        }
+        "protocol" | "suite" => {
+            let tests = suite::generate(&Interface::V3_0);
+            if target == "suite" {
+                tests.first().into_iter().for_each(|test| parts(&line(test), &mut words));
+                words.extend(Kind::ALL.map(|kind| kind.name().to_owned()));
+                words.extend(Reading::ALL.iter().map(|reading| reading.id().to_owned()));
+            } else {
+                tests
+                    .first()
+                    .iter()
+                    .flat_map(|test| exchange(test))
+                    .for_each(|line| parts(&line, &mut words));
+            }
+            words.extend(INPUTS.iter().map(|field| quoted(field.key)));
+            words.extend(SHOWN.iter().map(|field| quoted(field.key)));
+            let values = MESSAGES.iter().flat_map(|def| def.signals).flat_map(|signal| signal.values);
+            words.extend(values.map(|(_, name)| (*name).to_owned()));
+            words.extend(["{", "}", "[", "]", ":", ",", "null", "true", "false"].map(str::to_owned));
+        }
+        _ => {
+            words.extend(Atom::ALL.iter().map(ToString::to_string));
+            words.extend(Fault::ALL.iter().map(ToString::to_string));
+            words.extend(Reading::ALL.iter().map(ToString::to_string));
+            words.extend(Choice::ALL.iter().map(ToString::to_string));
+            words.extend(Scenario::SAMPLES.map(|(name, _)| name.to_owned()));
+            for (_, text) in jsons() {
+                parts(&text, &mut words);
+            }
+        }
+    }
+    words.remove("");
+    words
+}
+
+/// Adds the keys and the texts of a line of JSON, with their quotation marks.
+fn parts(line: &str, words: &mut BTreeSet<String>) {
+    fn walk(value: &Value, words: &mut BTreeSet<String>) {
+        match value {
+            Value::String(text) if text.len() <= 40 => {
+                words.insert(quoted(text));
+            }
+            Value::Array(list) => list.iter().for_each(|value| walk(value, words)),
+            Value::Object(map) => {
+                for (key, value) in map {
+                    words.insert(quoted(key));
+                    walk(value, words);
+                }
+            }
+            _ => {}
+        }
+    }
+    if let Ok(value) = serde_json::from_str(line) {
+        walk(&value, words);
+    }
+}
+
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string()
+}
+
+fn with(before: &[u8], behind: &[u8]) -> Vec<u8> {
+    [before, behind].concat()
+}
+
+fn any_bytes(seed: u64, len: u16) -> Vec<u8> {
+    let mut random = Random(seed);
+    (0..len).map(|_| random.bits().to_le_bytes()[0]).collect()
+}
+
+/// Some lines from all over a log: its beginning, and where something happens.
+fn pieces(log: &str) -> impl Iterator<Item = String> + '_ {
+    let lines: Vec<&str> = log.lines().collect();
+    let starts: Vec<usize> = (0..4).map(|part| lines.len() * part / 4).collect();
+    starts.into_iter().map(move |start| {
+        let piece = lines.get(start..).unwrap_or_default().iter().take(LINES);
+        piece.flat_map(|line| [*line, "\n"]).collect()
+    })
+}
+
+/// Lines that the logs do not have.
+fn other_lines() -> [(&'static str, String); 6] {
+    let mut dropped = Vec::new();
+    let told = Dropped { line: 0, interface: "can0", count: 3, total: 7 };
+    // Memory can be written to.
+    let _ = write_dropped(&mut dropped, &told);
+    [
+        ("dropped", String::from_utf8_lossy(&dropped).into_owned()),
+        ("extended", "(1.000000) can0 18FF50E5#0011 R\n".to_owned()),
+        ("remote", "(1.000000) can0 520#R8_F T\n".to_owned()),
+        ("error", "(1.000000) can0 20000004#0004000000000000\n".to_owned()),
+        ("fd", "(1.000000) can0 520##10011\r\n".to_owned()),
+        ("xl", "(1.000000) can0 45123#81:00:12345678#00.11".to_owned()),
+    ]
+}
+
+/// The data of a line that has this identifier.
+fn data_of(line: &str, id: u16) -> Option<Vec<u8>> {
+    let (_, digits) = line.split_once(&format!(" {id:03X}#"))?;
+    let pairs = digits.as_bytes().chunks_exact(2).filter_map(|pair| std::str::from_utf8(pair).ok());
+    Some(pairs.map_while(|pair| u8::from_str_radix(pair, 16).ok()).collect())
+}
+
+fn line(test: &Test) -> String {
+    test.to_line(&Machine::REFERENCE)
+}
+
+/// The lines to a program that is tested, and its answers.
+fn exchange(test: &Test) -> Vec<String> {
+    let shown = test.scenario.shown(&Machine::REFERENCE).map(|shown: Shown| shown.to_string());
+    let asked = test.scenario.requests().map(|request: Request| request.to_string());
+    let told = test.scenario.steps.last().map(|step| Told(step.inputs).to_string());
+    shown.take(2).chain(asked.take(3)).chain(told).collect()
+}
+
+/// A value of each type that is read from JSON.
+fn jsons() -> Vec<(&'static str, String)> {
+    fn text(value: &impl Serialize) -> String {
+        serde_json::to_string(value).unwrap_or_default()
+    }
+    let inputs = Inputs::default();
+    let (control, outputs): (Control, Outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
+    let seen: Observation = inputs.observe(&Interface::V3_0.thresholds);
+    let messages: VcuMessages = outputs.messages(&inputs);
+    let message = AnyMessage::from(messages.status);
+    let frame: Frame = message.encode();
+    let timing: Timing = Interface::V3_0.timing;
+    vec![
+        ("inputs", text(&inputs)),
+        ("ai", text(&AiMessages::default())),
+        ("control", text(&control)),
+        ("outputs", text(&outputs)),
+        ("actuation", text(&outputs.actuation(&inputs))),
+        ("observation", text(&seen)),
+        ("reaction", text(&Machine::REFERENCE.react(&control, seen, 10))),
+        ("messages", text(&messages)),
+        ("message", text(&message)),
+        ("frame", text(&frame)),
+        ("timing", text(&timing)),
+        ("thresholds", text(&Interface::V3_0.thresholds)),
+        ("readings", text(&Readings::DEFAULT)),
+        ("choices", text(&Choices::ALL)),
+        ("knowledge", text(&Knowledge::exact(outputs.atoms))),
+        ("truth", text(&Truth::Unknown)),
+    ]
+}
