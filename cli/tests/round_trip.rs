@@ -1,0 +1,249 @@
+//! What `adsdv check --json` prints of random logs: it keeps to its schema, reads back to the report that the judge made of the
+//! same log, and what was read is written again as the same bytes.
+//!
+//! With `PROPTEST_CASES` more logs are tried. A log that has failed once is kept in `round_trip.regressions`, and tried first.
+
+#![forbid(unsafe_code)]
+
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+use std::sync::LazyLock;
+use std::{env, thread};
+
+use adsdv_oracle::candump::write_frame;
+use adsdv_oracle::judge::Report;
+use adsdv_oracle::log::{LogError, LogOptions, judge_log};
+use adsdv_spec::messages::{AnyMessage, MESSAGES};
+use jsonschema::Validator;
+use proptest::prelude::{Just, Strategy, any, prop_oneof};
+use proptest::test_runner::{Config, FileFailurePersistence, TestCaseError, TestError, TestRunner};
+use proptest::{collection, sample};
+use serde::{Deserialize, Serialize};
+
+/// How many logs are tried.
+const CASES: u32 = 100;
+
+/// A report, as a program reads it.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Read {
+    frames: u64,
+    duration_s: f64,
+    transitions: Vec<ReadTransition>,
+    findings: Vec<ReadFinding>,
+    handshake_response_ms: Option<ReadResponse>,
+    verdict: String,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadTransition {
+    t: f64,
+    from: String,
+    to: String,
+    clause: String,
+    justified: String,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadFinding {
+    t: f64,
+    severity: String,
+    party: String,
+    clause: String,
+    rule: String,
+    message: String,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadResponse {
+    count: u64,
+    min: f64,
+    median: f64,
+    p99: f64,
+    max: f64,
+}
+
+/// Seconds that are as many microseconds as these nanoseconds, which is what logs have.
+#[allow(clippy::cast_precision_loss, reason = "the times here are days at most")]
+fn seconds(ns: i64) -> f64 {
+    assert_eq!(ns % 1000, 0, "the times of these logs are microseconds");
+    (ns / 1000) as f64 / 1e6
+}
+
+/// What has to be read of a report.
+fn expected(report: &Report) -> Read {
+    let ms = |ms: Option<f64>| ms.map(|ms| (ms * 1e3).round() / 1e3).unwrap_or_default();
+    let times = &report.responses;
+    Read {
+        frames: report.frames,
+        duration_s: seconds(report.duration_ns),
+        transitions: report
+            .transitions
+            .iter()
+            .map(|transition| ReadTransition {
+                t: seconds(transition.t_ns),
+                from: transition.from.name().to_owned(),
+                to: transition.to.name().to_owned(),
+                clause: transition.clause.to_owned(),
+                justified: transition.justified.name().to_owned(),
+            })
+            .collect(),
+        findings: report
+            .findings
+            .iter()
+            .map(|finding| ReadFinding {
+                t: seconds(finding.t_ns),
+                severity: finding.severity.name().to_owned(),
+                party: finding.party.name().to_owned(),
+                clause: finding.clause.to_owned(),
+                rule: finding.rule.id().to_owned(),
+                message: finding.message.clone(),
+            })
+            .collect(),
+        handshake_response_ms: (times.count() > 0).then(|| ReadResponse {
+            count: times.count(),
+            min: ms(times.min_ms()),
+            median: ms(times.quantile_ms(0.5)),
+            p99: ms(times.quantile_ms(0.99)),
+            max: ms(times.max_ms()),
+        }),
+        verdict: report.verdict().name().to_owned(),
+    }
+}
+
+/// A line of a log.
+#[derive(Clone, Debug)]
+enum Line {
+    /// A frame, so many microseconds after the one before.
+    Frame { after_us: i64, id: u16, data: Vec<u8> },
+    /// Something else: quotes, control characters, other alphabets.
+    Rubbish(String),
+    /// Frames were lost.
+    Dropped(u32),
+}
+
+fn any_line() -> impl Strategy<Value = Line> {
+    let after_us = || prop_oneof![8 => 0..12_000_i64, 1 => 0..2_000_000_i64];
+    let frame = |(after_us, message): (i64, AnyMessage)| {
+        let frame = message.encode();
+        Line::Frame { after_us, id: frame.id, data: frame.data().to_vec() }
+    };
+    // Of the states alone, so that there are transitions and answers to the handshake.
+    let status = (after_us(), 1..=5_u8, any::<bool>(), sample::select(vec![0x520, 0x510])).prop_map(
+        |(after_us, state, bit, id)| Line::Frame {
+            after_us,
+            id,
+            data: vec![u8::from(bit), 0, if id == 0x520 { state } else { 1 }, 0, 0, 0, 0, 0],
+        },
+    );
+    let ids = MESSAGES.map(|message| message.id).to_vec();
+    let bits =
+        (after_us(), prop_oneof![sample::select(ids), 0..0x800_u16], collection::vec(any::<u8>(), 0..=8))
+            .prop_map(|(after_us, id, data)| Line::Frame { after_us, id, data });
+    prop_oneof![
+        8 => status,
+        4 => (after_us(), any::<AnyMessage>()).prop_map(frame),
+        2 => bits,
+        1 => any::<String>().prop_map(Line::Rubbish),
+        1 => Just("\"\\\u{1b}[2J\u{2028}\u{fffd}\t".to_owned()).prop_map(Line::Rubbish),
+        1 => any::<u32>().prop_map(Line::Dropped),
+    ]
+}
+
+/// The text of a log.
+fn text(lines: &[Line]) -> Vec<u8> {
+    let mut text = Vec::new();
+    let mut time_us = 1_795_209_995_000_000;
+    for line in lines {
+        match line {
+            Line::Frame { after_us, id, data } => {
+                time_us += after_us;
+                write_frame(&mut text, time_us * 1000, "can0", (*id).into(), data).expect("a vector");
+            }
+            Line::Rubbish(rubbish) => writeln!(text, "{rubbish}").expect("a vector"),
+            Line::Dropped(count) => {
+                writeln!(
+                    text,
+                    "DROPCOUNT: dropped {count} CAN frames on 'can0' socket (total drops {count})"
+                )
+                .expect("a vector");
+            }
+        }
+    }
+    text
+}
+
+/// Runs the command with this on its standard input.
+fn adsdv(args: &[&str], input: &[u8]) -> (Option<i32>, String) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_adsdv"))
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let output = thread::scope(|scope| {
+        scope.spawn(move || stdin.write_all(input).ok());
+        child.wait_with_output().expect("the command ends")
+    });
+    (output.status.code(), String::from_utf8(output.stdout).expect("text"))
+}
+
+/// The schema that the command prints.
+static SCHEMA: LazyLock<Validator> = LazyLock::new(|| {
+    let (_, schema) = adsdv(&["schema", "check"], b"");
+    let schema = serde_json::from_str(&schema).expect("JSON");
+    jsonschema::draft202012::new(&schema).expect("a schema that can be used")
+});
+
+fn round_trip(lines: &[Line]) -> Result<(), String> {
+    let log = text(lines);
+    let (status, printed) = adsdv(&["check", "-", "--json"], &log);
+    let report = match judge_log(log.as_slice(), &LogOptions::default(), |_| {}) {
+        Ok(report) => report,
+        Err(LogError::Read(error)) => return Err(error.to_string()),
+        // A log without a frame has no report.
+        Err(_) if status == Some(2) && printed.is_empty() => return Ok(()),
+        Err(error) => return Err(format!("{error}, but {status:?}: {printed}")),
+    };
+    let as_value = serde_json::from_str(&printed).map_err(|error| error.to_string())?;
+    if let Some(error) = SCHEMA.iter_errors(&as_value).next() {
+        return Err(format!("not by the schema: {error}"));
+    }
+    let read: Read = serde_json::from_str(&printed).map_err(|error| error.to_string())?;
+    let expected = expected(&report);
+    if read != expected {
+        return Err(format!("read {read:#?}\nexpected {expected:#?}"));
+    }
+    let again = serde_json::to_string(&read).map_err(|error| error.to_string())?;
+    if again + "\n" != printed {
+        return Err(format!("it is written again otherwise than {printed}"));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_report_reads_back() {
+    let wanted = env::var("PROPTEST_CASES").ok().and_then(|wanted| wanted.parse().ok());
+    let cases = wanted.unwrap_or(CASES).max(CASES);
+    let regressions = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/round_trip.regressions");
+    let config = Config {
+        cases,
+        max_shrink_iters: 2000,
+        failure_persistence: Some(Box::new(FileFailurePersistence::Direct(regressions))),
+        ..Config::default()
+    };
+    let logs = collection::vec(any_line(), 0..80);
+    let tried = TestRunner::new(config).run(&logs, |lines| round_trip(&lines).map_err(TestCaseError::fail));
+    match tried {
+        Ok(()) => {}
+        Err(TestError::Fail(wrong, lines)) => {
+            panic!("{wrong}\n{}", String::from_utf8_lossy(&text(&lines)))
+        }
+        Err(TestError::Abort(why)) => panic!("not tried: {why}"),
+    }
+}

@@ -1,0 +1,171 @@
+//! A run that was recorded: the judge finds nothing against the VCU, and its timeline is that of the run; and it says the same
+//! of the frames, of the log that is written of them, and piece by piece while they come.
+
+use adsdv_oracle::candump::write_frame;
+use adsdv_oracle::judge::{Judge, Options, Party, Report, Severity};
+use adsdv_oracle::log::{LogOptions, judge_log};
+use adsdv_spec::{AsState, Control, Inputs};
+use adsdv_tests::world::{MS, Recorded, World, judge};
+
+use crate::holds::{holds, regressions};
+use crate::operations::{Operation, Run, runs};
+use crate::run::Silent;
+use crate::runs::machine;
+use crate::timeline::timeline;
+
+/// How many runs are tried.
+const CASES: u32 = 50;
+
+/// For so long nobody sends while the power is off.
+const POWERLESS: i64 = 1000 * MS;
+
+/// For so long an EBS state lasts at least: 502h, which shows it, comes every 100 ms.
+const EBS_LASTS: i64 = 300 * MS;
+
+/// For so long a run goes on when all is done, so that the judge has seen what comes of it.
+const SETTLED_MS: u32 = 200;
+
+/// A change of state, and when.
+type Change = (i64, AsState, AsState);
+
+/// The run on a simulated bus, with the changes of state in it.
+fn recorded(run: &Run) -> (World, Vec<Change>) {
+    let mut world = World::new(machine(run));
+    let mut changes = Vec::new();
+    // What changes in the first cycle after the power was switched on does not show.
+    let mut dark = true;
+    let mut ebs_changed = i64::MIN;
+    for &operation in &run.operations {
+        match operation {
+            Operation::Answers(answers) => world.ai_answers = answers,
+            Operation::PowerCycle => {
+                world.control = Control::INITIAL;
+                world.t += POWERLESS;
+                dark = true;
+            }
+            Operation::Wait(ms) => wait(&mut world, ms, &mut dark, &mut changes),
+            Operation::Set(..) | Operation::Wheels(_) => {
+                let mut inputs = Inputs { ai: world.ai, ..world.inputs };
+                operation.act(&mut inputs);
+                // The VCU hears of what the AI Computer changes with its next frame.
+                world.ai = inputs.ai;
+                let changes_ebs = inputs.ebs != world.inputs.ebs;
+                if !changes_ebs || world.t.saturating_sub(ebs_changed) > EBS_LASTS {
+                    if changes_ebs {
+                        ebs_changed = world.t;
+                    }
+                    world.inputs = Inputs { ai: world.inputs.ai, ..inputs };
+                }
+            }
+        }
+    }
+    wait(&mut world, SETTLED_MS, &mut dark, &mut changes);
+    (world, changes)
+}
+
+fn wait(world: &mut World, ms: u32, dark: &mut bool, changes: &mut Vec<Change>) {
+    let end = world.t + i64::from(ms) * MS;
+    while world.t < end {
+        let (t, from) = (world.t, world.control.state);
+        world.cycle();
+        if !std::mem::take(dark) && world.control.state != from {
+            changes.push((t, from, world.control.state));
+        }
+    }
+}
+
+fn told(report: &Report) -> String {
+    let Report { frames, duration_ns, transitions, findings, responses } = report;
+    let responses = (responses.count(), responses.min_ms(), responses.max_ms());
+    format!("{frames} {duration_ns} {transitions:?} {findings:?} {responses:?}")
+}
+
+/// Tries what is to be said of a recording, on runs that have one.
+fn recordings(says: impl Fn(&Run, &World, &[Change]) -> Result<(), String>) {
+    holds(
+        CASES,
+        regressions!("log"),
+        &runs(),
+        |run| {
+            let (world, changes) = recorded(run);
+            says(run, &world, &changes)
+        },
+        |run| timeline(&machine(run), run, &mut Silent),
+    );
+}
+
+/// Whatever the readings are, none is known to the judge.
+#[test]
+fn the_judge_does_not_blame_the_vcu() {
+    recordings(|_, world, _| {
+        let report = world.judge(Options::default());
+        let blamed = |severity, party| severity == Severity::Violation && party == Party::Vcu;
+        match report.findings.iter().find(|finding| blamed(finding.severity, finding.party)) {
+            None => Ok(()),
+            Some(finding) => Err(format!("{finding:?}")),
+        }
+    });
+}
+
+#[test]
+fn the_timeline_is_that_of_the_run() {
+    recordings(|_, world, changes| {
+        let report = world.judge(Options::default());
+        let seen: Vec<Change> =
+            report.transitions.iter().map(|change| (change.t_ns, change.from, change.to)).collect();
+        // The first frame is that of the first step.
+        let origin = world.log.first().map_or(0, |first| first.t);
+        let done: Vec<Change> = changes.iter().map(|&(t, from, to)| (t - origin, from, to)).collect();
+        if seen == done { Ok(()) } else { Err(format!("seen {seen:?}, done {done:?}")) }
+    });
+}
+
+#[test]
+fn a_log_that_is_written_is_judged_alike() {
+    recordings(|_, world, _| {
+        let mut text = Vec::new();
+        for Recorded { t, frame } in &world.log {
+            write_frame(&mut text, *t, "vcan0", frame.id.into(), frame.data())
+                .expect("a vector can be written");
+        }
+        let read =
+            judge_log(text.as_slice(), &LogOptions::default(), |_| {}).map_err(|error| error.to_string())?;
+        let (read, seen) = (told(&read), told(&judge(&world.log, Options::default())));
+        if read == seen { Ok(()) } else { Err(format!("read: {read}\nseen: {seen}")) }
+    });
+}
+
+#[test]
+fn what_is_news_comes_once() {
+    recordings(|run, world, _| {
+        let mut judge = Judge::new(Options::default());
+        let origin = world.log.first().map_or(0, |first| first.t);
+        let (mut transitions, mut findings) = (Vec::new(), Vec::new());
+        let mut ask = |judge: &mut Judge| {
+            let (more_transitions, more_findings) = judge.news();
+            transitions.extend(more_transitions);
+            findings.extend(more_findings);
+        };
+        for (place, recorded) in (0_u32..).zip(&world.log) {
+            judge.frame(recorded.t - origin, recorded.frame.id.into(), recorded.frame.data());
+            if place % run.cycle_ms == 0 {
+                ask(&mut judge);
+            }
+        }
+        judge.time_passes(world.t - origin + POWERLESS);
+        ask(&mut judge);
+        let report = judge.finish();
+        // One that waits to be settled comes later than another that does not.
+        transitions.sort_by_key(|transition| transition.t_ns);
+        if transitions != report.transitions {
+            return Err(format!("news: {transitions:#?}\nreport: {:#?}", report.transitions));
+        }
+        // Some findings are told at the end alone.
+        let mut listed = report.findings.iter();
+        findings.sort_by_key(|finding| finding.t_ns);
+        match findings.iter().find(|news| !listed.any(|finding| finding == *news)) {
+            None => Ok(()),
+            Some(news) => Err(format!("{news:#?} is not, or twice, in {:#?}", report.findings)),
+        }
+    });
+}

@@ -1,0 +1,149 @@
+//! What the properties are worth: each change of the table, of a time and of a threshold breaks one of them, and the run that
+//! shows it is a few lines.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+use adsdv_oracle::suite;
+use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::{Interface, Machine, Mutation, Readings};
+use proptest::strategy::{Strategy, ValueTree as _};
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
+
+use crate::clocks::Clocks;
+use crate::handshake::Handshake;
+use crate::holds::SHRINKING;
+use crate::operations::{Run, runs};
+use crate::power::Power;
+use crate::run::{Property, Seen, keeps};
+use crate::second_opinion::SecondOpinion;
+use crate::timeline::timeline;
+
+/// So many runs tell all mutants apart.
+const CASES: u32 = 600;
+
+/// The properties of every step, all at once, of the document as it is.
+struct All(Clocks, Handshake, Power, SecondOpinion);
+
+impl All {
+    fn new(readings: Readings) -> Self {
+        let timing = Interface::V3_0.timing;
+        Self(
+            Clocks::new(timing, readings),
+            Handshake::new(timing, readings),
+            Power::new(readings),
+            SecondOpinion::new(readings),
+        )
+    }
+}
+
+impl Property for All {
+    fn see(&mut self, seen: &Seen<'_>) -> Result<(), String> {
+        let Self(clocks, handshake, power, second_opinion) = self;
+        clocks.see(seen)?;
+        handshake.see(seen)?;
+        power.see(seen)?;
+        second_opinion.see(seen)
+    }
+}
+
+/// A source of runs that is the same every time.
+fn runner() -> TestRunner {
+    let config =
+        Config { cases: CASES, max_shrink_iters: SHRINKING, failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
+}
+
+fn mutant(mutation: &Mutation, run: &Run) -> Machine {
+    Machine::new(mutation.apply(&Interface::V3_0), run.readings)
+}
+
+/// The run, as it tells most of a mutation: with readings under which it matters, and with short steps only where times count.
+fn telling(run: &Run, mutation: &Mutation) -> Run {
+    let mut run = run.clone();
+    if let Change::Time(..) = mutation.change {
+        run.cycle_ms = 1;
+        return run;
+    }
+    run.cycle_ms = Interface::V3_0.timing.cycle_ms.into();
+    if let Change::Term(row, term, change) = mutation.change {
+        let row = Interface::V3_0.table.rows().get(row).expect("a row");
+        for choice in row.terms().get(term).expect("a term").readings.iter() {
+            let others = choice.reading().choices().iter().copied().filter(|&other| other != choice);
+            run.readings = match change {
+                // It is there anyway, but under another reading.
+                TermChange::InEveryReading => others.fold(run.readings, Readings::with),
+                _ => run.readings.with(choice),
+            };
+        }
+    }
+    run
+}
+
+#[test]
+fn every_mutant_is_found() {
+    let mut runner = runner();
+    let runs: Vec<Run> = (0..CASES).map(|_| runs().new_tree(&mut runner).expect("a run").current()).collect();
+    let lives = |mutation: &Mutation| {
+        runs.iter().all(|run| {
+            let run = telling(run, mutation);
+            keeps(&mutant(mutation, &run), &run, &mut All::new(run.readings)).is_ok()
+        })
+    };
+    let alive: Vec<_> =
+        Mutation::all(&Interface::V3_0).filter(lives).map(|mutation| mutation.to_string()).collect();
+    // Those that behave like the specification, which the test suite lists with the reasons.
+    let proof = suite::prove(&Interface::V3_0, &suite::generate(&Interface::V3_0));
+    let equivalent: Vec<_> = proof.equivalent.into_iter().map(|(name, _)| name).collect();
+    assert_eq!(alive, equivalent);
+}
+
+/// Mutants, each with the most operations that the run that shows it may have.
+const SHRUNK: [(&str, usize); 8] = [
+    ("3.1 term 0: power-cycle-needed dropped", 20),
+    ("3.2 term 0: steer-straight dropped", 20),
+    ("3.2: leads to AS_FINISHED", 20),
+    ("3.6: dropped", 20),
+    ("3.7 term 1: go-on flipped", 20),
+    ("EBS timer -1", 20),
+    ("ready dwell -1", 20),
+    ("handshake +1", 20),
+];
+
+/// The shortest run that was found to show a mutant, as a timeline.
+fn shown(name: &str, most: usize) -> String {
+    let mutation = Mutation::all(&Interface::V3_0)
+        .find(|mutation| mutation.to_string() == name)
+        .unwrap_or_else(|| panic!("{name} is a mutation"));
+    let property = |run: &Run| All::new(run.readings);
+    let tried = runner().run(&runs(), |run| {
+        keeps(&mutant(&mutation, &run), &run, &mut property(&run)).map_err(TestCaseError::fail)
+    });
+    let Err(TestError::Fail(_, run)) = tried else { panic!("{name} is found: {tried:?}") };
+    let operations = run.operations.len();
+    assert!(operations <= most, "{name}: {operations} operations: {run:?}");
+    format!("# {name}\n{}", timeline(&mutant(&mutation, &run), &run, &mut property(&run)))
+}
+
+/// Set to 1, it makes the test write the file instead of comparing it.
+const BLESS: &str = "ADSDV_BLESS";
+
+/// The timelines, which are scenarios as well, are those of the file.
+#[test]
+fn a_mutant_is_shown_by_a_short_timeline() {
+    let mut all = String::new();
+    for (name, most) in SHRUNK {
+        let timeline = shown(name, most);
+        let scenario = timeline.parse::<adsdv_can::scenario::Scenario>();
+        assert!(scenario.is_ok(), "{scenario:?}\n{timeline}");
+        let _ = writeln!(all, "{timeline}");
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/mutants.txt");
+    if env::var_os(BLESS).is_some_and(|value| value == "1") {
+        fs::write(&path, &all).expect("golden/mutants.txt can be written");
+        return;
+    }
+    let golden = fs::read_to_string(&path).expect("golden/mutants.txt can be read");
+    assert_eq!(all, golden, "to renew it: {BLESS}=1 cargo test -p adsdv-tests --test properties mutant");
+}
