@@ -4,8 +4,9 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
+use adsdv_oracle::candump::ReadError;
 use adsdv_oracle::judge::{Options, Report};
-use adsdv_oracle::log::{LogError, LogOptions, Progress, judge_log};
+use adsdv_oracle::log::{LogError, LogOptions, Progress, judge_readable};
 
 use crate::args::CheckArgs;
 use crate::error::Error;
@@ -29,24 +30,26 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     } else {
         args.log.display().to_string()
     };
-    let report = read(&args.log, &name, &options)?;
+    let (report, failure) = read(&args.log, &name, &options)?;
     if args.json {
         output::plain(&json::text(&report))?;
     } else {
         let subject = Subject { name: &name, options: &options, pins: &args.readings };
         output::styled(&report::text(&subject, &report, output::width()), args.color)?;
     }
-    Ok(report.verdict().into())
+    // What could be read has been judged; a verdict on all of the log it is not.
+    failure.map_or(Ok(report.verdict().into()), |failure| Err(Error::log(&name, &LogError::Read(failure))))
 }
 
-fn read(log: &Path, name: &str, options: &LogOptions) -> Result<Report, Error> {
+/// The report of what could be read, and why that was not all.
+fn read(log: &Path, name: &str, options: &LogOptions) -> Result<(Report, Option<ReadError>), Error> {
     let mut line = Line::new();
     let progress = |progress: Progress| line.show(format_args!("{} lines", progress.lines));
     let judged = if log == Path::new(STDIN) {
-        judge_log(io::stdin().lock(), options, progress)
+        judge_readable(io::stdin().lock(), options, progress)
     } else {
         let file = File::open(log).map_err(|error| Error::open(name, &error))?;
-        judge_log(file, options, progress)
+        judge_readable(file, options, progress)
     };
     judged.map_err(|error| match &error {
         LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(name),

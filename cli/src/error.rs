@@ -49,7 +49,16 @@ impl Error {
     pub(crate) fn log(name: &str, error: &LogError) -> Self {
         let hint = match error {
             LogError::Read(_) => "copy the log to another disk, and check the copy".to_owned(),
-            LogError::NoFrame { .. } => RECORD.to_owned(),
+            LogError::NoFrame { first, .. } => {
+                let begins = first.as_ref().map(|first| first.found.as_bytes()).unwrap_or_default();
+                match begins {
+                    [0x1f, 0x8b, ..] => "it is compressed: zcat run.log.gz | adsdv check -".to_owned(),
+                    [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
+                        "it is text in UTF-16: iconv -f UTF-16 -t UTF-8 run.log | adsdv check -".to_owned()
+                    }
+                    _ => RECORD.to_owned(),
+                }
+            }
             LogError::NoSuchInterface { .. } => {
                 "name another with --interface, or leave the option out for the first that speaks of the ADS-DV"
                     .to_owned()

@@ -12,8 +12,10 @@ use crate::{output, pins};
 pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
     let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
     let told = |address| {
-        // Nobody may be listening, and the Explorer is still there.
-        let _ = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n"));
+        // Nobody may be listening, or the address may not be written, and the Explorer is still there.
+        if let Err(error) = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n")) {
+            error.tell();
+        }
     };
     serve(Closed::explorer(machine), args.port, told).map_err(|error| Error::port(args.port, &error))?;
     Ok(Status::Conforms)

@@ -2,7 +2,7 @@
 
 use std::env;
 use std::fs;
-use std::io::Read as _;
+use std::io::{BufRead as _, BufReader, Read as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
@@ -17,6 +17,10 @@ pub(crate) const TESTS: &[Test] = &[
     ("command::told_to_stop_each_ends_in_order", stops),
     ("command::what_cannot_be_opened_is_told", refused),
     ("command::a_full_disk_is_told_and_watching_goes_on", full_disk),
+    ("command::a_full_disk_for_what_is_printed_is_told", full_disk_for_output),
+    ("command::a_log_that_cannot_be_made_is_told", no_log),
+    ("command::an_interface_that_vanishes_is_told_and_waited_for", vanishes),
+    ("command::a_closed_pipe_ends_each_in_order", closed_pipe),
 ];
 
 /// A program that is ended with the test.
@@ -195,6 +199,12 @@ fn refused() -> Outcome {
         let told =
             format!("adsdv: lo: is not a CAN interface\nhint: the only CAN interface here is {}\n", vcan.0);
         ensure!(code == Some(2) && out.is_empty() && error == told, "{command}: {code:?} {out} {error}");
+        let (code, out, error) = Program::start(&adsdv, &[command, "adsdv-none"])?.end()?;
+        let told = format!(
+            "adsdv: adsdv-none: there is no such interface\nhint: the only CAN interface here is {}\n",
+            vcan.0
+        );
+        ensure!(code == Some(2) && out.is_empty() && error == told, "{command}: {code:?} {out} {error}");
     }
     let watch = Program::start(&adsdv, &["watch", &vcan.0])?;
     thread::sleep(Duration::from_secs(1));
@@ -218,5 +228,105 @@ fn full_disk() -> Outcome {
     let (code, out, error) = watch.end()?;
     ensure!(code == Some(2) && out.contains(": 100 frames"), "{code:?} {out}");
     ensure!(error.contains("/dev/full: cannot record the log: ") && error.contains("hint: free"), "{error}");
+    Ok(Completion::Completed)
+}
+
+fn full_disk_for_output() -> Outcome {
+    let Some(adsdv) = adsdv() else { return Ok(without()) };
+    let vcan = Vcan::new()?;
+    for command in [&["vcu", "--plain"][..], &["ai"], &["watch"]] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full")?;
+        let words = [command, &[vcan.0.as_str()]].concat();
+        let (code, _, error) = Program::start_into(&adsdv, &words, full.into())?.end()?;
+        ensure!(
+            code == Some(2) && error.contains("adsdv: standard output: cannot write the answer: "),
+            "{command:?}: {code:?} {error}"
+        );
+        ensure!(error.contains("\nhint: free some space"), "{command:?}: {error}");
+    }
+    Ok(Completion::Completed)
+}
+
+fn no_log() -> Outcome {
+    let Some(adsdv) = adsdv() else { return Ok(without()) };
+    let vcan = Vcan::new()?;
+    let folder = env::temp_dir();
+    for (log, hint) in
+        [("no-such-folder/run.log", "make the directory first"), (text(&folder)?, "name a file")]
+    {
+        let (code, out, error) = Program::start(&adsdv, &["watch", &vcan.0, "--log", log])?.end()?;
+        let told = format!("adsdv: {log}: cannot record the log: ");
+        ensure!(code == Some(2) && out.is_empty() && error.starts_with(&told), "{code:?} {out} {error}");
+        ensure!(error.contains(&format!("\nhint: {hint}")), "{error}");
+    }
+    Ok(Completion::Completed)
+}
+
+/// All three are there when it goes; they say so, wait, and go on when it is back. What was recorded is whole, and nobody is
+/// blamed for what could not be heard.
+fn vanishes() -> Outcome {
+    let Some(adsdv) = adsdv() else { return Ok(without()) };
+    undisturbed("command::vanishes", || watched_while_it_vanishes(&adsdv))
+}
+
+/// Tells whether the AI Computer was in time throughout: not if the machine kept an answer waiting for longer than the VCU does.
+fn watched_while_it_vanishes(adsdv: &Path) -> Tried<bool> {
+    let vcan = Vcan::new()?;
+    let file = log("vanishes");
+    let watch = Program::start(adsdv, &["watch", &vcan.0, "--log", text(&file)?])?;
+    thread::sleep(Duration::from_secs(1));
+    let ai = Program::start(adsdv, &["ai", &vcan.0])?;
+    let vcu = Program::start(adsdv, &["vcu", &vcan.0, "--plain"])?;
+    wait_until("the log has frames", || lines(&file) > 500)?;
+    vcan.delete()?;
+    thread::sleep(Duration::from_secs(1));
+    let before = lines(&file);
+    vcan.add()?;
+    vcan.set("up")?;
+    wait_until("the log has frames again", || lines(&file) > before + 500)?;
+    let mut missed = false;
+    for (name, program) in [("vcu", vcu), ("ai", ai), ("watch", watch)] {
+        program.signal("INT")?;
+        let (code, out, error) = program.end()?;
+        ensure!(error.is_empty() && matches!(code, Some(0 | 1)), "{name}: {code:?} {error}\n{out}");
+        for told in ["the interface is ", "the bus is there again"] {
+            ensure!(out.contains(told), "{name} does not say {told:?}:\n{out}");
+        }
+        if name == "watch" {
+            let frames = lines(&file);
+            ensure!(out.contains(&format!(": {frames} frames in ")), "{frames} lines:\n{out}");
+            missed = code != Some(0);
+            ensure!(!missed || out.contains("handshake-late"), "{code:?}\n{out}");
+        } else {
+            ensure!(code == Some(0), "{name}: {code:?}\n{out}");
+        }
+    }
+    let (code, out, error) = Program::start(adsdv, &["check", text(&file)?])?.end()?;
+    ensure!(missed || code == Some(0), "check: {code:?} {error}\n{out}");
+    let _ = fs::remove_file(file);
+    Ok(!missed)
+}
+
+/// The reader leaves after the first line; each command notices with the next that it has to tell.
+fn closed_pipe() -> Outcome {
+    let Some(adsdv) = adsdv() else { return Ok(without()) };
+    let file = log("closed");
+    for command in [&["vcu", "--plain"][..], &["ai"], &["watch", "--log", text(&file)?]] {
+        let vcan = Vcan::new()?;
+        let mut program = Program::start(&adsdv, &[command, &[vcan.0.as_str()]].concat())?;
+        let mut line = String::new();
+        BufReader::new(program.0.stdout.take().ok_or("no output")?).read_line(&mut line)?;
+        ensure!(line.contains(&vcan.0), "{line:?}");
+        let other = vcan.other()?;
+        for _ in 0..100 {
+            other.send_standard(0x520, &[0, 0, 1, 0, 0, 0, 0, 0])?;
+        }
+        vcan.set("down")?;
+        let (code, _, error) = program.end()?;
+        ensure!(code == Some(0) && error.is_empty(), "{command:?}: {code:?} {error}");
+    }
+    let recorded = fs::read_to_string(&file)?;
+    ensure!(recorded.lines().count() == 100 && recorded.ends_with('\n'), "{recorded}");
+    let _ = fs::remove_file(file);
     Ok(Completion::Completed)
 }

@@ -11,10 +11,10 @@ mod stop;
 mod text;
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{self, BufReader};
 use std::path::Path;
 
-use adsdv_oracle::conform::{Options, Phase, Program, Progress, Report, conform};
+use adsdv_oracle::conform::{Options, Phase, Program, Progress, Report, Trouble, What, conform};
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Interface, Machine, Readings};
 
@@ -43,11 +43,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
-    let report = judge(args, &tests, &options).map_err(|trouble| Error {
-        what: name.clone(),
-        why: trouble.to_string(),
-        hint: trouble.hint().to_owned(),
-    })?;
+    let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
     let subject = Subject { name: &name, args };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
@@ -66,11 +62,7 @@ struct Subject<'a> {
     args: &'a ConformArgs,
 }
 
-fn judge(
-    args: &ConformArgs,
-    tests: &[Test],
-    options: &Options,
-) -> Result<Report, adsdv_oracle::conform::Trouble> {
+fn judge(args: &ConformArgs, tests: &[Test], options: &Options) -> Result<Report, Trouble> {
     // The arguments have the program at least: without it they are refused.
     let (program, rest) = args.command.split_at(args.command.len().min(1));
     let program = program.first().cloned().unwrap_or_default();
@@ -87,6 +79,18 @@ fn judge(
             },
         );
     })
+}
+
+fn no_verdict(name: &str, args: &ConformArgs, trouble: &Trouble) -> Error {
+    let is_directory = args.command.first().is_some_and(|program| Path::new(program).is_dir());
+    let (why, hint) = match &trouble.what {
+        // The system tells that it may not be executed, or is not there, and means this.
+        What::NoStart(_) if is_directory => {
+            ("is a directory; expected a program".to_owned(), "name the program in it")
+        }
+        _ => (trouble.to_string(), trouble.hint()),
+    };
+    Error { what: name.to_owned(), why, hint: hint.to_owned() }
 }
 
 /// The command line of the program, fit for a terminal.
@@ -107,21 +111,28 @@ fn read(path: &Path, readings: Readings) -> Result<Vec<Test>, Error> {
     const WRITE: &str = "write a suite with: adsdv suite > suite.jsonl";
     let name = path.display().to_string();
     let trouble = |why: String, hint: &str| Error { what: name.clone(), why, hint: hint.to_owned() };
+    let unreadable = |what: &str, error: &io::Error| match error.kind() {
+        io::ErrorKind::IsADirectory => trouble("is a directory; expected a suite".to_owned(), WRITE),
+        io::ErrorKind::NotFound => trouble(format!("cannot {what} the suite: {error}"), "check the path"),
+        io::ErrorKind::PermissionDenied => trouble(
+            format!("cannot {what} the suite: {error}"),
+            "this user may not read it; change its permissions",
+        ),
+        _ => trouble(format!("cannot {what} the suite: {error}"), WRITE),
+    };
     // What a file expects is what was written under the same pins.
     let reference = Machine::new(Interface::V3_0, readings);
-    let file = File::open(path)
-        .map_err(|error| trouble(format!("cannot open the suite: {error}"), "check the path"))?;
-    let suite = suite::read(BufReader::new(file), &reference)
-        .map_err(|error| trouble(format!("cannot read the suite: {error}"), WRITE))?;
+    let file = File::open(path).map_err(|error| unreadable("open", &error))?;
+    let suite = suite::read(BufReader::new(file), &reference).map_err(|error| unreadable("read", &error))?;
     if !suite.bad.is_empty() {
-        const SHOWN: usize = 10;
-        let count = suite.bad.len();
+        const SHOWN: u64 = 10;
+        let count = suite.bad.iter().fold(suite.more_bad, |count, _| count + 1);
         let what = if count == 1 {
             "a line that is no test".to_owned()
         } else {
             format!("{count} lines that are no tests")
         };
-        let shown = suite.bad.iter().take(SHOWN).map(ToString::to_string);
+        let shown = (0..SHOWN).zip(&suite.bad).map(|(_, bad)| bad.to_string());
         let more = (count > SHOWN).then(|| format!("and {} more", count - SHOWN));
         let why = std::iter::once(what).chain(shown).chain(more).collect::<Vec<_>>().join("\n  ");
         return Err(trouble(

@@ -34,23 +34,29 @@ pub(super) fn expect_directory(dir: &Path) -> Result<(), Error> {
     if dir.is_dir() { Ok(()) } else { Err(Error::write(dir, &io::ErrorKind::NotADirectory.into())) }
 }
 
-/// Writes and judges the log of every failure; of a property that fails in two models, that of the first.
-pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<Vec<Failure>, Error> {
+/// Writes and judges the log of every failure; of a property that fails in two models, that of the first. Those that can be
+/// written are, and why another could not is told with them: what was explored for so long is not lost with it.
+pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Option<Error>), Error> {
     let pins = pins(outcome.machine.readings());
     let mut names = HashSet::new();
     let failed = outcome.models.iter().flat_map(|model| &model.results);
     let runs =
         failed.filter_map(|Checked { name, counterexample, .. }| Some((name, counterexample.as_ref()?)));
     let runs = runs.filter(|(name, _)| names.insert(**name));
-    runs.map(|(name, run)| {
+    let mut failures = Vec::new();
+    let mut unwritten = None;
+    for (name, run) in runs {
         let log = dir.join(format!("counterexample-{name}.log"));
         let text = text(run);
-        fs::write(&log, &text).map_err(|error| Error::write(&log, &error))?;
+        if let Err(error) = fs::write(&log, &text) {
+            unwritten.get_or_insert(Error::write(&log, &error));
+            continue;
+        }
         let report = judge_log(text.as_slice(), &options(&pins), |_| {})
             .map_err(|error| Error::log(&log.display().to_string(), &error))?;
-        Ok(Failure { name, log, pins: pins.clone(), report })
-    })
-    .collect()
+        failures.push(Failure { name, log, pins: pins.clone(), report });
+    }
+    Ok((failures, unwritten))
 }
 
 /// How a counterexample's log is judged.

@@ -31,13 +31,13 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     let readings = pins::answers(&args.readings)?;
     counterexample::expect_directory(&args.logs)?;
     let outcome = outcome::explore(readings, args.model, args.vectors.into(), threads);
-    let failures = counterexample::write(&outcome, &args.logs)?;
+    let (failures, unwritten) = counterexample::write(&outcome, &args.logs)?;
     if args.json {
         output::plain(&json::text(&outcome, &failures))?;
     } else {
         output::styled(&table::text(&outcome, &args.readings, &failures, output::width()), args.color)?;
     }
-    Ok(outcome.status())
+    unwritten.map_or(Ok(outcome.status()), Err)
 }
 
 /// What each reading costs.

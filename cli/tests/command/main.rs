@@ -2,6 +2,8 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(target_os = "linux")]
+mod bad_input;
 mod color;
 mod conform;
 mod demo;

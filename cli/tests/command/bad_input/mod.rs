@@ -1,0 +1,141 @@
+//! Bad input is a feature: whatever is wrong with what a command is given, or with where its answer goes, it says so in a
+//! sentence and what to do, keeps every frame that can be read, and ends with the status that the README has for it.
+//!
+//! - `given.rs`: files that are missing, directories, empty, or rubbish;
+//! - `log.rs`: logs that are cut off, broken in the middle, or have odd times, and a disk that fails while one is read;
+//! - `long_line.rs`: a line of a gigabyte, in little memory;
+//! - `bus.rs`: a CAN interface that is not there;
+//! - `output.rs`: readers that leave, and disks that are full;
+//! - `readme.rs`: the README's table has a row for each of these, and each row its tests.
+//!
+//! An interface that vanishes takes one: these tests are in `can/tests/socket`, and run on a kernel that has vcan.
+
+mod bus;
+mod given;
+mod log;
+mod long_line;
+mod output;
+mod readme;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{ChildStdin, Command, Stdio};
+use std::{fs, thread};
+
+use crate::run::{self, Outcome};
+
+/// The command, which would print a backtrace if it had one.
+fn adsdv(args: &[&str]) -> Command {
+    let mut command = run::adsdv(args);
+    command.env("RUST_BACKTRACE", "1");
+    command
+}
+
+/// Runs the command to its end.
+fn run(args: &[&str]) -> Outcome {
+    calm(run::outcome(&mut adsdv(args)))
+}
+
+/// Runs a command, and writes its standard input as it reads. One that has seen enough does not read on.
+fn fed(command: &mut Command, write: impl FnOnce(&mut ChildStdin) -> io::Result<()> + Send) -> Outcome {
+    let mut child = command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    let output = thread::scope(|scope| {
+        scope.spawn(move || match write(&mut stdin).and_then(|()| stdin.flush()) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => panic!("standard input: {error}"),
+            _ => drop(stdin),
+        });
+        child.wait_with_output().expect("the command ends")
+    });
+    calm(Outcome {
+        status: output.status.code(),
+        stdout: String::from_utf8(output.stdout).expect("text"),
+        stderr: String::from_utf8(output.stderr).expect("text"),
+    })
+}
+
+/// Judges a log that is given as standard input.
+fn check(log: &[u8]) -> Outcome {
+    fed(&mut adsdv(&["check", "-"]), |stdin| stdin.write_all(log))
+}
+
+/// It ended by itself, with a status that means something, and not by a panic.
+fn calm(outcome: Outcome) -> Outcome {
+    let Outcome { status, stdout, stderr } = &outcome;
+    assert!(matches!(status, Some(0..=2)), "{status:?} {stderr}");
+    for word in ["panicked", "stack backtrace", "RUST_BACKTRACE"] {
+        assert!(!stdout.contains(word) && !stderr.contains(word), "{stdout}{stderr}");
+    }
+    for text in [stdout, stderr] {
+        assert!(text.chars().all(|c| c == '\n' || !c.is_control()), "{text:?}");
+    }
+    outcome
+}
+
+/// There is no answer; the error says this in its first line, and what to do in its last.
+#[track_caller]
+fn refused(outcome: &Outcome, error: &str, hint: &str) {
+    let Outcome { status, stdout, stderr } = outcome;
+    assert_eq!((*status, stdout.as_str()), (Some(2), ""), "{stderr}");
+    told(stderr, error, hint);
+}
+
+/// The first line says what is wrong, the last what to do.
+#[track_caller]
+fn told(stderr: &str, error: &str, hint: &str) {
+    let first = stderr.lines().next().unwrap_or_default();
+    assert!(first.starts_with("adsdv: ") && first.contains(error), "{error:?} is not in {stderr}");
+    let last = stderr.lines().last().unwrap_or_default();
+    assert!(last.starts_with("hint: ") && last.contains(hint), "{hint:?} is not in {stderr}");
+}
+
+/// There is a verdict on so many frames, and the report says all of this; a text is wrapped, and compared without that.
+#[track_caller]
+fn judged(outcome: &Outcome, frames: usize, says: &[&str]) {
+    let Outcome { status, stdout, stderr } = outcome;
+    assert!(matches!(status, Some(0 | 1)) && stderr.is_empty(), "{status:?} {stderr}");
+    reported(stdout, frames, says);
+}
+
+#[track_caller]
+fn reported(stdout: &str, frames: usize, says: &[&str]) {
+    let counted = format!(": {frames} frames in ");
+    assert!(
+        stdout.lines().next().is_some_and(|line| line.contains(&counted)),
+        "not {frames} frames: {stdout}"
+    );
+    let words = stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    for said in says {
+        assert!(words.contains(said), "{said:?} is not in {stdout}");
+    }
+}
+
+/// The first lines of the recorded mission.
+fn lines(count: usize) -> Vec<u8> {
+    let log = run::file(run::MISSION);
+    log.split_inclusive(|&byte| byte == b'\n').take(count).flatten().copied().collect()
+}
+
+/// Bytes that are nothing: every one there is, so also those that end lines and those that move a terminal's cursor.
+fn rubbish() -> Vec<u8> {
+    (0..=u8::MAX).cycle().take(100_000).chain([b'\n']).collect()
+}
+
+/// An empty folder for one test, and in it a file of this content.
+fn folder_with(name: &str, file: &str, content: &[u8]) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // It may be there from an earlier run.
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("the folder for tests can be written");
+    fs::write(folder.join(file), content).expect("the folder for tests can be written");
+    folder
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a path of text")
+}

@@ -1,0 +1,211 @@
+//! Readers that leave, and disks that are full: every command, and every file that one writes.
+
+use std::fs::{self, OpenOptions};
+use std::io::{BufRead as _, BufReader, Read as _};
+use std::os::unix::fs::symlink;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::{adsdv, calm, check, folder_with, lines, refused, reported, run, text, told};
+use crate::run::{FINISHED_WHILE_MOVING, MISSION, outcome};
+
+/// Every command that ends by itself and needs no CAN, with what it is asked and the status of its answer.
+const COMMANDS: &[(&[&str], i32)] = &[
+    (&["check", MISSION], 0),
+    (&["check", FINISHED_WHILE_MOVING], 1),
+    (&["check", "--json", FINISHED_WHILE_MOVING], 1),
+    (&["conform", "--runs", "0", "--", "sh", "-c", DUMB], 1),
+    (&["conform", "--runs", "0", "--json", "--", "sh", "-c", DUMB], 1),
+    (&["dbc"], 0),
+    (&["demo"], 0),
+    (&["demo", "--json"], 0),
+    (&["diagram", "--format", "dot"], 0),
+    (&["export", "--format", "promela"], 0),
+    (&["help"], 0),
+    (&["readings"], 0),
+    (&["schema", "verify"], 0),
+    (&["suite"], 0),
+    (&["suite", "--prove"], 0),
+    (&["verify", "--model", "open", "--vectors", "read"], 0),
+];
+
+/// A VCU that stays in `AS_OFF`: it does not conform.
+const DUMB: &str = r#"while read -r line; do case $line in
+*reset*) echo '{}' ;; *) echo '{"as_state":"AS_OFF"}' ;; esac; done"#;
+
+/// Those that go on until they are stopped: `explore` is below, and the others need CAN, so that `can/tests/socket` has them.
+const ENDLESS: [&str; 4] = ["ai", "explore", "vcu", "watch"];
+
+/// A new command has to be in a list.
+#[test]
+pub(super) fn no_command_is_left_out() {
+    let help = run(&["--help"]).stdout;
+    let (_, commands) = help.split_once("Commands:\n").expect("a list of commands");
+    let (commands, _) = commands.split_once("\n\n").expect("its end");
+    let named = commands.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let named: Vec<_> = named.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(named.len() > 10, "{help}");
+    for command in named {
+        let listed = ENDLESS.contains(&command) || COMMANDS.iter().any(|(args, _)| args[0] == command);
+        assert!(listed, "adsdv {command} is not tried");
+    }
+}
+
+/// Gone before the first byte: that is no error, and changes no verdict.
+#[test]
+pub(super) fn a_closed_pipe() {
+    for &(args, status) in COMMANDS {
+        let mut child =
+            adsdv(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("the command ends");
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*told), (Some(status), ""), "{args:?}");
+    }
+}
+
+/// Gone after the first line, as `head -1` is.
+#[test]
+pub(super) fn a_pipe_that_is_closed_after_a_line() {
+    for &(args, status) in COMMANDS {
+        let mut child =
+            adsdv(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
+        let mut line = String::new();
+        let mut reader = BufReader::with_capacity(16, child.stdout.take().expect("a pipe"));
+        reader.read_line(&mut line).expect("a line");
+        drop(reader);
+        let output = child.wait_with_output().expect("the command ends");
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*told), (Some(status), ""), "{args:?}");
+        assert!(line.len() > 1, "{args:?}: {line:?}");
+    }
+}
+
+/// There is no standard output at all (`>&-`), or nobody to tell of an error: the status is what it would have been.
+#[test]
+pub(super) fn standard_streams_that_are_closed() {
+    let closed = |redirection: &str, args: &[&str]| {
+        let command = adsdv(args);
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", &format!("exec \"$0\" \"$@\" {redirection}")])
+            .arg(command.get_program())
+            .args(args);
+        shell.current_dir(command.get_current_dir().expect("it was set")).env("RUST_BACKTRACE", "1");
+        calm(outcome(&mut shell))
+    };
+    for &(args, status) in COMMANDS {
+        let outcome = closed(">&-", args);
+        assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(status), ""), "{args:?}");
+    }
+    let (error, input) = (closed("2>&-", &["check", "no-such.log"]), closed("<&-", &["check", "-"]));
+    assert_eq!(error.status, Some(2));
+    refused(&input, "standard input: the log is empty", "candump -L");
+}
+
+#[test]
+pub(super) fn a_full_disk() {
+    for &(args, _) in COMMANDS {
+        let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+        let outcome = calm(outcome(adsdv(args).stdout(full)));
+        refused(&outcome, "standard output: cannot write the answer: ", "free some space");
+    }
+}
+
+/// The status still tells.
+#[test]
+pub(super) fn a_full_disk_for_errors() {
+    for args in [&["check", "no-such.log"][..], &["demo", "--scenario", "tests"], &["--no-such-option"]] {
+        let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+        assert_eq!(outcome(adsdv(args).stderr(full)).status, Some(2), "{args:?}");
+    }
+}
+
+/// The log of a demo for which there is not enough room: told, and what there was room for can be judged.
+#[test]
+pub(super) fn a_full_disk_for_the_log_of_a_demo() {
+    refused(&run(&["demo", "--log", "/dev/full"]), "/dev/full: cannot write the log: ", "free some space");
+    let log = folder_with("bad-input-full", "run.log", b"").join("run.log");
+    let command = adsdv(&["demo", "--log", text(&log)]);
+    let mut small = Command::new("sh");
+    // A file of little more than 100 KB, which cuts a line: the system refuses to write more, as a full disk does.
+    small.args(["-c", "trap '' XFSZ; ulimit -f 201; exec \"$0\" \"$@\""]).arg(command.get_program());
+    let outcome = calm(outcome(small.args(command.get_args())));
+    refused(&outcome, "run.log: cannot write the log: ", "with --log");
+    let written = fs::read(&log).expect("it is there");
+    assert_eq!(written.len(), 201 * 512);
+    let whole = String::from_utf8_lossy(&written).matches('\n').count();
+    reported(&check(&written).stdout, whole, &["(0 violations, ", &format!("line {}", whole + 1)]);
+}
+
+/// What was explored is told, though the log of a counterexample cannot be written; those that can be are.
+#[test]
+pub(super) fn a_full_disk_for_counterexamples() {
+    let folder = folder_with("bad-input-counterexamples", "unrelated", b"");
+    symlink("/dev/full", folder.join("counterexample-driving-neutral.log")).expect("a file of that name");
+    let asked =
+        ["verify", "--model", "open", "--vectors", "read", "--reading", "fault-trigger=edge", "--logs"];
+    let outcome = run(&[&asked[..], &[text(&folder)]].concat());
+    assert_eq!(outcome.status, Some(2), "{}", outcome.stderr);
+    told(
+        &outcome.stderr,
+        "counterexample-driving-neutral.log: cannot write counterexamples: ",
+        "free some space",
+    );
+    let rows = |text: &str| text.lines().filter(|line| line.contains("FAILS in ")).count();
+    assert_eq!(rows(&outcome.stdout), 2, "{}", outcome.stdout);
+    for told in ["  ready-sdc ", "FAILS driving-finished\n"] {
+        assert!(outcome.stdout.contains(told), "{told:?} is not in {}", outcome.stdout);
+    }
+    let written = fs::read(folder.join("counterexample-driving-finished.log")).expect("it is there");
+    assert!(written.len() > lines(100).len() && written.ends_with(b"\n"));
+}
+
+/// A command that goes on until it is stopped; it is stopped when this is dropped, so also when a test fails.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It may have ended by itself.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// The Explorer serves, whether or not anybody could be told where.
+#[test]
+pub(super) fn an_explorer_that_cannot_tell_its_address() {
+    let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+    let mut command = adsdv(&["explore", "--port", "0"]);
+    let mut explorer = Running(command.stdout(full).stderr(Stdio::piped()).spawn().expect("it starts"));
+    let mut errors = BufReader::new(explorer.0.stderr.take().expect("a pipe"));
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || {
+        let mut line = String::new();
+        let read = errors.read_line(&mut line);
+        sender.send(read.map(|_| line))
+    });
+    let line = receiver.recv_timeout(Duration::from_mins(1)).expect("a line in time").expect("text");
+    assert!(line.starts_with("adsdv: standard output: cannot write the answer: "), "{line}");
+    serves_on(&mut explorer);
+
+    let mut command = adsdv(&["explore", "--port", "0"]);
+    let mut explorer =
+        Running(command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts"));
+    drop(explorer.0.stdout.take());
+    serves_on(&mut explorer);
+    explorer.0.kill().expect("it runs");
+    let mut told = String::new();
+    explorer.0.stderr.take().expect("a pipe").read_to_string(&mut told).expect("text");
+    assert_eq!(told, "");
+}
+
+fn serves_on(explorer: &mut Running) {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_millis(500) {
+        assert!(explorer.0.try_wait().is_ok_and(|status| status.is_none()), "it ended");
+        thread::sleep(Duration::from_millis(10));
+    }
+}

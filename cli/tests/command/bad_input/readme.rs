@@ -1,0 +1,146 @@
+//! The README's table and these tests: each row has tests, and each condition has a row.
+
+use super::{bus, given, log, long_line, output};
+use crate::run::file;
+
+type Test = fn();
+
+/// The conditions, in the order of the README.
+const CONDITIONS: [&str; 10] = [
+    "a missing file",
+    "a directory",
+    "an empty file",
+    "binary rubbish",
+    "a truncated log",
+    "a 1 GB line",
+    "timestamps that go backwards or are absent",
+    "an interface that vanishes",
+    "a closed pipe",
+    "a full disk",
+];
+
+/// The rows: condition, commands, and what shows that it is as the README has it. Those on SocketCAN are named as in
+/// `can/tests/socket/command.rs`.
+const ROWS: &[(&str, &str, &[Test], &[&str])] = &[
+    ("a missing file", "`check`, `conform`, `demo`, `vcu`", &[given::a_missing_file], &[]),
+    (
+        "a missing file",
+        "the folder of `demo --log`, `verify --logs`, `watch --log`",
+        &[given::a_missing_folder_for_what_is_written],
+        &["a_log_that_cannot_be_made_is_told"],
+    ),
+    (
+        "a directory",
+        "`check`, `conform`, `demo`, `vcu`, `watch --log`",
+        &[given::a_directory],
+        &["a_log_that_cannot_be_made_is_told"],
+    ),
+    ("an empty file", "`check`, `conform`, `demo`, `vcu`", &[given::an_empty_file], &[]),
+    (
+        "binary rubbish",
+        "`check`",
+        &[log::rubbish_in_the_middle, given::binary_rubbish, given::logs_in_another_wrapping],
+        &[],
+    ),
+    (
+        "binary rubbish",
+        "`conform`, `demo`, `vcu`",
+        &[given::binary_rubbish, given::a_program_that_answers_rubbish, given::rubbish_between_good_lines],
+        &[],
+    ),
+    ("a truncated log", "`check`", &[log::a_truncated_log, log::a_log_that_fails_while_it_is_read], &[]),
+    ("a 1 GB line", "`check`", &[long_line::in_a_log], &[]),
+    (
+        "a 1 GB line",
+        "`conform`, `demo`, `vcu`",
+        &[
+            long_line::in_a_scenario,
+            long_line::in_a_suite,
+            long_line::a_suite_of_bad_lines,
+            long_line::of_a_program,
+        ],
+        &[],
+    ),
+    (
+        "timestamps that go backwards or are absent",
+        "`check`",
+        &[log::times_that_go_backwards, log::times_that_are_absent],
+        &[],
+    ),
+    (
+        "an interface that vanishes",
+        "`ai`, `vcu`",
+        &[],
+        &["an_interface_that_vanishes_is_told_and_waited_for"],
+    ),
+    ("an interface that vanishes", "`watch`", &[], &["an_interface_that_vanishes_is_told_and_waited_for"]),
+    (
+        "an interface that vanishes",
+        "`ai`, `vcu`, `watch`, which find none",
+        &[bus::an_interface_that_is_not_there],
+        &["what_cannot_be_opened_is_told"],
+    ),
+    (
+        "a closed pipe",
+        "all that end by themselves",
+        &[
+            output::no_command_is_left_out,
+            output::a_closed_pipe,
+            output::a_pipe_that_is_closed_after_a_line,
+            output::standard_streams_that_are_closed,
+        ],
+        &[],
+    ),
+    ("a closed pipe", "`ai`, `vcu --plain`, `watch`", &[], &["a_closed_pipe_ends_each_in_order"]),
+    (
+        "a full disk",
+        "all but `explore`, for what they print",
+        &[output::no_command_is_left_out, output::a_full_disk, output::a_full_disk_for_errors],
+        &["a_full_disk_for_what_is_printed_is_told"],
+    ),
+    ("a full disk", "`demo --log`", &[output::a_full_disk_for_the_log_of_a_demo], &[]),
+    ("a full disk", "`verify --logs`", &[output::a_full_disk_for_counterexamples], &[]),
+    ("a full disk", "`watch --log`", &[], &["a_full_disk_is_told_and_watching_goes_on"]),
+    ("a full disk", "`explore`", &[output::an_explorer_that_cannot_tell_its_address], &[]),
+    ("a closed pipe", "`explore`", &[output::an_explorer_that_cannot_tell_its_address], &[]),
+];
+
+/// The rows of the table: the condition, the commands, what happens and the exit status.
+fn table(readme: &str) -> Vec<Vec<&str>> {
+    let (_, section) = readme.split_once("\n## Bad input\n").expect("a section of that name");
+    let section = section.split("\n## ").next().unwrap_or_default();
+    let rows = section.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
+    rows.skip(1).map(|row| row.split(" | ").map(str::trim).collect()).collect()
+}
+
+#[test]
+fn each_row_of_the_readme_has_its_tests() {
+    let readme = String::from_utf8(file("README.md")).expect("text");
+    let rows = table(&readme);
+    let mut shown: Vec<_> = rows.iter().map(|row| (row[0], row[1])).collect();
+    let mut tested: Vec<_> = ROWS.iter().map(|&(condition, commands, ..)| (condition, commands)).collect();
+    shown.sort_unstable();
+    tested.sort_unstable();
+    assert_eq!(shown, tested);
+    let mut conditions: Vec<_> = rows.iter().map(|row| row[0]).collect();
+    conditions.dedup();
+    assert_eq!(conditions, CONDITIONS);
+    for row in &rows {
+        let [_, _, happens, status] = row[..] else { panic!("{row:?} has not four cells") };
+        assert!(!happens.is_empty() && status.chars().any(|c| c.is_ascii_digit() || c == '-'), "{row:?}");
+    }
+}
+
+#[test]
+fn each_row_has_a_test_that_is_there() {
+    let socket = String::from_utf8(file("can/tests/socket/command.rs")).expect("text");
+    for (condition, commands, tests, on_socketcan) in ROWS {
+        assert!(tests.len() + on_socketcan.len() > 0, "{condition}, {commands}: no test");
+        for test in *on_socketcan {
+            assert!(
+                socket.contains(&format!("(\"command::{test}\", ")),
+                "{test} is not in can/tests/socket/command.rs"
+            );
+        }
+    }
+}
