@@ -74,8 +74,8 @@ impl Machine {
                 let to = |state| row.to == state;
                 (
                     atoms.union(term.on).union(term.off),
-                    ready | to(AsState::Ready),
-                    driving | to(AsState::Driving),
+                    ready || to(AsState::Ready),
+                    driving || to(AsState::Driving),
                 )
             });
         if ready {

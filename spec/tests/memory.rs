@@ -89,7 +89,7 @@ fn go_off_is_not_remembered_without_the_arrow() {
     }
 }
 
-//= IMP-2, IMP-3, D-16
+//= IMP-2, IMP-3, D-2
 #[test]
 fn where_the_change_counts_what_was_requested_is_remembered() {
     let (level, edge) = (Machine::REFERENCE, under(Choice::FaultEdge));
@@ -108,7 +108,7 @@ fn where_the_change_counts_what_was_requested_is_remembered() {
     assert_eq!(memory(&edge, &still), (false, false));
 }
 
-//= IMP-2, IMP-3, D-16
+//= IMP-2, IMP-3, D-2
 #[test]
 fn where_the_change_counts_it_takes_one() {
     let edge = under(Choice::FaultEdge);
@@ -125,7 +125,7 @@ fn where_the_change_counts_it_takes_one() {
     }
 }
 
-//= SM-18
+//= D-3, D-4
 #[test]
 fn a_reading_lets_as_off_overtake_in_its_state_alone() {
     let mut both = Inputs { asms: false, ..driving() };
@@ -146,7 +146,7 @@ fn a_reading_lets_as_off_overtake_in_its_state_alone() {
     }
 }
 
-//= SM-18
+//= D-5
 #[test]
 fn a_reading_lets_as_finished_overtake() {
     let mut both = driving();

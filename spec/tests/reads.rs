@@ -1,7 +1,10 @@
 //! What a step reads is all that it depends on.
 
-use adsdv_spec::{AsState, Choices, Control, Faults, Handshake, Interface, Machine, Observation};
-use adsdv_spec::{Atoms, Reading, messages::ShutdownCause};
+use adsdv_spec::messages::ShutdownCause;
+use adsdv_spec::{
+    AsState, Atom, Atoms, Choice, Choices, Control, Faults, Handshake, Interface, Machine, Observation,
+    Reading, Readings,
+};
 
 /// A small generator with a fixed seed: every run tests the same.
 struct Random(u64);
@@ -115,4 +118,32 @@ fn what_cannot_matter_is_not_read() {
     assert!(reads(AsState::Driving, 0).has(GoOn) && !reads(AsState::Driving, 0).has(EbsArmed));
     let latched = Control { power_cycle_needed: true, ..Control::INITIAL };
     assert!(!machine.reads(&latched, 10).atoms.has(EbsArmed), "AS_OFF cannot be left");
+}
+
+#[test]
+fn an_edge_is_decided_by_an_input_together_with_the_memory() {
+    let inputs = [
+        (Atom::GoEdge, Atom::GoOn),
+        (Atom::MissionFinishedEdge, Atom::MissionFinished),
+        (Atom::DirectionNeutralEdge, Atom::DirectionNeutral),
+    ];
+    for atom in Atoms::ALL.iter() {
+        let input = inputs.iter().find(|(edge, _)| *edge == atom).map(|(_, input)| *input);
+        assert_eq!(atom.input(), input, "{atom}");
+    }
+}
+
+/// What no arrow asks for is read only where it is remembered.
+#[test]
+fn a_step_reads_no_more_than_it_remembers() {
+    let reads = |state, choice| {
+        let machine = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+        machine.reads(&Control { state, ..Control::INITIAL }, 10).atoms
+    };
+    for state in AsState::ALL {
+        assert!(!reads(state, Choice::FaultLevel).has(Atom::MissionRunning), "{state}: the level counts");
+        let driving = state == AsState::Driving;
+        assert_eq!(reads(state, Choice::FaultEdge).has(Atom::MissionRunning), driving, "{state}");
+    }
+    assert!(!reads(AsState::Off, Choice::FaultLevel).has(Atom::DirectionNeutral));
 }

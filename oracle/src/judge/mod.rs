@@ -272,7 +272,8 @@ impl Judge {
         self.out.report(self.frames, self.now)
     }
 
-    /// What has been found since this was last asked, in order; for a live bus. The report has it as well.
+    /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to
+    /// settle may be told after what happened later.
     ///
     /// Of the findings of one rule that the report only counts, because there are too many to be listed, one in a second is
     /// among it; the first of them comes behind a finding of [`Rule::Repeated`] that says so. These the report does not have.

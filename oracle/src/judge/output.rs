@@ -105,7 +105,10 @@ impl Output {
         let told = std::mem::replace(&mut self.told, (self.transitions.len(), self.findings.len()));
         let mut findings = self.findings.get(told.1..).unwrap_or_default().to_vec();
         findings.append(&mut self.unlisted);
-        (self.transitions.get(told.0..).unwrap_or_default().to_vec(), findings)
+        findings.sort_by_key(|finding| finding.t_ns);
+        let mut transitions = self.transitions.get(told.0..).unwrap_or_default().to_vec();
+        transitions.sort_by_key(|transition| transition.t_ns);
+        (transitions, findings)
     }
 
     pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {

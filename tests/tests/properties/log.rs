@@ -143,6 +143,8 @@ fn what_is_news_comes_once() {
         let (mut transitions, mut findings) = (Vec::new(), Vec::new());
         let mut ask = |judge: &mut Judge| {
             let (more_transitions, more_findings) = judge.news();
+            assert!(more_transitions.is_sorted_by_key(|transition| transition.t_ns));
+            assert!(more_findings.is_sorted_by_key(|finding| finding.t_ns));
             transitions.extend(more_transitions);
             findings.extend(more_findings);
         };
