@@ -169,6 +169,7 @@ impl Judge {
         for slot in &mut self.slots {
             slot.fresh = false;
             slot.last = None;
+            slot.newest = i64::MIN;
         }
     }
 

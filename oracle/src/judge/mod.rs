@@ -200,6 +200,11 @@ impl Judge {
         let t = self.tick(t_ns);
         let Some(index) = self.slot_of.get(id) else { return self.other_id(t, id) };
         let Some(slot) = self.slots.get_mut(index) else { return };
+        // What a frame says that is older than the last of its identifier is not so any more.
+        if t_ns < slot.newest {
+            return;
+        }
+        slot.newest = t_ns;
         let (word, len) = load(data);
         let before = slot.last;
         let same = slot.fresh && slot.word == word && slot.len == len;

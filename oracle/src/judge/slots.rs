@@ -42,6 +42,8 @@ pub(super) struct Slot {
     learnt: u8,
     /// How far intervals are from the period, the largest of late: the recorder's jitter.
     spread: i64,
+    /// The last frame's time as the log has it.
+    pub(super) newest: i64,
     /// The time before a long interval, and how many frames have come behind it.
     suspect: Option<(i64, i64)>,
     /// Until when frames are taken to get lost.
@@ -69,6 +71,7 @@ impl Slot {
             shortest: i64::MAX,
             learnt: 0,
             spread: 0,
+            newest: i64::MIN,
             suspect: None,
             lossy_until: i64::MIN,
             fresh: false,

@@ -1,7 +1,7 @@
 //! What can be wrong with the log itself.
 
 use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
-use adsdv_spec::messages::{AsState, MESSAGES, Node, message_by_id};
+use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, message_by_id};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::by;
@@ -49,6 +49,36 @@ fn a_log_that_begins_or_ends_anywhere_conforms() {
             assert_eq!(report.verdict(), Verdict::Conforms, "cut {cut}: {:#?}", violations(&report));
         }
     }
+}
+
+#[test]
+fn a_log_that_runs_backwards_blames_nobody() {
+    let mut log = run().log;
+    log.reverse();
+    let report = judge(&log, Options::default());
+    assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
+    assert_eq!(report.frames, u64::try_from(log.len()).expect("a short log"), "all are counted");
+    assert!(notes(&report, Rule::TimeBackwards) > 0);
+}
+
+/// Two frames in each other's place, the first of a state and the one before: the older is not taken for a change.
+#[test]
+fn states_that_changed_places_blame_nobody() {
+    let world = run();
+    let id = Vcu2AiStatus::DEF.id;
+    let state =
+        |place: &usize| Vcu2AiStatus::decode(world.log[*place].frame.data()).map(|status| status.as_state);
+    let places: Vec<usize> = (0..world.log.len()).filter(|&place| world.log[place].frame.id == id).collect();
+    let changes = places.windows(2).filter(|pair| state(&pair[0]) != state(&pair[1]));
+    let mut count = 0;
+    for pair in changes {
+        let mut log = world.log.clone();
+        log.swap(pair[0], pair[1]);
+        let report = judge(&log, Options::default());
+        assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
+        count += 1;
+    }
+    assert_eq!(count, 4, "through every state");
 }
 
 /// The run with each frame of one message made this long.
