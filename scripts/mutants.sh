@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 usage() {
   cat <<'USAGE'
-Usage: scripts/mutants.sh [--reasons] [GROUP...] [-- ARGUMENT...]
+Usage: scripts/mutants.sh [--resume | --reasons] [GROUP...] [-- ARGUMENT...]
 
 Changes the sources in every way that cargo mutants knows, one change at a time, and runs the tests: a change that no test
 notices is a survivor. First the tests of the changed crate run; what they let pass goes through those of the crates
@@ -14,19 +14,22 @@ that use it.
 Groups: spec, log (the readers of logs and of the protocol), judge, suite, conform, model; without any, all of them, in
 that order. Arguments after -- go to cargo mutants, such as -j 2 or --shard 0/8.
 
+--resume goes on where the last run ended: what was caught is not tried again.
 --reasons only tells how many changes each exclusion in .cargo/mutants.toml excludes; one that excludes none is an error.
 
-What was done is in target/mutation/GROUP/mutants.out; the last lines tell the numbers of each group.
+target/mutation/GROUP has the lists: caught.txt, unviable.txt (does not compile) and survived.txt; its mutants.out has the
+output of the last tests. The last lines tell the numbers of each group.
 
 Exit status: 0 no survivor, 1 a survivor, 2 it could not run.
 USAGE
 }
 
-groups=() arguments=() reasons=
+groups=() arguments=() reasons= resume=
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --reasons) reasons=1 ;;
+    --resume) resume=1 ;;
     --) shift; arguments=("$@"); break ;;
     spec | log | judge | suite | conform | model) groups+=("$1") ;;
     *) usage >&2; exit 2 ;;
@@ -77,31 +80,39 @@ describe() {
   esac
 }
 
-lines() { if [ -f "$1" ]; then wc -l <"$1"; else echo 0; fi; }
+# What has been caught, and what does not compile, is kept beside mutants.out, which has only the last run.
+tally() {
+  cat "$out"/mutants.out/{caught,timeout}.txt >>"$out/caught.txt" 2>/dev/null || true
+  cat "$out"/mutants.out/unviable.txt >>"$out/unviable.txt" 2>/dev/null || true
+}
+count() { wc -l <"$out/$1.txt"; }
 
 survivors=0 summary=
 for group in "${groups[@]}"; do
   describe "$group"
   out=target/mutation/$group
-  selected=(-p "$package" "${features[@]}" --colors never -o "$out" "${arguments[@]}")
+  selected=(-p "$package" "${features[@]}")
   for file in "${files[@]}"; do selected+=(-f "$file"); done
+  if [ -n "$resume" ]; then tally; else rm -rf "$out"; fi
   mkdir -p "$out"
-  # Its exit status tells of survivors, which are counted below, and of what went wrong.
-  ran() { case $1 in 0 | 2 | 3) ;; *) echo "mutants.sh: cargo mutants ended with status $1" >&2; exit 2 ;; esac; }
-  rm -rf "$out/mutants.out" "$out/mutants.out.old"
-  status=0; cargo mutants "${selected[@]}" --test-package "$first" || status=$?
-  ran $status
-  unviable=$(lines "$out/mutants.out/unviable.txt")
-  caught=$(($(lines "$out/mutants.out/caught.txt") + $(lines "$out/mutants.out/timeout.txt")))
-  missed=$(lines "$out/mutants.out/missed.txt")
-  if [ "$missed" -gt 0 ]; then
-    status=0; cargo mutants "${selected[@]}" --iterate --test-package "$then" || status=$?
-    ran $status
-    caught=$((caught + $(lines "$out/mutants.out/caught.txt") + $(lines "$out/mutants.out/timeout.txt")))
-    missed=$(lines "$out/mutants.out/missed.txt")
-  fi
-  survivors=$((survivors + missed))
-  summary+=$(printf '%-8s %7d %7d %9d %9d' "$group" $((caught + missed + unviable)) "$caught" "$unviable" "$missed")$'\n'
+  touch "$out"/{caught,unviable}.txt
+  for tests in "$first" "$then"; do
+    status=0
+    cargo mutants "${selected[@]}" --colors never -o "$out" --iterate --test-package "$tests" "${arguments[@]}" || status=$?
+    tally
+    # 2: some survived, 3: some ran too long; both are counted below.
+    case $status in 0 | 2 | 3) ;; *) echo "mutants.sh: cargo mutants ended with status $status" >&2; exit 2 ;; esac
+    [ -s "$out/mutants.out/missed.txt" ] || break
+  done
+  # Of these changes: the sources may have changed since some were caught.
+  cargo mutants --list "${selected[@]}" "${arguments[@]}" | sort >"$out/all.txt"
+  for kind in caught unviable; do
+    sort -u "$out/$kind.txt" | comm -12 - "$out/all.txt" >"$out/$kind.now"
+    mv "$out/$kind.now" "$out/$kind.txt"
+  done
+  sort -u "$out"/{caught,unviable}.txt | comm -13 - "$out/all.txt" >"$out/survived.txt"
+  survivors=$((survivors + $(count survived)))
+  summary+=$(printf '%-8s %7d %7d %9d %9d' "$group" "$(count all)" "$(count caught)" "$(count unviable)" "$(count survived)")$'\n'
 done
 
 printf '\n%-8s %7s %7s %9s %9s\n%s' GROUP MUTANTS CAUGHT UNVIABLE SURVIVED "$summary"
