@@ -22,6 +22,11 @@ const CONFIRMING: i64 = 3;
 /// For so long after a frame was clearly missing, others may be missing where the recorder's jitter hides it.
 const LOSSY_NS: i64 = 10_000_000_000;
 
+/// How long an interval may be, at this period, with nothing missing in it.
+const fn longest(period: i64) -> i64 {
+    period + period * 5 / 8
+}
+
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
@@ -99,7 +104,7 @@ impl Slot {
         let Some(last) = self.last else { return i64::MAX };
         let learning = self.learnt < LEARNING;
         let usual = if learning { self.period.min(self.shortest) } else { self.period };
-        let whole = usual + usual * 5 / 8;
+        let whole = longest(usual);
         if !self.is_lossy() {
             return last + whole;
         }
@@ -128,11 +133,9 @@ impl Slot {
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
             }
             if self.period > 0 {
-                let usual = self.period;
-                let whole = usual + usual * 5 / 8;
                 missing = self.was_missing(last, now);
-                if interval <= whole {
-                    self.spread = (self.spread - self.spread / 64).max((interval - usual).abs());
+                if interval <= longest(self.period) {
+                    self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
                 }
             }
             self.period = match self.period {
@@ -159,7 +162,7 @@ impl Slot {
         }
         // Jitter alone does not make it that long, and a longer silence is somebody who does not send.
         let interval = now - last;
-        let is_long = interval > usual + usual * 5 / 8 + self.spread && interval < usual * 4;
+        let is_long = interval > longest(usual) + self.spread && interval < usual * 4;
         self.suspect = (is_long && self.learnt == LEARNING).then_some((last, 0));
         false
     }

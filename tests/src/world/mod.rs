@@ -3,8 +3,9 @@
 //! The VCU steps every 10 ms on what it last received, and sends its frames; the AI Computer answers half a cycle
 //! later. What it records can be jittered and thinned as a real recorder does.
 //!
-//! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `deeds.rs` does anything at
-//! all, `forced.rs` is a VCU that does what it is told instead of what the table says, and `recording.rs` is what a recorder and the judge make of it all.
+//! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `deeds.rs` does anything at all, `forced.rs`
+//! is a VCU that does what it is told instead of what the table says, and `recording.rs` is what a recorder and the judge
+//! make of it all.
 
 mod atoms;
 mod deeds;
