@@ -1,8 +1,8 @@
 //! Runs the command, and finds the logs.
 
-use std::io::Write as _;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{ChildStdin, Command, Output, Stdio};
 use std::{fs, thread};
 
 pub(crate) const MISSION: &str = "tests/logs/mission.log";
@@ -34,19 +34,20 @@ pub(crate) fn run(args: &[&str]) -> Outcome {
 
 /// Runs a command to its end.
 pub(crate) fn outcome(command: &mut Command) -> Outcome {
-    let output = command.output().expect("the command starts");
-    Outcome {
-        status: output.status.code(),
-        stdout: String::from_utf8(output.stdout).expect("text"),
-        stderr: String::from_utf8(output.stderr).expect("text"),
-    }
+    of(command.output().expect("the command starts"))
 }
 
 /// Runs `adsdv check` on a log that is given as standard input.
 pub(crate) fn check_input(args: &[&str], log: &[u8]) -> Outcome {
-    let mut command = adsdv(&["check", "-"]);
+    fed(adsdv(&["check", "-"]).args(args), |stdin| stdin.write_all(log))
+}
+
+/// Runs a command, and writes its standard input as it reads. One that refuses its arguments, or has seen enough, does not read on.
+pub(crate) fn fed(
+    command: &mut Command,
+    write: impl FnOnce(&mut ChildStdin) -> io::Result<()> + Send,
+) -> Outcome {
     let mut child = command
-        .args(args)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -54,10 +55,16 @@ pub(crate) fn check_input(args: &[&str], log: &[u8]) -> Outcome {
         .expect("the command starts");
     let mut stdin = child.stdin.take().expect("a pipe");
     let output = thread::scope(|scope| {
-        // A command that refuses its arguments does not read; that is no failure of the test.
-        scope.spawn(move || stdin.write_all(log).ok());
+        scope.spawn(move || match write(&mut stdin).and_then(|()| stdin.flush()) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => panic!("standard input: {error}"),
+            _ => drop(stdin),
+        });
         child.wait_with_output().expect("the command ends")
     });
+    of(output)
+}
+
+fn of(output: Output) -> Outcome {
     Outcome {
         status: output.status.code(),
         stdout: String::from_utf8(output.stdout).expect("text"),

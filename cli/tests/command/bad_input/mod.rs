@@ -17,10 +17,10 @@ mod long_line;
 mod output;
 mod readme;
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::{ChildStdin, Command, Stdio};
-use std::{fs, thread};
+use std::process::{ChildStdin, Command};
 
 use crate::run::{self, Outcome};
 
@@ -36,27 +36,9 @@ fn run(args: &[&str]) -> Outcome {
     calm(run::outcome(&mut adsdv(args)))
 }
 
-/// Runs a command, and writes its standard input as it reads. One that has seen enough does not read on.
+/// Runs a command, and writes its standard input as it reads.
 fn fed(command: &mut Command, write: impl FnOnce(&mut ChildStdin) -> io::Result<()> + Send) -> Outcome {
-    let mut child = command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
-    let mut stdin = child.stdin.take().expect("a pipe");
-    let output = thread::scope(|scope| {
-        scope.spawn(move || match write(&mut stdin).and_then(|()| stdin.flush()) {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => panic!("standard input: {error}"),
-            _ => drop(stdin),
-        });
-        child.wait_with_output().expect("the command ends")
-    });
-    calm(Outcome {
-        status: output.status.code(),
-        stdout: String::from_utf8(output.stdout).expect("text"),
-        stderr: String::from_utf8(output.stderr).expect("text"),
-    })
+    calm(run::fed(command, write))
 }
 
 /// Judges a log that is given as standard input.
