@@ -1,8 +1,10 @@
 //! The header says what the library has: it is made from the sources, and committed.
 //!
-//! `ADSDV_BLESS=1 cargo test -p adsdv-ffi --test header` writes it anew.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-ffi --test header` writes it anew.
 
 use std::path::{Path, PathBuf};
+
+use expect_test::expect_file;
 
 /// The sources in the order in which a reader wants to meet what is in them.
 const SOURCES: [&str; 11] = [
@@ -43,19 +45,7 @@ fn header() -> String {
 
 #[test]
 fn the_header_is_that_of_the_sources() {
-    let path = folder().join("include").join("adsdv.h");
-    let header = header();
-    if std::env::var_os("ADSDV_BLESS").is_some() {
-        std::fs::write(&path, &header).expect("the header can be written");
-    }
-    let committed = std::fs::read_to_string(&path).expect("the header is there");
-    let differs = committed.lines().zip(header.lines()).position(|(old, new)| old != new);
-    assert!(
-        committed == header,
-        "include/adsdv.h is not what the sources say (first in line {:?}); \
-         ADSDV_BLESS=1 cargo test -p adsdv-ffi --test header writes it anew",
-        differs.map(|line| line + 1),
-    );
+    expect_file!["../include/adsdv.h"].assert_eq(&header());
 }
 
 #[test]

@@ -1,13 +1,10 @@
-//! `READINGS.md` says what the readings cost now.
+//! `READINGS.md` says what the readings cost now. `UPDATE_EXPECT=1 cargo test -p adsdv-model --test readings` writes it anew.
 
-use std::path::Path;
-use std::{env, fs, thread};
+use std::thread;
 
 use adsdv_model::{PROPERTIES, sweep};
 use adsdv_spec::{Choices, Readings};
-
-/// Set to 1, it makes the test write the file instead of comparing it.
-const BLESS: &str = "ADSDV_BLESS";
+use expect_test::expect_file;
 
 #[test]
 fn the_costs_of_the_readings_are_as_written_down() {
@@ -25,15 +22,5 @@ fn the_costs_of_the_readings_are_as_written_down() {
     let costly = swept.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
     assert_eq!(costly, Choices::ALL.difference(Readings::DEFAULT.choices()));
 
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("READINGS.md");
-    let now = swept.to_string();
-    if env::var_os(BLESS).is_some_and(|value| value == "1") {
-        fs::write(&path, now).unwrap_or_else(|error| panic!("cannot write READINGS.md: {error}"));
-        return;
-    }
-    let renew = format!("to renew it: {BLESS}=1 cargo test -p adsdv-model --test readings");
-    let written =
-        fs::read_to_string(&path).unwrap_or_else(|error| panic!("cannot read READINGS.md: {error}; {renew}"));
-    let first = written.lines().zip(now.lines()).find(|(written, now)| written != now);
-    assert!(written == now, "READINGS.md is not what is found now; first difference: {first:#?}\n{renew}");
+    expect_file!["../READINGS.md"].assert_eq(&swept.to_string());
 }

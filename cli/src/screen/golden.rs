@@ -1,17 +1,16 @@
 //! What people see, against the files in `golden/`: a change of the screen shows as a change of a file that people read.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv --bin adsdv screen` writes them anew.
 
-use std::{env, fs, path::Path};
+use std::path::Path;
 
 use adsdv_can::status::Status;
+use expect_test::expect_file;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::render::render;
 use super::{Screen, panel, sample};
-
-/// Set to 1, it makes these tests write the files instead of comparing them.
-const BLESS: &str = "ADSDV_BLESS";
 
 /// What a terminal of this size shows.
 pub(super) fn drawn(status: &Status, screen: &Screen, width: u16, height: u16) -> (Buffer, panel::Room) {
@@ -33,15 +32,7 @@ fn text(buffer: &Buffer) -> String {
 
 /// Compares a text with a file of the project.
 pub(super) fn compare(file: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
-    if env::var_os(BLESS).is_some_and(|value| value == "1") {
-        fs::write(&path, text).unwrap_or_else(|error| panic!("cannot write {file}: {error}"));
-        return;
-    }
-    let renew = format!("to renew it: {BLESS}=1 cargo test -p adsdv --bin adsdv screen");
-    let golden =
-        fs::read_to_string(&path).unwrap_or_else(|error| panic!("cannot read {file}: {error}; {renew}"));
-    assert!(golden == text, "the screen is not {file}, it is:\n{text}\n{renew}");
+    expect_file![Path::new(env!("CARGO_MANIFEST_DIR")).join(file)].assert_eq(text);
 }
 
 fn golden(name: &str, status: &Status, screen: &Screen, sizes: &[(u16, u16)]) {

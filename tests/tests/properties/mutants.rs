@@ -2,12 +2,11 @@
 //! shows it is a few lines.
 
 use std::fmt::Write as _;
-use std::path::Path;
-use std::{env, fs};
 
 use adsdv_oracle::suite;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Interface, Machine, Mutation, Readings};
+use expect_test::expect_file;
 use proptest::strategy::{Strategy, ValueTree as _};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 
@@ -126,10 +125,8 @@ fn shown(name: &str, most: usize) -> String {
     format!("# {name}\n{}", timeline(&mutant(&mutation, &run), &run, &mut property(&run)))
 }
 
-/// Set to 1, it makes the test write the file instead of comparing it.
-const BLESS: &str = "ADSDV_BLESS";
-
 /// The timelines, which are scenarios as well, are those of the file.
+/// `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test properties mutant` writes it anew.
 #[test]
 fn a_mutant_is_shown_by_a_short_timeline() {
     let mut all = String::new();
@@ -139,11 +136,5 @@ fn a_mutant_is_shown_by_a_short_timeline() {
         assert!(scenario.is_ok(), "{scenario:?}\n{timeline}");
         let _ = writeln!(all, "{timeline}");
     }
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/mutants.txt");
-    if env::var_os(BLESS).is_some_and(|value| value == "1") {
-        fs::write(&path, &all).expect("golden/mutants.txt can be written");
-        return;
-    }
-    let golden = fs::read_to_string(&path).expect("golden/mutants.txt can be read");
-    assert_eq!(all, golden, "to renew it: {BLESS}=1 cargo test -p adsdv-tests --test properties mutant");
+    expect_file!["../../golden/mutants.txt"].assert_eq(&all);
 }
