@@ -184,9 +184,6 @@ impl Outputs {
     fn status(&self, inputs: &Inputs) -> Vcu2AiStatus {
         let mut status = Vcu2AiStatus {
             handshake: self.handshake,
-            // The document names no condition under which the VCU asks the AI Computer to shut down.
-            //= D-38
-            shutdown_request: false,
             as_switch_status: inputs.asms, //= MSG-44
             ts_switch_status: inputs.tsms, //= MSG-45
             go_signal: self.go_signal,
@@ -198,6 +195,9 @@ impl Outputs {
             warn_batt_temp_high: inputs.reports.batt_temp_high, //= MSG-52
             warn_batt_soc_low: inputs.reports.batt_soc_low, //= MSG-53
             shutdown_cause: self.shutdown_cause,
+            // SHUTDOWN_REQUEST stays 0: the document names no condition under which the VCU asks the AI Computer to
+            // shut down. The flags of the faults follow below.
+            //= D-38
             ..Vcu2AiStatus::default()
         };
         self.faults.show(&mut status);

@@ -85,7 +85,8 @@ impl Dbc<'_> {
     }
 
     fn comments(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "CM_ \"ADS-DV Software Interface Specification {}\";", self.0.version)?;
+        let version = Escaped(self.0.version, in_quotes);
+        writeln!(f, "CM_ \"ADS-DV Software Interface Specification {version}\";")?;
         for (node, what) in NODES {
             writeln!(f, "CM_ BU_ {node} {};", Quoted(what))?;
         }

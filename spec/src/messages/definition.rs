@@ -92,8 +92,7 @@ impl SignalDef {
             1 <= width && width <= 32 && start as usize + width as usize <= 8 * FRAME_BYTES,
             "out of the frame"
         );
-        let (lowest, highest) =
-            if T::SIGNED { (-1 << (width - 1), (1 << (width - 1)) - 1) } else { (0, (1 << width) - 1) };
+        let (lowest, highest) = held_by(width, T::SIGNED);
         assert!(
             lowest <= T::MIN as i64 && T::MAX as i64 <= highest,
             "the type has values the bits cannot hold"
@@ -281,5 +280,26 @@ impl MessageDef {
             index += 1;
         }
         needed
+    }
+}
+
+/// The lowest and the highest value that so many bits hold, 1 to 32 of them.
+const fn held_by(width: u8, signed: bool) -> (i64, i64) {
+    if signed { (-1 << (width - 1), (1 << (width - 1)) - 1) } else { (0, (1 << width) - 1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::held_by;
+
+    #[test]
+    fn bits_hold_what_the_integers_of_their_width_hold() {
+        assert_eq!(held_by(8, false), (u8::MIN.into(), u8::MAX.into()));
+        assert_eq!(held_by(8, true), (i8::MIN.into(), i8::MAX.into()));
+        assert_eq!(held_by(16, false), (u16::MIN.into(), u16::MAX.into()));
+        assert_eq!(held_by(16, true), (i16::MIN.into(), i16::MAX.into()));
+        assert_eq!(held_by(32, false), (u32::MIN.into(), u32::MAX.into()));
+        assert_eq!(held_by(32, true), (i32::MIN.into(), i32::MAX.into()));
+        assert_eq!((held_by(1, false), held_by(1, true)), ((0, 1), (-1, 0)));
     }
 }

@@ -1,34 +1,18 @@
 //! The exports against the files in `golden/`, byte for byte: a change of a table shows as a change of a file that
 //! other tools read. The files are also there to be used as they are. So with the mutations, each with what it changes.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-spec golden` writes them anew.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
-use std::{env, fs, path::Path};
 
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
-use adsdv_spec::table::{Row, Term};
-use adsdv_spec::{Interface, Machine, Mutation};
-
-/// Set to 1, it makes these tests write the files instead of comparing them.
-const BLESS: &str = "ADSDV_BLESS";
+use adsdv_spec::table::{Row, Table, Term};
+use adsdv_spec::{Interface, Machine, Mutation, Readings};
+use expect_test::expect_file;
 
 fn compare(file: &str, export: &impl std::fmt::Display) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(file);
-    let export = export.to_string();
-    if env::var_os(BLESS).is_some_and(|value| value == "1") {
-        fs::write(&path, &export).unwrap_or_else(|error| panic!("cannot write golden/{file}: {error}"));
-        return;
-    }
-    let renew = format!("to renew it: {BLESS}=1 cargo test -p adsdv-spec --test golden");
-    let golden = fs::read_to_string(&path)
-        .unwrap_or_else(|error| panic!("cannot read golden/{file}: {error}; {renew}"));
-    if golden == export {
-        return;
-    }
-    let lines = golden.lines().map(Some).chain(std::iter::repeat(None));
-    let first =
-        export.lines().map(Some).chain([None]).zip(lines).zip(1..).find(|((ours, file), _)| ours != file);
-    panic!("the export is not golden/{file}; first difference (export, file), line: {first:#?}\n{renew}");
+    expect_file![format!("golden/{file}")].assert_eq(&export.to_string());
 }
 
 #[test]
@@ -49,6 +33,29 @@ fn dot() {
 #[test]
 fn markdown() {
     compare("figure2.md", &Figure2(&Machine::REFERENCE));
+}
+
+/// The text of a table of one's own may have what means something else in a format.
+#[test]
+fn nothing_in_a_text_ends_it() {
+    let first = &Interface::V3_0.table.rows()[0];
+    let clause = "a \"b\" \\c &d <e> |f| *g* `h` #i: j;\nk";
+    let table = Table::new(&[Row::new(first.from, first.to, clause, first.terms())]);
+    let interface = Interface { table, version: "\"4\" \\5", ..Interface::V3_0 };
+    let machine = Machine::new(interface, Readings::DEFAULT);
+    for (export, expected) in [
+        (Dbc(&interface).to_string(), &[r#"VERSION "\"4\" \\5""#, r#"Specification \"4\" \\5";"#][..]),
+        (Dot(&machine).to_string(), &[r#"section a \"b\" \\c &amp;d <e> |f| *g* `h` #i: j;\lk\l"#]),
+        (
+            Mermaid(&machine).to_string(),
+            &["section a #quot;b#quot; \\c #amp;d #lt;e#gt; |f| *g* `h` #35;i#58; j#59;<br/>k<br/>"],
+        ),
+        (Figure2(&machine).to_string(), &[r#"| a "b" \\c &amp;d &lt;e> \|f\| \*g\* \`h\` #i: j;<br>k |"#]),
+    ] {
+        for expected in expected {
+            assert!(export.contains(expected), "{expected} in {export}");
+        }
+    }
 }
 
 /// Each mutation, and below it what of the interface goes (-) and comes (+).

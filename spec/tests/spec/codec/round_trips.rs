@@ -79,3 +79,20 @@ fn any_bytes_are_a_message_or_an_error_that_is_true() {
         }
     }
 }
+
+#[test]
+fn a_signal_is_put_among_bits_that_stay() {
+    let mut numbers = Numbers(0x5EED_0004);
+    for signal in MESSAGES.iter().flat_map(|message| message.signals) {
+        for _ in 0..200 {
+            // Values that are not allowed and do not fit, too.
+            let (data, raw) = (
+                numbers.next().to_le_bytes(),
+                i32::from_le_bytes(numbers.next().to_le_bytes()[..4].try_into().expect("four bytes")),
+            );
+            let mut expected = data;
+            write(signal, &mut expected, raw);
+            assert_eq!(signal.put(data, raw), expected, "{} {raw} in {data:?}", signal.name);
+        }
+    }
+}

@@ -1,5 +1,4 @@
 //! What is serialised stays readable: every name is the one that people see, and what contradicts is refused.
-#![cfg(feature = "serde")]
 
 use adsdv_spec::messages::{
     AnyMessage, DecodeError, DirectionRequest, Frame, GivenValue, MESSAGES, MissionStatus, Node, SteerAngle,
@@ -240,6 +239,13 @@ fn readings_are_a_map() {
         let text = format!(r#"{{"fault-trigger": "edge", "go-edge": "edge", "fault-trigger": "{twice}"}}"#);
         let error = serde_json::from_str::<Readings>(&text).expect_err("answered twice").to_string();
         assert!(error.contains("fault-trigger is answered twice"), "{error}");
+    }
+    for (value, expected) in [
+        (json!(["edge"]), "expected a map of reading to choice, such as {\"fault-trigger\": \"edge\"}"),
+        (json!({"fault-trigger": true}), "expected a choice of the reading fault-trigger"),
+    ] {
+        let error = refused::<Readings>(&value);
+        assert!(error.ends_with(expected), "{error}");
     }
 }
 

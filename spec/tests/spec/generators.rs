@@ -1,5 +1,4 @@
 //! The generators of random values make every value that there is, and none that there is not.
-#![cfg(any(feature = "arbitrary", feature = "proptest"))]
 
 use adsdv_spec::messages::{AnyMessage, Frame, Node};
 use adsdv_spec::{

@@ -103,3 +103,25 @@ fn the_bytes_needed_end_with_the_last_signal() {
         }
     }
 }
+
+/// Fields are public, so that a row can be changed; what is changed for nonsense reads nothing and writes nothing.
+#[test]
+fn a_signal_that_lies_in_no_frame_is_not_there() {
+    let mut changed = *Vcu2AiSteer::DEF.signals.first().expect("a signal of 523h");
+    let ones = [0xFF; 8];
+    for (start, width, there) in [
+        (56, 8, true),
+        (57, 8, false),
+        (32, 32, true),
+        (33, 32, false),
+        (0, 33, false),
+        (0, 0, false),
+        (63, 1, true),
+        (64, 1, false),
+        (255, 255, false),
+    ] {
+        (changed.start, changed.width, changed.signed) = (start, width, true);
+        assert_eq!(changed.raw(&[0xFF; 64]), there.then_some(-1), "bit {start}, {width} bits");
+        assert_eq!(changed.put(ones, 0) != ones, there, "bit {start}, {width} bits");
+    }
+}

@@ -1,0 +1,21 @@
+//! The specification's own tests, in one program: it is built anew for every mutant that `scripts/mutants.sh` makes.
+
+mod codec;
+mod consistent;
+mod faults;
+#[cfg(any(feature = "arbitrary", feature = "proptest"))]
+mod generators;
+mod golden;
+mod handshake;
+mod memory;
+mod mutation;
+mod outputs;
+mod possible;
+mod readings;
+mod reads;
+mod receive;
+mod reserved;
+#[cfg(feature = "serde")]
+mod serde;
+mod show;
+mod truth;
