@@ -1,0 +1,168 @@
+//! What the models tell people and other tools, against the files beside this one: pictures, steps in words, stories, logs,
+//! and the Promela model. A change of what they tell shows as a change of a file that people read.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test told` writes the files anew.
+
+use std::fmt::Write as _;
+
+use adsdv_model::closed::{Act, Action, Closed, Expectation, Operator, State};
+use adsdv_model::{
+    Line, Options, PROPERTIES, Promela, Report, Run, SHORT_TIMERS, Vectors, story, story_of, verify,
+};
+use adsdv_spec::messages::AmiState;
+use adsdv_spec::{Choices, Interface, Machine, Mutation, Readings};
+use expect_test::expect_file;
+use stateright::{Model as _, Path};
+
+const SHORTENED: Interface = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+const SHORT: Machine = Machine::new(SHORTENED, Readings::DEFAULT);
+
+fn verified(machine: &Machine) -> Report {
+    verify(*machine, Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS }, |_| {})
+}
+
+/// The lines of a story, indented.
+fn lines(story: Vec<Line>) -> String {
+    story.into_iter().fold(String::new(), |mut all, Line { ms, text }| {
+        let _ = writeln!(all, "  {ms:5} ms  {text}");
+        all
+    })
+}
+
+/// A mission up to an emergency while driving.
+const EMERGENCY: [Action; 20] = [
+    Action::Operator(Act::Mission(AmiState::TrackDrive)),
+    Action::Operator(Act::Tsms(true)),
+    Action::Operator(Act::Asms(true)),
+    Action::Operator(Act::EbsArmed(true)),
+    Action::VcuCycle,
+    Action::FrameToAi,
+    Action::AiCycle,
+    Action::FrameToVcu,
+    Action::VcuCycle,
+    Action::TimePasses,
+    Action::Operator(Act::Go(true)),
+    Action::VcuCycle,
+    Action::FrameToAi,
+    Action::AiCycle,
+    Action::FrameToVcu,
+    Action::TimePasses,
+    Action::Faster,
+    Action::RemoteEstop(true),
+    Action::VcuCycle,
+    Action::FrameToAi,
+];
+
+/// That emergency, and the shortest run to everything that is to be possible.
+fn closed_runs() -> Vec<(&'static str, Closed, Path<State, Action>)> {
+    let explorer = Closed::explorer(Machine::REFERENCE);
+    let first = explorer.init_states().remove(0);
+    let emergency = Path::from_actions(&explorer, first, &EMERGENCY).expect("each action is possible");
+    let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+    let found = model.clone().explore(1).results.into_iter();
+    let possible = found.filter(|found| found.property.expectation == Expectation::Sometimes);
+    let possible = possible
+        .map(|found| (found.property.name, model.clone(), found.run.expect("what is possible has a run")));
+    std::iter::once(("emergency", explorer, emergency)).chain(possible).collect()
+}
+
+#[test]
+fn a_run_as_a_picture() {
+    for (name, model, path) in closed_runs() {
+        let svg = model.as_svg(path).expect("a run has a picture");
+        // A line for each element, so that a change can be read.
+        expect_file![format!("{name}.svg")].assert_eq(&svg.replace("><", ">\n<"));
+    }
+}
+
+#[test]
+fn a_run_in_words() {
+    for (name, model, path) in closed_runs() {
+        let mut told = String::new();
+        for (state, action) in path.into_vec() {
+            let Some(action) = action else { continue };
+            let step = model.format_step(&state, action).expect("a step is told");
+            let _ = writeln!(told, "# {action}\n{step}\n");
+        }
+        expect_file![format!("{name}.txt")].assert_eq(&told);
+    }
+}
+
+/// The shortest run to each goal, with what happens in it.
+#[test]
+fn the_goals() {
+    let Report { exploration, runs } = verified(&SHORT);
+    let mut told = format!(
+        "{} states, {} transitions, depth {}\n",
+        exploration.states, exploration.transitions, exploration.depth
+    );
+    for goal in adsdv_model::GOALS.iter() {
+        let run = runs.get(goal.name).expect("each goal is reached");
+        let _ = write!(told, "\n{} ({}): {}\n", goal.name, goal.requirement, goal.statement);
+        told += &lines(story(&SHORT, run, None));
+        told += &lines(story_of(&Run::new(&SHORT, run.iter().copied())));
+    }
+    for (part, decides) in &exploration.parts {
+        let _ = write!(told, "\n{part}: {}", if *decides { "decides" } else { "is dead" });
+    }
+    expect_file!["goals.txt"].assert_eq(&(told + "\n"));
+}
+
+/// For each property that some mutants break, the first of them and the run that shows it.
+#[test]
+fn the_properties() {
+    let mut told = String::new();
+    let mut left: Vec<_> = PROPERTIES.iter().collect();
+    for mutation in Mutation::all(&SHORTENED).step_by(9) {
+        let machine = Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT);
+        let Report { exploration, runs } = verified(&machine);
+        let (told_now, others): (Vec<_>, Vec<_>) = left
+            .into_iter()
+            .partition(|&property| exploration.broken.iter().any(|broken| broken.name == property.name));
+        left = others;
+        for property in told_now {
+            let _ = write!(
+                told,
+                "{} ({}), {}: {}\n{mutation}\n",
+                property.name,
+                property.requirements.join(", "),
+                property.harm.text(),
+                property.statement
+            );
+            told += &lines(story(&machine, &runs[property.name], Some(property)));
+            told.push('\n');
+        }
+    }
+    for property in left {
+        let _ = writeln!(told, "{}: none of these mutants breaks it", property.name);
+    }
+    expect_file!["properties.txt"].assert_eq(&told);
+}
+
+/// A run as it would be recorded.
+#[test]
+fn a_run_as_a_log() {
+    let runs = verified(&SHORT).runs;
+    let mut log = String::new();
+    for name in ["arrow-3.7", "arrow-3.9"] {
+        let run = runs.get(name).unwrap_or_else(|| panic!("{name} is one of {:?}", runs.keys()));
+        let run = Run::new(&SHORT, run.iter().copied()).persisting(10);
+        let _ = writeln!(log, "# {name}");
+        for (t_ns, frame) in run.frames() {
+            let _ = writeln!(log, "{:6} us {frame}", t_ns / 1000);
+        }
+    }
+    expect_file!["log.txt"].assert_eq(&log);
+}
+
+#[test]
+fn the_same_machine_for_spin() {
+    let promela = |machine: &Machine, vectors| {
+        Promela { machine, document: machine.interface().timing, vectors }.to_string()
+    };
+    expect_file!["read.pml"].assert_eq(&promela(&Machine::REFERENCE, Vectors::Read));
+    expect_file!["few.pml"].assert_eq(&promela(&SHORT, Vectors::Few));
+    let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+    let other = Machine::new(SHORTENED, others.iter().fold(Readings::DEFAULT, Readings::with));
+    expect_file!["every-other-reading.pml"].assert_eq(&promela(&other, Vectors::Every));
+}
