@@ -53,29 +53,39 @@ while IFS= read -r pattern; do
 done < <(sed -n "/^exclude_re = \[/,/^\]/s/^ *'\(.*\)',\$/\1/p" .cargo/mutants.toml)
 [ -z "$reasons" ] && [ "$stale" = 0 ] || exit "$stale"
 
-# The files of a group, the package they are in, the tests that run first, and those that run on what these let pass.
+# The files of a group, the package they are in, and the tests that run on them, round by round: packages, then what
+# cargo test is told, then after a bar what the tests are told. Where all tests take long, those go first that catch much
+# and take little.
 describe() {
   features=()
+  local every='--lib --bins --tests'
   case $1 in
     spec)
       files=('spec/src/**') package=adsdv-spec features=(--all-features)
-      first=adsdv-spec then=adsdv-proofs
+      rounds=("adsdv-spec $every" "adsdv-proofs $every")
       ;;
     log)
       files=('oracle/src/candump/**' 'oracle/src/log.rs' 'oracle/src/protocol/**') package=adsdv-oracle
-      first=adsdv-oracle then=adsdv-oracle,adsdv-tests,adsdv
+      rounds=('adsdv-oracle --lib --test=log --test=protocol' "adsdv-oracle,adsdv-tests,adsdv $every")
       ;;
     judge)
-      files=('oracle/src/judge/**') package=adsdv-oracle first=adsdv-oracle,adsdv-tests then=adsdv-tests,adsdv-can,adsdv
+      files=('oracle/src/judge/**') package=adsdv-oracle
+      rounds=('adsdv-tests --test=violations' "adsdv-oracle,adsdv-tests,adsdv-can,adsdv $every")
       ;;
     suite)
-      files=('oracle/src/suite/**') package=adsdv-oracle first=adsdv-oracle then=adsdv-oracle,adsdv-tests,adsdv
+      files=('oracle/src/suite/**') package=adsdv-oracle
+      rounds=('adsdv-oracle --test=suite' "adsdv-oracle,adsdv-tests,adsdv $every")
       ;;
     conform)
-      files=('oracle/src/conform/**') package=adsdv-oracle first=adsdv-oracle then=adsdv-oracle,adsdv
+      files=('oracle/src/conform/**') package=adsdv-oracle
+      rounds=(
+        'adsdv-oracle --lib --test=conform | --skip misconduct:: --skip late:: --skip blame::'
+        "adsdv-oracle,adsdv $every"
+      )
       ;;
     model)
-      files=('model/src/**') package=adsdv-model first=adsdv-model then=adsdv-model,adsdv-tests,adsdv
+      files=('model/src/**') package=adsdv-model
+      rounds=('adsdv-model --lib --test=told' "adsdv-model $every" "adsdv-tests,adsdv $every")
       ;;
   esac
 }
@@ -96,9 +106,16 @@ for group in "${groups[@]}"; do
   if [ -n "$resume" ]; then tally; else rm -rf "$out"; fi
   mkdir -p "$out"
   touch "$out"/{caught,unviable}.txt
-  for tests in "$first" "$then"; do
+  # The first round is a glance, those behind it look closely.
+  export ADSDV_RECORDINGS=1
+  for round in "${rounds[@]}"; do
     status=0
-    cargo mutants "${selected[@]}" --colors never -o "$out" --iterate --test-package "$tests" "${arguments[@]}" || status=$?
+    IFS='|' read -r building testing <<<"$round"
+    read -r packages building <<<"$building"
+    # shellcheck disable=SC2086 # Words.
+    cargo mutants "${selected[@]}" --colors never -o "$out" --iterate --test-package "$packages" \
+      $(printf -- '--cargo-arg=%s ' $building) "${arguments[@]}" ${testing:+-- -- $testing} || status=$?
+    unset ADSDV_RECORDINGS
     tally
     # 2: some survived, 3: some ran too long; both are counted below.
     case $status in 0 | 2 | 3) ;; *) echo "mutants.sh: cargo mutants ended with status $status" >&2; exit 2 ;; esac

@@ -1,5 +1,7 @@
 //! Holding what the judge says against what it should say, on the exact recording and on disturbed ones.
 
+use std::sync::OnceLock;
+
 use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
 use adsdv_spec::{Choice, Choices};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
@@ -9,7 +11,21 @@ pub(crate) type Blame = (Rule, &'static str);
 
 /// Frames lost: one in this many.
 const LOSS: u64 = 20;
-const SEEDS: u64 = 32;
+/// How many recordings there are of each kind, unless [`RECORDINGS`] says otherwise.
+const USUAL: u64 = 32;
+/// The variable of the environment that sets it: fewer are faster, more find more.
+const RECORDINGS: &str = "ADSDV_RECORDINGS";
+
+/// How many recordings there are of each kind.
+fn recordings_of_a_kind() -> u64 {
+    static SET: OnceLock<u64> = OnceLock::new();
+    *SET.get_or_init(|| match std::env::var(RECORDINGS) {
+        Ok(number) => {
+            number.parse().unwrap_or_else(|_| panic!("{RECORDINGS} is {number:?}; expected a number"))
+        }
+        Err(_) => USUAL,
+    })
+}
 
 /// The judge, told that the VCU follows this choice.
 pub(crate) fn pinned(choice: Choice) -> Options {
@@ -50,7 +66,12 @@ pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
 /// Exactly these violations are reported, also under jitter; where frames are lost, no other, and mostly these.
 pub(crate) fn is_reported(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) {
     let missed = missed_in(world, options, party, expected, name);
-    assert!(missed <= SEEDS / 2, "{name}: missed in {missed} of {SEEDS} recordings that lose frames");
+    // Of a few recordings, each may have lost the very frame.
+    let seeds = recordings_of_a_kind();
+    assert!(
+        missed <= seeds / 2 || seeds < USUAL,
+        "{name}: missed in {missed} of {seeds} recordings that lose frames"
+    );
 }
 
 /// The same for what shows for a moment only, so that a recording that loses frames may not show it.
@@ -116,7 +137,8 @@ impl std::fmt::Display for How {
 }
 
 fn recordings(world: &World) -> impl Iterator<Item = (How, Vec<Recorded>)> + '_ {
-    let jittered = (0..SEEDS).map(|seed| (How::Jittered(seed), world.disturbed(seed, 5 * MS, 0)));
-    let thinned = (0..SEEDS).map(|seed| (How::Thinned(seed), world.disturbed(seed, 0, LOSS)));
+    let seeds = recordings_of_a_kind();
+    let jittered = (0..seeds).map(|seed| (How::Jittered(seed), world.disturbed(seed, 5 * MS, 0)));
+    let thinned = (0..seeds).map(|seed| (How::Thinned(seed), world.disturbed(seed, 0, LOSS)));
     std::iter::once((How::Exactly, world.log.clone())).chain(jittered).chain(thinned)
 }
