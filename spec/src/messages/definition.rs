@@ -250,14 +250,7 @@ impl MessageDef {
     /// A message made of these signals. Only tables call this, when they are compiled.
     pub(super) const fn checked(self) -> Self {
         assert!(self.len as usize <= FRAME_BYTES, "longer than a frame");
-        let mut end = 0;
-        let mut index = 0;
-        while index < self.signals.len() {
-            let signal = &self.signals[index];
-            assert!(end <= signal.start, "signals overlap, or are not in the order of their bits");
-            end = signal.start + signal.width;
-            index += 1;
-        }
+        assert!(are_in_order(self.signals), "signals overlap, or are not in the order of their bits");
         assert!(self.bytes_needed() <= self.len as usize, "a signal ends after the message does");
         Self { doc: self.doc.trim_ascii(), ..self }
     }
@@ -270,17 +263,25 @@ impl MessageDef {
     /// The length that data must have to hold every signal. It may be less than `len`: some messages
     /// end in unused bytes.
     pub const fn bytes_needed(&self) -> usize {
-        let mut needed = 0;
-        let mut index = 0;
-        while index < self.signals.len() {
-            let signal = self.signals[index].bytes_needed();
-            if signal > needed {
-                needed = signal;
-            }
-            index += 1;
+        match self.signals {
+            [.., last] => last.bytes_needed(),
+            [] => 0,
         }
-        needed
     }
+}
+
+/// Whether each signal begins behind the end of the one before.
+const fn are_in_order(signals: &[SignalDef]) -> bool {
+    let (mut end, mut index) = (0, 0);
+    while index < signals.len() {
+        let signal = &signals[index];
+        if signal.start < end {
+            return false;
+        }
+        end = signal.start + signal.width;
+        index += 1;
+    }
+    true
 }
 
 /// The lowest and the highest value that so many bits hold, 1 to 32 of them.
@@ -290,7 +291,8 @@ const fn held_by(width: u8, signed: bool) -> (i64, i64) {
 
 #[cfg(test)]
 mod tests {
-    use super::held_by;
+    use super::{MessageDef, SignalDef, are_in_order, held_by};
+    use crate::messages::MESSAGES;
 
     #[test]
     fn bits_hold_what_the_integers_of_their_width_hold() {
@@ -301,5 +303,17 @@ mod tests {
         assert_eq!(held_by(32, false), (u32::MIN.into(), u32::MAX.into()));
         assert_eq!(held_by(32, true), (i32::MIN.into(), i32::MAX.into()));
         assert_eq!((held_by(1, false), held_by(1, true)), ((0, 1), (-1, 0)));
+    }
+
+    #[test]
+    fn signals_are_in_order_that_neither_overlap_nor_change_places() {
+        let MessageDef { signals, .. } = MESSAGES[0];
+        let first = signals[0];
+        let at = |start, width| SignalDef { start, width, ..first };
+        assert!(are_in_order(&[]) && are_in_order(&[at(3, 2)]));
+        assert!(are_in_order(&[at(0, 8), at(8, 4), at(16, 1)]));
+        assert!(!are_in_order(&[at(0, 8), at(7, 4)]));
+        assert!(!are_in_order(&[at(0, 8), at(8, 4), at(11, 1)]));
+        assert!(!are_in_order(&[at(8, 4), at(0, 8)]));
     }
 }

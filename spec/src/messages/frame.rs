@@ -84,10 +84,10 @@ impl TryFrom<Parts> for Frame {
         }
         Err(if id > Self::MAX_ID {
             "the identifier of a frame has 11 bits: 0 to 2047"
-        } else if usize::from(len) > FRAME_BYTES {
-            "the len of a frame is 0 to 8"
-        } else {
+        } else if usize::from(len) <= FRAME_BYTES {
             "the data of a frame is zero from len on"
+        } else {
+            "the len of a frame is 0 to 8"
         })
     }
 }
@@ -95,7 +95,7 @@ impl TryFrom<Parts> for Frame {
 /// A valid frame from any numbers: what is too much is cut off.
 #[cfg(any(kani, feature = "arbitrary", feature = "proptest"))]
 fn valid(id: u16, len: u8, mut data: [u8; FRAME_BYTES]) -> Frame {
-    let len = if usize::from(len) < FRAME_BYTES { len } else { FRAME_BYTES as u8 };
+    let len = len.min(FRAME_BYTES as u8);
     let mut i = usize::from(len);
     while i < FRAME_BYTES {
         data[i] = 0;

@@ -113,6 +113,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_scale_is_its_fraction() {
+        let scale = Scale::new(3, 7);
+        assert_eq!((scale.num(), scale.den()), (3, 7));
+    }
+
+    #[test]
     fn nearest_rounds_halves_away_from_zero() {
         let half = Scale::new(1, 2);
         assert_eq!(half.nearest_raw(0.24), Some(0));

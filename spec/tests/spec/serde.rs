@@ -274,6 +274,7 @@ fn a_frame_is_one_that_can_be_on_the_bus() {
     let with = |id: u16, len: u8, data: [u8; 8]| json!({"id": id, "len": len, "data": data});
     assert!(refused::<Frame>(&with(0x800, 0, [0; 8])).contains("11 bits"));
     assert!(refused::<Frame>(&with(0x513, 9, [0; 8])).contains("0 to 8"));
+    assert!(refused::<Frame>(&with(0x7FF, 9, [0; 8])).contains("0 to 8"));
     assert!(refused::<Frame>(&with(0x513, 2, [1, 2, 3, 0, 0, 0, 0, 0])).contains("zero from len on"));
     assert!(refused::<Frame>(&json!({"id": 0, "len": 0, "data": [0, 0]})).contains("length"));
 }

@@ -104,6 +104,14 @@ fn the_bytes_needed_end_with_the_last_signal() {
     }
 }
 
+#[test]
+fn between_two_values_that_have_names_none_is_allowed() {
+    let mut gap = *Vcu2AiSteer::DEF.signals.first().expect("a signal of 523h");
+    (gap.min, gap.max, gap.values) = (0, 2, &[(0, "ZERO"), (2, "TWO")]);
+    assert_eq!([-1, 0, 1, 2, 3].map(|raw| gap.allows(raw)), [false, true, false, true, false]);
+    assert_eq!([0, 1, 2].map(|raw| gap.display(raw).to_string()), ["ZERO", "0.1 deg", "TWO"]);
+}
+
 /// Fields are public, so that a row can be changed; what is changed for nonsense reads nothing and writes nothing.
 #[test]
 fn a_signal_that_lies_in_no_frame_is_not_there() {
