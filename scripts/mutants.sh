@@ -112,8 +112,18 @@ for group in "${groups[@]}"; do
     status=0
     IFS='|' read -r building testing <<<"$round"
     read -r packages building <<<"$building"
+    # Without any change they have to pass. cargo mutants would try the tests of the changed package alone.
     # shellcheck disable=SC2086 # Words.
+    unchanged=(cargo test --quiet --locked --profile mutants $(printf -- '-p %s ' ${packages//,/ }) $building)
+    # shellcheck disable=SC2086
+    "${unchanged[@]}" --no-run >"$out/unchanged.log" 2>&1 && begin=$SECONDS &&
+      "${unchanged[@]}" -- $testing >>"$out/unchanged.log" 2>&1 || {
+        echo "mutants.sh: the tests of $group fail without any change, see $out/unchanged.log" >&2
+        exit 2
+      }
+    # shellcheck disable=SC2086
     cargo mutants "${selected[@]}" --colors never -o "$out" --iterate --test-package "$packages" \
+      --baseline skip --timeout $((30 + 5 * (SECONDS - begin))) \
       $(printf -- '--cargo-arg=%s ' $building) "${arguments[@]}" ${testing:+-- -- $testing} || status=$?
     unset ADSDV_RECORDINGS
     tally
