@@ -298,7 +298,7 @@ impl Judge {
 
     /// The AS state that the VCU showed last, while its frames are fresh.
     pub fn state(&self) -> Option<AsState> {
-        self.vcu.state
+        self.vcu.state.filter(|_| self.vcu_is_seen())
     }
 
     /// When the last frame came, by the time that the judge gives it.

@@ -6,6 +6,8 @@ use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
 use adsdv_spec::{Choice, Choices};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
 
+use crate::said::is_as_written;
+
 /// A violation, as far as it is the same in every recording of the same run.
 pub(crate) type Blame = (Rule, &'static str);
 
@@ -57,6 +59,7 @@ pub(crate) fn only(report: &Report) -> Finding {
 
 /// Nothing is said against the VCU, however the recorder works.
 pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
+    is_as_written(name, &world.log, options);
     for (how, log) in recordings(world) {
         let report = judge(&log, options);
         assert!(by(&report, Party::Vcu).is_empty(), "{name}, {how}: {:#?}", violations(&report));
@@ -87,6 +90,7 @@ pub(crate) fn is_reported_if_seen(
 
 /// In how many recordings that lose frames it is not reported. In all others it must be, and nothing else in any.
 fn missed_in(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) -> u64 {
+    is_as_written(name, &world.log, options);
     let mut missed = 0;
     for (how, log) in recordings(world) {
         let report = judge(&log, options);

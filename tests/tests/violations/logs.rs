@@ -5,6 +5,7 @@ use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, 
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::by;
+use crate::said::is_as_written;
 
 /// A run through every state, which conforms.
 fn run() -> World {
@@ -28,7 +29,9 @@ fn only_of(log: &[Recorded], node: Node) -> Vec<Recorded> {
 #[test]
 fn one_side_alone_conforms() {
     for node in [Node::Ai, Node::Vcu] {
-        let report = judge(&only_of(&run().log, node), Options::default());
+        let log = only_of(&run().log, node);
+        is_as_written(&format!("{node} only"), &log, Options::default());
+        let report = judge(&log, Options::default());
         assert_eq!(report.verdict(), Verdict::Conforms, "{node} only: {:#?}", violations(&report));
         assert_eq!(notes(&report, Rule::OneSided), 1, "{node} only");
     }
@@ -55,6 +58,7 @@ fn a_log_that_begins_or_ends_anywhere_conforms() {
 fn a_log_that_runs_backwards_blames_nobody() {
     let mut log = run().log;
     log.reverse();
+    is_as_written("backwards", &log, Options::default());
     let report = judge(&log, Options::default());
     assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
     assert_eq!(report.frames, u64::try_from(log.len()).expect("a short log"), "all are counted");
@@ -88,6 +92,7 @@ fn resized(world: &World, id: u16, len: usize) -> Report {
         recorded.frame.len = u8::try_from(len).expect("a frame is short");
         recorded.frame.data[len..].fill(0);
     }
+    is_as_written(&format!("{id:03X}h with {len} bytes"), &log, Options::default());
     judge(&log, Options::default())
 }
 
@@ -128,6 +133,7 @@ fn set_back(ms: i64) -> Report {
     for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= since) {
         recorded.t -= ms * MS;
     }
+    is_as_written(&format!("set back by {ms} ms"), &world.log, Options::default());
     world.judge(Options::default())
 }
 
@@ -153,6 +159,7 @@ fn a_vcu_that_comes_back_in_off_is_a_note() {
     let later = vcu.log.iter().map(|recorded| Recorded { t: recorded.t + offset, ..*recorded });
     world.log.extend(later);
 
+    is_as_written("a VCU that comes back", &world.log, Options::default());
     let report = judge(&world.log, Options::default());
     assert!(by(&report, Party::Vcu).is_empty(), "{:#?}", violations(&report));
     assert_eq!(notes(&report, Rule::Gap), 1);

@@ -5,6 +5,7 @@
 
 mod cases;
 mod check;
+mod said;
 
 mod ai;
 mod causes;
@@ -15,6 +16,7 @@ mod handshake;
 mod logs;
 mod no_arrow;
 mod not_taken;
+mod online;
 mod priorities;
 mod thresholds;
 mod timers;

@@ -1,0 +1,147 @@
+//! The judge while the bus goes on: what it knows, what it tells, and what it makes of silence and of losses.
+
+use adsdv_oracle::judge::{Finding, Judge, Options, Party, Rule, Severity};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
+use adsdv_spec::{Atom, Knowledge, Truth};
+use adsdv_tests::world::{MS, World};
+
+/// A judge of a run into `AS_DRIVING`, and the time of its last frame.
+fn driving() -> (Judge, i64, World) {
+    let mut world = World::reference();
+    world.driving();
+    let mut judge = Judge::new(Options::default());
+    let origin = world.log[0].t;
+    let mut last = 0;
+    for recorded in &world.log {
+        last = recorded.t - origin;
+        judge.frame(last, recorded.frame.id.into(), recorded.frame.data());
+    }
+    (judge, last, world)
+}
+
+/// Goes on with the run of the judge, later by so much.
+fn go_on(judge: &mut Judge, world: &mut World, later: i64) -> i64 {
+    let (before, origin) = (world.log.len(), world.log[0].t);
+    world.wait(1000);
+    let mut last = 0;
+    for recorded in &world.log[before..] {
+        last = recorded.t - origin + later;
+        judge.frame(last, recorded.frame.id.into(), recorded.frame.data());
+    }
+    last
+}
+
+fn gaps(findings: &[Finding]) -> Vec<(i64, Severity, Party, &str)> {
+    let gaps = findings.iter().filter(|finding| finding.rule == Rule::Gap);
+    gaps.map(|gap| (gap.t_ns, gap.severity, gap.party, gap.message.as_str())).collect()
+}
+
+#[test]
+fn a_silent_vcu_is_known_no_more() {
+    let (mut judge, last, _) = driving();
+    assert_eq!(judge.state(), Some(AsState::Driving));
+    assert_eq!(judge.known().of(Atom::Asms), Truth::True);
+    // As long as the window, in which frames may be late.
+    let silent = (0..=1000).find(|ms| {
+        judge.time_passes(last + ms * MS);
+        judge.state().is_none()
+    });
+    assert_eq!(silent, Some(31));
+    assert_eq!(judge.known().of(Atom::Asms), Truth::Unknown);
+    judge.time_passes(last);
+    let report = judge.finish();
+    assert_eq!(report.duration_ns, last, "the log ends with its last frame");
+}
+
+#[test]
+fn time_that_is_told_changes_nothing_while_frames_come() {
+    let mut world = World::reference();
+    world.finished();
+    let plain = world.judge(Options::default());
+    let mut judge = Judge::new(Options::default());
+    let origin = world.log[0].t;
+    for recorded in &world.log {
+        let t = recorded.t - origin;
+        judge.frame(t, recorded.frame.id.into(), recorded.frame.data());
+        judge.time_passes(t + MS / 10);
+    }
+    let told = judge.finish();
+    assert_eq!((told.frames, told.duration_ns), (plain.frames, plain.duration_ns));
+    assert_eq!((told.transitions, told.findings), (plain.transitions, plain.findings));
+}
+
+#[test]
+fn a_frame_that_is_not_judged_counts_and_takes_its_time() {
+    let (mut judge, last, world) = driving();
+    assert_eq!(judge.other_frame(last + 3 * MS), last + 3 * MS);
+    assert_eq!(judge.state(), Some(AsState::Driving));
+    let report = judge.finish();
+    assert_eq!((report.frames, report.duration_ns), (world.log.len() as u64 + 1, last + 3 * MS));
+
+    let mut first = Judge::new(Options::default());
+    assert_eq!(first.other_frame(7 * MS), 0, "the first frame is where time begins");
+    assert_eq!(first.other_frame(9 * MS), 2 * MS);
+}
+
+#[test]
+fn what_is_taken_is_not_in_the_report() {
+    let (mut judge, ..) = driving();
+    let responses = judge.responses().clone();
+    assert_eq!((responses.count() > 500, responses.max_ms()), (true, Some(5.0)));
+    let (transitions, findings) = judge.take_news();
+    let states: Vec<AsState> = transitions.iter().map(|transition| transition.to).collect();
+    assert_eq!((states, findings), (vec![AsState::Ready, AsState::Driving], vec![]));
+    assert_eq!(judge.take_news(), (vec![], vec![]));
+    let report = judge.finish();
+    assert_eq!((report.transitions, report.responses.count()), (vec![], responses.count()));
+}
+
+#[test]
+fn what_was_lost_is_told_and_nothing_is_known_behind_it() {
+    let (mut judge, last, mut world) = driving();
+    judge.lost(0);
+    assert_eq!(judge.known().of(Atom::Asms), Truth::True);
+    judge.lost(5);
+    judge.lost(2);
+    let status = world.log.iter().rev().find(|recorded| recorded.frame.id == Vcu2AiStatus::ID);
+    let frame = status.expect("the VCU has sent its status").frame;
+    judge.other_frame(last + 10 * MS);
+    assert_eq!((judge.state(), judge.known()), (None, Knowledge::NOTHING));
+    judge.frame(last + 10 * MS, frame.id.into(), frame.data());
+    assert_eq!(judge.state(), Some(AsState::Driving));
+    go_on(&mut judge, &mut world, 10 * MS);
+    let report = judge.finish();
+    let text =
+        "7 frames lost here, because nobody took what came in time; judged as a new recording from here on";
+    assert_eq!(gaps(&report.findings), [(last, Severity::Warning, Party::Log, text)]);
+    assert_eq!(report.count(Severity::Violation), 0, "{:#?}", report.findings);
+}
+
+#[test]
+fn losses_one_after_the_other_are_told_as_one() {
+    let (mut judge, last, mut world) = driving();
+    for place in 1..=3 {
+        judge.lost(1);
+        judge.other_frame(last + place * 10 * MS);
+    }
+    let end = go_on(&mut judge, &mut world, 30 * MS);
+    judge.lost(1);
+    let report = judge.finish();
+    let several = "3 frames lost from here on, 3 times in 0.030 s, because nobody took what came in time; judged as a new \
+                   recording each time";
+    let one =
+        "1 frame lost here, because nobody took what came in time; judged as a new recording from here on";
+    let expected = [(last, several), (end, one)].map(|(t, text)| (t, Severity::Warning, Party::Log, text));
+    assert_eq!(gaps(&report.findings), expected);
+}
+
+#[test]
+fn losses_without_end_are_told_every_ten_seconds() {
+    let (mut judge, last, _) = driving();
+    for place in 1..=2500 {
+        judge.lost(1);
+        judge.other_frame(last + place * 10 * MS);
+    }
+    let told: Vec<i64> = gaps(&judge.finish().findings).iter().map(|gap| (gap.0 - last) / MS).collect();
+    assert_eq!(told, [0, 10_000, 20_000]);
+}

@@ -1,0 +1,136 @@
+//! Everything that the judge says of the runs of these tests, as they are recorded exactly: `said.txt` has it to the letter.
+//! A change of a text, of a time, or of when it is told shows as a change of that file.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test violations` writes it anew.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::sync::{LazyLock, Mutex, PoisonError};
+use std::{env, fs};
+
+use adsdv_oracle::judge::{Finding, Judge, Options, Report, Transition};
+use adsdv_spec::{Atoms, Knowledge, Term, Truth};
+use adsdv_tests::world::Recorded;
+
+/// What is said of the runs of a name. Tests may give the same name to several.
+type Said = BTreeMap<String, BTreeSet<String>>;
+
+/// Between two texts of the file.
+const RULE: &str = "================";
+
+static EXPECTED: LazyLock<Said> = LazyLock::new(|| {
+    let file = fs::read_to_string(file()).unwrap_or_default();
+    let mut said = Said::new();
+    for text in file.split(&format!("{RULE} ")).skip(1) {
+        let (name, text) = text.split_once('\n').unwrap_or((text, ""));
+        said.entry(name.to_owned()).or_default().insert(text.trim_end().to_owned());
+    }
+    said
+});
+
+fn file() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/violations/said.txt")
+}
+
+/// The judge says of this run what the file says.
+pub(crate) fn is_as_written(name: &str, log: &[Recorded], options: Options) {
+    let text = said(log, options);
+    if env::var_os("UPDATE_EXPECT").is_some() {
+        write(name, &text);
+        return;
+    }
+    let expected = EXPECTED.get(name);
+    if expected.is_some_and(|texts| texts.contains(&text)) {
+        return;
+    }
+    let expected: Vec<&String> = expected.into_iter().flatten().collect();
+    panic!("{name}: said.txt has {expected:#?}, and the judge says\n{text}");
+}
+
+/// Writes the file from what all tests say, one after the other.
+fn write(name: &str, text: &str) {
+    static WRITTEN: Mutex<Said> = Mutex::new(Said::new());
+    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+    written.entry(name.to_owned()).or_default().insert(text.to_owned());
+    let texts = written.iter().flat_map(|(name, texts)| texts.iter().map(move |text| (name, text)));
+    let all = texts.fold(String::new(), |mut all, (name, text)| {
+        let _ = writeln!(all, "{RULE} {name}\n{text}\n");
+        all
+    });
+    fs::write(file(), all).expect("said.txt can be written");
+}
+
+/// The report, each line with the time at which it was news.
+fn said(log: &[Recorded], options: Options) -> String {
+    let mut judge = Judge::new(options);
+    let origin = log.first().map_or(0, |first| first.t);
+    let mut news = Vec::new();
+    for recorded in log {
+        judge.frame(recorded.t - origin, recorded.frame.id.into(), recorded.frame.data());
+        let (transitions, findings) = judge.news();
+        let lines = transitions.iter().map(transition).chain(findings.iter().map(finding));
+        news.extend(lines.map(|line| (line, recorded.t - origin)));
+    }
+    let state = judge.state().map_or("unknown".to_owned(), |state| state.to_string());
+    let known = knowledge(judge.known());
+    let Report { frames, duration_ns, transitions, findings, responses } = judge.finish();
+    let mut text = format!("{frames} frames in {} us, then {state}: {known}\n", duration_ns / 1000);
+    if let (Some(min), Some(median), Some(max)) =
+        (responses.min_ms(), responses.quantile_ms(0.5), responses.max_ms())
+    {
+        let _ = writeln!(text, "{} responses: {min} to {max} ms, median {median} ms", responses.count());
+    }
+    for line in transitions.iter().map(transition).chain(findings.iter().map(finding)) {
+        let place = news.iter().position(|(told, _)| *told == line);
+        let told = place.map(|place| news.swap_remove(place).1);
+        let told = told.map_or("at the end".to_owned(), |t| format!("at {} us", t / 1000));
+        let _ = writeln!(text, "{line} [told {told}]");
+    }
+    for (line, t) in news {
+        let _ = writeln!(text, "{line} [told at {} us, and not in the report]", t / 1000);
+    }
+    text.trim_end().to_owned()
+}
+
+fn transition(transition: &Transition) -> String {
+    let Transition { t_ns, from, to, clause, justified, decided, or } = transition;
+    let mut line = format!("{} us: {from} -> {to} ({clause}), {justified}", t_ns / 1000);
+    for (word, (term, known)) in
+        decided.iter().map(|one| ("by", one)).chain(or.iter().map(|other| ("or by", other)))
+    {
+        let _ = write!(line, ", {word} {}", alternative(term, *known));
+    }
+    line
+}
+
+/// The conditions of an alternative with what was known of them; of one that holds, how many there are.
+fn alternative(term: &Term, known: Knowledge) -> String {
+    if term.truth(known) == Truth::True {
+        return format!("all {} of {}", term.conditions().count(), term.clause);
+    }
+    let conditions: Vec<String> =
+        term.conditions().map(|(atom, _)| format!("{atom} {}", known.of(atom))).collect();
+    conditions.join(" and ")
+}
+
+fn finding(finding: &Finding) -> String {
+    let Finding { t_ns, severity, party, clause, rule, message } = finding;
+    format!(
+        "{} us: {} of {} by {}, {clause}: {message}",
+        t_ns / 1000,
+        severity.name(),
+        rule.id(),
+        party.name()
+    )
+}
+
+/// What is on, and what is not known to be on or off.
+fn knowledge(known: Knowledge) -> String {
+    let named = |atoms: Atoms| {
+        let names: Vec<String> = atoms.iter().map(|atom| atom.to_string()).collect();
+        names.join(" ")
+    };
+    let unknown = Atoms::ALL.difference(known.on().union(known.off()));
+    format!("on {}; unknown {}", named(known.on()), named(unknown))
+}
