@@ -108,6 +108,22 @@ fn frames_too_short_are_reported_once() {
     }
 }
 
+/// What a frame says may be the same when it is cut off: zeros were there.
+#[test]
+fn frames_that_become_too_short_are_reported_then() {
+    let mut log = run().log;
+    let id = Vcu2AiStatus::ID;
+    let places: Vec<usize> = (0..log.len()).filter(|&place| log[place].frame.id == id).collect();
+    let short = places[places.len() / 2];
+    let (t, frame) = (log[short].t - log[0].t, &mut log[short].frame);
+    frame.len = u8::try_from(Vcu2AiStatus::DEF.bytes_needed() - 1).expect("a frame is short");
+    let end = usize::from(frame.len);
+    assert!(frame.data[end..].iter().all(|&byte| byte == 0), "nothing is lost");
+    let report = judge(&log, Options::default());
+    let found: Vec<(Rule, i64)> = by(&report, Party::Vcu).iter().map(|one| (one.rule, one.t_ns)).collect();
+    assert_eq!(found, [(Rule::TooShort, t)], "{:#?}", violations(&report));
+}
+
 #[test]
 fn another_length_that_holds_every_signal_is_a_note() {
     let world = run();
