@@ -70,7 +70,7 @@ describe() {
       ;;
     judge)
       files=('oracle/src/judge/**') package=adsdv-oracle
-      rounds=('adsdv-tests --test=violations' "adsdv-oracle,adsdv-tests,adsdv-can,adsdv $every")
+      rounds=('adsdv-tests --test=judge' "adsdv-oracle,adsdv-tests,adsdv-can,adsdv $every")
       ;;
     suite)
       files=('oracle/src/suite/**') package=adsdv-oracle

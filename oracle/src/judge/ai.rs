@@ -19,10 +19,7 @@ pub(super) struct AiSide {
 }
 
 impl AiSide {
-    pub(super) fn forget(&mut self) {
-        *self = Self::default();
-    }
-
+    /// The VCU is in another state, or in one that is known anew.
     pub(super) fn entered(&mut self) {
         self.at_speed = [false; 2];
         self.held_since = None;

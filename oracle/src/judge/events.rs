@@ -165,7 +165,6 @@ impl Judge {
         self.handshake = super::Watch::default();
         self.meter = super::Meter::default();
         self.due = None;
-        self.ai.forget();
         for slot in &mut self.slots {
             slot.fresh = false;
             slot.last = None;

@@ -169,7 +169,7 @@ mod tests {
             ("spec/src/handshake.rs", "//= HS-4\n", Implementation),
             ("proofs/src/kani/handshake.rs", "/// Requirements: HS-4.\n", Proof),
             ("model/src/properties.rs", "requirements: &[\"HS-4\"],\n", Proof),
-            ("tests/tests/conforming.rs", "    //= HS-4\n", Test),
+            ("tests/tests/judge/conforming.rs", "    //= HS-4\n", Test),
         ] {
             assert_eq!(cited_in(path, text), Ok(vec![format!("{kind:?} HS-4 1")]), "{path}");
         }

@@ -1,7 +1,7 @@
 //! Everything that the judge says of the runs of these tests, as they are recorded exactly: `said.txt` has it to the letter.
 //! A change of a text, of a time, or of when it is told shows as a change of that file.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test violations` writes it anew.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test judge` writes it anew.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -30,7 +30,7 @@ static EXPECTED: LazyLock<Said> = LazyLock::new(|| {
 });
 
 fn file() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/violations/said.txt")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/judge/said.txt")
 }
 
 /// The judge says of this run what the file says.

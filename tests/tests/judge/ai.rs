@@ -105,3 +105,39 @@ fn requests_that_hold_the_vehicle_in_ready() {
         is_silent(&world, Options::default(), atom.id());
     }
 }
+
+#[test]
+fn requests_hold_the_vehicle_once_in_each_ready() {
+    let mut world = World::reference();
+    world.ready();
+    for _ in 0..2 {
+        world.set(Atom::FrontTorqueZero, false);
+        world.wait(6000);
+        world.set(Atom::FrontTorqueZero, true);
+        world.wait(200);
+        world.set(Atom::FrontTorqueZero, false);
+        world.wait(500);
+        world.inputs.asms = false;
+        world.wait(200);
+        world.inputs.asms = true;
+        world.wait(200);
+    }
+    is_silent(&world, Options::default(), "held in two AS_READY");
+    let report = judge(&world.log, Options::default());
+    let held = report.findings.iter().filter(|finding| finding.rule == Rule::ReadyHeld);
+    assert_eq!(held.count(), 2, "{:#?}", report.findings);
+}
+
+/// Whether there is no AI Computer, or nobody recorded it, cannot be known.
+#[test]
+fn an_ai_computer_that_was_never_heard_is_not_blamed() {
+    let mut world = World::reference();
+    world.inputs.tsms = true;
+    world.ai_sends = false;
+    world.wait(1000);
+    assert!(world.control.handshake.is_lost(adsdv_spec::Interface::V3_0.timing.handshake_ms), "it is missed");
+    is_reported(&world, Options::default(), Party::Ai, &[], "never heard");
+    is_silent(&world, Options::default(), "never heard");
+    let report = judge(&world.log, Options::default());
+    assert!(!report.findings.iter().any(|finding| finding.party == Party::Ai), "{:#?}", report.findings);
+}

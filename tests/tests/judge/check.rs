@@ -14,12 +14,12 @@ pub(crate) type Blame = (Rule, &'static str);
 /// Frames lost: one in this many.
 const LOSS: u64 = 20;
 /// How many recordings there are of each kind, unless [`RECORDINGS`] says otherwise.
-const USUAL: u64 = 32;
+pub(crate) const USUAL: u64 = 32;
 /// The variable of the environment that sets it: fewer are faster, more find more.
 const RECORDINGS: &str = "ADSDV_RECORDINGS";
 
 /// How many recordings there are of each kind.
-fn recordings_of_a_kind() -> u64 {
+pub(crate) fn recordings_of_a_kind() -> u64 {
     static SET: OnceLock<u64> = OnceLock::new();
     *SET.get_or_init(|| match std::env::var(RECORDINGS) {
         Ok(number) => {

@@ -1,0 +1,116 @@
+//! No false alarm: what the reference VCU does is never called a violation of the VCU, whatever the AI Computer and the
+//! operator do, under any readings, however the recorder jitters and whatever frames it loses.
+
+use adsdv_oracle::judge::{Options, Party};
+use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Reading, Readings};
+use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
+
+use crate::check::{USUAL, by, recordings_of_a_kind};
+use crate::said::is_as_written;
+
+/// A run of `cycles` with random changes, biased so that every state is reached.
+fn random_run(random: &mut Random, interface: &Interface, cycles: u32) -> World {
+    let readings = if random.one_in(2) {
+        Readings::DEFAULT
+    } else {
+        Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
+            if random.one_in(3) { readings.with(random.pick(reading.choices())) } else { readings }
+        })
+    };
+    let mut world = World::new(Machine::new(*interface, readings));
+    let rate = random.pick(&[1, 3, 20, 100]);
+    world.sets_out(random);
+    for _ in 0..cycles {
+        if random.one_in(rate) {
+            world.anything(random);
+        }
+        if random.one_in(rate * 20) {
+            world.ebs_changes(random);
+        }
+        world.cycle();
+    }
+    world
+}
+
+/// A recording of a random run of a VCU, and how it is judged.
+struct Recording {
+    /// For people.
+    name: String,
+    log: Vec<Recorded>,
+    options: Options,
+}
+
+impl Recording {
+    fn new(interface: &Interface, seed: u64, jitter_ms: i64, loss: u64) -> Self {
+        let mut random = Random(seed);
+        let world = random_run(&mut random, interface, 400);
+        // Half of the recordings start in mid-run, and half are judged by the very readings that the VCU follows.
+        let mut log = world.disturbed(seed, jitter_ms * MS, loss);
+        let start = if random.one_in(2) { random.below(log.len() as u64 / 2) } else { 0 };
+        log.drain(..usize::try_from(start).unwrap_or(0));
+        let pinned = random.one_in(2);
+        let readings = if pinned { world.vcu.readings().choices() } else { Choices::ALL };
+        let name = format!(
+            "seed {seed}, jitter {jitter_ms} ms, loss 1/{loss}, from {start}, readings [{}]{}",
+            world.vcu.readings(),
+            if pinned { ", pinned" } else { "" },
+        );
+        Self { name, log, options: Options { readings, ..Options::default() } }
+    }
+}
+
+fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
+    /// Of so many runs it is written down what is said.
+    const WRITTEN: u64 = 12;
+    let runs = 500 * recordings_of_a_kind() / USUAL;
+    let mut states = std::collections::BTreeSet::new();
+    let mut transitions = 0;
+    for seed in 0..runs.max(WRITTEN) {
+        let Recording { name, log, options } = Recording::new(&Interface::V3_0, seed, jitter_ms, loss);
+        if seed < WRITTEN {
+            is_as_written(&name, &log, options);
+        }
+        let report = judge(&log, options);
+        assert!(by(&report, Party::Vcu).is_empty(), "{name}: {:#?}", violations(&report));
+        transitions += report.transitions.len();
+        states.extend(report.transitions.iter().map(|transition| transition.to));
+    }
+    assert!(states.len() == AsState::ALL.len() || runs < 100, "the runs reach every state");
+    assert!(transitions as u64 > runs, "the runs take transitions");
+}
+
+/// Of VCUs that do something else than the document says.
+#[test]
+fn what_is_said_of_mutants_is_as_written() {
+    for (seed, mutation) in (0..).zip(Mutation::all(&Interface::V3_0).step_by(3)) {
+        let (jitter_ms, loss) = [(0, 0), (5, 0), (0, 20), (15, 10)][usize::try_from(seed % 4).unwrap_or(0)];
+        let Recording { name, log, options } =
+            Recording::new(&mutation.apply(&Interface::V3_0), seed, jitter_ms, loss);
+        is_as_written(&format!("{mutation}: {name}"), &log, options);
+    }
+}
+
+#[test]
+fn exact_recordings() {
+    never_blames_the_vcu(0, 0);
+}
+
+#[test]
+fn five_milliseconds_of_jitter() {
+    never_blames_the_vcu(5, 0);
+}
+
+#[test]
+fn lost_frames() {
+    never_blames_the_vcu(0, 20);
+}
+
+#[test]
+fn jitter_and_lost_frames() {
+    never_blames_the_vcu(5, 10);
+}
+
+#[test]
+fn jitter_longer_than_a_cycle() {
+    never_blames_the_vcu(15, 0);
+}

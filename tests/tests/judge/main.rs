@@ -1,0 +1,32 @@
+//! The judge, on recordings of a simulated bus. One program: it is built anew for every mutant that `scripts/mutants.sh` makes.
+//!
+//! For each row, term and threshold of the table there is a log in which exactly that is violated, and exactly that is reported;
+//! beside it a conforming log of which nothing is said. Both also with 5 ms of jitter, and with frames lost. [`cases`] lists the
+//! literals of Figure 2 from the table itself, so that a new row is tested at once.
+//!
+//! [`conforming`] is what the reference VCU does whatever happens, [`said`] holds what is said of all of these to the letter,
+//! and [`online`] is the judge while the bus goes on.
+
+mod alike;
+mod conforming;
+mod online;
+mod response;
+mod said;
+
+mod cases;
+mod check;
+
+mod ai;
+mod causes;
+mod edges;
+mod flags;
+mod go;
+mod handshake;
+mod logs;
+mod no_arrow;
+mod not_taken;
+mod priorities;
+mod thresholds;
+mod timers;
+mod values;
+mod wrongly_taken;
