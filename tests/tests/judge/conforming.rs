@@ -87,6 +87,10 @@ fn what_is_said_of_mutants_is_as_written() {
         let Recording { name, log, options } =
             Recording::new(&mutation.apply(&Interface::V3_0), seed, jitter_ms, loss);
         is_as_written(&format!("{mutation}: {name}"), &log, options);
+        // What is reported then need not be so, but it may not change by itself.
+        let (window_ms, deadline_ms) = [(0, 0), (5, 20), (100, 200)][usize::try_from(seed % 3).unwrap_or(0)];
+        let options = Options { window_ms, deadline_ms, ..options };
+        is_as_written(&format!("{mutation}: {name}, W {window_ms} ms, D {deadline_ms} ms"), &log, options);
     }
 }
 

@@ -4,7 +4,7 @@ use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
 use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, message_by_id};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
-use crate::check::by;
+use crate::check::{by, is_reported};
 use crate::said::is_as_written;
 
 /// A run through every state, which conforms.
@@ -83,6 +83,34 @@ fn states_that_changed_places_blame_nobody() {
         count += 1;
     }
     assert_eq!(count, 4, "through every state");
+}
+
+/// A recorder that writes times of its own: of several frames of one message at the same time, each counts.
+#[test]
+fn a_coarse_clock_blames_nobody_and_loses_nothing() {
+    let mut log = run().log;
+    for recorded in &mut log {
+        recorded.t -= recorded.t.rem_euclid(20 * MS);
+    }
+    is_as_written("times in steps of 20 ms", &log, Options::default());
+    let report = judge(&log, Options::default());
+    assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
+    let states: Vec<AsState> = report.transitions.iter().map(|transition| transition.to).collect();
+    assert_eq!(states, [AsState::Ready, AsState::Driving, AsState::Finished, AsState::Off]);
+}
+
+/// Its program may well leave cycles out. That is no loss: what the VCU does meanwhile shows.
+#[test]
+fn an_ai_computer_that_leaves_cycles_out_excuses_no_vcu() {
+    let mut world = World::reference();
+    world.finished();
+    world.hold_state();
+    world.inputs.asms = false;
+    world.wait(2000);
+    let mut random = Random(1);
+    let is_ai = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai);
+    world.log.retain(|recorded| !is_ai(recorded.frame.id) || !random.one_in(3));
+    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.4")], "the AI leaves cycles out");
 }
 
 /// The run with each frame of one message made this long.

@@ -10,7 +10,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use std::{env, fs};
 
 use adsdv_oracle::judge::{Finding, Judge, Options, Report, Transition};
-use adsdv_spec::{Atoms, Knowledge, Term, Truth};
+use adsdv_spec::{Knowledge, Term, Truth};
 use adsdv_tests::world::Recorded;
 
 /// What is said of the runs of a name. Tests may give the same name to several.
@@ -73,9 +73,8 @@ fn said(log: &[Recorded], options: Options) -> String {
         news.extend(lines.map(|line| (line, recorded.t - origin)));
     }
     let state = judge.state().map_or("unknown".to_owned(), |state| state.to_string());
-    let known = knowledge(judge.known());
     let Report { frames, duration_ns, transitions, findings, responses } = judge.finish();
-    let mut text = format!("{frames} frames in {} us, then {state}: {known}\n", duration_ns / 1000);
+    let mut text = format!("{frames} frames in {} us, then {state}\n", duration_ns / 1000);
     if let (Some(min), Some(median), Some(max)) =
         (responses.min_ms(), responses.quantile_ms(0.5), responses.max_ms())
     {
@@ -123,14 +122,4 @@ fn finding(finding: &Finding) -> String {
         rule.id(),
         party.name()
     )
-}
-
-/// What is on, and what is not known to be on or off.
-fn knowledge(known: Knowledge) -> String {
-    let named = |atoms: Atoms| {
-        let names: Vec<String> = atoms.iter().map(|atom| atom.to_string()).collect();
-        names.join(" ")
-    };
-    let unknown = Atoms::ALL.difference(known.on().union(known.off()));
-    format!("on {}; unknown {}", named(known.on()), named(unknown))
 }
