@@ -4,6 +4,7 @@ mod complete;
 mod lines;
 mod outputs;
 mod requirements;
+mod written;
 
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::Interface;
