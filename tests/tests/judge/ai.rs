@@ -132,8 +132,9 @@ fn requests_hold_the_vehicle_once_in_each_ready() {
 #[test]
 fn an_ai_computer_that_was_never_heard_is_not_blamed() {
     let mut world = World::reference();
-    world.inputs.tsms = true;
     world.ai_sends = false;
+    world.wait(500);
+    world.inputs.tsms = true;
     world.wait(1000);
     assert!(world.control.handshake.is_lost(adsdv_spec::Interface::V3_0.timing.handshake_ms), "it is missed");
     is_reported(&world, Options::default(), Party::Ai, &[], "never heard");

@@ -1,9 +1,9 @@
 //! The handshake: 50 ms, for both sides.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{Meter, Options, Party, Rule};
 use adsdv_spec::Choice;
-use adsdv_spec::messages::AsState;
-use adsdv_tests::world::World;
+use adsdv_spec::messages::{AnyMessage, AsState};
+use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{is_reported, is_reported_if_seen, is_silent, pinned};
 
@@ -41,6 +41,28 @@ fn an_answer_after_100_ms_is_late() {
         &[(Rule::HandshakeLate, "2.4")],
         "answered after 100 ms",
     );
+}
+
+/// To the limit the judge says nothing: it is on the bus that it measures.
+#[test]
+fn an_answer_at_the_limit_is_in_time() {
+    let world = unanswered(40, |_| {});
+    let mut meter = Meter::default();
+    let slow = world.log.iter().position(|Recorded { t, frame }| {
+        match AnyMessage::decode(frame.id, frame.data()) {
+            Ok(AnyMessage::Vcu2AiStatus(status)) => meter.vcu(*t, status.handshake),
+            Ok(AnyMessage::Ai2VcuStatus(status)) => return meter.ai(*t, status.handshake) == Some(45 * MS),
+            _ => {}
+        }
+        false
+    });
+    let slow = slow.expect("an answer after 45 ms");
+    let mut log = world.log.clone();
+    log[slow].t += 5 * MS;
+    log.sort_by_key(|recorded| recorded.t);
+    let report = judge(&log, Options::default());
+    assert_eq!(report.responses.max_ms(), Some(50.0));
+    assert!(!report.findings.iter().any(|finding| finding.rule == Rule::HandshakeLate), "{report:#?}");
 }
 
 /// A VCU that never tells that communication is lost.

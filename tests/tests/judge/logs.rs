@@ -1,7 +1,7 @@
 //! What can be wrong with the log itself.
 
 use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
-use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, message_by_id};
+use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, Vcu2AiSteer, message_by_id};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::{by, is_reported};
@@ -140,11 +140,12 @@ fn frames_too_short_are_reported_once() {
 #[test]
 fn frames_that_become_too_short_are_reported_then() {
     let mut log = run().log;
-    let id = Vcu2AiStatus::ID;
+    let id = Vcu2AiSteer::ID;
     let places: Vec<usize> = (0..log.len()).filter(|&place| log[place].frame.id == id).collect();
-    let short = places[places.len() / 2];
+    let [before, short] = [1, 0].map(|back| places[places.len() / 2 - back]);
+    assert_eq!(log[before].frame, log[short].frame);
     let (t, frame) = (log[short].t - log[0].t, &mut log[short].frame);
-    frame.len = u8::try_from(Vcu2AiStatus::DEF.bytes_needed() - 1).expect("a frame is short");
+    frame.len = u8::try_from(Vcu2AiSteer::DEF.bytes_needed() - 1).expect("a frame is short");
     let end = usize::from(frame.len);
     assert!(frame.data[end..].iter().all(|&byte| byte == 0), "nothing is lost");
     let report = judge(&log, Options::default());
