@@ -1,11 +1,12 @@
 //! The AI Computer's conduct in AS_DRIVING and AS_READY.
 
 use adsdv_oracle::judge::{Options, Party, Rule, Severity};
-use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
+use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus, Node, message_by_id};
 use adsdv_spec::{Atom, Choice};
-use adsdv_tests::world::{World, judge};
+use adsdv_tests::world::{MS, World, judge};
 
 use crate::check::{blames, is_reported, is_silent, pinned};
+use crate::said::is_as_written;
 
 /// AS_DRIVING at speed, and the AI Computer does something.
 fn at_speed(vcu: fn(&mut World), does: fn(&mut World)) -> World {
@@ -39,6 +40,27 @@ fn finished_at_speed_violates_under_both_readings() {
 fn neutral_at_speed_violates_under_both_readings() {
     let neutral: fn(&mut World) = |world| world.ai.status.direction_request = DirectionRequest::Neutral;
     violates_at_speed(neutral, Rule::NeutralMoving);
+}
+
+/// What the AI Computer does counts in the state that the VCU is in then, which may show only later; not after a silence.
+#[test]
+fn finished_at_speed_while_the_vcu_is_not_seen() {
+    for (ms, seen) in [(30, true), (100, true), (300, true), (480, true), (510, false), (800, false)] {
+        let mut world = World::reference();
+        world.driving();
+        world.hold_state();
+        let since = world.t;
+        world.ai.status.mission_status = MissionStatus::Finished;
+        world.wait(1500);
+        let of_the_ai = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai);
+        let away = since..since + ms * MS;
+        world.log.retain(|recorded| of_the_ai(recorded.frame.id) || !away.contains(&recorded.t));
+        let name = format!("FINISHED at speed, VCU not seen for {ms} ms");
+        is_as_written(&name, &world.log, Options::default());
+        let found = blames(&judge(&world.log, Options::default()), Party::Ai);
+        let expected = [(Rule::FinishedMoving, "3.7")];
+        assert_eq!(found, expected[usize::from(!seen)..], "{name}");
+    }
 }
 
 /// How much the one finding of a rule weighs; `None` if there is none.
