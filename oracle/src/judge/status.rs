@@ -245,6 +245,10 @@ impl Judge {
             _ => None,
         };
         self.ai.entered();
+        if before.is_none() {
+            // In which state the AI Computer did something before that, nobody has seen.
+            self.pending.retain(|pending| !matches!(pending.what, What::AtSpeed(_)));
+        }
         self.known = known;
         self.history.push(t, known, Some(state));
     }
