@@ -58,6 +58,7 @@ done < <(sed -n "/^exclude_re = \[/,/^\]/s/^ *'\(.*\)',\$/\1/p" .cargo/mutants.t
 # and take little.
 describe() {
   features=()
+  # Doc tests take as long as all other tests together.
   local every='--lib --bins --tests'
   case $1 in
     spec)

@@ -11,6 +11,7 @@ mod memory;
 mod mutation;
 mod outputs;
 mod possible;
+mod random;
 mod readings;
 mod reads;
 mod receive;

@@ -6,17 +6,9 @@ use adsdv_spec::{
     Reading, Readings,
 };
 
-/// A small generator with a fixed seed: every run tests the same.
-struct Random(u64);
+use crate::random::Random;
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
     fn flag(&mut self) -> bool {
         self.next() & 64 == 64
     }

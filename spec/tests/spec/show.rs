@@ -7,22 +7,13 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{Atom, Atoms, Fault, Faults, Inputs, Interface, Observation, Reads, Thresholds};
 
+use crate::random::Random;
+
 const THRESHOLDS: Thresholds = Interface::V3_0.thresholds;
 
-/// A small deterministic generator (SplitMix64), so that a failure can be repeated.
-struct Random(u64);
-
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
     fn pick<T: Copy>(&mut self, values: &[T]) -> T {
-        let place = self.bits() % values.len() as u64;
+        let place = self.next() % values.len() as u64;
         values[usize::try_from(place).unwrap_or_default()]
     }
 
@@ -38,7 +29,7 @@ impl Random {
     /// Few faults or many.
     fn faults(&mut self) -> Faults {
         let rare = self.pick(&[1, 2, 8]);
-        Fault::ALL.iter().filter(|_| self.bits() % rare == 0).copied().fold(Faults::NONE, Faults::with)
+        Fault::ALL.iter().filter(|_| self.next() % rare == 0).copied().fold(Faults::NONE, Faults::with)
     }
 
     /// Any inputs, boundary values among them.
@@ -118,7 +109,7 @@ fn taken_along(atom: Atom) -> Atoms {
 
 #[test]
 fn an_atom_that_is_shown_is_seen_and_takes_little_along() {
-    let mut random = Random(1);
+    let mut random = Random(0x5EED_1001);
     for _ in 0..200_000 {
         let before = random.inputs();
         let atom = random.pick(Atom::ALL);
@@ -161,7 +152,7 @@ fn where_a_threshold_decides_the_value_is_next_to_it() {
 
 #[test]
 fn a_fault_that_is_shown_is_present_and_no_other_changes() {
-    let mut random = Random(2);
+    let mut random = Random(0x5EED_1002);
     for _ in 0..200_000 {
         let before = random.inputs();
         let fault = random.pick(Fault::ALL);
@@ -186,7 +177,7 @@ fn a_fault_that_is_shown_is_present_and_no_other_changes() {
 
 #[test]
 fn inputs_look_like_what_they_show_in_all_that_is_read() {
-    let mut random = Random(3);
+    let mut random = Random(0x5EED_1003);
     for _ in 0..500_000 {
         let (before, seen) = (random.inputs(), random.possible());
         let reads = Reads { atoms: random.atoms(), faults: random.faults() };
@@ -201,7 +192,7 @@ fn inputs_look_like_what_they_show_in_all_that_is_read() {
 
 #[test]
 fn what_shows_already_stays_as_it_is() {
-    let mut random = Random(4);
+    let mut random = Random(0x5EED_1004);
     for _ in 0..200_000 {
         let inputs = random.inputs();
         let reads = Reads { atoms: random.atoms(), faults: random.faults() };
@@ -211,7 +202,7 @@ fn what_shows_already_stays_as_it_is() {
 
 #[test]
 fn what_is_not_read_stays_as_it_is() {
-    let mut random = Random(5);
+    let mut random = Random(0x5EED_1005);
     for _ in 0..200_000 {
         let (before, seen) = (random.inputs(), random.possible());
         let reads = Reads { atoms: random.atoms(), faults: Faults::NONE };

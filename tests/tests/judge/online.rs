@@ -41,12 +41,12 @@ fn a_silent_vcu_is_known_no_more() {
     let (mut judge, last, _) = driving();
     assert_eq!(judge.state(), Some(AsState::Driving));
     assert_eq!(judge.known().of(Atom::Asms), Truth::True);
-    // As long as the window, in which frames may be late.
+    // For as long as the window it may be late.
     let silent = (0..=1000).find(|ms| {
         judge.time_passes(last + ms * MS);
         judge.state().is_none()
     });
-    assert_eq!(silent, Some(31));
+    assert_eq!(silent, Some(i64::from(Options::default().window_ms) + 1));
     assert_eq!(judge.known().of(Atom::Asms), Truth::Unknown);
     judge.time_passes(last);
     let report = judge.finish();

@@ -1,7 +1,7 @@
 //! Everything that the judge says of the runs of these tests, as they are recorded exactly: `said.txt` has it to the letter.
 //! A change of a text, of a time, or of when it is told shows as a change of that file.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test judge` writes it anew.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test judge` writes it anew, from all of them: a filter would leave others out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

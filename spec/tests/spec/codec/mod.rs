@@ -20,6 +20,8 @@ use adsdv_spec::messages::{
     message_by_id,
 };
 
+use crate::random::Random;
+
 /// Bit `index` of a frame's data, bit 0 being the lowest of the first byte.
 fn bit(data: &[u8], index: u8) -> bool {
     data[usize::from(index / 8)] >> (index % 8) & 1 == 1
@@ -71,17 +73,7 @@ fn lowest(message: &MessageDef) -> [u8; 8] {
     data
 }
 
-/// The xorshift generator of Marsaglia: the same numbers in every run.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
+impl Random {
     /// A value that the signal allows, often one of the outermost.
     fn value(&mut self, signal: &SignalDef) -> i32 {
         let count = u64::from(signal.max.abs_diff(signal.min)) + 1;
