@@ -10,6 +10,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use std::{env, fs};
 
 use adsdv_oracle::judge::{Finding, Judge, Options, Report, Transition};
+use adsdv_spec::messages::Frame;
 use adsdv_spec::{Knowledge, Term, Truth};
 use adsdv_tests::world::Recorded;
 
@@ -33,9 +34,26 @@ fn file() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/judge/said.txt")
 }
 
+/// What happens to a judge; times in nanoseconds since the first frame.
+pub(crate) enum Event {
+    Frame(i64, Frame),
+    /// A frame that is not judged.
+    Other(i64),
+    TimePasses(i64),
+    Lost(u64),
+}
+
 /// The judge says of this run what the file says.
 pub(crate) fn is_as_written(name: &str, log: &[Recorded], options: Options) {
-    let text = said(log, options);
+    let origin = log.first().map_or(0, |first| first.t);
+    let events: Vec<Event> =
+        log.iter().map(|recorded| Event::Frame(recorded.t - origin, recorded.frame)).collect();
+    what_happens_is_as_written(name, &events, options);
+}
+
+/// The same of whatever happens to the judge.
+pub(crate) fn what_happens_is_as_written(name: &str, events: &[Event], options: Options) {
+    let text = said(events, options);
     if env::var_os("UPDATE_EXPECT").is_some() {
         write(name, &text);
         return;
@@ -62,15 +80,28 @@ fn write(name: &str, text: &str) {
 }
 
 /// The report, each line with the time at which it was news.
-fn said(log: &[Recorded], options: Options) -> String {
+fn said(events: &[Event], options: Options) -> String {
     let mut judge = Judge::new(options);
-    let origin = log.first().map_or(0, |first| first.t);
-    let mut news = Vec::new();
-    for recorded in log {
-        judge.frame(recorded.t - origin, recorded.frame.id.into(), recorded.frame.data());
+    let (mut news, mut now) = (Vec::new(), 0);
+    for event in events {
+        match *event {
+            Event::Frame(t, frame) => {
+                judge.frame(t, frame.id.into(), frame.data());
+                now = t;
+            }
+            Event::Other(t) => {
+                judge.other_frame(t);
+                now = t;
+            }
+            Event::TimePasses(t) => {
+                judge.time_passes(t);
+                now = t;
+            }
+            Event::Lost(count) => judge.lost(count),
+        }
         let (transitions, findings) = judge.news();
         let lines = transitions.iter().map(transition).chain(findings.iter().map(finding));
-        news.extend(lines.map(|line| (line, recorded.t - origin)));
+        news.extend(lines.map(|line| (line, now)));
     }
     let state = judge.state().map_or("unknown".to_owned(), |state| state.to_string());
     let Report { frames, duration_ns, transitions, findings, responses } = judge.finish();
@@ -89,7 +120,22 @@ fn said(log: &[Recorded], options: Options) -> String {
     for (line, t) in news {
         let _ = writeln!(text, "{line} [told at {} us, and not in the report]", t / 1000);
     }
-    text.trim_end().to_owned()
+    shortened(&text)
+}
+
+/// Of a long report, the first lines; of the others how many they are, and a sum of them (FNV-1a).
+fn shortened(text: &str) -> String {
+    const LINES: usize = 40;
+    let lines: Vec<&str> = text.lines().collect();
+    let (first, others) = lines.split_at(lines.len().min(LINES));
+    let mut text = first.join("\n");
+    if !others.is_empty() {
+        let sum = others.iter().flat_map(|line| line.bytes()).fold(0xCBF2_9CE4_8422_2325_u64, |sum, byte| {
+            (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3)
+        });
+        let _ = write!(text, "\nand {} lines more, of the sum {sum:016X}", others.len());
+    }
+    text
 }
 
 fn transition(transition: &Transition) -> String {

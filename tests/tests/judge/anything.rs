@@ -1,0 +1,192 @@
+//! Whatever may come: a VCU that errs, that does what it is told or tells what is not so, an AI Computer and an operator who do
+//! anything, and a recorder that pauses, is set back, has a coarse clock, loses frames and cuts some off.
+//!
+//! What is said of it need not be right, since nobody could know: it is written down, so that it does not change by itself.
+
+use adsdv_oracle::judge::Options;
+use adsdv_spec::messages::{Frame, ShutdownCause, Vcu2AiStatus};
+use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Reading, Readings};
+use adsdv_tests::world::{Chance, MS, Random, Recorded, World};
+
+use crate::said::{Event, is_as_written, what_happens_is_as_written};
+
+/// A VCU that tells something else than it does.
+const LIES: [fn(&mut Vcu2AiStatus); 8] = [
+    |_| {},
+    |status| status.shutdown_cause = ShutdownCause::NoShutdown,
+    |status| status.ai_comms_lost = !status.ai_comms_lost,
+    |status| status.go_signal = !status.go_signal,
+    |status| status.mission_status_fault = true,
+    |status| status.charge_procedure_fault = true,
+    |status| status.ai_estop_request = !status.ai_estop_request,
+    |status| status.handshake = false,
+];
+
+fn any_vcu(random: &mut Random) -> Machine {
+    let readings = Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
+        if random.one_in(3) { readings.with(random.pick(reading.choices())) } else { readings }
+    });
+    let mutations: Vec<Mutation> = Mutation::all(&Interface::V3_0).collect();
+    let errs = random.one_in(2);
+    let mutation = &mutations[index(random, mutations.len())];
+    let interface = if errs { mutation.apply(&Interface::V3_0) } else { Interface::V3_0 };
+    Machine::new(interface, readings)
+}
+
+fn index(random: &mut Random, len: usize) -> usize {
+    usize::try_from(random.below(len as u64)).unwrap_or(0)
+}
+
+/// A run of some seconds in which anything happens.
+fn any_run(random: &mut Random) -> World {
+    let mut world = World::new(any_vcu(random));
+    let honest = world.vcu;
+    world.sets_out(random);
+    for _ in 0..random.below(60) {
+        for _ in 0..=random.below(2) {
+            world.anything(random);
+        }
+        world.ebs_changes(random);
+        match random.below(20) {
+            0 => world.force(random.pick(&AsState::ALL)),
+            1 => world.hold_state(),
+            2 | 3 => world.vcu = honest,
+            4 => world.tells = random.pick(&LIES),
+            5 => world.tells = LIES[0],
+            _ => {}
+        }
+        let ms = random.pick(&[10, 10, 20, 50, 100, 300]);
+        world.wait(ms);
+    }
+    world
+}
+
+/// What a recorder makes of it.
+fn any_recording(random: &mut Random, world: &World) -> Vec<Recorded> {
+    let jitter = random.pick(&[0, 5, 25]) * MS;
+    let loss = random.pick(&[0, 0, 10, 50]);
+    let mut log = world.disturbed(random.bits(), jitter, loss);
+    let start = if random.one_in(2) { index(random, log.len()) / 2 } else { 0 };
+    log.drain(..start);
+    let step = random.pick(&[1, 1, 1, 20 * MS]);
+    for recorded in &mut log {
+        recorded.t -= recorded.t.rem_euclid(step);
+    }
+    let damages = random.below(6);
+    for _ in 0..damages {
+        let place = index(random, log.len());
+        damage(random, &mut log, place);
+    }
+    log
+}
+
+/// Something goes wrong with the recording at this place.
+fn damage(random: &mut Random, log: &mut Vec<Recorded>, place: usize) {
+    let Some(&Recorded { t, frame: Frame { id, .. } }) = log.get(place) else { return };
+    match random.below(8) {
+        // A silence: of all, or of one message.
+        0 => {
+            let lasts = random.pick(&[25, 45, 200, 490, 510, 3000]) * MS;
+            log.retain(|recorded| !(t..t + lasts).contains(&recorded.t));
+        }
+        1 => {
+            let lasts = random.pick(&[15, 35, 110, 490, 510, 3000]) * MS;
+            log.retain(|recorded| recorded.frame.id != id || !(t..t + lasts).contains(&recorded.t));
+        }
+        // The clock is set.
+        2 => {
+            let by = random.pick(&[-100_000, -31, -29, -5, 25, 40, 600, 100_000]) * MS;
+            log[place..].iter_mut().for_each(|recorded| recorded.t += by);
+        }
+        // Frames in each other's place.
+        3 => {
+            let other = (place + index(random, 12)).min(log.len() - 1);
+            log.swap(place, other);
+        }
+        // One frame is cut off, or all of its message from here on are.
+        4 => {
+            let len = random.below(8);
+            let all = random.one_in(3);
+            let cut = log[place..].iter_mut().filter(|recorded| recorded.frame.id == id);
+            for recorded in cut.take(if all { usize::MAX } else { 1 }) {
+                recorded.frame.len = u8::try_from(len).unwrap_or(0).min(recorded.frame.len);
+                recorded.frame.data[usize::from(recorded.frame.len)..].fill(0);
+            }
+        }
+        // A byte is another.
+        5 => {
+            let byte = index(random, 8);
+            log[place].frame.data[byte] = u8::try_from(random.below(256)).unwrap_or(0);
+        }
+        // A frame comes twice, the second time later.
+        6 => {
+            let at = t + i64::try_from(random.below(40)).unwrap_or(0) * MS;
+            let later = log.partition_point(|recorded| recorded.t <= at);
+            let twice = Recorded { t: at, ..log[place] };
+            log.insert(later, twice);
+        }
+        // Many at the same time.
+        _ => {
+            let until = (place + index(random, 200)).min(log.len());
+            log[place..until].iter_mut().for_each(|recorded| recorded.t = t);
+        }
+    }
+}
+
+fn any_options(random: &mut Random, world: &World) -> Options {
+    let (window_ms, deadline_ms) = random.pick(&[(30, 50), (30, 50), (0, 0), (5, 20), (100, 200)]);
+    let readings = if random.one_in(3) { world.vcu.readings().choices() } else { Choices::ALL };
+    Options { window_ms, deadline_ms, readings }
+}
+
+/// How many runs each test has.
+const RUNS: u64 = 100;
+
+fn is_written(seeds: std::ops::Range<u64>) {
+    for seed in seeds {
+        let mut random = Random(seed);
+        let world = any_run(&mut random);
+        let log = any_recording(&mut random, &world);
+        let options = any_options(&mut random, &world);
+        is_as_written(&format!("anything {seed}"), &log, options);
+    }
+}
+
+#[test]
+fn what_is_said_of_anything_is_as_written() {
+    is_written(0..RUNS);
+}
+
+#[test]
+fn what_is_said_of_anything_else_is_as_written() {
+    is_written(RUNS..2 * RUNS);
+}
+
+/// On a live bus time passes without frames, and the reader may be too slow.
+#[test]
+fn what_is_said_while_anything_goes_on_is_as_written() {
+    for seed in 2 * RUNS..3 * RUNS {
+        let mut random = Random(seed);
+        let world = any_run(&mut random);
+        let log = any_recording(&mut random, &world);
+        let options = any_options(&mut random, &world);
+        let origin = log.first().map_or(0, |first| first.t);
+        let mut events = Vec::new();
+        for recorded in &log {
+            let t = recorded.t - origin;
+            match random.below(40) {
+                0 => events.push(Event::Lost(random.below(3))),
+                1 => events.push(Event::TimePasses(t - MS)),
+                2 => events.push(Event::TimePasses(t + random.pick(&[1, 20, 35, 300]) * MS)),
+                3 => events.push(Event::Other(t)),
+                _ => {}
+            }
+            events.push(Event::Frame(t, recorded.frame));
+        }
+        if random.one_in(2) {
+            let end = log.last().map_or(0, |last| last.t - origin);
+            events.push(Event::TimePasses(end + random.pick(&[10, 40, 400, 4000]) * MS));
+        }
+        what_happens_is_as_written(&format!("anything goes on {seed}"), &events, options);
+    }
+}
