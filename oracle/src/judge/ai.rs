@@ -163,7 +163,7 @@ impl Judge {
         match (holds, self.ai.held_since) {
             (true, None) => {
                 self.ai.held_since = Some(t);
-                self.wake_at(t + self.deadline);
+                self.wake_at(self.held_event());
             }
             (false, _) => self.ai.held_since = None,
             _ => {}
@@ -183,12 +183,9 @@ impl Judge {
         }
         let shown = self.slots.get(STATUS).is_some_and(|slot| slot.last.is_some_and(|last| last >= t));
         if !shown {
-            // What the VCU's state was then shows only in its next frame, if one comes.
-            if now - t < super::SILENCE_NS {
-                let cycle = self.cycle();
-                self.suspend(t, now - t + self.window.max(cycle), pending.before, What::AtSpeed(fault));
-            }
-            return;
+            // What the VCU's state was then shows only in its next frame, if one comes before all is forgotten.
+            let wait = now - t + self.window.max(self.cycle());
+            return self.suspend(t, wait, pending.before, What::AtSpeed(fault));
         }
         let around = self.throughout(t - self.window, t + self.window, now);
         let known = pending.before.set(Atom::Moving, around.of(Atom::Moving));

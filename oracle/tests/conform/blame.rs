@@ -1,43 +1,15 @@
 //! Which requirements a program breaks: those about what is wrong, and no others.
 
-use adsdv_oracle::conform::{Options, Outcome, Reply, Report, Trouble, Vcu, conform};
-use adsdv_oracle::protocol::Answer;
-use adsdv_oracle::suite::{Kind, Scenario, Test};
+use adsdv_oracle::conform::{Options, Outcome, Report, conform};
+use adsdv_oracle::suite::{Kind, Test};
 use adsdv_spec::{Choice, Inputs, Interface, Machine, Mutation, Readings};
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
+use crate::erring::{Erring, Outputs};
 use crate::programs::{TIMEOUT, example, machine, suite_only, tests};
 
-type Outputs = Map<String, Value>;
-
-/// A machine with another hand on its outputs.
-struct Tampered {
-    machine: Machine,
-    /// What is done to what is shown under some inputs.
-    with: fn(&Inputs, &mut Outputs),
-}
-
-impl Vcu for Tampered {
-    fn ask(
-        &mut self,
-        scenarios: &[(&str, &Scenario)],
-        answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
-        for (place, (_, scenario)) in scenarios.iter().enumerate() {
-            let tampered = scenario.shown(&self.machine).zip(&scenario.steps).map(|(shown, step)| {
-                let mut outputs: Outputs = serde_json::from_str(&shown.to_string()).expect("an object");
-                (self.with)(&step.inputs, &mut outputs);
-                let answer: Answer = Value::Object(outputs).to_string().parse().expect("an answer");
-                Reply::Answer(answer)
-            });
-            answered(place, &tampered.collect::<Vec<_>>());
-        }
-        Ok(())
-    }
-}
-
-fn tampered(tests: &[Test], options: &Options, with: fn(&Inputs, &mut Outputs)) -> Report {
-    let mut vcu = Tampered { machine: Machine::REFERENCE, with };
+fn tampered(tests: &[Test], options: &Options, tampers: fn(usize, &Inputs, &mut Outputs)) -> Report {
+    let mut vcu = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
     conform(&mut vcu, tests, options, &mut |_| {}).expect("it answers")
 }
 
@@ -57,24 +29,24 @@ fn failed(report: &Report) -> Vec<&str> {
 
 #[test]
 fn one_wrong_output_breaks_what_is_about_it() {
-    let report = tampered(tests(), &suite_only(), |_, outputs| flip(outputs, "as_switch_status"));
+    let report = tampered(tests(), &suite_only(), |_, _, outputs| flip(outputs, "as_switch_status"));
     assert_eq!(report.failed_tests, tests().len());
     assert_eq!(failed(&report), ["MSG-44"]);
     assert!(of(&report, Outcome::NotChecked).is_empty());
     let broken = report.requirements.iter().find(|one| one.id == "MSG-44").expect("it is there");
     assert_eq!(broken.failed.len(), tests().len(), "every test shows it, whether it names it or not");
 
-    let ami_state = |_: &Inputs, outputs: &mut Outputs| {
+    let ami_state = |_: usize, _: &Inputs, outputs: &mut Outputs| {
         outputs.insert("ami_state".to_owned(), json!("SKIDPAD"));
     };
     assert_eq!(failed(&tampered(tests(), &suite_only(), ami_state)), ["MSG-49", "RDY-6"]);
-    let flag = |_: &Inputs, outputs: &mut Outputs| flip(outputs, "bms_fault");
+    let flag = |_: usize, _: &Inputs, outputs: &mut Outputs| flip(outputs, "bms_fault");
     assert_eq!(failed(&tampered(tests(), &suite_only(), flag)), ["MSG-63", "D-17"]);
 }
 
 #[test]
 fn what_is_wrong_in_one_state_breaks_what_is_about_that_state() {
-    let driving = |_: &Inputs, outputs: &mut Outputs| {
+    let driving = |_: usize, _: &Inputs, outputs: &mut Outputs| {
         if outputs["as_state"] == "AS_DRIVING" {
             outputs.insert("front_axle_trq".to_owned(), json!(7));
         }
@@ -94,9 +66,9 @@ fn what_is_wrong_in_one_state_breaks_what_is_about_that_state() {
 fn a_wrong_output_does_not_hide_which_readings_are_followed() {
     for choice in [Choice::FaultEdge, Choice::EstopDriving, Choice::GoEdgeEnough] {
         let readings = Readings::DEFAULT.with(choice);
-        let mut vcu = Tampered {
-            machine: Machine::new(Interface::V3_0, readings),
-            with: |_, outputs| flip(outputs, "as_switch_status"),
+        let mut vcu = Erring {
+            tampers: |_, _, outputs| flip(outputs, "as_switch_status"),
+            ..Erring::new(&Machine::new(Interface::V3_0, readings))
         };
         let report = conform(&mut vcu, tests(), &suite_only(), &mut |_| {}).expect("it answers");
         assert_eq!((report.readings, failed(&report)), (readings, vec!["MSG-44"]));
@@ -124,7 +96,7 @@ fn a_wrong_row_breaks_what_is_about_the_state() {
 fn a_random_scenario_breaks_the_row_that_it_finds_or_the_output() {
     // Nothing but the tests of the rows: none of them asks for torque.
     let rows: Vec<Test> = tests().iter().filter(|test| test.kind == Kind::Row).cloned().collect();
-    let torque = |inputs: &Inputs, outputs: &mut Outputs| {
+    let torque = |_: usize, inputs: &Inputs, outputs: &mut Outputs| {
         if inputs.ai.drive_f != Inputs::default().ai.drive_f && outputs["as_state"] == "AS_READY" {
             outputs.insert("front_axle_trq".to_owned(), json!(7));
         }
@@ -158,20 +130,20 @@ fn what_is_wrong_only_once_counts_against_all_that_the_test_names() {
 /// A requirement about several outputs is checked where all of them are shown, and broken where one is wrong.
 #[test]
 fn a_requirement_about_several_outputs_asks_for_all_of_them() {
-    let report = tampered(tests(), &suite_only(), |_, outputs| {
+    let report = tampered(tests(), &suite_only(), |_, _, outputs| {
         outputs.remove("shutdown_cause");
     });
     let not_checked = of(&report, Outcome::NotChecked);
     assert!(["MSG-64", "D-12", "D-13", "D-15"].iter().all(|id| not_checked.contains(id)), "{not_checked:?}");
     assert!(report.conforms() && of(&report, Outcome::Pass).contains(&"MSG-55"));
-    let one = |_: &Inputs, outputs: &mut Outputs| {
+    let one = |_: usize, _: &Inputs, outputs: &mut Outputs| {
         outputs.remove("shutdown_cause");
         flip(outputs, "hvil_open_fault");
     };
     assert!(failed(&tampered(tests(), &suite_only(), one)).contains(&"D-12"));
 
     // Shown in another state only, it is not checked in this one.
-    let report = tampered(tests(), &suite_only(), |_, outputs| {
+    let report = tampered(tests(), &suite_only(), |_, _, outputs| {
         if outputs["as_state"] != "AS_DRIVING" {
             outputs.remove("front_axle_trq");
         }

@@ -4,9 +4,11 @@
 #![forbid(unsafe_code)]
 
 mod blame;
+mod erring;
 mod late;
 mod misconduct;
 mod mutants;
 mod programs;
 mod random;
 mod readings;
+mod written;

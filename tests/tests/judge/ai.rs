@@ -128,6 +128,18 @@ fn requests_that_hold_the_vehicle_in_ready() {
     }
 }
 
+/// For less than the deadline it holds nobody up.
+#[test]
+fn a_request_for_a_moment_holds_no_vehicle() {
+    let mut world = World::reference();
+    world.dwelt();
+    world.set(Atom::FrontTorqueZero, false);
+    world.wait(i64::from(Options::default().deadline_ms) - 20);
+    world.set(Atom::FrontTorqueZero, true);
+    world.wait(500);
+    assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), None);
+}
+
 #[test]
 fn requests_hold_the_vehicle_once_in_each_ready() {
     let mut world = World::reference();

@@ -1,11 +1,14 @@
 //! Changes, where the change counts and not the value: what is only so at the change is never due later.
 
 use adsdv_oracle::judge::{Options, Party, Rule, Severity};
-use adsdv_spec::messages::{Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, SteerAngle};
+use adsdv_spec::messages::{
+    Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, Node, SteerAngle, message_by_id,
+};
 use adsdv_spec::{Choice, Readings};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
-use crate::check::{all_pinned, is_reported, is_silent, pinned};
+use crate::check::{all_pinned, by, is_reported, is_silent, pinned};
+use crate::said::is_as_written;
 
 /// What the AI Computer changes to, of which section 4 says that the change counts.
 const CHANGES: [fn(&mut World); 2] = [
@@ -110,6 +113,44 @@ fn a_value_that_lasts_for_less_than_a_cycle_is_no_change_to_the_vcu() {
     assert_eq!(world.control.state, AsState::Driving);
     is_silent(&world, pinned(Choice::FaultEdge), "FORWARD for a moment");
     is_silent(&world, Options::default(), "FORWARD for a moment");
+}
+
+#[test]
+fn running_for_less_than_a_cycle_is_no_change_to_the_vcu_either() {
+    let mut world = driving();
+    world.ai.status.mission_status = MissionStatus::Selected;
+    world.wait(500);
+    world.ai.status.mission_status = MissionStatus::Finished;
+    world.cycle();
+    // RUNNING is on the bus just before FINISHED.
+    let place = world.log.iter().rposition(|recorded| recorded.frame.id == Ai2VcuStatus::ID);
+    let place = place.expect("510h is in the log");
+    let status = Ai2VcuStatus { mission_status: MissionStatus::Running, ..world.ai.status };
+    world.log.insert(place, Recorded { t: world.log[place].t - MS, frame: status.encode() });
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Driving);
+    is_silent(&world, pinned(Choice::FaultEdge), "RUNNING for a moment");
+    is_silent(&world, Options::default(), "RUNNING for a moment");
+}
+
+/// The AI Computer goes on: that it sends more does not take back what the VCU has yet to see.
+#[test]
+fn a_change_may_be_seen_late() {
+    for change in CHANGES {
+        let mut world = driving();
+        let since = world.t + 5 * MS;
+        change(&mut world);
+        world.wait(500);
+        assert_eq!(world.control.state, AsState::EmergencyBrake);
+        let of_the_vcu = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Vcu);
+        let later =
+            world.log.iter_mut().filter(|recorded| recorded.t >= since && of_the_vcu(recorded.frame.id));
+        later.for_each(|recorded| recorded.t += 40 * MS);
+        world.log.sort_by_key(|recorded| recorded.t);
+        is_as_written("a change seen late", &world.log, pinned(Choice::FaultEdge));
+        let report = judge(&world.log, pinned(Choice::FaultEdge));
+        assert!(by(&report, Party::Vcu).is_empty(), "{:#?}", report.findings);
+    }
 }
 
 //= IMP-2, IMP-3

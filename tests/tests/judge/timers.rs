@@ -5,7 +5,7 @@ use adsdv_spec::Interface;
 use adsdv_spec::messages::AsState;
 use adsdv_tests::world::{MS, World};
 
-use crate::check::{Blame, is_reported};
+use crate::check::{Blame, is_reported, is_silent};
 
 /// What is tried after this many milliseconds less than the timer takes.
 const EARLY_MS: [(i64, bool); 2] = [(100, false), (0, true)];
@@ -68,4 +68,35 @@ fn emergency_brake_ends_when_the_timer_does() {
     world.hold_state();
     world.wait(i64::from(Interface::V3_0.timing.ebs_timer_ms));
     is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
+}
+
+/// A recorder whose clock is set forward makes a timer look longer than it was.
+#[test]
+fn a_clock_that_is_set_forward_makes_no_timer_longer() {
+    for hold in [false, true] {
+        let mut world = World::reference();
+        world.driving();
+        world.inputs.sdc.remote_estop = true;
+        world.wait(1000);
+        world.inputs.asms = false;
+        let set = world.t;
+        if hold {
+            world.hold_state();
+        }
+        world.wait(i64::from(Interface::V3_0.timing.ebs_timer_ms));
+        for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= set) {
+            recorded.t += 400 * MS;
+        }
+        if hold {
+            is_reported(
+                &world,
+                Options::default(),
+                Party::Vcu,
+                &[(Rule::Due, "3.9")],
+                "set forward, and held",
+            );
+        } else {
+            is_silent(&world, Options::default(), "set forward");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Every signal whose bits can hold a value that is not allowed.
 
 use adsdv_oracle::judge::{Options, Rule, Severity};
-use adsdv_spec::messages::{Ai2LogDynamics2, MESSAGES, Message, SignalDef};
+use adsdv_spec::messages::{Ai2LogDynamics2, Ai2VcuStatus, MESSAGES, Message, SignalDef};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 /// The largest value that the bits can hold and that is not allowed.
@@ -51,4 +51,25 @@ fn each_is_reported_once_with_its_name() {
         }
     }
     assert!(count >= 20, "only {count} signals");
+}
+
+/// Behind a step back of time it is another recording: what is wrong there as well is told again.
+#[test]
+fn what_is_still_wrong_in_another_recording_is_told_again() {
+    let mut world = World::reference();
+    world.wait(2000);
+    let signal = Ai2VcuStatus::DEF.signals.iter().find(|signal| refused(signal).is_some());
+    let signal = signal.expect("510h has a signal that does not allow every value");
+    let raw = refused(signal).expect("a value");
+    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Ai2VcuStatus::ID) {
+        recorded.frame.data = signal.put(recorded.frame.data, raw);
+    }
+    let wrong = |log: &[Recorded]| {
+        let findings = judge(log, Options::default()).findings;
+        findings.iter().filter(|finding| finding.rule == Rule::Value).count()
+    };
+    assert_eq!(wrong(&world.log), 1);
+    let since = world.t / 2;
+    world.log.iter_mut().filter(|recorded| recorded.t >= since).for_each(|recorded| recorded.t -= 500 * MS);
+    assert_eq!(wrong(&world.log), 2);
 }

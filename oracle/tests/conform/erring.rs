@@ -1,0 +1,62 @@
+//! Programs that err: machines in this process with another hand on their outputs.
+
+use adsdv_oracle::conform::{Reply, Trouble, Vcu};
+use adsdv_oracle::protocol::Answer;
+use adsdv_oracle::suite::Scenario;
+use adsdv_spec::{Inputs, Machine};
+use serde_json::{Map, Value, json};
+
+/// The outputs of a step, by their keys.
+pub(crate) type Outputs = Map<String, Value>;
+
+/// A program that errs.
+pub(crate) struct Erring {
+    pub(crate) machine: Machine,
+    /// How many steps late its outputs are.
+    pub(crate) late: usize,
+    /// Whether it shows nothing before the first of them, instead of AS_OFF.
+    pub(crate) nothing: bool,
+    /// What is done to the outputs of a step, from 0, with these inputs.
+    pub(crate) tampers: fn(usize, &Inputs, &mut Outputs),
+}
+
+impl Erring {
+    /// One that does not err yet.
+    pub(crate) fn new(machine: &Machine) -> Self {
+        Self { machine: *machine, late: 0, nothing: false, tampers: |_, _, _| {} }
+    }
+
+    fn replies(&self, scenario: &Scenario) -> Vec<Reply> {
+        let tampered = scenario.shown(&self.machine).zip(&scenario.steps).enumerate();
+        let answers = tampered.map(|(place, (shown, step))| {
+            let mut outputs: Outputs = serde_json::from_str(&shown.to_string()).expect("an object");
+            (self.tampers)(place, &step.inputs, &mut outputs);
+            answer(outputs)
+        });
+        let off = Outputs::from_iter([("as_state".to_owned(), json!("AS_OFF"))]);
+        let first = if self.nothing { Reply::Nothing } else { answer(off) };
+        std::iter::repeat_n(first, self.late).chain(answers).take(scenario.steps.len()).collect()
+    }
+}
+
+fn answer(outputs: Outputs) -> Reply {
+    let answer: Answer = Value::Object(outputs).to_string().parse().expect("an answer");
+    Reply::Answer(answer)
+}
+
+impl Vcu for Erring {
+    fn ask(
+        &mut self,
+        scenarios: &[(&str, &Scenario)],
+        answered: &mut dyn FnMut(usize, &[Reply]),
+    ) -> Result<(), Trouble> {
+        for (place, (_, scenario)) in scenarios.iter().enumerate() {
+            answered(place, &self.replies(scenario));
+        }
+        Ok(())
+    }
+
+    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+        Ok(vec!["it has ended".to_owned()])
+    }
+}

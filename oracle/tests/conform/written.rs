@@ -1,0 +1,260 @@
+//! What is said of programs that err, to the letter: `written.txt` has the whole report of each.
+//! A change of what is found, of what is blamed, or of the shortest scenario shows as a change of that file.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test conform written` writes it anew.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use adsdv_oracle::conform::{Failure, Options, Outcome, Progress, Report, conform};
+use adsdv_oracle::protocol::{SHOWN, Value};
+use adsdv_spec::{Choice, Choices, Inputs, Interface, Machine, Mutation, Reading, Readings};
+use expect_test::expect_file;
+use serde_json::json;
+
+use crate::erring::{Erring, Outputs};
+use crate::programs::tests;
+
+/// As many random scenarios as show most, and all the time that it takes.
+fn usual() -> Options {
+    Options { runs: 20, shrinking: Duration::from_secs(1 << 20), ..Options::default() }
+}
+
+/// Judged by the default readings, which is much faster.
+fn by_default() -> Options {
+    Options { possible: Readings::DEFAULT.choices(), ..usual() }
+}
+
+fn name(name: &str, mut program: Erring, options: &Options) -> String {
+    let mut phases = [0_usize; 3];
+    let mut progress = |now: Progress| {
+        assert!(now.done <= now.all, "{now:?}");
+        phases[now.phase as usize] += 1;
+    };
+    let report = conform(&mut program, tests(), options, &mut progress).expect("it answers");
+    format!("================ {name}\n{}told {phases:?} times how far it is\n\n", told(&report))
+}
+
+fn told(report: &Report) -> String {
+    let Report { tests, failed_tests, runs, failed_runs, steps, late, readings, .. } = report;
+    let mut text = format!(
+        "{failed_tests} of {tests} tests and {failed_runs} of {runs} runs failed, {steps} steps, {late} late, readings \
+         [{readings}], about the VCU {}, conforms: {}\n",
+        report.about_the_vcu,
+        report.conforms()
+    );
+    for follows in report.follows.iter().filter(|one| one.possible.len() != 1 || !one.mixes.is_empty()) {
+        let possible: Vec<String> = follows.possible.iter().map(ToString::to_string).collect();
+        let _ = write!(text, "{}: [{}]", follows.reading, possible.join(" "));
+        for side in &follows.mixes {
+            let _ = write!(text, ", {} by {}", side.choice, few(&side.tests));
+        }
+        text.push('\n');
+    }
+    for outcome in [Outcome::Pass, Outcome::Fail, Outcome::NotChecked] {
+        let those: Vec<String> = report
+            .requirements
+            .iter()
+            .filter(|one| one.outcome == outcome)
+            .map(|one| format!("{} {}/{}{}", one.id, one.checked, one.tests, names(&one.failed)))
+            .collect();
+        let shown = if outcome == Outcome::Pass { String::new() } else { those.join(", ") };
+        let checked: usize = report.requirements.iter().map(|one| one.checked).sum();
+        let _ = writeln!(text, "{}: {} (of all checks {checked}) {shown}", outcome.name(), those.len());
+    }
+    for failure in &report.failures {
+        text.push_str(&failed(failure));
+    }
+    let _ = writeln!(
+        text,
+        "{} more; not shown [{}]; not told {}; notes {:?}",
+        report.more_failures,
+        report.not_shown.join(" "),
+        few(&report.not_told),
+        report.notes
+    );
+    text
+}
+
+fn names(failed: &[String]) -> String {
+    if failed.is_empty() { String::new() } else { format!(" ({})", few(failed)) }
+}
+
+/// The first of several, and how many there are.
+fn few(names: &[String]) -> String {
+    match names {
+        [first, .., last] => format!("{first} .. {last}: {}", names.len()),
+        _ => names.join(""),
+    }
+}
+
+fn failed(failure: &Failure) -> String {
+    let Failure { name, about, requirements, also, explained_by, scenario, replies, expected, found } =
+        failure;
+    let explained_by: Vec<String> = explained_by.iter().map(ToString::to_string).collect();
+    let mut text = format!(
+        "- {name}: {about} [{}], also {}, explained by [{}]; {} steps, {} replies, {} expected\n",
+        requirements.join(" "),
+        few(also),
+        explained_by.join(" "),
+        scenario.steps.len(),
+        replies.len(),
+        expected.len()
+    );
+    for moment in failure.timeline() {
+        let changes: Vec<String> =
+            moment.changes.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let state = |state: Option<Value>| state.map_or("nothing".to_owned(), |state| state.to_string());
+        let _ = writeln!(
+            text,
+            "  {}-{} at {} ms: {} -> {}, expected {}{}",
+            moment.first,
+            moment.last,
+            moment.time_ms,
+            changes.join(" "),
+            state(moment.actual),
+            state(moment.expected),
+            if moment.wrong { ", wrong" } else { "" }
+        );
+    }
+    if let Some(found) = found {
+        let differences: Vec<String> = found.differences.iter().map(ToString::to_string).collect();
+        let _ = writeln!(
+            text,
+            "  step {} about {}: {}; {}",
+            found.step,
+            found.about,
+            differences.join(", "),
+            found.why
+        );
+    }
+    text
+}
+
+/// Mutants of the table, and what a fixed cycle, late outputs and other readings change.
+fn mutants() -> String {
+    let mut text = String::new();
+    for (place, mutation) in Mutation::all(&Interface::V3_0).enumerate().step_by(5) {
+        let cycle_ms = (place % 40 == 10).then_some(50);
+        let late = if place % 4 == 3 { 2 } else { 0 };
+        let machine = Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT);
+        let program = Erring { late, nothing: place % 8 == 3, ..Erring::new(&machine) };
+        let options = Options { cycle_ms, latency: late, ..by_default() };
+        text += &name(&format!("{mutation}, cycle {cycle_ms:?}, {late} late"), program, &options);
+    }
+    text
+}
+
+/// All readings are possible, and the program follows others than usual, or mixes them.
+fn readings() -> String {
+    let mut text = String::new();
+    for reading in Reading::ALL {
+        let choice = reading.choices().last().copied().expect("each has several");
+        let machine = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+        text += &name(&format!("follows {choice}"), Erring::new(&machine), &usual());
+    }
+    for (place, mutation) in Mutation::all(&Interface::V3_0).enumerate().skip(2).step_by(23) {
+        let choice = if place % 2 == 0 { Choice::FaultEdge } else { Choice::GoEdgeEnough };
+        let machine = Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT.with(choice));
+        text += &name(&format!("{mutation}, all readings"), Erring::new(&machine), &usual());
+    }
+    let pinned = Options { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
+    let edge = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
+    text + &name("another reading than the one that is pinned", Erring::new(&edge), &pinned)
+}
+
+/// How outputs can be wrong.
+type Tampering = (&'static str, fn(usize, &Inputs, &mut Outputs));
+
+const TAMPERINGS: [Tampering; 10] = [
+    ("shows no cause", |_, _, outputs| {
+        outputs.remove("shutdown_cause");
+    }),
+    ("shows the cause in EMERGENCY_BRAKE only", |_, _, outputs| {
+        if outputs["as_state"] != "EMERGENCY_BRAKE" {
+            outputs.remove("shutdown_cause");
+        }
+    }),
+    ("torque in AS_DRIVING", |_, _, outputs| {
+        if outputs["as_state"] == "AS_DRIVING" {
+            outputs.insert("front_axle_trq".to_owned(), json!(7));
+        }
+    }),
+    ("another cause", |_, _, outputs| {
+        if outputs["as_state"] == "EMERGENCY_BRAKE" {
+            outputs.insert("shutdown_cause".to_owned(), json!("BMS FAULT"));
+        }
+    }),
+    ("no brakes in EMERGENCY_BRAKE, and AS_OFF from the sixth step on", |place, _, outputs| {
+        if outputs["as_state"] == "EMERGENCY_BRAKE" {
+            outputs.insert("hyd_press_f".to_owned(), json!(0));
+        }
+        if place > 4 {
+            outputs.insert("as_state".to_owned(), json!("AS_OFF"));
+        }
+    }),
+    ("AS_FINISHED from the fourth step on", |place, _, outputs| {
+        if place > 2 {
+            outputs.insert("as_state".to_owned(), json!("AS_FINISHED"));
+        }
+    }),
+    ("never in AS_OFF", |_, _, outputs| {
+        if outputs["as_state"] == "AS_OFF" {
+            outputs.insert("as_state".to_owned(), json!("AS_READY"));
+        }
+    }),
+    ("every flag is false, and every number 0", |_, _, outputs| {
+        for value in outputs.values_mut() {
+            match value {
+                serde_json::Value::Bool(flag) => *flag = false,
+                serde_json::Value::Number(_) => *value = json!(0),
+                _ => {}
+            }
+        }
+    }),
+    ("leaves out one output after the other", |place, _, outputs| {
+        outputs.remove(SHOWN[1 + place % (SHOWN.len() - 1)].key);
+    }),
+    ("torque where it is asked for in AS_READY", |_, inputs, outputs| {
+        if inputs.ai.drive_f != Inputs::default().ai.drive_f && outputs["as_state"] == "AS_READY" {
+            outputs.insert("front_axle_trq".to_owned(), json!(7));
+        }
+    }),
+];
+
+fn steers(outputs: &mut Outputs) {
+    outputs.insert("steer".to_owned(), json!(3));
+}
+
+fn tampered() -> String {
+    let mut text = String::new();
+    for (what, tampers) in TAMPERINGS {
+        let program = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
+        text += &name(what, program, &by_default());
+    }
+    let late = |late, nothing| Erring { late, nothing, ..Erring::new(&Machine::REFERENCE) };
+    text += &name(
+        "late by one step more than is allowed",
+        late(2, false),
+        &Options { latency: 1, ..by_default() },
+    );
+    text += &name("late by less", late(1, true), &Options { latency: 3, ..by_default() });
+    let steers = Erring { tampers: |_, _, outputs| steers(outputs), ..late(1, false) };
+    text += &name("late and wrong", steers, &Options { latency: 1, ..by_default() });
+    text
+}
+
+#[test]
+fn what_is_said_of_mutants() {
+    expect_file!["written/mutants.txt"].assert_eq(&mutants());
+}
+
+#[test]
+fn what_is_said_of_readings() {
+    expect_file!["written/readings.txt"].assert_eq(&readings());
+}
+
+#[test]
+fn what_is_said_of_wrong_outputs() {
+    expect_file!["written/outputs.txt"].assert_eq(&tampered());
+}
