@@ -222,7 +222,10 @@ impl Judge {
                 return;
             }
         }
+        let off = window.of(Atom::Tsms) == Truth::False
+            && self.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
         let (clause, why) = match (fault, missing) {
+            (Fault::AiCommsFault, _) if off => ("2.4", format!("the {}", Atom::Tsms.text(false))),
             (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
             (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", Atom::AiEstop.text(false))),
             (_, Some(term)) => (clause, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
@@ -307,8 +310,11 @@ impl Judge {
             // Nothing drives yet, and the AI Computer is still to start: every VCU waits for it.
             return;
         }
-        let running = status.ts_switch_status && self.running_since(edge);
-        if status.ai_comms_lost || !running || !self.vcu_is_seen() || !self.handshake.report_vcu() {
+        if status.ai_comms_lost
+            || !status.ts_switch_status
+            || !self.vcu_is_seen()
+            || !self.handshake.report_vcu()
+        {
             return;
         }
         let (rule, message) = if self.handshake.is_answered() {
@@ -328,12 +334,6 @@ impl Judge {
             )
         };
         self.vcu_violation(edge + limit + self.deadline, "2.4", rule, message);
-    }
-
-    /// Whether the tractive system has been on since then, and nothing is missing in between.
-    fn running_since(&self, since: i64) -> bool {
-        let all = self.history.throughout(since, self.now);
-        all.of(Atom::Tsms) == Truth::True
     }
 
     /// Whether 520h has shown the same state all the time between `start` and `end`, with no frame missing.

@@ -30,7 +30,7 @@ fn mend<M: Message>(mut data: [u8; 8]) -> Lenient<M> {
     Lenient { message: M::decode(&data).unwrap_or_default(), bad }
 }
 
-/// Whether a value is the start value 0 of the CAN database, which the signal's enumeration does not have.
+/// Whether a value that is not allowed is the start value 0 of the CAN database, which the signal's enumeration does not have.
 pub(super) fn is_start_value(signal: &SignalDef, raw: i32) -> bool {
-    raw == 0 && signal.min > 0 && !signal.values.is_empty()
+    raw == 0 && !signal.values.is_empty()
 }

@@ -33,10 +33,8 @@ impl Judge {
     /// So many frames were lost before the next one. It is not known when: what is judged until that one comes is judged
     /// as if this were a silence.
     pub(super) fn will_be_lost(&mut self, count: u64) {
-        if count > 0 {
-            self.loss.coming = self.loss.coming.saturating_add(count);
-            self.next_event = i64::MIN;
-        }
+        self.loss.coming = self.loss.coming.saturating_add(count);
+        self.next_event = i64::MIN;
     }
 
     /// The next frame comes at `until`, the last one came at `since`: what was lost in between makes everything unknown.

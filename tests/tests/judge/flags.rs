@@ -6,6 +6,7 @@ use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus, Vcu2LogStatus};
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{Blame, blames, is_reported, is_reported_if_seen, is_silent};
+use crate::said::is_as_written;
 
 /// AS_DRIVING at rest, and the VCU tells something from then on.
 fn tells(tells: fn(&mut Vcu2AiStatus)) -> World {
@@ -80,6 +81,24 @@ fn an_emergency_stop_that_is_ignored() {
     let mut found = blames(&judge(&world.log, Options::default()), Party::Vcu);
     found.sort_unstable_by_key(|&(rule, _)| rule != Rule::FlagMissing);
     assert_eq!(found, both);
+}
+
+/// How long it is ignored is told to the millisecond, and exactly the deadline is not too long.
+#[test]
+fn an_emergency_stop_that_is_ignored_for_the_deadline() {
+    let mut world = World::reference();
+    world.stopped();
+    world.hold_state();
+    world.tells = |status| status.ai_estop_request = false;
+    world.set(Atom::AiEstop, true);
+    world.wait(500);
+    // The AI Computer asks half a cycle before the VCU's next frame.
+    let options = Options { deadline_ms: 45, ..Options::default() };
+    is_as_written("AI_ESTOP_REQUEST ignored", &world.log, options);
+    let report = judge(&world.log, options);
+    let missing = report.findings.iter().find(|finding| finding.rule == Rule::FlagMissing);
+    let said = &missing.expect("it is reported").message;
+    assert!(said.contains(" for 55 ms"), "{said}");
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use adsdv_oracle::judge::{Meter, Options, Party, Rule};
 use adsdv_spec::Choice;
-use adsdv_spec::messages::{AnyMessage, AsState};
+use adsdv_spec::messages::{AnyMessage, AsState, Node, message_by_id};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
-use crate::check::{is_reported, is_reported_if_seen, is_silent, pinned};
+use crate::check::{is_reported, is_reported_if_seen, is_silent, only, pinned};
 
 /// AS_DRIVING, and the AI Computer does not answer for so long.
 fn unanswered(ms: i64, vcu: impl Fn(&mut World)) -> World {
@@ -113,6 +113,42 @@ fn comms_lost_without_reason() {
     let expected = [(Rule::FlagUnfounded, "2.4")];
     is_reported(&world, Options::default(), Party::Vcu, &expected, "AI_COMMS_LOST though answered");
     is_reported(&world, Options::default(), Party::Ai, &[], "AI_COMMS_LOST though answered");
+}
+
+/// In AS_OFF, too, once the AI Computer was there; and in every other state also where it never was.
+#[test]
+fn comms_lost_is_due_where_the_ai_computer_may_be_missing() {
+    let mut world = World::reference();
+    world.wait(300);
+    world.inputs.tsms = true;
+    world.wait(300);
+    never_raises(&mut world);
+    world.ai_answers = false;
+    world.wait(600);
+    assert_eq!(world.control.state, AsState::Off);
+    let due = [(Rule::CommsLostDue, "2.4")];
+    is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered in AS_OFF");
+
+    let mut world = unanswered(600, never_raises);
+    let of_the_vcu = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Vcu);
+    world.log.retain(|recorded| of_the_vcu(recorded.frame.id));
+    is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered, and no AI Computer heard");
+}
+
+/// While the tractive system is off nobody need answer, where the document is read so.
+#[test]
+fn comms_lost_while_the_tractive_system_is_off() {
+    let mut world = World::reference();
+    world.wait(300);
+    world.ai_answers = false;
+    world.wait(300);
+    world.tells = |status| (status.ai_comms_lost, status.fault_status) = (true, true);
+    world.wait(300);
+    let unfounded = [(Rule::FlagUnfounded, "2.4")];
+    is_reported(&world, pinned(Choice::HandshakeTsms), Party::Vcu, &unfounded, "raised while TSMS is off");
+    is_silent(&world, Options::default(), "raised while TSMS is off");
+    let report = judge(&world.log, pinned(Choice::HandshakeTsms));
+    assert!(only(&report).message.contains("the TS master switch OFF"), "{:#?}", report.findings);
 }
 
 #[test]

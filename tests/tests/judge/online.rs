@@ -1,7 +1,7 @@
 //! The judge while the bus goes on: what it knows, what it tells, and what it makes of silence and of losses.
 
 use adsdv_oracle::judge::{Finding, Judge, Options, Party, Rule, Severity};
-use adsdv_spec::messages::{AsState, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
 use adsdv_spec::{Atom, Knowledge, Truth};
 use adsdv_tests::world::{MS, World};
 
@@ -133,6 +133,46 @@ fn losses_one_after_the_other_are_told_as_one() {
         "1 frame lost here, because nobody took what came in time; judged as a new recording from here on";
     let expected = [(last, several), (end, one)].map(|(t, text)| (t, Severity::Warning, Party::Log, text));
     assert_eq!(gaps(&report.findings), expected);
+}
+
+/// What is wrong behind a loss is told again, once for all losses that follow one another.
+#[test]
+fn what_is_still_wrong_behind_losses_is_told_again_once() {
+    let mut world = World::reference();
+    world.wait(1000);
+    let signal = Vcu2AiStatus::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
+    let mut judge = Judge::new(Options::default());
+    for (place, recorded) in world.log.iter_mut().enumerate() {
+        if recorded.frame.id == Vcu2AiStatus::ID {
+            recorded.frame.data = signal.put(recorded.frame.data, signal.max + 1);
+        }
+        judge.lost(u64::from([400, 420, 440].contains(&place)));
+        judge.frame(recorded.t, recorded.frame.id.into(), recorded.frame.data());
+    }
+    let report = judge.finish();
+    let wrong = report.findings.iter().filter(|finding| finding.rule == Rule::Value);
+    assert_eq!((wrong.count(), gaps(&report.findings).len()), (2, 1), "{:#?}", report.findings);
+}
+
+/// Time is that of the first frame, whatever the clock of the recorder says.
+#[test]
+fn time_begins_with_the_first_frame() {
+    let later = 7000 * MS;
+    let mut world = World::reference();
+    world.wait(1000);
+    let mut judge = Judge::new(Options::default());
+    judge.time_passes(500 * MS);
+    let mut last = 0;
+    for recorded in &world.log {
+        last = recorded.t + later;
+        judge.frame(last, recorded.frame.id.into(), recorded.frame.data());
+    }
+    let window = i64::from(Options::default().window_ms) * MS;
+    judge.time_passes(last + window - MS);
+    assert_eq!(judge.state(), Some(AsState::Off));
+    judge.time_passes(last + window + 5 * MS);
+    assert_eq!(judge.state(), None);
+    assert_eq!(judge.finish().duration_ns, last - later);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::{env, fs};
 
-use adsdv_oracle::judge::{Finding, Judge, Options, Report, Transition};
+use adsdv_oracle::judge::{Finding, Judge, Options, Report, Severity, Transition};
 use adsdv_spec::messages::Frame;
 use adsdv_spec::{Knowledge, Term, Truth};
 use adsdv_tests::world::Recorded;
@@ -104,8 +104,13 @@ fn said(events: &[Event], options: Options) -> String {
         news.extend(lines.map(|line| (line, now)));
     }
     let state = judge.state().map_or("unknown".to_owned(), |state| state.to_string());
-    let Report { frames, duration_ns, transitions, findings, responses } = judge.finish();
-    let mut text = format!("{frames} frames in {} us, then {state}\n", duration_ns / 1000);
+    let report = judge.finish();
+    let (verdict, violations) = (report.verdict().name(), report.count(Severity::Violation));
+    let Report { frames, duration_ns, transitions, findings, responses } = report;
+    let mut text = format!(
+        "{frames} frames in {} us, then {state}: {verdict}, {violations} violations\n",
+        duration_ns / 1000
+    );
     if let (Some(min), Some(median), Some(max)) =
         (responses.min_ms(), responses.quantile_ms(0.5), responses.max_ms())
     {
@@ -125,7 +130,7 @@ fn said(events: &[Event], options: Options) -> String {
 
 /// Of a long report, the first lines; of the others how many they are, and a sum of them (FNV-1a).
 fn shortened(text: &str) -> String {
-    const LINES: usize = 40;
+    const LINES: usize = 12;
     let lines: Vec<&str> = text.lines().collect();
     let (first, others) = lines.split_at(lines.len().min(LINES));
     let mut text = first.join("\n");
