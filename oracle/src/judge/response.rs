@@ -2,7 +2,7 @@
 
 /// The resolution, in nanoseconds.
 const STEP_NS: i64 = 10_000;
-/// Answers slower than this many steps are counted as one group, with the exact maximum kept beside it.
+/// Answers of this many steps and more are counted as one group, with the exact maximum kept beside it.
 const STEPS: usize = 20_000;
 
 /// Response times of the AI Computer, with a resolution of 0.01 ms.
@@ -56,7 +56,8 @@ impl ResponseTimes {
         (self.count > 0).then(|| ms(self.max_ns))
     }
 
-    /// The time within which this share of the answers came, in milliseconds; `None` if there was none.
+    /// The time within which this share of the answers came, in milliseconds; `None` if there was none. Beyond 200 ms it is the
+    /// slowest of all.
     pub fn quantile_ms(&self, share: f64) -> Option<f64> {
         if self.count == 0 {
             return None;
@@ -64,7 +65,7 @@ impl ResponseTimes {
         #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let rank = ((self.count as f64 * share).ceil() as u64).clamp(1, self.count);
         let mut seen = 0;
-        for (step, &count) in (0_i64..).zip(&self.counts) {
+        for (step, &count) in (0_i64..).zip(&self.counts).take(STEPS) {
             seen += u64::from(count);
             if seen >= rank {
                 return Some(ms((step * STEP_NS).clamp(self.min_ns, self.max_ns)));

@@ -24,6 +24,7 @@ mod flags;
 mod go;
 mod handshake;
 mod logs;
+mod much;
 mod no_arrow;
 mod not_taken;
 mod priorities;

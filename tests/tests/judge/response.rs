@@ -1,7 +1,7 @@
 //! How fast the AI Computer answers, as the judge measures it on the handshake.
 
-use adsdv_oracle::judge::Options;
-use adsdv_tests::world::World;
+use adsdv_oracle::judge::{Options, ResponseTimes};
+use adsdv_tests::world::{MS, World};
 
 //= HS-11
 #[test]
@@ -28,4 +28,28 @@ fn the_response_time_of_the_ai_computer_is_measured() {
         (slow.min_ms(), slow.quantile_ms(0.5), slow.max_ms()),
         (half_a_cycle, half_a_cycle, Some(25.0))
     );
+}
+
+#[test]
+fn without_any_answer_there_is_no_time() {
+    let none = ResponseTimes::default();
+    assert_eq!((none.count(), none.min_ms(), none.quantile_ms(0.5), none.max_ms()), (0, None, None, None));
+}
+
+/// Quantiles are steps of a hundredth of a millisecond, and never beyond what was measured.
+#[test]
+fn quantiles_are_those_of_what_was_counted() {
+    let mut times = ResponseTimes::default();
+    for ms in 1..=100 {
+        times.add(ms * MS);
+    }
+    assert_eq!((times.count(), times.min_ms(), times.max_ms()), (100, Some(1.0), Some(100.0)));
+    let quantiles = [0.0, 0.01, 0.5, 0.99, 1.0].map(|share| times.quantile_ms(share));
+    assert_eq!(quantiles, [1.0, 1.0, 50.0, 99.0, 100.0].map(Some));
+
+    let mut times = ResponseTimes::default();
+    [4_000_000, 4_007_000, 199_999_000, 700 * MS].into_iter().for_each(|ns| times.add(ns));
+    let quantiles = [0.25, 0.5, 0.75, 1.0].map(|share| times.quantile_ms(share));
+    assert_eq!(quantiles, [4.0, 4.0, 199.99, 700.0].map(Some), "what takes 200 ms and more is one group");
+    assert_eq!(times.max_ms(), Some(700.0));
 }

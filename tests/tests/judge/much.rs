@@ -1,0 +1,65 @@
+//! What is told once, and what is only counted because there is too much of it.
+
+use adsdv_oracle::judge::{Finding, Judge, Options, Party, Report, Rule, Severity};
+use adsdv_spec::is_reserved;
+use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
+use adsdv_tests::world::MS;
+
+fn of(report: &Report, rule: Rule) -> Vec<&Finding> {
+    report.findings.iter().filter(|finding| finding.rule == rule).collect()
+}
+
+//= ID-1, ID-2
+#[test]
+fn each_reserved_identifier_is_told_once_for_each_who_sends_it() {
+    let reserved: Vec<u16> = (0..0x800).filter(|&id| is_reserved(id)).take(2).collect();
+    let mut judge = Judge::new(Options::default());
+    for t in 0..3 {
+        for &id in &reserved {
+            judge.frame(t * MS, id.into(), &[]);
+            judge.sent_by_ai(t * MS, id.into());
+        }
+    }
+    let report = judge.finish();
+    let told: Vec<(Severity, Party)> =
+        of(&report, Rule::Reserved).iter().map(|finding| (finding.severity, finding.party)).collect();
+    let (seen, sent) = ((Severity::Note, Party::Log), (Severity::Violation, Party::Ai));
+    assert_eq!(told, [seen, sent, seen, sent]);
+}
+
+#[test]
+fn a_message_of_the_vcu_that_the_ai_computer_sends_is_told_once() {
+    let mut judge = Judge::new(Options::default());
+    for t in 0..3 {
+        judge.sent_by_ai(t * MS, Vcu2AiStatus::ID.into());
+    }
+    let report = judge.finish();
+    let [finding] = of(&report, Rule::Sender)[..] else { panic!("{:#?}", report.findings) };
+    assert_eq!((finding.party, finding.severity, finding.t_ns), (Party::Ai, Severity::Violation, 0));
+}
+
+/// Transitions without end, one with each frame.
+fn transitions(count: usize) -> Report {
+    let mut judge = Judge::new(Options::default());
+    for (place, t) in (0..=count).zip(0..) {
+        let as_state = if place % 2 == 0 { AsState::Off } else { AsState::Finished };
+        let frame = Vcu2AiStatus { as_state, ..Vcu2AiStatus::default() }.encode();
+        judge.frame(t * 10 * MS, frame.id.into(), frame.data());
+    }
+    judge.finish()
+}
+
+#[test]
+fn transitions_are_listed_to_a_bound() {
+    const MOST: usize = 50_000;
+    for (count, listed, left_out) in [
+        (MOST - 1, MOST - 1, None),
+        (MOST, MOST, None),
+        (MOST + 3, MOST, Some("3 more transitions, not listed")),
+    ] {
+        let report = transitions(count);
+        assert_eq!(report.transitions.len(), listed);
+        let note = report.findings.iter().find(|finding| finding.message.contains("more transitions"));
+        assert_eq!(note.map(|note| note.message.as_str()), left_out);
+    }
+}
