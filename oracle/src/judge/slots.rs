@@ -132,11 +132,9 @@ impl Slot {
                 self.learnt += 1;
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
             }
-            if self.period > 0 {
-                missing = self.was_missing(last, now);
-                if interval <= longest(self.period) {
-                    self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
-                }
+            missing = self.was_missing(last, now);
+            if interval <= longest(self.period) {
+                self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
             }
             self.period = match self.period {
                 0 => interval,
@@ -202,7 +200,51 @@ impl SlotOf {
 
 #[cfg(test)]
 mod tests {
-    use super::{MESSAGES, PERIOD_NS, Slot};
+    use super::{CONFIRMING, LEARNING, MESSAGES, PERIOD_NS, Slot, longest};
+
+    const MS: i64 = 1_000_000;
+
+    /// A message every 10 ms, give or take 1 ms, of which enough has been seen.
+    fn usual() -> Slot {
+        Slot { period: 10 * MS, spread: MS, learnt: LEARNING, last: Some(0), ..Slot::new(MESSAGES[0]) }
+    }
+
+    /// Neither jitter nor somebody who does not send looks like a frame that is missing.
+    #[test]
+    fn a_long_interval_is_suspect_within_bounds() {
+        let suspect = |interval| {
+            let mut slot = usual();
+            assert!(!slot.was_missing(0, interval), "it has to be confirmed");
+            slot.suspect.is_some()
+        };
+        let (most, least) = (longest(10 * MS) + MS, 40 * MS);
+        assert_eq!([most, most + 1, least - 1, least].map(suspect), [false, true, true, false]);
+    }
+
+    /// The frames behind a long interval tell whether all of them are late by one period.
+    #[test]
+    fn a_frame_that_is_missing_delays_all_that_follow() {
+        let missing = |late| {
+            let mut slot = usual();
+            slot.was_missing(0, 20 * MS);
+            for frame in 1..CONFIRMING {
+                assert!(!slot.was_missing(0, (frame + 1) * 10 * MS));
+            }
+            let missing = slot.was_missing(0, (CONFIRMING + 1) * 10 * MS + late);
+            assert_eq!(slot.suspect, None, "it is decided");
+            missing
+        };
+        let least = 5 * MS + MS / 2;
+        assert_eq!([0, least, least + 1, 10 * MS].map(missing), [false, false, true, true]);
+    }
+
+    /// Frames that are in time never make the period longer: what is too old is found rather too early.
+    #[test]
+    fn what_is_in_time_makes_no_period_longer() {
+        let mut slot = usual();
+        let period = slot.median(10 * MS, 10 * MS);
+        assert!((9 * MS..10 * MS).contains(&period), "{period}");
+    }
 
     /// Frames that come faster than any period that is believed are a run of short intervals that does not end.
     #[test]

@@ -91,11 +91,10 @@ impl Judge {
         if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
             self.handshake.restart();
         }
-        if let Some(suspect) = self.handshake.vcu(t, status.handshake) {
-            let running = status.ts_switch_status && previous.is_some_and(|p| p.ts_switch_status);
-            if running && !gap {
-                self.suspend(t, self.window, self.known, What::Edge(suspect));
-            }
+        if let Some(suspect) = self.handshake.vcu(t, status.handshake)
+            && status.ts_switch_status
+        {
+            self.suspend(t, self.window, self.known, What::Edge(suspect));
         }
         let before_flags = self.known;
         self.learn_status(t, status, readable, previous, new_state, gap);

@@ -54,6 +54,20 @@ fn a_silent_vcu_is_known_no_more() {
 }
 
 #[test]
+fn a_state_that_cannot_be_read_is_not_known() {
+    let (mut judge, last, world) = driving();
+    let status = world.log.iter().rev().find(|recorded| recorded.frame.id == Vcu2AiStatus::ID);
+    let mut frame = status.expect("the VCU has sent its status").frame;
+    let signal = Vcu2AiStatus::DEF.signal("AS_STATE").expect("a signal of 520h");
+    let readable = frame;
+    frame.data = signal.put(frame.data, signal.max + 1);
+    judge.frame(last + 5 * MS, frame.id.into(), frame.data());
+    assert_eq!(judge.state(), None);
+    judge.frame(last + 15 * MS, readable.id.into(), readable.data());
+    assert_eq!(judge.state(), Some(AsState::Driving));
+}
+
+#[test]
 fn time_that_is_told_changes_nothing_while_frames_come() {
     let mut world = World::reference();
     world.finished();
