@@ -226,8 +226,9 @@ impl Judge {
                 } else {
                     known = known.set(atom, Truth::Unknown);
                 }
-                self.vcu.timers.push(Timer { at: t + limit, atom, becomes: Truth::True });
-                self.wake_at(t + limit);
+                let at = t + limit;
+                self.vcu.timers.push(Timer { at, atom, becomes: Truth::True });
+                self.wake_at(at);
             }
         }
         if state != AsState::Ready {
@@ -254,6 +255,6 @@ impl Judge {
 
     /// Whether 520h is coming.
     pub(super) fn vcu_is_seen(&self) -> bool {
-        self.slots.get(STATUS).is_some_and(|slot| slot.fresh) && self.vcu.gap_since.is_none()
+        self.slots.get(STATUS).is_some_and(|slot| slot.fresh)
     }
 }

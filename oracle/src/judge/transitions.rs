@@ -6,7 +6,7 @@ use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Term, Trut
 use super::events::{Pending, What};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
 use super::variants::{Guard, Variant};
-use super::{Judge, scope};
+use super::{Judge, SILENCE_NS, scope};
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,13 @@ impl Due {
         if self.reported { self.term.truth(known) == Truth::False } else { !self.held }
     }
 }
+
+/// Behind a silence of that length no state is known: none that has to last fits into a gap.
+const _: () = {
+    let timing = adsdv_spec::Interface::V3_0.timing;
+    assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * super::MS);
+    assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * super::MS);
+};
 
 /// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
 /// the step that is judged, not behind it.
@@ -91,7 +98,7 @@ impl Judge {
             .map(|variant| judge_variant(variant, to, window, &instants))
             .collect();
         let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
-        if justified == Truth::False && gap && self.leads_through_others(from, to, t - before, window) {
+        if justified == Truth::False && gap && self.leads_through_others(from, to, window) {
             justified = Truth::Unknown;
         }
         let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
@@ -166,8 +173,8 @@ impl Judge {
         format!("{from} -> {to}: there is no such arrow; from {from} there are arrows to {}", ways.join(", "))
     }
 
-    /// Whether several arrows, of which the log missed the states between, can lead there in this time.
-    fn leads_through_others(&self, from: AsState, to: AsState, elapsed: i64, window: Knowledge) -> bool {
+    /// Whether several arrows, of which the log missed the states between, can lead there.
+    fn leads_through_others(&self, from: AsState, to: AsState, window: Knowledge) -> bool {
         // What the VCU remembers was not seen; what it saw has to allow each arrow.
         let seen = window.forget(MEMORY);
         let open = |from: AsState, to: AsState| {
@@ -178,27 +185,23 @@ impl Judge {
                     && !earlier.any(|guard| guard.truth(seen) == Truth::True)
             })
         };
-        let timing = &self.interface.timing;
-        let mut reached: Vec<(AsState, i64)> = vec![(from, 0)];
+        let mut reached = vec![from];
         let mut next = 0;
-        while let Some(&(state, took)) = reached.get(next) {
+        while let Some(&state) = reached.get(next) {
             next += 1;
             for &then in &AsState::ALL {
-                // Only a state that was entered in the gap has to last for its time; READY may be left at once
-                // to where no dwell is needed.
-                let must_last = match (state, then) {
-                    (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _) if state != from => {
-                        i64::from(timing.in_state_limit(state)) * super::MS - self.window
-                    }
-                    _ => 0,
-                };
-                let took = took + must_last;
-                if took <= elapsed && open(state, then) {
+                // A state that was entered in the gap and has to last for its time lasts for longer than any gap; READY may
+                // be left at once to where no dwell is needed.
+                let lasts = matches!(
+                    (state, then),
+                    (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _) if state != from
+                );
+                if !lasts && open(state, then) {
                     if then == to && state != from {
                         return true;
                     }
-                    if !reached.iter().any(|&(known, _)| known == then) {
-                        reached.push((then, took));
+                    if !reached.contains(&then) {
+                        reached.push(then);
                     }
                 }
             }

@@ -1,11 +1,11 @@
 //! Transitions for which Figure 2 has no arrow.
 
 use adsdv_oracle::judge::{Options, Party, Rule};
-use adsdv_spec::messages::AsState;
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 use adsdv_spec::{Atom, FIGURE_2, Truth};
 use adsdv_tests::world::{World, judge};
 
-use crate::check::{is_at, is_reported, only};
+use crate::check::{is_at, is_reported, is_silent, only};
 
 /// Every ordered pair of states without an arrow.
 fn pairs() -> impl Iterator<Item = (AsState, AsState)> {
@@ -43,4 +43,24 @@ fn every_arrow_that_does_not_exist_is_reported() {
         assert_eq!((last.from, last.to, last.justified), (from, to, Truth::False));
         is_reported(&world, Options::default(), Party::Vcu, &[(Rule::NoArrow, "Figure 2")], &name);
     }
+}
+
+/// AS_READY for one step only, between AS_OFF and EMERGENCY_BRAKE.
+#[test]
+fn a_state_that_only_a_lost_frame_shows_is_an_arrow_between() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.asms = true;
+    let ready = world.t;
+    world.cycle();
+    assert_eq!(world.control.state, AsState::Ready);
+    world.inputs.sdc.remote_estop = true;
+    world.wait(300);
+    assert_eq!(world.control.state, AsState::EmergencyBrake);
+    is_silent(&world, Options::default(), "AS_READY for a step");
+    world.log.retain(|recorded| recorded.frame.id != Vcu2AiStatus::ID || recorded.t != ready);
+    is_silent(&world, Options::default(), "AS_READY in a frame that is lost");
+    let report = judge(&world.log, Options::default());
+    let [only] = &report.transitions[..] else { panic!("{:#?}", report.transitions) };
+    assert_eq!((only.from, only.to, only.justified), (AsState::Off, AsState::EmergencyBrake, Truth::Unknown));
 }

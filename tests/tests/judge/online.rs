@@ -68,6 +68,13 @@ fn a_state_that_cannot_be_read_is_not_known() {
 }
 
 #[test]
+fn a_status_that_is_too_short_shows_no_state() {
+    let (mut judge, last, _) = driving();
+    judge.frame(last + 5 * MS, Vcu2AiStatus::ID.into(), &[0; 3]);
+    assert_eq!(judge.state(), None);
+}
+
+#[test]
 fn time_that_is_told_changes_nothing_while_frames_come() {
     let mut world = World::reference();
     world.finished();
