@@ -4,10 +4,13 @@
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test conform written` writes it anew.
 
 use std::fmt::Write as _;
+use std::io;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{Failure, Options, Outcome, Progress, Report, conform};
-use adsdv_oracle::protocol::{SHOWN, Value};
+use adsdv_oracle::conform::{
+    Failure, Options, Outcome, Phase, Place, Progress, Report, Trouble, What, Work, conform,
+};
+use adsdv_oracle::protocol::{Answer, SHOWN, Value};
 use adsdv_spec::{Choice, Choices, Inputs, Interface, Machine, Mutation, Reading, Readings};
 use expect_test::expect_file;
 use serde_json::json;
@@ -257,4 +260,53 @@ fn what_is_said_of_readings() {
 #[test]
 fn what_is_said_of_wrong_outputs() {
     expect_file!["written/outputs.txt"].assert_eq(&tampered());
+}
+
+/// Everything that can be wrong with a program, before the first line and at a step.
+fn troubles() -> Vec<Trouble> {
+    let line = || "{\"as_state\":7}".to_owned();
+    let bad = || line().parse::<Answer>().expect_err("no such state");
+    let limit = Duration::from_millis(2500);
+    let work = |phase| {
+        let at = Progress { phase, done: 3, all: 10 };
+        Some(Work { at, steps: 1234, suite_steps: 5678, runs: 300 })
+    };
+    let start = |kind: io::ErrorKind| What::NoStart(kind.into());
+    let whats = [
+        start(io::ErrorKind::NotFound),
+        start(io::ErrorKind::PermissionDenied),
+        start(io::ErrorKind::OutOfMemory),
+        What::Ended("exit status: 3".to_owned()),
+        What::Closed,
+        What::Late(limit, String::new()),
+        What::Late(limit, "{\"as_st".to_owned()),
+        What::OutOfTime(limit, None),
+        What::OutOfTime(limit, work(Phase::Suite)),
+        What::OutOfTime(limit, work(Phase::Random)),
+        What::OutOfTime(limit, work(Phase::Shrinking)),
+        What::TooLong(65_536, "xxxx".to_owned()),
+        What::NotText("\u{fffd}".to_owned()),
+        What::NoAnswer(line(), bad()),
+        What::NoAnswer(" {} ".to_owned(), bad()),
+        What::NoReset("ready".to_owned(), Some(bad())),
+        What::NoReset(line(), None),
+        What::TooMany(line()),
+    ];
+    let place = |step| Place { scenario: "3.1".to_owned(), step, sent: "{\"op\":\"reset\"}".to_owned() };
+    let mut step = 0;
+    let troubles = whats.into_iter().map(|what| {
+        step += 1;
+        let stderr = (0..step % 3).map(|line| format!("last words {line}")).collect();
+        Trouble { place: (step % 4 > 0).then(|| Box::new(place(step % 4 - 1))), what, stderr }
+    });
+    troubles.collect()
+}
+
+#[test]
+fn what_is_said_of_trouble() {
+    let text = troubles().iter().fold(String::new(), |mut text, trouble| {
+        let _ = writeln!(text, "{trouble}\n= {}\n", trouble.hint());
+        text
+    });
+    expect_file!["written/trouble.txt"].assert_eq(&text);
 }
