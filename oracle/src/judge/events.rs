@@ -201,7 +201,7 @@ impl Judge {
         stale
             .chain(pending)
             .chain(timers)
-            .chain([self.comms_event(), self.due_event(), self.held_event(), self.loss_event()])
+            .chain([self.comms_event(), self.held_event(), self.loss_event()])
             .min()
             .unwrap_or(i64::MAX)
     }
@@ -220,9 +220,6 @@ impl Judge {
         }
         if self.comms_event() <= t {
             return self.comms_time(t);
-        }
-        if self.due_event() <= t {
-            return self.due_ripens();
         }
         if self.held_event() <= t {
             return self.report_held();

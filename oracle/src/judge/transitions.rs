@@ -28,7 +28,6 @@ pub(super) struct Due {
     term: Term,
     /// Whether the guard held in a step that is over: then it does not matter that it holds no more.
     held: bool,
-    ripe: bool,
     reported: bool,
 }
 
@@ -225,9 +224,7 @@ impl Judge {
                     .is_none_or(|due| due.term.truth(known) != Truth::True && due.is_over(known)) =>
             {
                 let (to, clause) = (guard.to, guard.clause);
-                self.due =
-                    Some(Due { since: t, to, clause, term, held: false, ripe: false, reported: false });
-                self.wake_at(t + self.deadline);
+                self.due = Some(Due { since: t, to, clause, term, held: false, reported: false });
             }
             (Some(_), _) => {}
         }
@@ -239,27 +236,13 @@ impl Judge {
         let Some((guard, term)) = self.variants.due(state, known) else { return };
         if self.due.is_none_or(|due| due.is_over(self.known)) {
             let (to, clause) = (guard.to, guard.clause);
-            self.due = Some(Due { since: t, to, clause, term, held: true, ripe: false, reported: false });
-            self.wake_at(t + self.deadline);
-        }
-    }
-
-    pub(super) fn due_event(&self) -> i64 {
-        self.due.filter(|due| !due.ripe).map_or(i64::MAX, |due| due.since + self.deadline)
-    }
-
-    pub(super) fn due_ripens(&mut self) {
-        if let Some(due) = &mut self.due {
-            due.ripe = true;
+            self.due = Some(Due { since: t, to, clause, term, held: true, reported: false });
         }
     }
 
     /// 520h still shows the old state: a transition that should have come by now is missing.
     pub(super) fn due_at_status(&mut self, t: i64) {
-        let Some(due) = self.due.filter(|due| due.ripe && !due.reported && t > due.since + self.deadline)
-        else {
-            return;
-        };
+        let Some(due) = self.due.filter(|due| !due.reported && t > due.since + self.deadline) else { return };
         let Some(state) = self.vcu.state else { return };
         // What the VCU measures is only certain up to the last frame that shows it.
         let confirmed = self.slots.iter().enumerate().all(|(index, slot)| {
@@ -337,12 +320,11 @@ fn unjustified(from: AsState, to: AsState, guard: &Guard, window: Knowledge, jud
             conditions(&term, window)
         );
     }
-    let mut failed: Vec<&str> = Vec::new();
-    for (atom, value) in guard.terms.iter().flat_map(Term::conditions) {
-        if window.of(atom) == Truth::from(!value) && !failed.contains(&atom.text(!value)) {
-            failed.push(atom.text(!value));
-        }
-    }
+    let all = |of: fn(&Term) -> Atoms| guard.terms.iter().fold(Atoms::NONE, |all, term| all.union(of(term)));
+    let (off, on) =
+        (all(|term| term.on).intersection(window.off()), all(|term| term.off).intersection(window.on()));
+    let failed = off.iter().map(|atom| atom.text(false)).chain(on.iter().map(|atom| atom.text(true)));
+    let failed: Vec<&str> = failed.collect();
     format!("{from} -> {to}, but {}; expected {from} to stay", failed.join(" and "))
 }
 

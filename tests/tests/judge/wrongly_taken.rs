@@ -1,9 +1,9 @@
 //! A transition that is taken though one literal of the guard is false.
 
-use adsdv_oracle::judge::{Party, Rule};
-use adsdv_spec::messages::AsState;
+use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_spec::messages::{AsState, EbsState};
 use adsdv_spec::{Atom, Row, Truth};
-use adsdv_tests::world::{World, judge};
+use adsdv_tests::world::{MS, World, judge};
 
 use crate::cases::{self, Case, HISTORY, shows_slowly};
 use crate::check::{is_at, is_reported, is_silent, only};
@@ -102,4 +102,41 @@ fn no_log_shows_that_the_shutdown_circuit_was_closed() {
         let report = judge(&world.log, case.options());
         assert_ne!(report.transitions.last().map(|last| last.justified), Some(Truth::False));
     }
+}
+
+/// To AS_READY with an EBS that is not ARMED but TRIGGERED.
+//= RDY-4
+#[test]
+fn an_ebs_that_is_triggered_is_not_armed() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.ebs = EbsState::Triggered;
+    world.inputs.asms = true;
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Off);
+    world.force(AsState::Ready);
+    world.wait(500);
+    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Unjustified, "3.1")], "EBS TRIGGERED");
+}
+
+/// In EMERGENCY_BRAKE 502h shows TRIGGERED whatever the EBS itself reports: an EBS that became ARMED since the sample before may
+/// have let the VCU go to AS_READY, and does not show.
+//= D-28
+#[test]
+fn an_ebs_that_emergency_brake_hides_blames_nobody() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.ebs = EbsState::Unavailable;
+    world.inputs.asms = true;
+    world.wait(500);
+    // 502h has just shown it, and comes again in 100 ms.
+    world.wait(100 - world.t / MS % 100 + 10);
+    assert_eq!(world.control.state, AsState::Off);
+    world.inputs.ebs = EbsState::Armed;
+    world.wait(20);
+    assert_eq!(world.control.state, AsState::Ready);
+    world.inputs.sdc.remote_estop = true;
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::EmergencyBrake);
+    is_silent(&world, Options::default(), "ARMED between two samples");
 }
