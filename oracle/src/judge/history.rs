@@ -62,13 +62,6 @@ impl History {
         }
     }
 
-    /// Since `start`, nothing is known of these atoms: two samples differ, and the change lies between them.
-    pub(super) fn forget(&mut self, start: i64, scope: Atoms) {
-        for moment in self.moments.iter_mut().rev().take_while(|moment| moment.t >= start) {
-            moment.known = moment.known.forget(scope);
-        }
-    }
-
     /// Makes up for a silence that turned out to hide nothing: since `start`, these atoms had these values.
     pub(super) fn fill(&mut self, start: i64, scope: Atoms, values: Atoms) {
         for moment in self.moments.iter_mut().rev().take_while(|moment| moment.t >= start) {

@@ -28,8 +28,6 @@ pub(super) struct VcuSide {
     pub(super) estop_since: Option<i64>,
     /// The last change of state.
     pub(super) left: Option<Left>,
-    /// What 502h last said of the EBS.
-    pub(super) ebs: Option<adsdv_spec::messages::EbsState>,
     pub(super) assi: Option<super::flags::AssiSuspect>,
 }
 

@@ -6,7 +6,7 @@ use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Term, Trut
 use super::events::{Pending, What};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
 use super::variants::{Guard, Variant};
-use super::{Judge, SILENCE_NS, scope};
+use super::{Judge, LOG_STATUS, SILENCE_NS, scope};
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
@@ -83,12 +83,16 @@ impl Judge {
         let memory = self.history.throughout(start, t - 1).meet(pending.before);
         let window =
             inputs.forget(MEMORY).learn(MEMORY.intersection(memory.on().union(memory.off())), memory.on());
+        // 502h comes rarely: where the sample behind differs, or there is none, that before does not speak for now.
+        let after = self.throughout(t, t + self.window, now);
+        let between = scope(LOG_STATUS).difference(after.on().union(after.off()));
         let instants: Vec<Knowledge> = self
             .moments(start, t)
             .into_iter()
             .filter(|moment| moment.state == Some(from))
             .map(|moment| moment.known)
             .chain([pending.before])
+            .map(|known| known.forget(between))
             .collect();
         let judged: Vec<Judged> = self
             .variants

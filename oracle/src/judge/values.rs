@@ -2,9 +2,9 @@
 
 use adsdv_spec::Atoms;
 use adsdv_spec::messages::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState,
-    Message, Node, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
-    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState, Message, Node,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
+    Vcu2LogStatus,
 };
 
 use super::finding::{Finding, Party, Rule, Severity};
@@ -112,12 +112,6 @@ impl Judge {
                     && !is_bad::<Vcu2LogStatus>(bad, "State_ASSI");
                 let ebs_bad = u32::from(hidden || is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
                 self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
-                let ebs = (ebs_bad == 0).then_some(message.state_ebs);
-                if let (true, Some(before)) = (self.vcu.ebs != ebs, before) {
-                    // It comes so rarely that the time between two samples counts.
-                    self.history.forget(before, scope(index));
-                }
-                self.vcu.ebs = ebs;
                 if !is_bad::<Vcu2LogStatus>(bad, "State_ASSI") {
                     self.assi_seen(t, message.state_assi);
                 }
@@ -142,12 +136,11 @@ impl Judge {
     fn only_values(&mut self, index: usize, t: i64, word: u64) {
         match self.slots.get(index).map(|slot| slot.def.id) {
             Some(Vcu2LogDynamics1::ID) => drop(self.read::<Vcu2LogDynamics1>(index, t, word)),
-            Some(Ai2LogDynamics2::ID) => drop(self.read::<Ai2LogDynamics2>(index, t, word)),
             Some(Ai2VcuBrake::ID) => drop(self.read::<Ai2VcuBrake>(index, t, word)),
             Some(Vcu2AiDriveF::ID) => drop(self.read::<Vcu2AiDriveF>(index, t, word)),
             Some(Vcu2AiDriveR::ID) => drop(self.read::<Vcu2AiDriveR>(index, t, word)),
             Some(Vcu2AiBrake::ID) => drop(self.read::<Vcu2AiBrake>(index, t, word)),
-            Some(Vcu2AiWheelCounts::ID) => drop(self.read::<Vcu2AiWheelCounts>(index, t, word)),
+            // All of their bits are allowed.
             _ => {}
         }
     }

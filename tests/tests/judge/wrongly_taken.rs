@@ -1,7 +1,7 @@
 //! A transition that is taken though one literal of the guard is false.
 
 use adsdv_oracle::judge::{Options, Party, Rule};
-use adsdv_spec::messages::{AsState, EbsState};
+use adsdv_spec::messages::{AsState, EbsState, Message, Vcu2LogStatus};
 use adsdv_spec::{Atom, Row, Truth};
 use adsdv_tests::world::{MS, World, judge};
 
@@ -139,4 +139,41 @@ fn an_ebs_that_emergency_brake_hides_blames_nobody() {
     world.wait(500);
     assert_eq!(world.control.state, AsState::EmergencyBrake);
     is_silent(&world, Options::default(), "ARMED between two samples");
+}
+
+/// 502h comes every 100 ms: where two samples differ, the EBS may have changed at any time in between.
+#[test]
+fn an_ebs_that_changes_between_two_samples_is_not_known_there() {
+    let mut world = World::reference();
+    world.prepare();
+    world.wait(100 - world.t / MS % 100 + 10);
+    world.inputs.asms = true;
+    world.wait(20);
+    assert_eq!(world.control.state, AsState::Ready);
+    let justified = |world: &World| {
+        let transitions = judge(&world.log, Options::default()).transitions;
+        transitions.first().expect("AS_OFF -> AS_READY").justified
+    };
+    let mut armed = world.clone();
+    armed.wait(500);
+    assert_eq!(justified(&armed), Truth::True);
+    world.inputs.ebs = EbsState::Unavailable;
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Ready);
+    assert_eq!(justified(&world), Truth::Unknown);
+}
+
+/// An EBS that cannot be read says nothing of the arrow to AS_READY.
+#[test]
+fn an_ebs_that_cannot_be_read_is_not_known() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.asms = true;
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Ready);
+    let signal = Vcu2LogStatus::DEF.signal("State_EBS").expect("a signal of 502h");
+    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2LogStatus::ID) {
+        recorded.frame.data = signal.put(recorded.frame.data, 0);
+    }
+    is_silent(&world, Options::default(), "an EBS that cannot be read");
 }
