@@ -63,3 +63,21 @@ fn transitions_are_listed_to_a_bound() {
         assert_eq!(note.map(|note| note.message.as_str()), left_out);
     }
 }
+
+/// Where nobody asks for news, no more of them are kept than there are rules.
+#[test]
+fn news_that_nobody_asks_for_are_kept_to_a_bound() {
+    let mut judge = Judge::new(Options::default());
+    for second in 0..1000 {
+        judge.other_frame(second * 1000 * MS);
+        judge.report(Severity::Violation, Party::Vcu, "2", Rule::Value, "again".to_owned());
+    }
+    const LISTED: usize = 200;
+    let (_, news) = judge.news();
+    assert_eq!(news.len(), LISTED + Rule::ALL.len());
+    assert!(judge.news().1.is_empty());
+    let report = judge.finish();
+    let [repeated] = of(&report, Rule::Repeated)[..] else { panic!("{:#?}", report.findings) };
+    assert!(repeated.message.starts_with("800 more of "), "{}", repeated.message);
+    assert_eq!((of(&report, Rule::Value).len(), repeated.t_ns), (LISTED, 200_000 * MS));
+}

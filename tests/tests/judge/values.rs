@@ -1,8 +1,13 @@
 //! Every signal whose bits can hold a value that is not allowed.
 
-use adsdv_oracle::judge::{Options, Rule, Severity};
-use adsdv_spec::messages::{Ai2LogDynamics2, Ai2VcuStatus, MESSAGES, Message, SignalDef};
+use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_spec::messages::{
+    Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, MESSAGES, Message, Node, SignalDef, Vcu2AiDriveF,
+    message_by_id,
+};
 use adsdv_tests::world::{MS, Recorded, World, judge};
+
+use crate::said::is_as_written;
 
 /// The largest value that the bits can hold and that is not allowed.
 fn refused(signal: &SignalDef) -> Option<i32> {
@@ -72,4 +77,35 @@ fn what_is_still_wrong_in_another_recording_is_told_again() {
     let since = world.t / 2;
     world.log.iter_mut().filter(|recorded| recorded.t >= since).for_each(|recorded| recorded.t -= 500 * MS);
     assert_eq!(wrong(&world.log), 2);
+}
+
+/// A VCU that tells requests back tells also those that are out of range: they are the AI Computer's.
+#[test]
+fn a_request_out_of_range_is_not_the_vcus_when_it_tells_it_back() {
+    let mut world = World::reference();
+    world.driving();
+    let refuse = |log: &mut [Recorded], id, name: &str| {
+        let message = message_by_id(id).expect("a message");
+        let is_it = |signal: &&SignalDef| signal.name.contains(name) && refused(signal).is_some();
+        let signal = message.signals.iter().find(is_it).expect("a signal that does not allow every value");
+        let raw = refused(signal).expect("a value");
+        // The VCU tells back what it has received.
+        let since = if message.sender == Node::Vcu { 500 * MS } else { 0 };
+        for recorded in log.iter_mut().filter(|one| one.frame.id == id && one.t >= since) {
+            recorded.frame.data = signal.put(recorded.frame.data, raw);
+        }
+    };
+    let mut echo = world.log.clone();
+    refuse(&mut echo, Vcu2AiDriveF::ID, "_REQ");
+    let mut both = echo.clone();
+    refuse(&mut both, Ai2VcuDriveF::ID, "");
+    for (name, log, weighs) in
+        [("a request", &echo, Severity::Violation), ("a request that is told back", &both, Severity::Note)]
+    {
+        is_as_written(name, log, Options::default());
+        let findings = judge(log, Options::default()).findings;
+        let of_the_vcu: Vec<Severity> =
+            findings.iter().filter(|one| one.party == Party::Vcu).map(|one| one.severity).collect();
+        assert_eq!(of_the_vcu, [weighs], "{name}: {findings:#?}");
+    }
 }

@@ -177,3 +177,21 @@ fn an_ebs_that_cannot_be_read_is_not_known() {
     }
     is_silent(&world, Options::default(), "an EBS that cannot be read");
 }
+
+/// What cannot be read of 502h besides says nothing of the EBS.
+#[test]
+fn an_ebs_is_read_whatever_else_cannot_be() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.ebs = EbsState::Unavailable;
+    world.inputs.asms = true;
+    world.wait(500);
+    world.force(AsState::Ready);
+    world.wait(500);
+    let signal = Vcu2LogStatus::DEF.signal("State_ASSI").expect("a signal of 502h");
+    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2LogStatus::ID) {
+        recorded.frame.data = signal.put(recorded.frame.data, 0);
+    }
+    let expected = [(Rule::Unjustified, "3.1")];
+    is_reported(&world, Options::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
+}
