@@ -280,15 +280,11 @@ impl Judge {
     /// What the log ends too early to tell is unknown. Messages that come rarely are looked at for longer: they
     /// show late what was so before.
     pub(super) fn throughout(&self, start: i64, end: i64, now: i64) -> Knowledge {
-        if now < end {
-            return Knowledge::NOTHING;
-        }
-        let mut known = self.history.throughout(start, end);
+        let seen = |end| if now < end { Knowledge::NOTHING } else { self.history.throughout(start, end) };
+        let mut known = seen(end);
         for (index, slot) in self.slots.iter().enumerate() {
             if self.is_slow(slot) && !scope(index).is_empty() {
-                let late = end + slot.period * 2;
-                let long = if now < late { Knowledge::NOTHING } else { self.history.throughout(start, late) };
-                let both = known.meet(long);
+                let both = known.meet(seen(end + slot.period * 2));
                 let certain = scope(index).intersection(both.on().union(both.off()));
                 known = known.forget(scope(index)).learn(certain, both.on());
             }

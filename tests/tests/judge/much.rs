@@ -67,12 +67,12 @@ fn transitions_are_listed_to_a_bound() {
 /// Where nobody asks for news, no more of them are kept than there are rules.
 #[test]
 fn news_that_nobody_asks_for_are_kept_to_a_bound() {
+    const LISTED: usize = 200;
     let mut judge = Judge::new(Options::default());
     for second in 0..1000 {
         judge.other_frame(second * 1000 * MS);
         judge.report(Severity::Violation, Party::Vcu, "2", Rule::Value, "again".to_owned());
     }
-    const LISTED: usize = 200;
     let (_, news) = judge.news();
     assert_eq!(news.len(), LISTED + Rule::ALL.len());
     assert!(judge.news().1.is_empty());
