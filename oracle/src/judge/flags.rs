@@ -37,9 +37,10 @@ pub(super) struct Sums {
 /// A 502h that shows another state than 520h.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AssiSuspect {
+    /// Since when; in the far future once that is reported.
     since: i64,
+    /// What it showed last.
     shown: AsState,
-    state: AsState,
 }
 
 /// The faults whose conditions the bus shows.
@@ -350,24 +351,22 @@ impl Judge {
             self.vcu.assi = None;
             return;
         };
-        match self.vcu.assi {
-            _ if shown == state => self.vcu.assi = None,
-            Some(suspect) if suspect.shown == shown && suspect.state == state => {
-                if suspect.since == i64::MAX || t - suspect.since <= self.deadline {
-                    return;
-                }
-                if self.state_stood(suspect.since - self.window, t) {
-                    self.vcu.assi = Some(AssiSuspect { since: i64::MAX, ..suspect });
-                    let message =
-                        format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
-                    self.vcu_violation(suspect.since, Vcu2LogStatus::DEF.section, Rule::AssiDiffers, message);
-                } else {
-                    // What 502h shows may have been so when it was sent.
-                    self.vcu.assi = Some(AssiSuspect { since: t, ..suspect });
-                }
+        let since = match self.vcu.assi {
+            _ if shown == state => {
+                self.vcu.assi = None;
+                return;
             }
-            _ => self.vcu.assi = Some(AssiSuspect { since: t, shown, state }),
-        }
+            Some(AssiSuspect { since, .. }) if since == i64::MAX || t - since <= self.deadline => since,
+            Some(AssiSuspect { since, .. }) if self.state_stood(since - self.window, t) => {
+                let message =
+                    format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
+                self.vcu_violation(since, Vcu2LogStatus::DEF.section, Rule::AssiDiffers, message);
+                i64::MAX
+            }
+            // It begins, or what 502h shows may have been so when it was sent.
+            _ => t,
+        };
+        self.vcu.assi = Some(AssiSuspect { since, shown });
     }
 
     /// 502h came again with the same content.

@@ -138,14 +138,14 @@ fn running_for_less_than_a_cycle_is_no_change_to_the_vcu_either() {
 fn a_change_may_be_seen_late() {
     for change in CHANGES {
         let mut world = driving();
-        let since = world.t + 5 * MS;
+        let since = world.t - 500 * MS;
         change(&mut world);
         world.wait(500);
         assert_eq!(world.control.state, AsState::EmergencyBrake);
         let of_the_vcu = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Vcu);
         let later =
             world.log.iter_mut().filter(|recorded| recorded.t >= since && of_the_vcu(recorded.frame.id));
-        later.for_each(|recorded| recorded.t += 40 * MS);
+        later.for_each(|recorded| recorded.t += 50 * MS);
         world.log.sort_by_key(|recorded| recorded.t);
         is_as_written("a change seen late", &world.log, pinned(Choice::FaultEdge));
         let report = judge(&world.log, pinned(Choice::FaultEdge));

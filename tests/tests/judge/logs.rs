@@ -54,6 +54,24 @@ fn a_log_that_begins_or_ends_anywhere_conforms() {
     }
 }
 
+/// What was before the log begins is not known: it may be the reason of what comes at once.
+#[test]
+fn a_transition_at_the_beginning_of_a_log_blames_nobody() {
+    let mut world = World::reference();
+    world.wait(1000);
+    let forced = world.t;
+    world.force(AsState::Ready);
+    world.wait(300);
+    for (before, expected) in [(10, false), (300, true)] {
+        let mut log = world.log.clone();
+        log.retain(|recorded| recorded.t >= forced - before * MS);
+        is_as_written(&format!("{before} ms before a transition"), &log, Options::default());
+        let report = judge(&log, Options::default());
+        let found = by(&report, Party::Vcu).iter().any(|finding| finding.rule == Rule::Unjustified);
+        assert_eq!(found, expected, "{before} ms before");
+    }
+}
+
 #[test]
 fn a_log_that_runs_backwards_blames_nobody() {
     let mut log = run().log;

@@ -1,4 +1,7 @@
-//! Logs that cannot be judged as a whole: one that fails while it is read, and one in which no time passes.
+//! Logs as they are read: what is said of each kind of line, of one that fails while it is read, and of one in which no time
+//! passes.
+
+mod said;
 
 use std::io::{self, Read};
 
