@@ -113,9 +113,8 @@ impl Judge {
         let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
         let clause = arrow.as_ref().map_or("Figure 2", |guard| guard.clause);
         if to == AsState::EmergencyBrake {
-            let certain = justified == Truth::True
-                && decided.is_some_and(|(term, _)| term.fault.is_some() || term.on.has(Atom::SdcOpen));
-            let certain = certain && !switched_off(window);
+            // All other reasons have one.
+            let certain = justified == Truth::True && !switched_off(window);
             if let Some(brake) = self.vcu.brake.as_mut().filter(|brake| brake.since == t) {
                 brake.certain = certain;
             }

@@ -5,7 +5,8 @@ use adsdv_spec::Choice;
 use adsdv_spec::messages::AsState;
 use adsdv_tests::world::World;
 
-use crate::check::{is_reported, is_reported_if_seen, is_silent, only};
+use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned};
+use crate::said::is_as_written;
 
 /// AS_READY with the dwell over, "Go" having been on since before; `GO_SIGNAL` is the switch.
 fn go_since_before() -> World {
@@ -81,4 +82,22 @@ fn driving_ends_with_go() {
     world.inputs.go = false;
     world.wait(500);
     is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.7")], "Go is off");
+}
+
+/// The VCU shows "Go" before it acts on it: that it shows more in between takes nothing back.
+#[test]
+fn an_edge_may_be_taken_late() {
+    for (ms, clauses) in [(20, vec![]), (40, vec![]), (200, vec!["3.2"])] {
+        let mut world = World::with_reading(Choice::GoRaw);
+        world.dwelt();
+        world.hold_state();
+        world.inputs.go = true;
+        world.wait(ms);
+        world.force(AsState::Driving);
+        world.wait(300);
+        is_as_written(&format!("taken {ms} ms late"), &world.log, pinned(Choice::GoRaw));
+        let report = world.judge(pinned(Choice::GoRaw));
+        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| finding.clause).collect();
+        assert_eq!(found, clauses, "{ms} ms: {:#?}", report.findings);
+    }
 }
