@@ -80,7 +80,11 @@ describe() {
       ;;
     judge)
       files=('oracle/src/judge/**') package=adsdv-oracle
-      rounds=('adsdv-tests --test=judge' "adsdv-oracle,adsdv-tests,adsdv-can,adsdv $every")
+      rounds=(
+        'adsdv-tests --test=judge'
+        'adsdv-oracle --lib --test=log'
+        "adsdv-oracle,adsdv-tests,adsdv-can,adsdv $every"
+      )
       ;;
     suite)
       files=('oracle/src/suite/**') package=adsdv-oracle

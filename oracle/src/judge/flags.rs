@@ -226,7 +226,7 @@ impl Judge {
         let off = window.of(Atom::Tsms) == Truth::False
             && self.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
         let (clause, why) = match (fault, missing) {
-            (Fault::AiCommsFault, _) if off => ("2.4", format!("the {}", Atom::Tsms.text(false))),
+            (Fault::AiCommsFault, _) if off => ("2.4", Atom::Tsms.text(false).to_owned()),
             (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
             (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", Atom::AiEstop.text(false))),
             (_, Some(term)) => (clause, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
