@@ -3,6 +3,7 @@
 
 mod said;
 
+use std::error::Error as _;
 use std::io::{self, Read};
 
 use adsdv_oracle::judge::{Report, Severity};
@@ -39,6 +40,9 @@ fn what_came_before_a_failure_is_judged() {
     // Who asks for a verdict on all of it gets none.
     let error = judge_log(failing(), &LogOptions::default(), |_| {}).expect_err("it fails");
     assert!(matches!(&error, LogError::Read(read) if read.line == 3), "{error}");
+    assert_eq!(error.source().map(ToString::to_string), Some(error.to_string()));
+    let empty = judge_log(&b""[..], &LogOptions::default(), |_| {}).expect_err("no frame");
+    assert!(empty.source().is_none(), "{empty}");
     // Nothing that could be judged.
     let error = judge_readable(b"rubbish\n".chain(Failing), &LogOptions::default(), |_| {}).map(|_| ());
     assert!(matches!(error, Err(LogError::Read(read)) if read.line == 1));
