@@ -6,8 +6,9 @@ mod said;
 use std::error::Error as _;
 use std::io::{self, Read};
 
+use adsdv_oracle::candump::{FrameKind, Record};
 use adsdv_oracle::judge::{Report, Severity};
-use adsdv_oracle::log::{LogError, LogOptions, judge_log, judge_readable};
+use adsdv_oracle::log::{LogError, LogJudge, LogOptions, judge_log, judge_readable};
 
 const FRAME: &str = "can0 520#0000010000000000\n";
 
@@ -64,4 +65,38 @@ fn a_log_in_which_no_time_passes_says_so() {
         assert_eq!(told.len(), usize::from(says.is_some()), "{told:?}");
         assert!(told.iter().zip(says).all(|(told, says)| told.starts_with(says)), "{told:?}");
     }
+}
+
+/// A frame of 520h with this AS state on a live bus.
+fn heard(judge: &mut LogJudge, ms: i64, state: u8) {
+    let (kind, time_ns) = (FrameKind::Standard, (1000 + ms) * 1_000_000);
+    let data = &[0, 0, state, 0, 0, 0, 0, 0];
+    judge.frame(&Record {
+        line: 0,
+        time_ns,
+        interface: "can0",
+        kind,
+        id: 0x520,
+        data,
+        direction: None,
+        terminated: true,
+    });
+}
+
+#[test]
+fn a_live_bus_tells_news_as_time_passes() {
+    let mut judge = LogJudge::new(LogOptions::default());
+    // Before the first frame there is nothing to wait for.
+    judge.time_passes(5_000_000_000);
+    heard(&mut judge, 0, 1);
+    heard(&mut judge, 10, 2);
+    assert_eq!(judge.news().0.len(), 0);
+    judge.time_passes(1_100_000_000);
+    assert_eq!((judge.news().0.len(), judge.news().0.len()), (1, 0));
+    judge.lost(3);
+    heard(&mut judge, 120, 2);
+    let report = judge.finish(0).expect("frames");
+    assert_eq!((report.frames, report.duration_ns, report.transitions.len()), (3, 120_000_000, 1));
+    let told = warnings(&report);
+    assert!(told.len() == 1 && told[0].starts_with("3 frames lost here, "), "{told:?}");
 }
