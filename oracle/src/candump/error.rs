@@ -114,6 +114,8 @@ impl From<ReadError> for io::Error {
 
 #[cfg(test)]
 mod tests {
+    use std::error::Error as _;
+
     use super::*;
 
     #[test]
@@ -125,13 +127,18 @@ mod tests {
             (b"0123456789abcdefghijklmnopqrstuvwxyz", r#""0123456789abcdefghijklmn"..."#),
         ];
         for (text, printed) in cases {
-            assert_eq!(Excerpt::new(text).to_string(), printed);
+            let excerpt = Excerpt::new(text);
+            assert_eq!(
+                (excerpt.to_string(), format!("{excerpt:?}")),
+                (printed.to_owned(), printed.to_owned())
+            );
         }
     }
 
     #[test]
     fn a_read_error_keeps_its_line_and_kind() {
         let error = ReadError { line: 7, source: io::ErrorKind::TimedOut.into() };
+        assert_eq!(error.source().map(ToString::to_string), Some("timed out".to_owned()));
         let error = io::Error::from(error);
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);
         assert_eq!(error.to_string(), "cannot read on after line 7: timed out");

@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn other_lines_are_refused_where_they_go_wrong() {
-        let cases: [(&[u8], usize, &str); 13] = [
+        let cases: [(&[u8], usize, &str); 16] = [
             (b"(1.000000)", 10, GAP_BEFORE_INTERFACE),
             (b"(1.000000) ", 11, GAP_BEFORE_INTERFACE),
             (b"(1.000000)vcan0 123#1122", 10, GAP_BEFORE_INTERFACE),
@@ -203,6 +203,10 @@ mod tests {
             (b"(1.000000) vcan0 123#1122 X", 26, END),
             (b"(1.000000) vcan0 123#1122R", 25, END),
             (b"(1.000000) vcan0 123#1122 R T", 28, END),
+            // Error frames are neither CAN FD nor remote, and CAN XL has no extended identifiers.
+            (b"(1.000000) vcan0 20000004##100", 26, END),
+            (b"(1.000000) vcan0 20000004#R", 26, END),
+            (b"(1.000000) vcan0 00000520#81:00:12345678#11", 28, END),
         ];
         for (line, at, expected) in cases {
             assert_eq!(read(line), Err(Flaw { at, expected }), "{}", line.escape_ascii());
