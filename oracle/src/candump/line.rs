@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn other_lines_are_refused_where_they_go_wrong() {
-        let cases: [(&[u8], usize, &str); 16] = [
+        let cases: [(&[u8], usize, &str); 17] = [
             (b"(1.000000)", 10, GAP_BEFORE_INTERFACE),
             (b"(1.000000) ", 11, GAP_BEFORE_INTERFACE),
             (b"(1.000000)vcan0 123#1122", 10, GAP_BEFORE_INTERFACE),
@@ -202,6 +202,7 @@ mod tests {
             (b"(1.000000) vc\0n 123#1122", 13, GAP_BEFORE_FRAME),
             (b"(1.000000) vcan0 123#1122 X", 26, END),
             (b"(1.000000) vcan0 123#1122R", 25, END),
+            (b"(1.000000) vcan0 123#1122T", 25, END),
             (b"(1.000000) vcan0 123#1122 R T", 28, END),
             // Error frames are neither CAN FD nor remote, and CAN XL has no extended identifiers.
             (b"(1.000000) vcan0 20000004##100", 26, END),

@@ -22,9 +22,6 @@ const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to f
 /// What some editors put before the first line of a text in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// The longest name of an interface that is remembered for [`usual::read`]; Linux has shorter ones alone.
-const MAX_INTERFACE: usize = 64;
-
 /// What a log has in store: a frame, word of frames that are missing, or a line that is neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entry<'a> {
@@ -120,7 +117,7 @@ impl<R: Read> Reader<R> {
         };
         Ok(Some(match parsed {
             Ok(record) => {
-                if record.interface != self.interface && record.interface.len() <= MAX_INTERFACE {
+                if record.interface != self.interface {
                     self.interface.clear();
                     self.interface.push_str(record.interface);
                 }
@@ -181,10 +178,8 @@ impl<R: Read> Reader<R> {
     /// Reads on, behind what is pending; 0 bytes at the end of the source.
     #[cold]
     fn fill(&mut self) -> Result<usize, ReadError> {
-        if self.pending.start > 0 {
-            self.buffer.copy_within(self.pending.clone(), 0);
-            self.pending = 0..self.pending.len();
-        }
+        self.buffer.copy_within(self.pending.clone(), 0);
+        self.pending = 0..self.pending.len();
         let room = self.buffer.get_mut(self.pending.end..).unwrap_or_default();
         loop {
             match self.source.read(room) {

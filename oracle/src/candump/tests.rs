@@ -229,6 +229,18 @@ fn an_endless_line_is_one_broken_line() {
     }
 }
 
+/// Also where the line feed has yet to come.
+#[test]
+fn a_line_of_the_most_bytes_is_read() {
+    for (len, expected) in [(MAX_LINE, Ok(1)), (MAX_LINE + 1, Err(1))] {
+        let mut line = GOOD.to_vec();
+        line.resize(len, b' ');
+        let (seen, error) = read_all(line.chain(&b"\n"[..]));
+        assert!(error.is_none());
+        assert_eq!(outline(&seen), [expected], "{len}");
+    }
+}
+
 #[test]
 fn an_endless_source_without_line_feeds_takes_no_memory() {
     let mut reader = Reader::new(io::repeat(0).take(1 << 28).chain(&b"\n(1.0) vcan0 520#00"[..]));
