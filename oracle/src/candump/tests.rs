@@ -259,6 +259,7 @@ fn lost_frames_are_read_as_they_are_written() -> io::Result<()> {
     }
     let told = String::from_utf8_lossy(&log).into_owned();
     assert!(told.contains("DROPCOUNT: dropped 1 CAN frame on 'vcan0' socket (total drops 1)\n"), "{told}");
+    assert!(told.contains("DROPCOUNT: dropped 3 CAN frames on 'vcan0' socket (total drops 4)\n"), "{told}");
     log.extend(b"DROPCOUNT: dropped 3 CAN fr");
     let seen = read(&log);
     assert_eq!(outline(&seen), [Ok(1), Ok(2), Ok(3), Ok(4), Err(5)]);

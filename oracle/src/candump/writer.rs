@@ -234,6 +234,28 @@ mod tests {
     }
 
     #[test]
+    fn remote_frames_are_printed_as_candump_does() -> io::Result<()> {
+        for (len, extended, printed) in [(0, false, "123#R"), (3, false, "123#R3"), (8, true, "00000123#R8")]
+        {
+            let kind = FrameKind::Remote { extended, len };
+            let record = Record {
+                line: 0,
+                time_ns: 0,
+                interface: "can0",
+                kind,
+                id: 0x123,
+                data: &[],
+                direction: None,
+                terminated: true,
+            };
+            let mut out = Vec::new();
+            write_record(&mut out, &record)?;
+            assert_eq!(String::from_utf8_lossy(&out), format!("(0000000000.000000) can0 {printed}\n"));
+        }
+        Ok(())
+    }
+
+    #[test]
     fn what_could_not_be_read_back_is_refused() {
         let long = "x".repeat(LINE);
         let cases: [(i64, &str, u32, &[u8], &str); 7] = [

@@ -133,3 +133,41 @@ impl From<Shown> for Answer {
         Self(shown.0.map(Told::Value))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_tells_what_it_was_given() {
+        let answer: Answer = r#"{"handshake":true,"as_state":"AS_READY","steer":null}"#.parse().unwrap();
+        assert_eq!(answer.keys().collect::<Vec<_>>(), ["as_state", "handshake", "steer"]);
+        let raw = |key| answer.get(key).map(|value| value.raw);
+        let told = ["as_state", "handshake", "steer", "go_signal", "no such key"].map(raw);
+        assert_eq!(told, [Some(Some(2)), Some(Some(1)), Some(None), None, None]);
+        let only = answer.only("handshake");
+        assert_eq!(only.keys().collect::<Vec<_>>(), ["handshake"]);
+        assert_eq!(only.get("handshake"), answer.get("handshake"));
+    }
+
+    #[test]
+    fn a_difference_tells_both_values() {
+        let (machine, inputs) = (adsdv_spec::Machine::REFERENCE, adsdv_spec::Inputs::default());
+        let (_, outputs) = machine.step(&adsdv_spec::Control::INITIAL, &inputs, 0);
+        let answer: Answer = r#"{"as_state":"AS_READY","steer":7}"#.parse().unwrap();
+        let shown = Shown::of(&outputs, &inputs);
+        let differences = answer.differences(&shown);
+        let told: Vec<String> = differences.map(|difference| difference.to_string()).collect();
+        assert_eq!(told, ["as_state is AS_READY; expected AS_OFF", "steer is 7; expected null"]);
+    }
+
+    #[test]
+    fn an_object_that_shows_nothing_answers_a_reset() {
+        for (line, is_reset) in
+            [("{}", Ok(true)), (r#"{"version":1}"#, Ok(true)), (r#"{"steer":0}"#, Ok(false))]
+        {
+            assert_eq!(Answer::is_reset(line), is_reset, "{line}");
+        }
+        assert!(Answer::is_reset("ready").is_err());
+    }
+}
