@@ -166,6 +166,12 @@ fn bad_requests_are_refused_with_what_was_found_and_what_was_expected() {
 }
 
 #[test]
+fn a_line_that_is_no_object_is_refused_with_what_it_is() {
+    let refused = |line: &str| line.parse::<Answer>().unwrap_err().to_string();
+    assert!(refused("[1]").starts_with("\"[1]\": invalid type: sequence, expected a JSON object at line 1"));
+}
+
+#[test]
 fn bad_answers_are_refused_with_what_was_found_and_what_was_expected() {
     let refused = |line: &str| line.parse::<Answer>().unwrap_err().to_string();
     for (line, found, expected) in [
