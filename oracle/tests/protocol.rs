@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use adsdv_oracle::protocol::{Answer, Domain, INPUTS, Request, SHOWN, Shown};
+use adsdv_oracle::protocol::{Answer, Domain, INPUTS, Request, SHOWN, Shown, Told};
 use adsdv_spec::messages::{MissionStatus, SteerAngle};
 use adsdv_spec::{Control, Inputs, Machine};
 
@@ -199,4 +199,31 @@ fn only_what_is_not_at_its_default_is_written() {
     inputs.vehicle.steer_angle = SteerAngle::clamped(-49);
     let line = Request::Step { dt_ms: 0, inputs }.to_string();
     assert_eq!(line, r#"{"op":"step","dt_ms":0,"mission_status":"FINISHED","steer_angle":-49}"#);
+}
+
+/// Inputs alone are an object, in which each stands once.
+#[test]
+fn inputs_are_read_as_they_are_written() {
+    let mut inputs = Inputs::default();
+    assert_eq!(Told(inputs).to_string(), "{}");
+    inputs.ai.status.mission_status = MissionStatus::Finished;
+    inputs.vehicle.steer_angle = SteerAngle::clamped(-49);
+    let line = Told(inputs).to_string();
+    assert_eq!(line, r#"{"mission_status":"FINISHED","steer_angle":-49}"#);
+    assert_eq!(line.parse(), Ok(Told(inputs)));
+    let refused = |line: &str| line.parse::<Told>().unwrap_err().to_string();
+    assert!(refused(r#"{"go":true,"asms":true,"go":true}"#).contains("twice"));
+    assert!(refused(r#"{"op":"step"}"#).contains("\"op\""));
+    assert!(refused("7").contains("a JSON object"));
+}
+
+#[test]
+fn inputs_that_measure_have_units() {
+    let units: Vec<(&str, String)> =
+        INPUTS.iter().map(|field| (field.key, (field.unit)())).filter(|(_, unit)| !unit.is_empty()).collect();
+    let unit = |key: &str| units.iter().find(|(other, _)| *other == key).map(|(_, unit)| unit.as_str());
+    assert_eq!((unit("steer_angle"), unit("go")), (Some("0.1 deg"), None));
+    // Numbers have one, and nothing else does.
+    let numbers = INPUTS.iter().filter(|field| matches!(field.domain, Domain::Number { .. }));
+    assert_eq!(numbers.count(), units.len(), "{units:?}");
 }

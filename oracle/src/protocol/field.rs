@@ -106,3 +106,26 @@ impl Value {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Json(Value);
+
+    impl fmt::Display for Json {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            self.0.write_json(f)
+        }
+    }
+
+    #[test]
+    fn names_are_texts_and_what_is_not_there_is_null() {
+        let json = |domain, raw| Json(Value { domain, raw }).to_string();
+        let names = Domain::Names(&[(1, "AS_OFF")]);
+        assert_eq!([json(names, Some(1)), json(names, None)], ["\"AS_OFF\"", "null"]);
+        let number = Domain::Number { min: -9, max: 9 };
+        assert_eq!([json(number, Some(-7)), json(number, None)], ["-7", "null"]);
+        assert_eq!([json(Domain::Flag, Some(1)), json(Domain::Flag, Some(0))], ["true", "false"]);
+    }
+}
