@@ -232,10 +232,12 @@ fn an_endless_line_is_one_broken_line() {
 /// Also where the line feed has yet to come.
 #[test]
 fn a_line_of_the_most_bytes_is_read() {
-    for (len, expected) in [(MAX_LINE, Ok(1)), (MAX_LINE + 1, Err(1))] {
+    for (len, end, expected) in
+        [(MAX_LINE, &b"\n"[..], Ok(1)), (MAX_LINE, b" \n", Err(1)), (MAX_LINE + 1, b"\n", Err(1))]
+    {
         let mut line = GOOD.to_vec();
         line.resize(len, b' ');
-        let (seen, error) = read_all(line.chain(&b"\n"[..]));
+        let (seen, error) = read_all(line.chain(end));
         assert!(error.is_none());
         assert_eq!(outline(&seen), [expected], "{len}");
     }
