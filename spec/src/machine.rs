@@ -238,17 +238,18 @@ impl Machine {
 
         let stays = state as u8 == control.state as u8;
         let edges = matches!(state, AsState::Driving) && self.readings.is(Choice::FaultEdge);
+        let control = Control {
+            state,
+            in_state_ms: if stays { in_state_ms } else { 0 },
+            go_seen_low: matches!(state, AsState::Ready) && self.sees_go_low(atoms),
+            was_running: edges && atoms.has(Atom::MissionRunning),
+            was_forward: edges && !atoms.has(Atom::DirectionNeutral),
+            handshake,
+            power_cycle_needed,
+            shutdown_cause,
+        };
         Reaction {
-            control: Control {
-                state,
-                in_state_ms: if stays { in_state_ms } else { 0 },
-                go_seen_low: matches!(state, AsState::Ready) && self.sees_go_low(atoms),
-                was_running: edges && atoms.has(Atom::MissionRunning),
-                was_forward: edges && !atoms.has(Atom::DirectionNeutral),
-                handshake,
-                power_cycle_needed,
-                shutdown_cause,
-            },
+            control,
             taken: match taken {
                 Some((taken, _)) => Some(taken),
                 None => None,

@@ -74,10 +74,9 @@ macro_rules! any_message {
         #[cfg(feature = "arbitrary")]
         impl<'a> arbitrary::Arbitrary<'a> for AnyMessage {
             fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
-                match *u.choose(&[$($message::ID),+])? {
-                    $($message::ID => u.arbitrary().map(Self::$message),)+
-                    _ => Err(arbitrary::Error::IncorrectFormat),
-                }
+                type Make<'a> = fn(&mut arbitrary::Unstructured<'a>) -> arbitrary::Result<AnyMessage>;
+                let all: &[Make<'a>] = &[$(|u| u.arbitrary().map(Self::$message)),+];
+                u.choose(all)?(u)
             }
         }
 

@@ -88,16 +88,7 @@ impl SignalDef {
         width: u8,
         doc: &'static str,
     ) -> Self {
-        assert!(
-            1 <= width && width <= 32 && start as usize + width as usize <= 8 * FRAME_BYTES,
-            "out of the frame"
-        );
-        let (lowest, highest) = held_by(width, T::SIGNED);
-        assert!(
-            lowest <= T::MIN as i64 && T::MAX as i64 <= highest,
-            "the type has values the bits cannot hold"
-        );
-        Self {
+        let signal = Self {
             name,
             start,
             width,
@@ -108,7 +99,12 @@ impl SignalDef {
             max: T::MAX,
             values: T::VALUES,
             doc: doc.trim_ascii(),
-        }
+        };
+        assert!(signal.fits_a_frame(), "out of the frame");
+        let (lowest, highest) = held_by(width, T::SIGNED);
+        let holds = lowest <= T::MIN as i64 && T::MAX as i64 <= highest;
+        assert!(holds, "the type has values the bits cannot hold");
+        signal
     }
 
     /// The same row for a flag whose two values have names of their own.
@@ -292,7 +288,7 @@ const fn held_by(width: u8, signed: bool) -> (i64, i64) {
 #[cfg(test)]
 mod tests {
     use super::{MessageDef, SignalDef, are_in_order, held_by};
-    use crate::messages::MESSAGES;
+    use crate::messages::{MESSAGES, SteerAngle};
 
     #[test]
     fn bits_hold_what_the_integers_of_their_width_hold() {
@@ -303,6 +299,51 @@ mod tests {
         assert_eq!(held_by(32, false), (u32::MIN.into(), u32::MAX.into()));
         assert_eq!(held_by(32, true), (i32::MIN.into(), i32::MAX.into()));
         assert_eq!((held_by(1, false), held_by(1, true)), ((0, 1), (-1, 0)));
+    }
+
+    #[test]
+    fn a_signal_fits_its_frame_and_its_type() {
+        let signal = SignalDef::of::<bool>("flag", 63, 1, " What it says. ");
+        assert_eq!((signal.min, signal.max, signal.bytes_needed(), signal.doc), (0, 1, 8, "What it says."));
+        let named = signal.with_flag_names(&[(0, "no"), (1, "yes")]);
+        assert_eq!((named.values.len(), named.name), (2, "flag"));
+    }
+
+    #[test]
+    #[should_panic(expected = "out of the frame")]
+    fn a_signal_behind_its_frame_does_not_compile() {
+        let _ = SignalDef::of::<bool>("flag", 64, 1, "");
+    }
+
+    #[test]
+    #[should_panic(expected = "the bits cannot hold")]
+    fn a_signal_too_narrow_for_its_type_does_not_compile() {
+        let _ = SignalDef::of::<SteerAngle>("angle", 0, 2, "");
+    }
+
+    #[test]
+    #[should_panic(expected = "only a flag")]
+    fn a_number_with_the_names_of_a_flag_does_not_compile() {
+        let _ = SignalDef::of::<SteerAngle>("angle", 0, 16, "").with_flag_names(&[(0, "no"), (1, "yes")]);
+    }
+
+    #[test]
+    fn a_message_is_checked() {
+        let message = MessageDef { doc: " What it is for. ", ..*MESSAGES[0] }.checked();
+        assert_eq!((message.doc, message.signals), ("What it is for.", MESSAGES[0].signals));
+        assert_eq!(MessageDef { signals: &[], ..message }.checked().bytes_needed(), 0);
+    }
+
+    #[test]
+    #[should_panic(expected = "longer than a frame")]
+    fn a_message_longer_than_a_frame_does_not_compile() {
+        let _ = MessageDef { len: 9, ..*MESSAGES[0] }.checked();
+    }
+
+    #[test]
+    #[should_panic(expected = "ends after the message")]
+    fn a_message_shorter_than_its_signals_does_not_compile() {
+        let _ = MessageDef { len: 0, ..*MESSAGES[0] }.checked();
     }
 
     #[test]

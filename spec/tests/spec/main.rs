@@ -19,4 +19,5 @@ mod reserved;
 #[cfg(feature = "serde")]
 mod serde;
 mod show;
+mod small;
 mod truth;
