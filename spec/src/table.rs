@@ -84,6 +84,14 @@ impl Term {
     }
 }
 
+/// So many terms or rows, which have to fit when they are compiled.
+struct Count<const N: usize>;
+
+impl<const N: usize> Count<N> {
+    const TERMS: () = assert!(N <= MAX_TERMS, "the row has more terms than a Row holds: raise MAX_TERMS");
+    const ROWS: () = assert!(N <= MAX_ROWS, "the figure has more rows than a Table holds: raise MAX_ROWS");
+}
+
 /// One arrow of Figure 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
@@ -108,7 +116,7 @@ impl Row {
         clause: &'static str,
         terms: &[Term; N],
     ) -> Self {
-        const { assert!(N <= MAX_TERMS, "the row has more terms than a Row holds: raise MAX_TERMS") }
+        let () = Count::<N>::TERMS;
         Self::new(from, to, clause, terms)
     }
 
@@ -153,7 +161,7 @@ pub struct Table {
 impl Table {
     /// A table that is written down with its rows, in the order of evaluation. More than [`MAX_ROWS`] do not compile.
     pub const fn of<const N: usize>(rows: &[Row; N]) -> Self {
-        const { assert!(N <= MAX_ROWS, "the figure has more rows than a Table holds: raise MAX_ROWS") }
+        let () = Count::<N>::ROWS;
         Self::new(rows)
     }
 

@@ -41,10 +41,12 @@ macro_rules! any_message {
             /// Reads the data of a frame with this identifier; see [`Message::decode`].
             #[inline]
             pub fn decode(id: u16, data: &[u8]) -> Result<Self, DecodeError> {
-                match id {
-                    $($message::ID => $message::decode(data).map(Self::$message),)+
-                    _ => Err(DecodeError::UnknownId { id }),
-                }
+                $(
+                    if id == $message::ID {
+                        return $message::decode(data).map(Self::$message);
+                    }
+                )+
+                Err(DecodeError::UnknownId { id })
             }
 
             /// The frame of this message; see [`Message::encode`].
@@ -109,4 +111,15 @@ any_message! {
     Vcu2AiBrake,
     Vcu2AiWheelSpeeds,
     Vcu2AiWheelCounts,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AnyMessage;
+    use crate::messages::DecodeError;
+
+    #[test]
+    fn what_is_no_message_is_refused() {
+        assert_eq!(AnyMessage::decode(0x7FF, &[0; 8]), Err(DecodeError::UnknownId { id: 0x7FF }));
+    }
 }

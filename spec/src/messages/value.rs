@@ -75,3 +75,13 @@ macro_rules! plain_counts {
 }
 
 plain_counts!(u8, u16);
+
+#[cfg(test)]
+mod tests {
+    use super::SignalValue;
+
+    #[test]
+    fn a_flag_is_zero_or_one() {
+        assert_eq!([-1, 0, 1, 2].map(bool::from_raw), [None, Some(false), Some(true), None]);
+    }
+}
