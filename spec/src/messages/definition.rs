@@ -318,7 +318,7 @@ mod tests {
     #[test]
     #[should_panic(expected = "the bits cannot hold")]
     fn a_signal_too_narrow_for_its_type_does_not_compile() {
-        let _ = SignalDef::of::<SteerAngle>("angle", 0, 2, "");
+        let _ = SignalDef::of::<u16>("count", 0, 15, "");
     }
 
     #[test]
