@@ -9,6 +9,7 @@ use std::io::{self, Read};
 use adsdv_oracle::candump::{FrameKind, Record};
 use adsdv_oracle::judge::{Report, Severity};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions, judge_log, judge_readable};
+use adsdv_spec::messages::Vcu2AiStatus;
 
 const FRAME: &str = "can0 520#0000010000000000\n";
 
@@ -76,7 +77,7 @@ fn heard(judge: &mut LogJudge, ms: i64, state: u8) {
         time_ns,
         interface: "can0",
         kind,
-        id: 0x520,
+        id: Vcu2AiStatus::ID.into(),
         data,
         direction: None,
         terminated: true,

@@ -3,6 +3,7 @@
 use adsdv_spec::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
 };
+use adsdv_spec::{Reading, Readings};
 
 use super::{MS, World};
 
@@ -20,6 +21,13 @@ pub trait Chance {
     fn pick<T: Copy>(&mut self, values: &[T]) -> T {
         values[usize::try_from(self.below(values.len() as u64)).unwrap_or(0)]
     }
+}
+
+/// The usual readings of the document, but for one in three questions.
+pub fn any_readings(chance: &mut impl Chance) -> Readings {
+    Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
+        if chance.one_in(3) { readings.with(chance.pick(reading.choices())) } else { readings }
+    })
 }
 
 fn mostly(chance: &mut impl Chance) -> bool {

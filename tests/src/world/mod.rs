@@ -18,7 +18,7 @@ use adsdv_oracle::judge::{Options, Report};
 use adsdv_spec::messages::{Message, Vcu2AiStatus};
 use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
 
-pub use deeds::Chance;
+pub use deeds::{Chance, any_readings};
 pub use random::Random;
 pub use recording::{Recorded, judge, violations};
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use adsdv_oracle::judge::{Judge, Options, Report, Severity};
-use adsdv_spec::messages::Frame;
+use adsdv_spec::messages::{Frame, MessageDef, Node, message_by_id};
 
 use super::random::Random;
 use super::{Chance, World};
@@ -17,7 +17,27 @@ pub struct Recorded {
     pub frame: Frame,
 }
 
+impl Recorded {
+    /// Who sends such frames, if they are of a message of the document.
+    pub fn sender(&self) -> Option<Node> {
+        message_by_id(self.frame.id).map(|message| message.sender)
+    }
+}
+
 impl World {
+    /// Makes every frame of a message since a time show another raw value of a signal.
+    ///
+    /// # Panics
+    ///
+    /// The message has to have that signal.
+    pub fn falsify(&mut self, message: &MessageDef, signal: &str, since: i64, raw: i32) {
+        let signal = message.signal(signal).expect("a signal of the message");
+        let shown = |recorded: &&mut Recorded| recorded.frame.id == message.id && recorded.t >= since;
+        for recorded in self.log.iter_mut().filter(shown) {
+            recorded.frame.data = signal.put(recorded.frame.data, raw);
+        }
+    }
+
     /// The recording with each time stamp late by up to `jitter`, and one in `loss` frames lost.
     pub fn disturbed(&self, seed: u64, jitter: i64, loss: u64) -> Vec<Recorded> {
         let mut random = Random(seed);

@@ -1,7 +1,7 @@
 //! The AI Computer's conduct in AS_DRIVING and AS_READY.
 
 use adsdv_oracle::judge::{Options, Party, Rule, Severity};
-use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus, Node, message_by_id};
+use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus, Node};
 use adsdv_spec::{Atom, Choice};
 use adsdv_tests::world::{MS, World, judge};
 
@@ -52,9 +52,8 @@ fn finished_at_speed_while_the_vcu_is_not_seen() {
         let since = world.t;
         world.ai.status.mission_status = MissionStatus::Finished;
         world.wait(1500);
-        let of_the_ai = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai);
         let away = since..since + ms * MS;
-        world.log.retain(|recorded| of_the_ai(recorded.frame.id) || !away.contains(&recorded.t));
+        world.log.retain(|recorded| recorded.sender() == Some(Node::Ai) || !away.contains(&recorded.t));
         let name = format!("FINISHED at speed, VCU not seen for {ms} ms");
         is_as_written(&name, &world.log, Options::default());
         let found = blames(&judge(&world.log, Options::default()), Party::Ai);

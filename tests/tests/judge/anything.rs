@@ -9,8 +9,8 @@ use adsdv_oracle::judge::Options;
 use adsdv_spec::messages::{
     Ai2VcuStatus, Frame, MESSAGES, Message, MessageDef, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Reading, Readings};
-use adsdv_tests::world::{Chance, MS, Random, Recorded, World};
+use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation};
+use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings};
 
 use crate::said::{Event, is_as_written, what_happens_is_as_written};
 
@@ -27,9 +27,7 @@ const LIES: [fn(&mut Vcu2AiStatus); 8] = [
 ];
 
 fn any_vcu(random: &mut Random) -> Machine {
-    let readings = Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
-        if random.one_in(3) { readings.with(random.pick(reading.choices())) } else { readings }
-    });
+    let readings = any_readings(random);
     let mutations: Vec<Mutation> = Mutation::all(&Interface::V3_0).collect();
     let errs = random.one_in(2);
     let mutation = &mutations[index(random, mutations.len())];
@@ -188,12 +186,18 @@ fn any_options(random: &mut Random, world: &World) -> Options {
 /// How many runs each test has.
 const RUNS: u64 = 300;
 
+/// The recording of this number, how it is judged, and what chance comes to next.
+fn anything(seed: u64) -> (Vec<Recorded>, Options, Random) {
+    let mut random = Random(seed);
+    let world = any_run(&mut random);
+    let log = any_recording(&mut random, &world);
+    let options = any_options(&mut random, &world);
+    (log, options, random)
+}
+
 fn is_written(seeds: std::ops::Range<u64>) {
     for seed in seeds {
-        let mut random = Random(seed);
-        let world = any_run(&mut random);
-        let log = any_recording(&mut random, &world);
-        let options = any_options(&mut random, &world);
+        let (log, options, _) = anything(seed);
         is_as_written(&format!("anything {seed}"), &log, options);
     }
 }
@@ -217,10 +221,7 @@ fn what_is_said_of_anything_more_is_as_written() {
 #[test]
 fn what_is_said_while_anything_goes_on_is_as_written() {
     for seed in 2 * RUNS..3 * RUNS {
-        let mut random = Random(seed);
-        let world = any_run(&mut random);
-        let log = any_recording(&mut random, &world);
-        let options = any_options(&mut random, &world);
+        let (log, options, mut random) = anything(seed);
         let origin = log.first().map_or(0, |first| first.t);
         let mut events = Vec::new();
         for recorded in &log {

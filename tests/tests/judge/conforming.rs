@@ -2,21 +2,15 @@
 //! operator do, under any readings, however the recorder jitters and whatever frames it loses.
 
 use adsdv_oracle::judge::{Options, Party};
-use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Reading, Readings};
-use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
+use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Readings};
+use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings, judge, violations};
 
 use crate::check::{USUAL, by, recordings_of_a_kind};
 use crate::said::is_as_written;
 
 /// A run of `cycles` with random changes, biased so that every state is reached.
 fn random_run(random: &mut Random, interface: &Interface, cycles: u32) -> World {
-    let readings = if random.one_in(2) {
-        Readings::DEFAULT
-    } else {
-        Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
-            if random.one_in(3) { readings.with(random.pick(reading.choices())) } else { readings }
-        })
-    };
+    let readings = if random.one_in(2) { Readings::DEFAULT } else { any_readings(random) };
     let mut world = World::new(Machine::new(*interface, readings));
     let rate = random.pick(&[1, 3, 20, 100]);
     world.sets_out(random);

@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::{Options, Party, Rule, Severity};
 use adsdv_spec::messages::{
-    Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, Node, SteerAngle, message_by_id,
+    Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, Node, SteerAngle,
 };
 use adsdv_spec::{Choice, Readings};
 use adsdv_tests::world::{MS, Recorded, World, judge};
@@ -94,6 +94,14 @@ fn neutral_without_forward_before_it() {
     moves_on(world, "NEUTRAL all the time");
 }
 
+/// The VCU stays in AS_DRIVING, and nothing is said against it.
+fn goes_on_driving(mut world: World, name: &str) {
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Driving);
+    is_silent(&world, pinned(Choice::FaultEdge), name);
+    is_silent(&world, Options::default(), name);
+}
+
 #[test]
 fn a_value_that_lasts_for_less_than_a_cycle_is_no_change_to_the_vcu() {
     let mut world = driving();
@@ -109,10 +117,7 @@ fn a_value_that_lasts_for_less_than_a_cycle_is_no_change_to_the_vcu() {
     let status = Ai2VcuStatus { direction_request: DirectionRequest::Forward, ..world.ai.status };
     world.log.push(Recorded { t: world.t - 4 * MS, frame: status.encode() });
     world.log.push(Recorded { t: world.t - MS, ..neutral });
-    world.wait(500);
-    assert_eq!(world.control.state, AsState::Driving);
-    is_silent(&world, pinned(Choice::FaultEdge), "FORWARD for a moment");
-    is_silent(&world, Options::default(), "FORWARD for a moment");
+    goes_on_driving(world, "FORWARD for a moment");
 }
 
 #[test]
@@ -127,10 +132,7 @@ fn running_for_less_than_a_cycle_is_no_change_to_the_vcu_either() {
     let place = place.expect("510h is in the log");
     let status = Ai2VcuStatus { mission_status: MissionStatus::Running, ..world.ai.status };
     world.log.insert(place, Recorded { t: world.log[place].t - MS, frame: status.encode() });
-    world.wait(500);
-    assert_eq!(world.control.state, AsState::Driving);
-    is_silent(&world, pinned(Choice::FaultEdge), "RUNNING for a moment");
-    is_silent(&world, Options::default(), "RUNNING for a moment");
+    goes_on_driving(world, "RUNNING for a moment");
 }
 
 /// The AI Computer goes on: that it sends more does not take back what the VCU has yet to see.
@@ -142,9 +144,10 @@ fn a_change_may_be_seen_late() {
         change(&mut world);
         world.wait(500);
         assert_eq!(world.control.state, AsState::EmergencyBrake);
-        let of_the_vcu = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Vcu);
-        let later =
-            world.log.iter_mut().filter(|recorded| recorded.t >= since && of_the_vcu(recorded.frame.id));
+        let later = world
+            .log
+            .iter_mut()
+            .filter(|recorded| recorded.t >= since && recorded.sender() == Some(Node::Vcu));
         later.for_each(|recorded| recorded.t += 50 * MS);
         world.log.sort_by_key(|recorded| recorded.t);
         is_as_written("a change seen late", &world.log, pinned(Choice::FaultEdge));

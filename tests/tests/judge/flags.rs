@@ -68,14 +68,20 @@ fn a_warning_that_warning_status_does_not_sum_up() {
     is_silent(&world(|_| {}), Options::default(), "WARNING_STATUS");
 }
 
-#[test]
-fn an_emergency_stop_that_is_ignored() {
+/// The AI Computer asks for an emergency stop, and nothing follows.
+fn ignored_emergency_stop() -> World {
     let mut world = World::reference();
     world.stopped();
     world.hold_state();
     world.tells = |status| status.ai_estop_request = false;
     world.set(Atom::AiEstop, true);
     world.wait(500);
+    world
+}
+
+#[test]
+fn an_emergency_stop_that_is_ignored() {
+    let world = ignored_emergency_stop();
     // Neither the flag nor the state follows.
     let both = [(Rule::FlagMissing, "2.2"), (Rule::Due, "3.7")];
     let mut found = blames(&judge(&world.log, Options::default()), Party::Vcu);
@@ -86,12 +92,7 @@ fn an_emergency_stop_that_is_ignored() {
 /// How long it is ignored is told to the millisecond, and exactly the deadline is not too long.
 #[test]
 fn an_emergency_stop_that_is_ignored_for_the_deadline() {
-    let mut world = World::reference();
-    world.stopped();
-    world.hold_state();
-    world.tells = |status| status.ai_estop_request = false;
-    world.set(Atom::AiEstop, true);
-    world.wait(500);
+    let world = ignored_emergency_stop();
     // The AI Computer asks half a cycle before the VCU's next frame.
     let options = Options { deadline_ms: 45, ..Options::default() };
     is_as_written("AI_ESTOP_REQUEST ignored", &world.log, options);
@@ -108,10 +109,7 @@ fn the_logger_shows_another_state() {
     let since = world.t;
     world.wait(1000);
     is_silent(&world, Options::default(), "the same state");
-    let signal = Vcu2LogStatus::DEF.signal("State_ASSI").expect("a signal of 502h");
-    for recorded in world.log.iter_mut().filter(|r| r.t >= since && r.frame.id == Vcu2LogStatus::ID) {
-        recorded.frame.data = signal.put(recorded.frame.data, AsState::Ready as i32);
-    }
+    world.falsify(Vcu2LogStatus::DEF, "State_ASSI", since, AsState::Ready as i32);
     let expected = [(Rule::AssiDiffers, Vcu2LogStatus::DEF.section)];
     is_reported_if_seen(&world, Options::default(), Party::Vcu, &expected, "State_ASSI");
 }

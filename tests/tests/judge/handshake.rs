@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::{Meter, Options, Party, Rule};
 use adsdv_spec::Choice;
-use adsdv_spec::messages::{AnyMessage, AsState, Node, message_by_id};
+use adsdv_spec::messages::{AnyMessage, AsState, Node};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{is_reported, is_reported_if_seen, is_silent, only, pinned};
@@ -130,8 +130,7 @@ fn comms_lost_is_due_where_the_ai_computer_may_be_missing() {
     is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered in AS_OFF");
 
     let mut world = unanswered(600, never_raises);
-    let of_the_vcu = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Vcu);
-    world.log.retain(|recorded| of_the_vcu(recorded.frame.id));
+    world.log.retain(|recorded| recorded.sender() == Some(Node::Vcu));
     is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered, and no AI Computer heard");
 }
 

@@ -171,10 +171,7 @@ fn an_ebs_that_cannot_be_read_is_not_known() {
     world.inputs.asms = true;
     world.wait(500);
     assert_eq!(world.control.state, AsState::Ready);
-    let signal = Vcu2LogStatus::DEF.signal("State_EBS").expect("a signal of 502h");
-    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2LogStatus::ID) {
-        recorded.frame.data = signal.put(recorded.frame.data, 0);
-    }
+    world.falsify(Vcu2LogStatus::DEF, "State_EBS", 0, 0);
     is_silent(&world, Options::default(), "an EBS that cannot be read");
 }
 
@@ -188,10 +185,7 @@ fn an_ebs_is_read_whatever_else_cannot_be() {
     world.wait(500);
     world.force(AsState::Ready);
     world.wait(500);
-    let signal = Vcu2LogStatus::DEF.signal("State_ASSI").expect("a signal of 502h");
-    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2LogStatus::ID) {
-        recorded.frame.data = signal.put(recorded.frame.data, 0);
-    }
+    world.falsify(Vcu2LogStatus::DEF, "State_ASSI", 0, 0);
     let expected = [(Rule::Unjustified, "3.1")];
     is_reported(&world, Options::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
 }
