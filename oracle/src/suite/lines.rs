@@ -157,7 +157,7 @@ fn next_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<End> 
             return Ok(end);
         }
         let feed = memchr::memchr(b'\n', buffer);
-        let piece = buffer.get(..=feed.unwrap_or(buffer.len() - 1)).unwrap_or(buffer);
+        let piece = feed.and_then(|feed| buffer.get(..=feed)).unwrap_or(buffer);
         if matches!(end, End::TooLong) || bytes.len() + piece.len() > MAX_LINE {
             end = End::TooLong;
         } else {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use adsdv_oracle::suite::{self, Kind, Test};
-use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Readings, Row, Term};
+use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Mutation, Readings, Row, Term};
 
 use crate::tests;
 
@@ -33,6 +33,17 @@ fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
     }
     let proof = suite::prove(&Interface::V3_0, &[]);
     assert_eq!(proof.killed(), 0);
+}
+
+/// A mutation that changes nothing in the document's table can change something in another: there it counts.
+#[test]
+fn what_changes_nothing_is_found_out_for_each_table() {
+    let weaker =
+        Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == "3.1 term 0: asms dropped");
+    let proof = suite::prove(&weaker.expect("it is one").apply(&Interface::V3_0), &tests());
+    assert_eq!(proof.survivors, Vec::<String>::new());
+    let equivalent: Vec<&str> = proof.equivalent.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(equivalent, ["3.7 term 4: in every reading", "3.7 term 6: in every reading"]);
 }
 
 /// How often each alternative is taken in the tests.

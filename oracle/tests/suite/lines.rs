@@ -1,6 +1,6 @@
 //! A suite is read as it is written, and of what is no test of it the line is told, and what was found and expected.
 
-use std::io::BufReader;
+use std::io::{self, BufReader};
 
 use adsdv_oracle::protocol::{Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Test};
@@ -159,4 +159,37 @@ fn of_many_bad_lines_the_first_are_told_and_the_others_counted() {
         assert_eq!((read.bad.len(), read.more_bad), (suite::MAX_BAD, more));
         assert_eq!(read.bad.last().map(|bad| bad.line), u64::try_from(suite::MAX_BAD).ok());
     }
+}
+
+/// A reader whose system call is interrupted before each piece, and which may fail in the end.
+struct Fitful<'a> {
+    pieces: std::slice::Chunks<'a, u8>,
+    interrupted: bool,
+    fails: bool,
+}
+
+impl io::Read for Fitful<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.interrupted = !self.interrupted;
+        if self.interrupted {
+            return Err(io::ErrorKind::Interrupted.into());
+        }
+        match self.pieces.next() {
+            Some(mut piece) => piece.read(buffer),
+            None if self.fails => Err(io::Error::other("the disk is gone")),
+            None => Ok(0),
+        }
+    }
+}
+
+#[test]
+fn an_interrupted_read_goes_on_and_a_failed_one_is_told() {
+    let tests = &tests()[..2];
+    let text: String = tests.iter().map(|test| test.to_line(&Machine::REFERENCE) + "\n").collect();
+    let read = |fails| {
+        let pieces = text.as_bytes().chunks(100);
+        suite::read(BufReader::new(Fitful { pieces, interrupted: false, fails }), &Machine::REFERENCE)
+    };
+    assert_eq!(read(false).unwrap().tests, tests);
+    assert_eq!(read(true).unwrap_err().to_string(), "the disk is gone");
 }

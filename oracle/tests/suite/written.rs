@@ -1,11 +1,12 @@
-//! The whole suite, as `tests.txt` has it: a change of what is generated shows as a change of a file that people read.
+//! The whole suite, as `tests.txt` has it, and what no test is for, as `untested.txt` has it: a change of either shows as a
+//! change of a file that people read.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test suite written` writes it anew.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test suite written` writes them anew.
 
 use std::fmt::Write as _;
 
 use adsdv_oracle::protocol::Told;
-use adsdv_oracle::suite::Test;
+use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Inputs, Machine};
 use expect_test::expect_file;
 
@@ -34,4 +35,13 @@ fn written(test: &Test) -> String {
 fn every_test_is_as_written() {
     let all: Vec<String> = tests().iter().map(written).collect();
     expect_file!["tests.txt"].assert_eq(&all.join("\n"));
+}
+
+#[test]
+fn every_requirement_without_a_test_has_a_reason() {
+    let untested: String = suite::untested().fold(String::new(), |mut all, untested| {
+        let _ = writeln!(all, "{:9} {}", untested.id, untested.reason);
+        all
+    });
+    expect_file!["untested.txt"].assert_eq(&untested);
 }

@@ -28,7 +28,7 @@ pub(super) fn all(interface: &Interface) -> Vec<Test> {
     tests.extend(faults::tests(&machine));
     tests.extend(outputs::tests(&machine));
     tests.extend(readings::tests(&machine));
-    without_parts(tests)
+    each_once(tests)
 }
 
 /// A test without its requirements and its reading.
@@ -91,7 +91,6 @@ fn attempt<'a>(machine: &'a Machine, walk: Walk<'a>, term: &Term, but: Option<At
         let value = value != (but == Some(atom));
         let input = atom.input().unwrap_or(atom);
         match atom {
-            Atom::DwellElapsed | Atom::PowerCycleNeeded => {}
             Atom::EbsTimerComplete => dt_ms = u32::from(timing.ebs_timer_ms) - u32::from(!value),
             Atom::AiCommsLost => {
                 walk = walk.answering(false);
@@ -119,9 +118,8 @@ fn under(machine: &Machine, choice: Choice) -> Machine {
     Machine::new(*machine.interface(), Readings::DEFAULT.with(choice))
 }
 
-/// The tests, each scenario once: what two tests with the same steps check, one checks; and a test of which another begins
-/// with the same steps is left out if that one checks the same requirements.
-fn without_parts(tests: Vec<Test>) -> Vec<Test> {
+/// The tests, each scenario once: what two tests with the same steps check, one checks.
+fn each_once(tests: Vec<Test>) -> Vec<Test> {
     let mut kept: Vec<Test> = Vec::new();
     for test in tests {
         if let Some(same) = kept.iter_mut().find(|same| same.scenario == test.scenario) {
@@ -130,16 +128,7 @@ fn without_parts(tests: Vec<Test>) -> Vec<Test> {
             kept.push(test);
         }
     }
-    let is_part = |part: &Test| {
-        kept.iter().any(|whole| {
-            whole.scenario.steps.len() > part.scenario.steps.len()
-                && whole.scenario.steps.starts_with(&part.scenario.steps)
-                && part.requirements.iter().all(|id| whole.requirements.contains(id))
-                && part.reading.is_none_or(|reading| whole.reading == Some(reading))
-        })
-    };
-    let parts: Vec<bool> = kept.iter().map(is_part).collect();
-    kept.into_iter().zip(parts).filter(|(_, part)| !part).map(|(test, _)| test).collect()
+    kept
 }
 
 impl Test {

@@ -14,7 +14,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
     for from in AsState::ALL {
         let leaving: Vec<(&Row, &Term)> = terms(machine).filter(|(row, _)| row.from == from).collect();
         for (place, one) in leaving.iter().enumerate() {
-            let later = leaving.iter().skip(place + 1).filter(|other| other.0.clause != one.0.clause);
+            let later = leaving.iter().skip(place).filter(|other| other.0.clause != one.0.clause);
             // One alternative of each row is enough: those of a row lead to the same state.
             tests.extend(later.filter_map(|other| both(machine, *one, *other)));
         }
@@ -38,11 +38,8 @@ fn one_after_the_other(machine: &Machine) -> [Test; 2] {
 fn both(machine: &Machine, one: (&Row, &Term), other: (&Row, &Term)) -> Option<Test> {
     let on = one.1.on.union(other.1.on);
     let off = one.1.off.union(other.1.off);
-    let exclusive = [[Atom::Moving, Atom::AtRest], [Atom::GoEdge, Atom::GoOn]];
     let contradicts = !on.intersection(off).is_empty()
-        || exclusive.iter().any(|&[a, b]| {
-            on.has(a) && on.has(b) && a == Atom::Moving || on.has(a) && off.has(b) && a == Atom::GoEdge
-        })
+        || on.has(Atom::Moving) && on.has(Atom::AtRest)
         || on.has(Atom::MissionFinished) && on.has(Atom::MissionSelected);
     if contradicts {
         return None;
