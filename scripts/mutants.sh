@@ -48,6 +48,7 @@ fi
 # nextest ends with the first test that fails, cargo test with the last.
 if cargo nextest --version >/dev/null 2>&1; then
   tool=nextest run=(cargo nextest run --cargo-quiet --cargo-profile mutants)
+  export NEXTEST_PROFILE=mutants
 else
   tool=cargo run=(cargo test --quiet --profile mutants)
 fi
@@ -99,7 +100,12 @@ describe() {
       ;;
     model)
       files=('model/src/**') package=adsdv-model
-      rounds=('adsdv-model --lib --test=told' "adsdv-model $every" "adsdv-tests,adsdv $every")
+      rounds=(
+        'adsdv-model --lib --test=told'
+        'adsdv-model --test=closed --test=operator --test=run --test=open --test=mutants | --skip all_input_vectors'
+        "adsdv-model $every"
+        "adsdv-tests,adsdv $every"
+      )
       ;;
   esac
 }
@@ -117,8 +123,9 @@ for group in "${groups[@]}"; do
   out=target/mutation/$group
   selected=(-p "$package" "${features[@]}")
   for file in "${files[@]}"; do selected+=(-f "$file"); done
-  if [ -n "$resume" ]; then tally; else rm -rf "$out"; fi
+  [ -n "$resume" ] || rm -rf "$out"
   mkdir -p "$out"
+  tally
   touch "$out"/{caught,unviable}.txt
   # The first round is a glance, those behind it look closely.
   export ADSDV_RECORDINGS=1

@@ -206,3 +206,103 @@ fn undone_by(choices: Choices, failing: &BTreeSet<Choices>, explored: &BTreeSet<
     });
     undoing.fold(Choices::NONE, Choices::with)
 }
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::{Atom, Atoms, Faults, Observation};
+
+    use super::*;
+
+    /// The sets of choices that have these places among all that are not the default.
+    fn sets(places: &[&[usize]]) -> BTreeSet<Choices> {
+        let all: Vec<Choice> = alone().collect();
+        let set = |places: &&[usize]| {
+            places.iter().filter_map(|&place| all.get(place).copied()).fold(Choices::NONE, Choices::with)
+        };
+        places.iter().map(set).collect()
+    }
+
+    fn one(places: &[usize]) -> Choices {
+        sets(&[places]).into_iter().next().expect("a set")
+    }
+
+    #[test]
+    fn the_fewest_choices_that_fail_and_what_undoes_it() {
+        let explored = sets(&[&[], &[0], &[2], &[4], &[0, 2], &[0, 4], &[2, 4], &[0, 2, 4]]);
+        // 0 fails alone, unless 4 is chosen as well; 2 and 4 fail only together, and with 0.
+        let failing = sets(&[&[0], &[0, 2], &[2, 4], &[0, 2, 4]]);
+        let costs = minimal(BTreeMap::from([("ready-asms", failing.clone())]), &explored);
+        let told: Vec<(Choices, Choices)> = costs.iter().map(|cost| (cost.choices, cost.undone_by)).collect();
+        assert_eq!(told.len(), 2);
+        assert!(told.contains(&(one(&[0]), one(&[4]))), "{told:?}");
+        assert!(told.contains(&(one(&[2, 4]), Choices::NONE)), "{told:?}");
+        // What was not explored undoes nothing.
+        assert_eq!(undone_by(one(&[0]), &failing, &sets(&[&[0], &[0, 2]])), Choices::NONE);
+    }
+
+    /// A goal that is missed under the defaults, and a property that is broken under them.
+    #[test]
+    fn what_fails_anyway() {
+        let explored = sets(&[&[], &[0]]);
+        let fail = |name| minimal(BTreeMap::from([(name, explored.clone())]), &explored);
+        assert_eq!(fail("cause-3"), [], "fewer causes are tried: the lemma `which-fault`");
+        let cost = Cost { name: "ready-asms", choices: Choices::NONE, undone_by: Choices::NONE, run: None };
+        assert_eq!(fail("ready-asms"), [cost]);
+        let lost = BTreeMap::from([("arrow-3.1", sets(&[&[0]]))]);
+        assert_eq!(minimal(lost, &explored).len(), 1, "a goal that only another reading misses");
+    }
+
+    #[test]
+    fn every_combination_that_can_matter_comes_once() {
+        let all = combinations();
+        let different: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
+        assert_eq!(all.len(), different.len());
+        assert!(different.contains(&Choices::NONE));
+        for readings in &all {
+            let go_signal = !readings.is(Readings::DEFAULT.choice(Reading::GoSignal));
+            assert!(!go_signal || others(*readings).iter().count() == 1, "{readings:?}");
+        }
+        let questions = Reading::ALL.iter().filter(|reading| **reading != Reading::GoSignal);
+        let together: usize = questions.map(|reading| reading.choices().len()).product();
+        assert_eq!(all.len(), together + Reading::GoSignal.choices().len() - 1);
+    }
+
+    #[test]
+    fn what_fails_is_broken_or_missed() {
+        let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
+        let without_rows =
+            Interface { timing: SHORT_TIMERS, table: adsdv_spec::table::Table::new(&[]), ..Interface::V3_0 };
+        let found = explore_quietly(&Machine::new(without_rows, Readings::DEFAULT), &options);
+        let names: Vec<&str> = failed(&found).collect();
+        assert!(names.contains(&"whole-mission") && names.contains(&"ready-due"), "{names:?}");
+        assert_eq!(names.len(), found.broken.len() + found.missed.len());
+    }
+
+    /// A vehicle that has left `AS_DRIVING` does not drive on, whatever it should have done in there.
+    #[test]
+    fn a_run_costs_what_its_end_allows() {
+        let property = Property::find("driving-sdc").expect("it is one");
+        assert_eq!(property.harm, Harm::DrivesOn);
+        let cost = |run| Cost { name: property.name, choices: Choices::NONE, undone_by: Choices::NONE, run };
+        assert_eq!(cost(None).harm(property), Harm::NotBraked, "it ends in AS_OFF");
+        // Into AS_READY, all answered for the dwell, and "Go".
+        let ready = [Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed];
+        let requests =
+            [Atom::FrontTorqueZero, Atom::RearTorqueZero, Atom::SteerRequestZero, Atom::DirectionNeutral];
+        let (mut control, mut run) = (Control::INITIAL, Vec::new());
+        for cycle in 0..=502 {
+            let atoms = Atoms::of(&ready)
+                .union(Atoms::of(&requests).with(Atom::SteerStraight))
+                .union(Atoms::when(Atom::AiHandshake, control.handshake.bit))
+                .union(Atoms::when(Atom::GoOn, cycle == 502));
+            let step = Action::Step(Observation::new(atoms, Faults::NONE));
+            control = step.apply(&Machine::REFERENCE, &control);
+            run.push(step);
+        }
+        assert_eq!(control.state, AsState::Driving, "{control:?}");
+        let driving = Some(run);
+        assert_eq!(cost(driving).harm(property), Harm::DrivesOn);
+        let other = Property::find("ready-asms").expect("it is one");
+        assert_eq!(cost(None).harm(other), other.harm);
+    }
+}

@@ -122,3 +122,78 @@ fn subsets<T: Copy>(all: &[T]) -> impl Iterator<Item = Vec<T>> {
         all.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1).map(|(_, &item)| item).collect()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
+
+    use adsdv_spec::{Choices, Interface, Readings};
+    use expect_test::expect;
+
+    use super::*;
+
+    /// What is varied when a state begins, and when it has lasted for long.
+    #[test]
+    fn what_is_varied() {
+        let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+        let other = Machine::new(Interface::V3_0, others.iter().fold(Readings::DEFAULT, Readings::with));
+        let mut told = String::new();
+        for (name, machine) in [("default", Machine::REFERENCE), ("other", other)] {
+            for vectors in [Vectors::Every, Vectors::Read, Vectors::Few] {
+                for state in AsState::ALL {
+                    let _ = write!(told, "{name} readings, {vectors:?}, {state}:");
+                    for in_state_ms in [0, 15_000] {
+                        let control = Control { state, in_state_ms, ..Control::INITIAL };
+                        let reads = varied(&machine, &Interface::V3_0.timing, &control, vectors);
+                        let (atoms, faults) = (reads.atoms.iter().count(), reads.faults.iter().count());
+                        let vectors = Cache::default().get(reads, vectors).len();
+                        let _ = write!(told, " {atoms} and {faults} in {vectors},");
+                    }
+                    told.push('\n');
+                }
+            }
+        }
+        expect![[r#"
+            default readings, Every, AS_OFF: 7 and 7 in 14336, 7 and 7 in 14336,
+            default readings, Every, AS_READY: 11 and 7 in 57344, 11 and 7 in 57344,
+            default readings, Every, AS_DRIVING: 10 and 7 in 21504, 10 and 7 in 21504,
+            default readings, Every, EMERGENCY_BRAKE: 4 and 7 in 1792, 4 and 7 in 1792,
+            default readings, Every, AS_FINISHED: 6 and 7 in 1792, 6 and 7 in 1792,
+            default readings, Read, AS_OFF: 7 and 0 in 128, 7 and 0 in 128,
+            default readings, Read, AS_READY: 6 and 7 in 216, 11 and 7 in 6912,
+            default readings, Read, AS_DRIVING: 10 and 7 in 2592, 10 and 7 in 2592,
+            default readings, Read, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
+            default readings, Read, AS_FINISHED: 6 and 7 in 216, 6 and 7 in 216,
+            default readings, Few, AS_OFF: 7 and 0 in 128, 7 and 0 in 128,
+            default readings, Few, AS_READY: 6 and 7 in 64, 11 and 7 in 2048,
+            default readings, Few, AS_DRIVING: 10 and 7 in 768, 10 and 7 in 768,
+            default readings, Few, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
+            default readings, Few, AS_FINISHED: 6 and 7 in 64, 6 and 7 in 64,
+            other readings, Every, AS_OFF: 8 and 7 in 21504, 8 and 7 in 21504,
+            other readings, Every, AS_READY: 12 and 7 in 114688, 12 and 7 in 114688,
+            other readings, Every, AS_DRIVING: 11 and 7 in 32256, 11 and 7 in 32256,
+            other readings, Every, EMERGENCY_BRAKE: 4 and 7 in 1792, 4 and 7 in 1792,
+            other readings, Every, AS_FINISHED: 7 and 7 in 3584, 7 and 7 in 3584,
+            other readings, Read, AS_OFF: 7 and 0 in 128, 7 and 0 in 128,
+            other readings, Read, AS_READY: 6 and 7 in 216, 11 and 7 in 6912,
+            other readings, Read, AS_DRIVING: 11 and 7 in 3888, 11 and 7 in 3888,
+            other readings, Read, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
+            other readings, Read, AS_FINISHED: 6 and 7 in 216, 6 and 7 in 216,
+            other readings, Few, AS_OFF: 7 and 0 in 128, 7 and 0 in 128,
+            other readings, Few, AS_READY: 6 and 7 in 64, 11 and 7 in 2048,
+            other readings, Few, AS_DRIVING: 11 and 7 in 1152, 11 and 7 in 1152,
+            other readings, Few, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
+            other readings, Few, AS_FINISHED: 6 and 7 in 64, 6 and 7 in 64,
+        "#]]
+        .assert_eq(&told);
+    }
+
+    #[test]
+    fn every_subset_comes_once() {
+        let all: Vec<Vec<u8>> = subsets(&[1, 2, 3]).collect();
+        assert_eq!(
+            all,
+            [vec![], vec![1], vec![2], vec![1, 2], vec![3], vec![1, 3], vec![2, 3], vec![1, 2, 3]]
+        );
+    }
+}

@@ -3,6 +3,10 @@
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test told` writes the files anew.
 
+mod closed;
+mod open;
+mod readings;
+
 use std::fmt::Write as _;
 
 use adsdv_model::closed::{Action, Closed, Expectation, Operator, State};

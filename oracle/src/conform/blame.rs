@@ -134,3 +134,78 @@ impl<'a> Blame<'a> {
         if ids.is_empty() { vec![STATE_MACHINE] } else { ids }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Interface;
+
+    use super::*;
+    use crate::suite;
+
+    const NOBODY: Blame<'_> = Blame { rows: Vec::new() };
+
+    fn broken(named: &[&str], wrong: &Wrong) -> Vec<String> {
+        let named: Vec<String> = named.iter().map(ToString::to_string).collect();
+        NOBODY.broken(&named, wrong)
+    }
+
+    #[test]
+    fn some_requirements_say_something_of_one_state_only() {
+        for (id, key, only) in [
+            ("D-42", "hyd_press_f", AsState::Off),
+            ("DRV-2", "direction", AsState::Ready),
+            ("DRV-3", "steer", AsState::Ready),
+            ("MSG-18", "front_axle_trq", AsState::Driving),
+            ("MSG-25", "steer", AsState::Driving),
+            ("D-43", "hyd_press_r", AsState::EmergencyBrake),
+            ("FIN-5", "direction", AsState::Finished),
+            ("FIN-6", "steer", AsState::Finished),
+        ] {
+            for state in AsState::ALL {
+                let wrong = Wrong { keys: vec![(state, Keys::of(&[key]))], ..Wrong::default() };
+                let expected = if state == only { id } else { own(key) };
+                assert_eq!(broken(&[id], &wrong), [expected], "{key} in {state}");
+            }
+        }
+    }
+
+    /// A program that answers otherwise when it is asked again.
+    #[test]
+    fn what_is_not_found_again_may_be_any_of_what_was_asked_for() {
+        let found_again = Wrong::default();
+        assert!(found_again.is_nothing());
+        assert_eq!(broken(&["HS-1", "D-43"], &found_again), ["HS-1", "D-43"]);
+        assert_eq!(broken(&[], &found_again), [STATE_MACHINE]);
+        let lost = Wrong { loses_the_state: true, ..Wrong::default() };
+        assert!(!lost.is_nothing());
+        assert_eq!(broken(&["HS-1"], &lost), [STATE_MACHINE]);
+        let output = Wrong { keys: vec![(AsState::Off, Keys::of(&["handshake"]))], ..Wrong::default() };
+        assert!(!output.is_nothing());
+        assert_eq!(broken(&["HS-1", "D-43"], &output), ["HS-1"]);
+    }
+    /// Alternatives of one row have requirements of their own.
+    #[test]
+    fn a_random_scenario_breaks_what_the_test_of_the_alternative_is_about() {
+        let tests = suite::generate(&Interface::V3_0);
+        let blame = Blame::of(&Machine::REFERENCE, &tests);
+        let mut of_their_own = 0;
+        for (row, ids) in &blame.rows {
+            let lost = |why| Wrong { loses_the_state: true, state: Some(why), ..Wrong::default() };
+            let not_taken = blame.broken(&[], &lost(Why::NotTaken(row.clone())));
+            let about_the_state = |id: &&String| shows(id).contains(&STATE) && !is_of_a_reading(id);
+            let mut expected: Vec<String> = ids.iter().filter(about_the_state).cloned().collect();
+            if expected.is_empty() {
+                expected.push(STATE_MACHINE.to_owned());
+            }
+            assert_eq!(not_taken, expected, "{row}: {ids:?}");
+            assert_eq!(not_taken, blame.broken(&[], &lost(Why::Taken(row.clone(), Vec::new()))));
+            // A table in which the row has an alternative more: what all of them have in common, if anything.
+            let more = Row { guard: vec!["something else"], ..row.clone() };
+            let in_common = blame.broken(&[], &lost(Why::NotTaken(more)));
+            let nothing = in_common == [STATE_MACHINE];
+            assert!(nothing || in_common.iter().all(|id| not_taken.contains(id)), "{row}: {in_common:?}");
+            of_their_own += usize::from(in_common.len() < not_taken.len());
+        }
+        assert!(of_their_own > 5, "{of_their_own}");
+    }
+}

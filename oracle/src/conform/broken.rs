@@ -207,3 +207,24 @@ fn nearest(
     let nearest = rows.min_by_key(|(another, _, lacking)| (*another, lacking.len()));
     nearest.map(|(_, row, lacking)| (row, lacking))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Before a late program has seen the first step it may show what it likes, but for the state.
+    #[test]
+    fn only_the_state_can_be_wrong_before_the_first_step_is_due() {
+        let reply = |line: &str| Reply::Answer(line.parse().expect("an answer"));
+        let ready = [reply("{\"as_state\":\"AS_READY\",\"handshake\":true}")];
+        let scenario = Scenario::default();
+        let find = |late| Break::find(&Machine::REFERENCE, &scenario, &ready, late);
+        let found = find(1).expect("AS_READY comes too early");
+        assert_eq!((found.step, found.about, &found.why), (0, 0, &Why::Shown(AsState::Off)));
+        let keys: Vec<&str> = found.differences.iter().map(|one| one.key).collect();
+        assert_eq!(keys, ["as_state"]);
+        assert_eq!(find(0), None, "the scenario has no step");
+        let off = [reply("{\"as_state\":\"AS_OFF\",\"handshake\":true}")];
+        assert_eq!(Break::find(&Machine::REFERENCE, &scenario, &off, 1), None);
+    }
+}

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::hash::Hasher as _;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::{env, fs};
@@ -13,6 +14,7 @@ use adsdv_oracle::judge::{Finding, Judge, Options, Report, Severity, Transition}
 use adsdv_spec::messages::Frame;
 use adsdv_spec::{Knowledge, Term, Truth};
 use adsdv_tests::world::Recorded;
+use fnv::FnvHasher;
 
 /// What is said of the runs of a name. Tests may give the same name to several.
 type Said = BTreeMap<String, BTreeSet<String>>;
@@ -135,10 +137,9 @@ fn shortened(text: &str) -> String {
     let (first, others) = lines.split_at(lines.len().min(LINES));
     let mut text = first.join("\n");
     if !others.is_empty() {
-        let sum = others.iter().flat_map(|line| line.bytes()).fold(0xCBF2_9CE4_8422_2325_u64, |sum, byte| {
-            (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3)
-        });
-        let _ = write!(text, "\nand {} lines more, of the sum {sum:016X}", others.len());
+        let mut sum = FnvHasher::default();
+        others.iter().for_each(|line| sum.write(line.as_bytes()));
+        let _ = write!(text, "\nand {} lines more, of the sum {:016X}", others.len(), sum.finish());
     }
     text
 }

@@ -1,0 +1,106 @@
+//! The closed model in numbers: how many states there are, how many ways lead to them, and a sum of how they are told. What
+//! changes which action is possible when, what it does, or when two states are the same changes a number.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+use std::hash::Hasher as _;
+
+use adsdv_model::closed::{Action, Closed, Conduct, Found, Operator, State};
+use adsdv_spec::{Interface, Machine, Readings, Timing};
+use expect_test::expect_file;
+use fnv::FnvHasher;
+use stateright::{Model as _, Path};
+
+const V3_0: Interface = Interface::V3_0;
+const CONDUCTS: [Conduct; 4] = [Conduct::Reference, Conduct::Mute, Conduct::Hasty, Conduct::Coasting];
+
+fn scaled(operator: Operator) -> Closed {
+    Closed::scaled(V3_0, Readings::DEFAULT, operator)
+}
+
+/// A model explored to its end: its size, and what was found of each property.
+fn explored(model: Closed) -> String {
+    let found = model.explore(1);
+    let complete = if found.complete { "complete" } else { "NOT COMPLETE" };
+    let mut told = format!(
+        "{} states, {} transitions, depth {}, {complete}\n",
+        found.states, found.transitions, found.depth
+    );
+    for Found { property, holds, run } in found.results {
+        let holds = if holds { "holds" } else { "fails" };
+        let steps = run.map_or(String::new(), |run| format!(", a run of {} steps", run.into_actions().len()));
+        let _ = writeln!(told, "  {}: {holds}{steps}", property.name);
+    }
+    told
+}
+
+#[test]
+fn every_state_with_a_well_behaved_operator() {
+    let model = || scaled(Operator::WellBehaved);
+    let mut told = String::new();
+    for conduct in CONDUCTS {
+        let _ = writeln!(told, "{conduct:?}: {}", explored(model().with_conduct(conduct)));
+    }
+    for handshake_ms in [20, 40, 100] {
+        let interface = Interface { timing: Timing { handshake_ms, ..V3_0.timing }, ..V3_0 };
+        let impatient = Closed::scaled(interface, Readings::DEFAULT, Operator::WellBehaved);
+        let _ = writeln!(told, "{handshake_ms} ms to answer: {}", explored(impatient));
+    }
+    let real = Closed::new(Machine::REFERENCE, Operator::WellBehaved);
+    let _ = writeln!(told, "the times of the document: {}", explored(real));
+    expect_file!["explored.txt"].assert_eq(&told);
+}
+
+/// All that can happen within some actions from a state: how many states, how many ways, and a sum of what is told of each.
+fn around(model: &Closed, begin: State, depth: usize) -> String {
+    let mut sum = FnvHasher::default();
+    let mut known = HashSet::from([begin.clone()]);
+    let (mut now, mut ways) = (vec![begin], 0);
+    for _ in 0..depth {
+        let mut next = Vec::new();
+        for state in now {
+            sum.write(format!("{:?}", model.rank(&state)).as_bytes());
+            let mut actions = Vec::new();
+            model.actions(&state, &mut actions);
+            for action in actions {
+                ways += 1;
+                sum.write(model.format_action(&action).as_bytes());
+                sum.write(model.format_step(&state, action).unwrap_or_default().as_bytes());
+                next.extend(model.next_state(&state, action).filter(|state| known.insert(state.clone())));
+            }
+        }
+        now = next;
+    }
+    format!("{} states, {ways} ways, {:016X}", known.len(), sum.finish())
+}
+
+fn run(name: &'static str, operator: Operator) -> Path<State, Action> {
+    scaled(operator).run_for(name).expect("it is possible")
+}
+
+/// What can happen next along a mission and along a way to an emergency.
+#[test]
+fn what_can_happen_next() {
+    let runs = [
+        ("mission-can-be-finished", run("mission-can-be-finished", Operator::WellBehaved)),
+        ("emergency-can-happen", run("emergency-can-happen", Operator::Any)),
+    ];
+    let people = Closed::explorer(Machine::REFERENCE);
+    let models = [
+        ("a well-behaved operator", scaled(Operator::WellBehaved), 4),
+        ("any operator", scaled(Operator::Any), 3),
+        ("any operator, and no answers", scaled(Operator::Any).with_conduct(Conduct::Mute), 3),
+        ("people", people, 2),
+    ];
+    let mut told = String::new();
+    for (whose, run) in runs {
+        let states = run.into_states();
+        for (who, model, depth) in &models {
+            let _ = writeln!(told, "# {whose}, with {who}");
+            for (place, state) in states.iter().enumerate() {
+                let _ = writeln!(told, "{place:3}: {}", around(model, state.clone(), *depth));
+            }
+        }
+    }
+    expect_file!["next.txt"].assert_eq(&told);
+}

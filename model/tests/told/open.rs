@@ -1,0 +1,143 @@
+//! The open model in numbers: how large it is under each reading and with parts of the table changed, which steps break a
+//! property, and a sum of the run to each goal.
+
+use std::fmt::Write as _;
+use std::hash::Hasher as _;
+
+use adsdv_model::{
+    Action, Exploration, GOALS, Options, PROPERTIES, Report, Run, SHORT_TIMERS, Step, Vectors, explore,
+    reachable, story_of,
+};
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atoms, Choices, Control, Fault, Faults, Machine, Mutation, Observation, Readings};
+use expect_test::expect_file;
+use fnv::FnvHasher;
+
+use crate::{SHORT, SHORTENED, lines, verified};
+
+/// The machine under every other reading, and with every so many-th mutation.
+fn machines(every: usize) -> impl Iterator<Item = (String, Machine)> {
+    let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+    let readings = others
+        .iter()
+        .map(|choice| (choice.to_string(), Machine::new(SHORTENED, Readings::DEFAULT.with(choice))));
+    let mutants = Mutation::all(&SHORTENED)
+        .step_by(every)
+        .map(|mutation| (mutation.to_string(), Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT)));
+    std::iter::once(("the reference".to_owned(), SHORT)).chain(readings).chain(mutants)
+}
+
+#[test]
+fn the_whole_of_it() {
+    let mut told = String::new();
+    for (name, machine) in machines(17) {
+        let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
+        let found = explore(machine, options, |_| {});
+        let holds = if found.holds() { "everything holds" } else { "something fails" };
+        let Exploration { states, transitions, depth, broken, missed, parts, .. } = found;
+        let _ = writeln!(told, "{name}: {states} states, {transitions} transitions, depth {depth}, {holds}");
+        for property in broken {
+            let _ = writeln!(told, "  breaks {}", property.name);
+        }
+        for goal in missed {
+            let _ = writeln!(told, "  misses {}", goal.name);
+        }
+        for (part, _) in parts.iter().filter(|(_, decides)| !decides) {
+            let _ = writeln!(told, "  never needs {part}");
+        }
+    }
+    expect_file!["open.txt"].assert_eq(&told);
+}
+
+/// Numbers that look random, and are the same each time.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        // Knuth's MMIX.
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 >> 24
+    }
+
+    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
+        let place = usize::try_from(self.next()).expect("40 bits") % of.len();
+        &of[place]
+    }
+}
+
+const STEPS: u64 = 100_000;
+
+/// Steps of the reference, of those that err, and of VCUs that do anything at all: which properties each breaks.
+#[test]
+fn the_steps_that_break_a_property() {
+    let mut numbers = Numbers(3);
+    let machines: Vec<Machine> = machines(1).map(|(_, machine)| machine).collect();
+    let all = reachable(&SHORT, SHORT_TIMERS, Vectors::Few);
+    let controls = AsState::ALL.map(|state| {
+        let mut of: Vec<Control> = all.iter().copied().filter(|control| control.state == state).collect();
+        of.sort_by_cached_key(|control| format!("{control:?}"));
+        of
+    });
+    let one_of = |numbers: &mut Numbers| {
+        let of = numbers.one(&controls);
+        numbers.one(of)
+    };
+    let mut broken: Vec<_> = PROPERTIES.iter().map(|_| (0_u32, FnvHasher::default())).collect();
+    for number in 0..STEPS {
+        let before = *one_of(&mut numbers);
+        let machine = numbers.one(&machines);
+        let bits = numbers.next();
+        let atoms = Observation::SCOPE.iter().filter(|atom| bits >> (*atom as u32) & 1 == 1);
+        let faults = Fault::ALL.iter().filter(|_| numbers.next().is_multiple_of(24));
+        let faults = faults.fold(Faults::NONE, |all, &fault| all.with(fault));
+        let seen = Observation::new(atoms.fold(Atoms::NONE, Atoms::with), faults);
+        let mut step = Step::of(machine, &SHORT_TIMERS, before, seen);
+        let other = *one_of(&mut numbers);
+        let after = &mut step.reaction.control;
+        match number % 6 {
+            0 => *after = other,
+            1 => after.state = other.state,
+            2 => after.handshake = other.handshake,
+            3 => after.shutdown_cause = other.shutdown_cause,
+            _ => {}
+        }
+        for ((count, sum), property) in broken.iter_mut().zip(PROPERTIES) {
+            if !property.holds(machine, &step) {
+                *count += 1;
+                sum.write_u64(number);
+            }
+        }
+    }
+    let mut told = String::new();
+    for ((count, sum), property) in broken.iter().zip(PROPERTIES) {
+        let _ = writeln!(told, "{}: {count} of {STEPS}, {:016X}", property.name, sum.finish());
+    }
+    expect_file!["steps.txt"].assert_eq(&told);
+}
+
+/// The run to each goal and, after a power cycle, to the next one.
+#[test]
+fn the_runs() {
+    let Report { runs, .. } = verified(&SHORT);
+    let names: Vec<&str> = GOALS.iter().map(|goal| goal.name).collect();
+    let mut told = String::new();
+    for pair in names.windows(2) {
+        let (one, other) = (runs[pair[0]].iter().copied(), runs[pair[1]].iter().copied());
+        let run = Run::new(&SHORT, one.chain([Action::PowerCycle]).chain(other)).persisting(100);
+        let mut sum = FnvHasher::default();
+        for (t_ns, frame) in run.frames() {
+            sum.write(format!("{t_ns} {frame}\n").as_bytes());
+        }
+        let _ = writeln!(
+            told,
+            "{}, {}: {} cycles, {} frames, {:016X}",
+            pair[0],
+            pair[1],
+            run.cycles().len(),
+            run.frames().count(),
+            sum.finish()
+        );
+        told += &lines(story_of(&run));
+    }
+    expect_file!["runs.txt"].assert_eq(&told);
+}

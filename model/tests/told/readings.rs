@@ -1,0 +1,54 @@
+//! What is told of readings that cost something, and of those that cost nothing.
+
+use adsdv_model::closed::{CLOSED_PROPERTIES, Closed, Operator};
+use adsdv_model::{ClosedCost, Cost, Run, Sweep};
+use adsdv_spec::{Choice, Choices, Interface, Machine, Readings};
+use expect_test::expect_file;
+
+use crate::{SHORT, verified};
+
+fn others() -> Vec<Choice> {
+    Choices::ALL.difference(Readings::DEFAULT.choices()).iter().collect()
+}
+
+/// A property or a goal that fails under these of the other choices.
+fn fails(name: &'static str, under: &[usize], undone_by: &[usize]) -> Cost {
+    let others = others();
+    let choices =
+        |places: &[usize]| places.iter().map(|&place| others[place]).fold(Choices::NONE, Choices::with);
+    let run = verified(&SHORT).runs.remove("arrow-3.5");
+    Cost { name, choices: choices(under), undone_by: choices(undone_by), run }
+}
+
+fn told(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String {
+    let all = Sweep { combinations: 5, transitions: 7, complete, costs, closed }.to_string();
+    // The introduction says the same each time.
+    let begin = all.find("5 combinations").expect("so many were given");
+    all[begin..].to_owned()
+}
+
+#[test]
+fn what_the_readings_cost() {
+    let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::Any);
+    let run = model.clone().run_for("emergency-can-happen").expect("it can");
+    let inputs = model.inputs_for(&Machine::REFERENCE, &run);
+    let closed = ClosedCost {
+        property: &CLOSED_PROPERTIES[1],
+        choice: others()[3],
+        run: Run::seeing(&Machine::REFERENCE, inputs),
+    };
+    let together = vec![
+        fails("ready-asms", &[2], &[]),
+        fails("driving-sdc", &[0, 4], &[5, 6]),
+        fails("ready-sdc", &[2], &[7]),
+        fails("arrow-3.9", &[1], &[]),
+    ];
+    let alone = vec![fails("go-signal", &[1], &[]), fails("driving-due", &[3], &[])];
+    let all = [
+        told(true, Vec::new(), Vec::new()),
+        told(true, alone, Vec::new()),
+        told(true, together, vec![closed]),
+        told(false, vec![fails("ready-asms", &[], &[])], Vec::new()),
+    ];
+    expect_file!["readings.txt"].assert_eq(&all.join("\n================\n\n"));
+}
