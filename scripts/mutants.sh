@@ -8,8 +8,8 @@ usage() {
 Usage: scripts/mutants.sh [--resume | --reasons] [GROUP...] [-- ARGUMENT...]
 
 Changes the sources in every way that cargo mutants knows, one change at a time, and runs the tests: a change that no test
-notices is a survivor. First the tests of the changed crate run; what they let pass goes through those of the crates
-that use it.
+notices is a survivor. First the tests run that find most in little time; what they let pass goes through all others of
+the crates that use it.
 
 With cargo-nextest the tests of a change end at the first that fails, which takes half the time.
 
@@ -95,6 +95,7 @@ describe() {
       files=('oracle/src/conform/**') package=adsdv-oracle
       rounds=(
         'adsdv-oracle --lib --test=conform | tests:: written::'
+        'adsdv-oracle --test=conform'
         "adsdv-oracle,adsdv $every"
       )
       ;;

@@ -235,6 +235,13 @@ fn tampered() -> String {
         let program = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
         text += &name(what, program, &by_default());
     }
+    // What is asked for again is those that failed; of five of them it is found again.
+    for (what, asked_again) in [("wrong once", 0), ("wrong twice in five scenarios", 5)] {
+        let (_, tampers) = TAMPERINGS[3];
+        let for_scenarios = tests().len() + asked_again;
+        text +=
+            &name(what, Erring { tampers, for_scenarios, ..Erring::new(&Machine::REFERENCE) }, &by_default());
+    }
     let late = |late, nothing| Erring { late, nothing, ..Erring::new(&Machine::REFERENCE) };
     text += &name(
         "late by one step more than is allowed",
