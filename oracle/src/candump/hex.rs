@@ -49,7 +49,8 @@ pub(super) fn bytes<const DIGITS: usize, const BYTES: usize>(digits: [u8; DIGITS
     let (mut bytes, mut seen) = ([0; BYTES], 0);
     for (byte, pair) in bytes.iter_mut().zip(digits.as_chunks::<2>().0) {
         let [high, low] = pair.map(|digit| VALUE[usize::from(digit)]);
-        seen |= high | low;
+        seen |= high;
+        seen |= low;
         *byte = high << 4 | low & 0xF;
     }
     (seen != NONE).then_some(bytes)
@@ -63,7 +64,8 @@ pub(super) fn some_bytes(digits: &[u8]) -> Option<([u8; MAX_CLASSIC], usize)> {
     let (mut bytes, mut seen) = ([0; MAX_CLASSIC], 0);
     for (byte, pair) in bytes.iter_mut().zip(pairs) {
         let [high, low] = pair.map(|digit| VALUE[usize::from(digit)]);
-        seen |= high | low;
+        seen |= high;
+        seen |= low;
         *byte = high << 4 | low & 0xF;
     }
     (seen != NONE && odd.is_empty() && pairs.len() <= MAX_CLASSIC).then_some((bytes, pairs.len()))

@@ -67,7 +67,7 @@ impl Judge {
             self.go_on(t.max(self.now), silent);
             self.now
         };
-        if self.started && heard < t {
+        if self.started && (t - heard).is_positive() {
             // A frame that was on its way while time was told to pass comes late, but in order; so may the next.
             self.quiet_since = Some(heard);
             self.next_event = i64::MIN;

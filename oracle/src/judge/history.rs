@@ -70,3 +70,30 @@ impl History {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(times: impl IntoIterator<Item = i64>) -> usize {
+        let mut history = History::new();
+        times.into_iter().for_each(|t| history.push(t, Knowledge::NOTHING, None));
+        history.moments.len()
+    }
+
+    #[test]
+    fn what_no_window_reaches_is_forgotten_and_the_moment_in_force_is_kept() {
+        let second = 1_000_000_000;
+        assert_eq!(after([second, 2 * second, 3 * second]), 2);
+        assert_eq!(after([0, 1, HORIZON_NS]), 3);
+        assert_eq!(after([0, 1, HORIZON_NS + 1]), 2);
+        let tenth = second / 10;
+        assert_eq!(after([-10 * second, -10 * second + tenth, -10 * second + 2 * tenth]), 3, "before 1970");
+    }
+
+    #[test]
+    fn no_log_makes_it_grow_without_bound() {
+        assert_eq!(after(0..5 * MAX_MOMENTS as i64), MAX_MOMENTS);
+        assert_eq!(after(std::iter::repeat_n(0, 5 * MAX_MOMENTS)), MAX_MOMENTS, "all at once");
+    }
+}
