@@ -43,6 +43,8 @@ done
 targets=${*:-$all}
 
 cargo +nightly fuzz build -O --debug-assertions || fail 1 "the fuzzers do not build"
+# Longer than the longest line of a log or of a scenario: without it inputs are as long as the longest that is there already.
+max_len=$(sed -n 's/^max_len = //p' fuzz/libfuzzer.options)
 bin=fuzz/target/$(rustc +nightly -vV | sed -n 's/^host: //p')/release
 
 for target in $targets; do
@@ -52,7 +54,7 @@ for target in $targets; do
   for folder in corpus regressions; do
     [ ! -d "fuzz/$folder/$target" ] || inputs+=("fuzz/$folder/$target")
   done
-  options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$artifacts/" -print_final_stats=1)
+  options=(-max_total_time="$seconds" -max_len="$max_len" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$artifacts/" -print_final_stats=1)
   [ ! -f "fuzz/dictionaries/$target.dict" ] || options+=(-dict="fuzz/dictionaries/$target.dict")
   # -fork goes on after an input that is slow or takes too much memory, unless it is told not to.
   [ "$jobs" = 1 ] || options+=(-fork="$jobs" -ignore_ooms=0 -ignore_timeouts=0)

@@ -117,6 +117,21 @@ fn the_dictionaries_are_what_the_project_has() {
     }
 }
 
+/// Without that no fuzzer would try what happens to a line that is too long.
+#[test]
+fn inputs_may_be_longer_than_a_line() {
+    let options = fs::read_to_string(fuzz().join("libfuzzer.options")).expect("fuzz/libfuzzer.options");
+    let max_len = options.lines().find_map(|line| line.strip_prefix("max_len = ")).expect("max_len");
+    let max_len: usize = max_len.parse().expect("a number");
+    for longest in [adsdv_oracle::candump::MAX_LINE, adsdv_can::scenario::MAX_LINE] {
+        assert!(max_len > 2 * longest, "{max_len} bytes, and a line of {longest}");
+    }
+    for script in ["scripts/fuzz.sh", ".clusterfuzzlite/build.sh"] {
+        let text = fs::read_to_string(fuzz().join("..").join(script)).expect("a script");
+        assert!(text.contains("fuzz/libfuzzer.options"), "{script}");
+    }
+}
+
 /// The choices before a seed lead to what it is meant for.
 #[test]
 fn the_seeds_of_judge_any_are_read_as_logs() {

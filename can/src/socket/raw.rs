@@ -4,7 +4,6 @@ use std::io::{self, IoSliceMut};
 use std::os::fd::{AsFd as _, AsRawFd as _};
 use std::time::{Instant, SystemTime};
 
-use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
 use nix::cmsg_space;
 use nix::errno::Errno;
@@ -15,15 +14,6 @@ use socketcan::{CanDataFrame, CanSocket, EmbeddedFrame as _, Socket as _, Socket
 
 use super::RECEIVE_BUFFER;
 use crate::bus::Received;
-
-/// The bytes of `struct can_frame`: identifier and flags, length, three that do not count, and the data.
-const FRAME_BYTES: usize = 16;
-/// The flags beside the identifier.
-const EXTENDED_FLAG: u32 = 0x8000_0000;
-const REMOTE_FLAG: u32 = 0x4000_0000;
-const ERROR_FLAG: u32 = 0x2000_0000;
-const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
-const STANDARD_MASK: u32 = 0x7FF;
 
 /// A socket on one interface.
 #[derive(Debug)]
@@ -90,7 +80,7 @@ impl Raw {
 
     /// Takes a frame that is there.
     fn take(&mut self) -> Result<Option<Received>, Errno> {
-        let mut bytes = [0; FRAME_BYTES];
+        let mut bytes = [0; Received::CAN_FRAME];
         let mut room = [IoSliceMut::new(&mut bytes)];
         let fd = self.socket.as_raw_fd();
         let message = recvmsg::<()>(fd, &mut room, Some(&mut self.control), MsgFlags::empty())?;
@@ -102,8 +92,8 @@ impl Raw {
                 _ => {}
             }
         }
-        let len = message.bytes;
-        Ok((len == FRAME_BYTES).then(|| received(time_ns.unwrap_or_else(now_ns), bytes)))
+        let whole = message.bytes == bytes.len();
+        Ok(whole.then(|| Received::of_can_frame(time_ns.unwrap_or_else(now_ns), bytes)))
     }
 
     /// Sends a frame, or fails at once.
@@ -135,29 +125,6 @@ fn enlarge(socket: &CanSocket) -> usize {
     getsockopt(socket, sockopt::RcvBuf).unwrap_or_default()
 }
 
-/// The frame that 16 bytes of `struct can_frame` are.
-fn received(time_ns: i64, bytes: [u8; FRAME_BYTES]) -> Received {
-    let [i0, i1, i2, i3, len, _, _, _, data @ ..] = bytes;
-    let word = u32::from_ne_bytes([i0, i1, i2, i3]);
-    let len = len.min(8);
-    let extended = word & EXTENDED_FLAG != 0;
-    let (kind, mask) = if word & ERROR_FLAG != 0 {
-        (FrameKind::Error, EXTENDED_MASK)
-    } else if word & REMOTE_FLAG != 0 {
-        (FrameKind::Remote { extended, len }, if extended { EXTENDED_MASK } else { STANDARD_MASK })
-    } else if extended {
-        (FrameKind::Extended, EXTENDED_MASK)
-    } else {
-        (FrameKind::Standard, STANDARD_MASK)
-    };
-    let len = if matches!(kind, FrameKind::Remote { .. }) { 0 } else { len };
-    let mut clean = [0; 8];
-    for (place, byte) in clean.iter_mut().zip(data).take(len.into()) {
-        *place = byte;
-    }
-    Received { time_ns, kind, id: word & mask, len, data: clean }
-}
-
 fn nanoseconds(time: TimeSpec) -> i64 {
     time.tv_sec().saturating_mul(1_000_000_000).saturating_add(time.tv_nsec())
 }
@@ -166,49 +133,4 @@ fn nanoseconds(time: TimeSpec) -> i64 {
 pub(super) fn now_ns() -> i64 {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     i64::try_from(since.as_nanos()).unwrap_or(i64::MAX)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn frame(word: u32, len: u8) -> Received {
-        let [a, b, c, d] = word.to_ne_bytes();
-        received(5, [a, b, c, d, len, 9, 9, 9, 1, 2, 3, 4, 5, 6, 7, 8])
-    }
-
-    #[test]
-    fn a_frame_of_every_kind_is_read() {
-        let cases = [
-            (0x520, 3, FrameKind::Standard, 0x520, 3, [1, 2, 3, 0, 0, 0, 0, 0]),
-            (0x7FF, 8, FrameKind::Standard, 0x7FF, 8, [1, 2, 3, 4, 5, 6, 7, 8]),
-            (0x520, 15, FrameKind::Standard, 0x520, 8, [1, 2, 3, 4, 5, 6, 7, 8]),
-            (0x8000_0520, 0, FrameKind::Extended, 0x520, 0, [0; 8]),
-            (0x9FFF_FFFF, 1, FrameKind::Extended, 0x1FFF_FFFF, 1, [1, 0, 0, 0, 0, 0, 0, 0]),
-            (0x4000_0123, 5, FrameKind::Remote { extended: false, len: 5 }, 0x123, 0, [0; 8]),
-            (0xC000_0123, 2, FrameKind::Remote { extended: true, len: 2 }, 0x123, 0, [0; 8]),
-            (0x2000_0040, 8, FrameKind::Error, 0x40, 8, [1, 2, 3, 4, 5, 6, 7, 8]),
-        ];
-        for (word, bytes, kind, id, len, data) in cases {
-            let expected = Received { time_ns: 5, kind, id, len, data };
-            assert_eq!(frame(word, bytes), expected, "{word:X}");
-        }
-    }
-
-    #[test]
-    fn a_frame_of_a_bus_is_the_line_of_a_log() -> io::Result<()> {
-        let cases = [
-            (0x520, 3, "520#010203"),
-            (0xC000_0123, 2, "00000123#R2"),
-            (0x4000_0123, 0, "123#R"),
-            (0x2000_0004, 8, "20000004#0102030405060708"),
-            (0x98FF_50E5, 0, "18FF50E5#"),
-        ];
-        for (word, len, text) in cases {
-            let mut line = Vec::new();
-            adsdv_oracle::candump::write_record(&mut line, &frame(word, len).record("vcan0"))?;
-            assert_eq!(String::from_utf8_lossy(&line), format!("(0000000000.000000005) vcan0 {text}\n"));
-        }
-        Ok(())
-    }
 }

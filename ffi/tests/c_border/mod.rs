@@ -165,6 +165,9 @@ fn names(bytes: &mut Bytes<'_>) {
     let (enumeration, index) = (bytes.below(10).try_into().unwrap_or(0), usize::from(bytes.any::<u8>()));
     let name = text(bytes, &["FORWARD", "AS_READY", "ARMED"]);
     let (mut value, mut message, mut reading) = (0, zero::<adsdv_message>(), zero::<adsdv_reading>());
+    // SAFETY: what is returned is a text.
+    let versions = unsafe { [adsdv_version(), adsdv_document_version()].map(|text| CStr::from_ptr(text)) };
+    assert!(versions.iter().all(|version| !version.is_empty()));
     adsdv_is_reserved(bytes.any());
     assert!(adsdv_value_name(enumeration, bytes.any()).is_null() || enumeration < 10);
     let (text, length) = (name.as_ptr(), name.as_bytes().len());
@@ -184,7 +187,13 @@ fn names(bytes: &mut Bytes<'_>) {
 fn judge(bytes: &mut Bytes<'_>) {
     let readings = text(bytes, &["", "fault-trigger=edge", "go-signal=raw"]);
     let pinned = if bytes.one_in(2) { null() } else { readings.as_ptr() };
-    let given = adsdv_judge_options { window_ms: bytes.any(), deadline_ms: bytes.any(), readings: pinned };
+    let mut given =
+        adsdv_judge_options { window_ms: bytes.any(), deadline_ms: bytes.any(), readings: pinned };
+    if bytes.one_in(4) {
+        // SAFETY: the pointers are to what they are said to be.
+        assert_eq!(call(|error| unsafe { adsdv_judge_options_init(&raw mut given, error) }), ADSDV_OK);
+        given.readings = pinned;
+    }
     let options = if bytes.one_in(2) { null() } else { &raw const given };
     let mut t_ns: i64 = 0;
     // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed; the judge is freed at the end.
@@ -205,7 +214,11 @@ fn judge(bytes: &mut Bytes<'_>) {
             };
             let id = if bytes.one_in(8) { bytes.any() } else { bytes.pick(&[0x502, 0x510, 0x520, 0x525]) };
             let data = bytes.some(9);
-            call(|error| adsdv_judge_frame(judge, t_ns, id, data.as_ptr(), data.len(), error));
+            if bytes.one_in(8) {
+                call(|error| adsdv_judge_other_frame(judge, t_ns, error));
+            } else {
+                call(|error| adsdv_judge_frame(judge, t_ns, id, data.as_ptr(), data.len(), error));
+            }
             while bytes.one_in(2) && adsdv_judge_next(judge, &raw mut finding) {
                 let message = CStr::from_ptr(finding.message);
                 assert!(!message.to_str().expect("UTF-8").is_empty());

@@ -6,8 +6,6 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A line of more bytes is no answer.
-pub(super) const LONGEST: usize = 1 << 16;
 /// What is read at once.
 const CHUNK: usize = 1 << 16;
 /// So many chunks wait to be looked at, before the program has to wait.
@@ -15,13 +13,75 @@ const WAITING: usize = 16;
 /// How often a program that does not answer is looked at.
 const LOOK: Duration = Duration::from_millis(50);
 
+/// The lines in what a program writes, in whatever pieces that comes.
+///
+/// ```
+/// use adsdv_oracle::conform::LineBuffer;
+///
+/// let mut lines = LineBuffer::default();
+/// lines.push(b"{\"as_state\":\"AS_OFF\"}\n{\"as_");
+/// let line = lines.take().expect("it is not too long").expect("it is there");
+/// assert_eq!(lines.get(line), br#"{"as_state":"AS_OFF"}"#);
+/// assert_eq!(lines.take(), Ok(None));
+/// assert_eq!(lines.rest(), br#"{"as_"#);
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct LineBuffer {
+    bytes: Vec<u8>,
+    /// Where the next line begins.
+    start: usize,
+    /// Up to here there is no end of it.
+    looked: usize,
+}
+
+/// A line does not end within [`LineBuffer::LONGEST`] bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong;
+
+impl LineBuffer {
+    /// A line of more bytes is no answer.
+    pub const LONGEST: usize = 1 << 16;
+
+    /// More has come. What was [taken](Self::take) before is gone.
+    pub fn push(&mut self, chunk: &[u8]) {
+        self.bytes.drain(..self.start);
+        self.looked = self.looked.saturating_sub(self.start);
+        self.start = 0;
+        self.bytes.extend_from_slice(chunk);
+    }
+
+    /// The next line; where it stands without its line feed, for [`get`](Self::get). `None` if its end has not come.
+    pub fn take(&mut self) -> Result<Option<Range<usize>>, TooLong> {
+        let fresh = self.bytes.get(self.looked..).unwrap_or_default();
+        let Some(end) = memchr::memchr(b'\n', fresh).map(|end| self.looked + end) else {
+            self.looked = self.bytes.len();
+            return if self.rest().len() > Self::LONGEST { Err(TooLong) } else { Ok(None) };
+        };
+        let line = self.start..end;
+        if line.len() > Self::LONGEST {
+            return Err(TooLong);
+        }
+        self.start = end + 1;
+        self.looked = self.start;
+        Ok(Some(line))
+    }
+
+    /// A line that was taken last.
+    pub fn get(&self, line: Range<usize>) -> &[u8] {
+        self.bytes.get(line).unwrap_or_default()
+    }
+
+    /// What has come of a line that did not end.
+    pub fn rest(&self) -> &[u8] {
+        self.bytes.get(self.start..).unwrap_or_default()
+    }
+}
+
 /// Lines that are read.
 #[derive(Debug)]
 pub(super) struct Lines {
     chunks: Receiver<Vec<u8>>,
-    buffer: Vec<u8>,
-    /// Where the next line begins in the buffer.
-    start: usize,
+    buffer: LineBuffer,
 }
 
 /// Why there is no line.
@@ -31,7 +91,7 @@ pub(super) enum Missing {
     Late,
     /// There will be no more.
     End,
-    /// It does not end within [`LONGEST`].
+    /// It does not end within [`LineBuffer::LONGEST`].
     TooLong,
 }
 
@@ -40,57 +100,43 @@ impl Lines {
     pub(super) fn of(pipe: impl Read + Send + 'static) -> Self {
         let (sender, chunks) = sync_channel(WAITING);
         thread::spawn(move || read(pipe, &sender));
-        Self { chunks, buffer: Vec::new(), start: 0 }
+        Self { chunks, buffer: LineBuffer::default() }
     }
 
-    /// Waits for the next line; where it stands without its end, for [`get`](Self::get). `ended` tells that the program is no more, so that nothing will come even if the
-    /// pipe is still open.
+    /// Waits for the next line; where it stands, for [`get`](Self::get). `ended` tells that the program is no more, so that
+    /// nothing will come even if the pipe is still open.
     pub(super) fn next(
         &mut self,
         limit: Duration,
         mut ended: impl FnMut() -> bool,
     ) -> Result<Range<usize>, Missing> {
-        let mut looked = self.start;
         let mut deadline = None;
         let mut gone = false;
-        let end = loop {
-            let fresh = self.buffer.get(looked..).unwrap_or_default();
-            if let Some(end) = memchr::memchr(b'\n', fresh) {
-                break looked + end;
+        loop {
+            if let Some(line) = self.buffer.take().map_err(|TooLong| Missing::TooLong)? {
+                return Ok(line);
             }
-            if self.buffer.len() - self.start > LONGEST {
-                return Err(Missing::TooLong);
-            }
-            self.buffer.drain(..self.start);
-            self.start = 0;
-            looked = self.buffer.len();
             let now = Instant::now();
             let left = deadline.get_or_insert(now + limit).saturating_duration_since(now);
             match self.chunks.recv_timeout(left.min(LOOK)) {
-                Ok(chunk) => self.buffer.extend_from_slice(&chunk),
+                Ok(chunk) => self.buffer.push(&chunk),
                 Err(RecvTimeoutError::Disconnected) => return Err(Missing::End),
                 // What it wrote before it ended may still be on its way: look once more.
                 Err(RecvTimeoutError::Timeout) if gone => return Err(Missing::End),
                 Err(RecvTimeoutError::Timeout) if left <= LOOK => return Err(Missing::Late),
                 Err(RecvTimeoutError::Timeout) => gone = ended(),
             }
-        };
-        let line = self.start..end;
-        if line.len() > LONGEST {
-            return Err(Missing::TooLong);
         }
-        self.start = end + 1;
-        Ok(line)
     }
 
     /// A line that has come last.
     pub(super) fn get(&self, line: Range<usize>) -> &[u8] {
-        self.buffer.get(line).unwrap_or_default()
+        self.buffer.get(line)
     }
 
     /// What has come of a line that did not end.
     pub(super) fn rest(&self) -> &[u8] {
-        self.buffer.get(self.start..).unwrap_or_default()
+        self.buffer.rest()
     }
 }
 

@@ -63,6 +63,7 @@ mod walker;
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]
 pub use child::stop_programs;
+pub use lines::{LineBuffer, TooLong};
 pub use options::{Options, Phase, Progress};
 pub use program::Program;
 pub use report::{Failure, Moment, Report};

@@ -7,11 +7,11 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::child::Process;
-use super::lines::{LONGEST, Lines, Missing};
+use super::lines::{LineBuffer, Lines, Missing};
 use super::stderr::LastWords;
 use super::trouble::{Place, Trouble, What, excerpt};
 use super::vcu::{Reply, Vcu};
-use crate::protocol::{Answer, BadLine, Request};
+use crate::protocol::Request;
 use crate::suite::Scenario;
 
 /// So many lines are sent before the answer to the first of them has come.
@@ -79,21 +79,18 @@ impl Program {
         scenario.steps.len() + 1
     }
 
-    /// The next line, as text.
-    fn line(&mut self) -> Result<&str, What> {
+    /// The next line.
+    fn line(&mut self) -> Result<&[u8], What> {
         let patience = self.patience()?;
         let process = &mut self.process;
         match self.lines.next(patience, || process.ended().is_some()) {
-            Ok(line) => {
-                let line = self.lines.get(line);
-                std::str::from_utf8(line).map_err(|_| What::NotText(excerpt(line)))
-            }
+            Ok(line) => Ok(self.lines.get(line)),
             // It is not the answer that is late.
             Err(Missing::Late) if patience < self.timeout => {
                 Err(What::OutOfTime(self.limit.map_or(patience, |(_, limit)| limit), None))
             }
             Err(Missing::Late) => Err(What::Late(self.timeout, excerpt(self.lines.rest()))),
-            Err(Missing::TooLong) => Err(What::TooLong(LONGEST, excerpt(self.lines.rest()))),
+            Err(Missing::TooLong) => Err(What::TooLong(LineBuffer::LONGEST, excerpt(self.lines.rest()))),
             Err(Missing::End) => Err(self.gone()),
         }
     }
@@ -116,27 +113,6 @@ impl Program {
             }
             thread::sleep(Duration::from_millis(2));
         }
-    }
-
-    fn reset(&mut self) -> Result<(), What> {
-        let line = self.line()?;
-        match Answer::is_reset(line) {
-            Ok(true) => Ok(()),
-            Ok(false) => Err(What::NoReset(excerpt(line.as_bytes()), None)),
-            Err(why) => Err(What::NoReset(excerpt(line.as_bytes()), Some(why))),
-        }
-    }
-
-    fn step(&mut self) -> Result<Reply, What> {
-        let late = self.late;
-        let line = self.line()?;
-        line.parse().map(Reply::Answer).or_else(|why: BadLine| {
-            if late && line.trim() == "{}" {
-                Ok(Reply::Nothing)
-            } else {
-                Err(What::NoAnswer(excerpt(line.as_bytes()), why))
-            }
-        })
     }
 
     /// What is wrong with the answer to a step of a scenario, or with that to the reset before it.
@@ -162,10 +138,12 @@ impl Vcu for Program {
                 let Some((_, next)) = to_send.next() else { break };
                 in_flight += self.send(next);
             }
-            self.reset().map_err(|what| self.trouble(what, name, scenario, 0))?;
+            let reset = self.line().and_then(Reply::to_reset);
+            reset.map_err(|what| self.trouble(what, name, scenario, 0))?;
             replies.clear();
             for step in 1..=scenario.steps.len() {
-                let reply = self.step();
+                let late = self.late;
+                let reply = self.line().and_then(|line| Reply::to_step(line, late));
                 replies.push(reply.map_err(|what| self.trouble(what, name, scenario, step))?);
             }
             in_flight -= scenario.steps.len() + 1;

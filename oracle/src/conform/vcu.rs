@@ -3,8 +3,8 @@
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{AsState, Machine};
 
-use super::trouble::Trouble;
-use crate::protocol::{Answer, Shown};
+use super::trouble::{Trouble, What, excerpt};
+use crate::protocol::{Answer, BadLine, Shown};
 use crate::suite::Scenario;
 
 /// A VCU that is asked: a program, or a machine in this process.
@@ -33,6 +33,32 @@ pub enum Reply {
 }
 
 impl Reply {
+    /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.
+    ///
+    /// Errors: the line is no text, or says no outputs.
+    pub fn to_step(line: &[u8], late: bool) -> Result<Self, What> {
+        let line = text(line)?;
+        line.parse().map(Self::Answer).or_else(|why: BadLine| {
+            if late && line.trim() == "{}" {
+                Ok(Self::Nothing)
+            } else {
+                Err(What::NoAnswer(excerpt(line.as_bytes()), why))
+            }
+        })
+    }
+
+    /// Reads the answer to a reset.
+    ///
+    /// Errors: the line is no text, or another answer.
+    pub fn to_reset(line: &[u8]) -> Result<(), What> {
+        let line = text(line)?;
+        match Answer::is_reset(line) {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(What::NoReset(excerpt(line.as_bytes()), None)),
+            Err(why) => Err(What::NoReset(excerpt(line.as_bytes()), Some(why))),
+        }
+    }
+
     /// Whether all that it says is so.
     pub(super) fn agrees(&self, shown: &Shown) -> bool {
         match self {
@@ -69,6 +95,10 @@ impl Reply {
     pub(super) fn is_initial(&self) -> bool {
         self.state().is_none_or(|state| state == AsState::Off)
     }
+}
+
+fn text(line: &[u8]) -> Result<&str, What> {
+    std::str::from_utf8(line).map_err(|_| What::NotText(excerpt(line)))
 }
 
 impl From<Shown> for Reply {

@@ -118,7 +118,7 @@ fn heard(watch: &mut Watch, time_ns: i64, frame: &Frame) {
 /// Anything that a bus may tell.
 fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
     let time_ns = if bytes.one_in(4) { bytes.any() } else { now_ns };
-    match bytes.below(6) {
+    match bytes.below(7) {
         0 => watch.silence(time_ns),
         1 => {
             let troubles = [Trouble::Down, Trouble::Gone, Trouble::BusOff, Trouble::Full];
@@ -126,6 +126,12 @@ fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
         }
         2 => watch.up(time_ns),
         3 => drop(watch.dropped(bytes.any())),
+        4 => {
+            let received = Received::of_can_frame(time_ns, bytes.any());
+            let largest = if matches!(received.kind, FrameKind::Standard) { 0x7FF } else { 0x1FFF_FFFF };
+            assert!(received.id <= largest && received.len <= 8, "{received:?}");
+            watch.frame(&received);
+        }
         _ => {
             let (extended, len) = (bytes.any(), bytes.any());
             let kind = match bytes.below(8) {

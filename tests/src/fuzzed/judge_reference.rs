@@ -2,7 +2,7 @@
 //! the VCU; and against the AI Computer only what it did.
 
 use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
-use adsdv_spec::{Choices, Interface, Machine};
+use adsdv_spec::{AsState, Atom, Atoms, Choices, Interface, Machine, Row};
 
 use super::Bytes;
 use crate::world::{Chance, MS, World, judge};
@@ -31,19 +31,51 @@ pub fn body(bytes: &[u8]) {
         let since = world.t - 200 * MS;
         world.log.retain(|recorded| recorded.t > since);
     }
-    let answers = happens(&mut world, &mut bytes);
+    let did = happens(&mut world, &mut bytes);
     let log = world.disturbed(seed, jitter_ms.cast_signed() * MS, loss);
     let report = judge(&log, Options { readings: choices, ..Options::default() });
-    let wrong = contradictions(&report, answers);
+    let wrong = contradictions(&report, did);
     assert!(
         wrong.is_empty(),
         "late by up to {jitter_ms} ms, one in {loss} lost, readings [{readings}]: {wrong:#?}"
     );
 }
 
-/// Anything happens. Tells whether the AI Computer answered all the time.
-fn happens(world: &mut World, bytes: &mut Bytes<'_>) -> bool {
-    let mut answers = true;
+/// What the AI Computer did in a run that can be held against it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Did {
+    /// It did not answer, or did not send.
+    silent: bool,
+    /// FINISHED at speed in AS_DRIVING.
+    finished: bool,
+    /// NEUTRAL at speed in AS_DRIVING.
+    neutral: bool,
+    /// Requests that hold the vehicle in AS_READY after the dwell.
+    held: bool,
+}
+
+impl Did {
+    /// What it does in the cycle that comes.
+    fn see(&mut self, world: &World) {
+        let interface = world.vcu.interface();
+        let atoms = world.inputs.observe(&interface.thresholds).atoms();
+        let driving_at_speed = world.control.state == AsState::Driving && atoms.has(Atom::Moving);
+        self.silent |= !world.ai_answers || !world.ai_sends;
+        self.finished |= driving_at_speed && atoms.has(Atom::MissionFinished);
+        self.neutral |= driving_at_speed && atoms.has(Atom::DirectionNeutral);
+        let starts = |row: &&Row| (row.from, row.to) == (AsState::Ready, AsState::Driving);
+        let starting = interface.table.rows().iter().filter(starts).flat_map(Row::terms);
+        let wanted = starting.fold(Atoms::NONE, |all, term| all.union(term.on));
+        let requests = wanted.without(Atom::GoEdge).without(Atom::DwellElapsed);
+        self.held |= world.control.state == AsState::Ready
+            && world.control.in_state_ms >= interface.timing.ready_dwell_ms
+            && !requests.is_subset(atoms);
+    }
+}
+
+/// Anything happens. Tells what the AI Computer did.
+fn happens(world: &mut World, bytes: &mut Bytes<'_>) -> Did {
+    let mut did = Did::default();
     for _ in 0..DEEDS {
         if !bytes.are_left() {
             break;
@@ -52,26 +84,30 @@ fn happens(world: &mut World, bytes: &mut Bytes<'_>) -> bool {
             0 => world.ebs_changes(bytes),
             _ => world.anything(bytes),
         }
-        answers &= world.ai_answers && world.ai_sends;
         let cycles = match bytes.below(4) {
             0 => 1,
             1 => bytes.below(8),
             2 => bytes.below(100),
             _ => 2,
         };
-        (0..cycles).for_each(|_| world.cycle());
+        did.see(world);
+        for _ in 0..cycles {
+            world.cycle();
+            did.see(world);
+        }
     }
-    answers
+    did
 }
 
 /// What the judge says that cannot be so.
-fn contradictions(report: &Report, answers: bool) -> Vec<&Finding> {
+fn contradictions(report: &Report, did: Did) -> Vec<&Finding> {
     let is_so = |finding: &Finding| match (finding.party, finding.rule) {
         (Party::Vcu, _) => false,
         (Party::Log, _) => finding.severity != Severity::Violation,
-        (Party::Ai, Rule::HandshakeLate) => !answers,
-        // It did so or not: what matters is that it can have.
-        (Party::Ai, rule) => matches!(rule, Rule::FinishedMoving | Rule::NeutralMoving | Rule::ReadyHeld),
+        (Party::Ai, Rule::HandshakeLate) => did.silent,
+        (Party::Ai, Rule::FinishedMoving) => did.finished,
+        (Party::Ai, Rule::NeutralMoving) => did.neutral,
+        (Party::Ai, rule) => rule == Rule::ReadyHeld && did.held,
     };
     let told = report.findings.iter().filter(|finding| finding.severity != Severity::Note);
     told.filter(|finding| !is_so(finding)).collect()

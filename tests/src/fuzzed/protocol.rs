@@ -3,6 +3,7 @@
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
+use adsdv_oracle::conform::{LineBuffer, Place, Reply, TooLong, Trouble, What};
 use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, Request, SHOWN, Shown, Told};
 use adsdv_spec::{Control, Inputs, Interface, Machine};
 
@@ -18,10 +19,58 @@ pub fn body(bytes: &[u8]) {
     if bytes.one_in(4) {
         any_step(&mut bytes);
     } else {
-        let text = String::from_utf8_lossy(bytes.rest());
+        let written = bytes.rest();
+        of_a_program(written);
+        let text = String::from_utf8_lossy(written);
         // A program's answer ends with its line.
         text.split('\n').for_each(line);
     }
+}
+
+/// What a program writes comes as the same lines in whatever pieces; each is an answer, or told as what it is.
+fn of_a_program(written: &[u8]) {
+    let mut lines = LineBuffer::default();
+    let mut left = written;
+    let mut expected = written.split(|&byte| byte == b'\n');
+    while let Some(&first) = left.first() {
+        let (piece, others) = left.split_at(left.len().min(1 + usize::from(first % 97)));
+        lines.push(piece);
+        left = others;
+        while let Some(line) = lines.take().expect("no line is too long") {
+            let line = lines.get(line);
+            assert_eq!(Some(line), expected.next(), "in pieces");
+            answered(line);
+        }
+    }
+    assert_eq!(Some(lines.rest()), expected.next(), "what has no end");
+    assert_eq!(expected.next(), None);
+    // A program that goes on like this, and never ends its line.
+    let rest = lines.rest().to_vec();
+    if rest.len() > 64 {
+        while lines.rest().len() <= LineBuffer::LONGEST {
+            assert_eq!(lines.take(), Ok(None));
+            lines.push(&rest);
+        }
+        assert_eq!(lines.take(), Err(TooLong));
+    }
+}
+
+/// An answer to a step, to a reset, or neither.
+fn answered(line: &[u8]) {
+    let told = |what: What| {
+        let place = Place { scenario: "any".to_owned(), step: 1, sent: "{}".to_owned() };
+        let trouble = Trouble { place: Some(Box::new(place)), what, stderr: Vec::new() };
+        for text in [trouble.to_string(), trouble.hint().to_string()] {
+            assert!(!text.contains(|c: char| c.is_control() && c != '\n'), "{text:?}");
+        }
+    };
+    let late = Reply::to_step(line, true);
+    if !matches!(late, Ok(Reply::Nothing)) {
+        assert_eq!(Reply::to_step(line, false).is_ok(), late.is_ok());
+    }
+    let reset = Reply::to_reset(line);
+    assert!(reset.is_err() || !matches!(late, Ok(Reply::Answer(_))));
+    late.err().into_iter().chain(reset.err()).for_each(told);
 }
 
 /// A line is each of the sorts or not, and what is one is written as it was read.

@@ -6,8 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use adsdv_can::car::{Action, Switch};
-use adsdv_can::scenario::Scenario;
-use adsdv_oracle::candump::{Dropped, write_dropped};
+use adsdv_can::scenario::{self, Scenario};
+use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
 use adsdv_oracle::protocol::{INPUTS, Request, SHOWN, Shown, Told};
 use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
@@ -29,6 +29,8 @@ const LOGS: [(&str, &str); 2] = [
 
 /// So many lines of a log are enough to begin with, and of so many of its frames bytes are taken.
 const LINES: usize = 60;
+/// A word of a dictionary has at most so many bytes: libFuzzer takes no longer ones.
+const WORD: usize = 64;
 /// A body has at most so many inputs to begin with.
 pub const MOST: usize = 40;
 
@@ -55,6 +57,8 @@ pub fn corpus() -> Corpus {
     for (name, text) in Scenario::SAMPLES {
         add("scenario", name, with(text.as_bytes(), &with(&[0], &any_bytes(name.len() as u64, 60))));
     }
+    let long = format!("0 asms on\n1 go on #{}\n2 asms off\n", "x".repeat(scenario::MAX_LINE));
+    add("scenario", "longer-than-a-line-may-be", with(long.as_bytes(), &with(&[0], &any_bytes(7, 60))));
     let tests = suite::generate(&Interface::V3_0);
     for kind in Kind::ALL {
         // The shortest of each kind says as much as a longer one.
@@ -126,7 +130,8 @@ fn words(target: &str) -> BTreeSet<String> {
         "candump" | "judge_any" => {
             words.extend(MESSAGES.iter().map(|def| format!("{:03X}#", def.id)));
             for (_, line) in other_lines() {
-                words.extend(line.split_inclusive(' ').map(str::to_owned));
+                let parts = line.split_inclusive(' ').filter(|part| part.len() <= WORD);
+                words.extend(parts.map(str::to_owned));
             }
             words.extend(
                 ["(", ".", ") ", " can0 ", "##", "#R", "_F", " R\n", " T\n", "\r\n"].map(str::to_owned),
@@ -222,7 +227,7 @@ fn pieces(log: &str) -> impl Iterator<Item = String> + '_ {
 }
 
 /// Lines that the logs do not have.
-fn other_lines() -> [(&'static str, String); 6] {
+fn other_lines() -> [(&'static str, String); 7] {
     let mut dropped = Vec::new();
     let told = Dropped { line: 0, interface: "can0", count: 3, total: 7 };
     // Memory can be written to.
@@ -233,6 +238,10 @@ fn other_lines() -> [(&'static str, String); 6] {
         ("remote", "(1.000000) can0 520#R8_F T\n".to_owned()),
         ("error", "(1.000000) can0 20000004#0004000000000000\n".to_owned()),
         ("fd", "(1.000000) can0 520##10011\r\n".to_owned()),
+        (
+            "longer-than-a-line-may-be",
+            format!("(1.000000) can0 520#{}\n(2.000000) can0 520#\n", "0".repeat(MAX_LINE)),
+        ),
         ("xl", "(1.000000) can0 45123#81:00:12345678#00.11".to_owned()),
     ]
 }

@@ -138,7 +138,9 @@ fn shortened(text: &str) -> String {
     let mut text = first.join("\n");
     if !others.is_empty() {
         let mut sum = FnvHasher::default();
-        others.iter().for_each(|line| sum.write(line.as_bytes()));
+        for line in others {
+            sum.write(line.as_bytes());
+        }
         let _ = write!(text, "\nand {} lines more, of the sum {:016X}", others.len(), sum.finish());
     }
     text
