@@ -1,6 +1,6 @@
 //! What is wrong in the tests that failed: each thing once, shortened.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use adsdv_spec::{Choice, Machine};
 
@@ -120,28 +120,28 @@ impl Run<'_> {
         let mut told = Vec::with_capacity(all);
         for (done, failure) in groups.into_iter().enumerate() {
             self.tell(Progress { phase: Phase::Shrinking, done, all });
-            told.push(self.shortest(failure, &machine, suite.late, all - done)?);
+            let share = share(self.shrinking, done, all);
+            told.push(self.shortest(failure, &machine, suite.late, share)?);
         }
         Ok(Failures { told, more, wrong, broken })
     }
 
-    /// The failure with the shortest scenario that is found in a fair part of the time that is left.
+    /// The failure with the shortest scenario that is found in this time.
     pub(super) fn shortest(
         &mut self,
         mut failure: Failure,
         machine: &Machine,
         late: usize,
-        left: usize,
+        time: Duration,
     ) -> Result<Failure, Trouble> {
         let Some(found) = failure.found.clone() else { return Ok(failure) };
         let start = Instant::now();
-        let share = self.shrinking / u32::try_from(left.max(1)).unwrap_or(u32::MAX);
         let mut shrink = Shrink {
             vcu: &mut *self.vcu,
             machine,
             late,
             fixed: self.options.cycle_ms.is_some(),
-            deadline: start + share,
+            deadline: start + time,
         };
         let scenario = std::mem::take(&mut failure.scenario);
         let failing = Failing { scenario, replies: std::mem::take(&mut failure.replies), found };
@@ -150,5 +150,23 @@ impl Run<'_> {
         failure.expected = scenario.shown(machine).collect();
         (failure.scenario, failure.replies, failure.found) = (scenario, replies, Some(found));
         Ok(failure)
+    }
+}
+
+/// The fair part of the time for one of several, of which some are done.
+pub(super) fn share(time: Duration, done: usize, all: usize) -> Duration {
+    let left = all.saturating_sub(done).max(1);
+    time / u32::try_from(left).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_has_its_share_of_the_time_that_is_left() {
+        let minute = Duration::from_mins(1);
+        let shares: Vec<u64> = (0..=4).map(|done| share(minute, done, 4).as_secs()).collect();
+        assert_eq!(shares, [15, 20, 30, 60, 60]);
     }
 }

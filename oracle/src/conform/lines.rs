@@ -157,3 +157,108 @@ fn read(mut pipe: impl Read, chunks: &SyncSender<Vec<u8>>) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::{self, Cursor, ErrorKind};
+
+    use super::*;
+
+    const LONG: Duration = Duration::from_mins(1);
+
+    fn line(len: usize) -> Vec<u8> {
+        [vec![b'x'; len], vec![b'\n']].concat()
+    }
+
+    #[test]
+    fn a_line_may_be_as_long_as_that_and_no_longer() {
+        let longest = LineBuffer::LONGEST;
+        assert_eq!(longest, 65_536);
+        let mut lines = LineBuffer::default();
+        lines.push(&line(longest));
+        assert_eq!(lines.take(), Ok(Some(0..longest)));
+        lines.push(&line(longest + 1));
+        assert_eq!(lines.take(), Err(TooLong));
+        assert_eq!(lines.rest().len(), longest + 2, "it can still be shown");
+        let mut lines = LineBuffer::default();
+        lines.push(&vec![b'x'; longest]);
+        assert_eq!(lines.take(), Ok(None), "its end may come");
+        lines.push(b"x");
+        assert_eq!(lines.take(), Err(TooLong));
+    }
+
+    #[test]
+    fn lines_come_one_after_the_other_in_any_pieces() {
+        let mut lines = LineBuffer::default();
+        let mut taken = Vec::new();
+        for piece in ["a\nb", "b", "b\n\nc", "\n", "d"] {
+            lines.push(piece.as_bytes());
+            while let Some(line) = lines.take().expect("short lines") {
+                taken.push(String::from_utf8_lossy(lines.get(line)).into_owned());
+            }
+        }
+        assert_eq!(taken, ["a", "bbb", "", "c"]);
+        assert_eq!(lines.rest(), b"d");
+    }
+
+    /// A pipe that is interrupted before each byte, and fails in the end.
+    struct Fitful(Vec<u8>, bool);
+
+    impl Read for Fitful {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            self.1 = !self.1;
+            if self.1 {
+                return Err(ErrorKind::Interrupted.into());
+            }
+            match (self.0.pop(), buffer.first_mut()) {
+                (Some(byte), Some(place)) => {
+                    *place = byte;
+                    Ok(1)
+                }
+                _ => Err(ErrorKind::BrokenPipe.into()),
+            }
+        }
+    }
+
+    #[test]
+    fn a_pipe_is_read_to_its_end_and_through_interruptions() {
+        for pipe in [Box::new(Cursor::new(b"one\ntwo\nth")) as Box<dyn Read + Send>, {
+            Box::new(Fitful(b"one\ntwo\nth".iter().rev().copied().collect(), false))
+        }] {
+            let mut lines = Lines::of(pipe);
+            for expected in ["one", "two"] {
+                let line = lines.next(LONG, || false).expect("a line");
+                assert_eq!(lines.get(line), expected.as_bytes());
+            }
+            assert_eq!(lines.next(LONG, || false), Err(Missing::End));
+            assert_eq!(lines.rest(), b"th");
+        }
+    }
+
+    /// A pipe that stays open and silent.
+    struct Silent;
+
+    impl Read for Silent {
+        fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+            loop {
+                thread::park();
+            }
+        }
+    }
+
+    #[test]
+    fn an_open_pipe_is_late_or_that_of_a_program_that_is_no_more() {
+        assert_eq!(Lines::of(Silent).next(Duration::ZERO, || false), Err(Missing::Late));
+        assert_eq!(Lines::of(Silent).next(LOOK * 2, || false), Err(Missing::Late));
+        // It is looked at again after it is known to have ended.
+        let mut looks = 0;
+        let ended = || {
+            looks += 1;
+            true
+        };
+        assert_eq!(Lines::of(Silent).next(LONG, ended), Err(Missing::End));
+        assert_eq!(looks, 1);
+        let endless = io::repeat(b'x');
+        assert_eq!(Lines::of(endless).next(LONG, || false), Err(Missing::TooLong));
+    }
+}

@@ -5,7 +5,7 @@ use adsdv_spec::{Machine, Readings};
 use super::blame::{Blame, Wrong};
 use super::broken::Break;
 use super::explain::Explain;
-use super::failures::{Failures, TOLD};
+use super::failures::{Failures, TOLD, share};
 use super::options::{Phase, Progress};
 use super::report::Failure;
 use super::rng::Rng;
@@ -134,7 +134,9 @@ impl Run<'_> {
                     done: run as usize,
                     all: options.runs as usize,
                 });
-                random.failures.push(self.shortest(failure, &judge, suite.late, 4)?);
+                // How many more there will be nobody knows.
+                let share = share(self.shrinking, 0, 4);
+                random.failures.push(self.shortest(failure, &judge, suite.late, share)?);
             }
             explain = Explain::new(&options.interface, readings.clone());
             random.readings = readings;

@@ -126,3 +126,23 @@ impl Vcu for InProcess {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_the_answer_to_a_step_to_a_reset_or_none() {
+        let off = b"{\"as_state\":\"AS_OFF\"}";
+        let step = |line: &[u8], late| Reply::to_step(line, late);
+        assert_eq!(step(off, false).ok().and_then(|reply| reply.state()), Some(AsState::Off));
+        assert!(matches!(step(b" {} \r", true), Ok(Reply::Nothing)));
+        assert!(matches!(step(b"{}", false), Err(What::NoAnswer(line, _)) if line == "{}"));
+        assert!(matches!(step(b"nonsense", true), Err(What::NoAnswer(line, _)) if line == "nonsense"));
+        assert!(matches!(step(&[0xFF], true), Err(What::NotText(_))));
+        assert!(Reply::to_reset(b"{}").is_ok());
+        assert!(matches!(Reply::to_reset(off), Err(What::NoReset(_, None))));
+        assert!(matches!(Reply::to_reset(b"ready"), Err(What::NoReset(_, Some(_)))));
+        assert!(matches!(Reply::to_reset(&[0xFF]), Err(What::NotText(_))));
+    }
+}

@@ -1,8 +1,10 @@
 //! Random scenarios find what the suite does not, and are the same for the same seed.
 
-use adsdv_oracle::conform::{Options, Outcome, Report};
+use adsdv_oracle::conform::{InProcess, Options, Outcome, Reply, Report, Trouble, Vcu, conform};
+use adsdv_oracle::suite::Scenario;
+use adsdv_spec::Machine;
 
-use crate::programs::{TIMEOUT, example};
+use crate::programs::{TIMEOUT, example, tests};
 
 fn once(seed: u64, runs: u32) -> Report {
     // It enters AS_READY only once after each reset, which no test of the suite asks for twice.
@@ -48,4 +50,30 @@ fn what_is_wrong_once_and_right_when_asked_again_is_told_as_that() {
     let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
     assert!(failure.found.is_none() && !report.conforms());
     assert_eq!(report.failed_tests, 1);
+}
+
+/// A right program that counts what it is asked.
+struct Counting(InProcess, usize);
+
+impl Vcu for Counting {
+    fn ask(
+        &mut self,
+        scenarios: &[(&str, &Scenario)],
+        answered: &mut dyn FnMut(usize, &[Reply]),
+    ) -> Result<(), Trouble> {
+        self.1 += scenarios.len();
+        self.0.ask(scenarios, answered)
+    }
+}
+
+#[test]
+fn as_many_scenarios_are_tried_as_were_asked_for() {
+    for runs in [0, 1, 63, 64, 65, 200] {
+        let mut program = Counting(InProcess(Machine::REFERENCE), 0);
+        let options = Options { runs, ..Options::default() };
+        let report = conform(&mut program, tests(), &options, &mut |_| {}).expect("it answers");
+        assert!(report.conforms());
+        assert_eq!(program.1, tests().len() + runs as usize);
+        assert_eq!(report.runs, runs);
+    }
 }
