@@ -214,21 +214,39 @@ fn refused() -> Outcome {
     Ok(Completion::Completed)
 }
 
+/// A disk without any room, and a file of 4 KiB, which cuts a line: the system refuses to write more.
 fn full_disk() -> Outcome {
     let Some(adsdv) = adsdv() else { return Ok(without()) };
+    watched_with_a_full_disk(&adsdv, "", Path::new("/dev/full"))?;
+    let file = log("full");
+    watched_with_a_full_disk(&adsdv, "trap '' XFSZ; ulimit -f 8; ", &file)?;
+    let written = fs::read_to_string(&file)?;
+    ensure!(written.len() == 8 * 512 && !written.ends_with('\n'), "{} bytes", written.len());
+    let whole = written.matches('\n').count();
+    let (code, out, error) = Program::start(&adsdv, &["check", text(&file)?])?.end()?;
+    ensure!(out.contains(&format!(": {whole} frames")), "{code:?} {out} {error}");
+    let _ = fs::remove_file(file);
+    Ok(Completion::Completed)
+}
+
+/// It is told when it happens and at the end, and watching goes on.
+fn watched_with_a_full_disk(adsdv: &Path, limit: &str, log: &Path) -> Tried {
     let vcan = Vcan::new()?;
-    let watch = Program::start(&adsdv, &["watch", &vcan.0, "--log", "/dev/full"])?;
+    let command = format!("{limit}exec \"$0\" \"$@\"");
+    let words = ["-c", &command, text(adsdv)?, "watch", &vcan.0, "--log", text(log)?];
+    let watch = Program::start(Path::new("sh"), &words)?;
     thread::sleep(Duration::from_secs(1));
     let other = vcan.other()?;
-    for number in 0..100_u8 {
+    for number in 0..200_u8 {
         other.send_standard(0x520, &[0, 0, 1, 0, 0, 0, 0, number])?;
         thread::sleep(Duration::from_millis(10));
     }
     watch.signal("INT")?;
     let (code, out, error) = watch.end()?;
-    ensure!(code == Some(2) && out.contains(": 100 frames"), "{code:?} {out}");
-    ensure!(error.contains("/dev/full: cannot record the log: ") && error.contains("hint: free"), "{error}");
-    Ok(Completion::Completed)
+    ensure!(code == Some(2) && out.contains(": 200 frames"), "{code:?} {out}");
+    let told = format!("{}: cannot record the log: ", log.display());
+    ensure!(error.matches(&told).count() == 2 && error.contains("hint: "), "{error}");
+    Ok(())
 }
 
 fn full_disk_for_output() -> Outcome {

@@ -1,5 +1,6 @@
 //! What the models tell people and other tools, against the files beside this one: pictures, steps in words, stories, logs,
-//! and the Promela model. A change of what they tell shows as a change of a file that people read.
+//! the Promela model, and what readings cost (`readings.rs`). A change of what they tell shows as a change of a file that people
+//! read. `closed.rs` and `open.rs` are the two models in numbers.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test told` writes the files anew.
 
