@@ -51,9 +51,8 @@ impl Shrink<'_> {
         let found = Break::find(self.machine, &asked, &answers, self.late);
         let same = |found: &Break| as_this.is_none_or(|this| found.is_like(this));
         Ok(found.filter(same).map(|found| {
-            let end = (found.about + 1).max((found.step + 1).saturating_sub(self.late));
             let mut scenario = scenario;
-            scenario.steps.truncate(end);
+            scenario.steps.truncate(found.about + 1);
             Failing { scenario, replies: answers.clone(), found }
         }))
     }
@@ -97,7 +96,7 @@ impl Shrink<'_> {
         let mut width = best.scenario.steps.len();
         while width > 0 {
             let mut start = 0;
-            while start < best.scenario.steps.len() && !self.is_late() {
+            while best.scenario.steps.get(start).is_some() && !self.is_late() {
                 let steps = &best.scenario.steps;
                 let end = (start + width).min(steps.len());
                 let (before, rest) = steps.split_at(start);
@@ -152,7 +151,7 @@ impl Shrink<'_> {
                 (best.scenario.steps.get(place - 1), best.scenario.steps.get(place))
             {
                 let (before, now) = ((field.get)(&last.inputs), (field.get)(&step.inputs));
-                if before != now && !self.is_late() {
+                if before != now {
                     let steps = &best.scenario.steps;
                     let same =
                         steps.iter().skip(place).take_while(|step| (field.get)(&step.inputs) == now).count();

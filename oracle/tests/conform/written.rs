@@ -253,6 +253,13 @@ fn tampered() -> String {
     let (_, tampers) = TAMPERINGS[9];
     let program = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
     text += &name("so much is wrong that not all is told", program, &Options { runs: 200, ..by_default() });
+    let (_, tampers) = TAMPERINGS[2];
+    let no_time = Options { shrinking: Duration::ZERO, ..by_default() };
+    text += &name(
+        "no time to shorten anything",
+        Erring { tampers, ..Erring::new(&Machine::REFERENCE) },
+        &no_time,
+    );
     // What is asked for again is those that failed; of five of them it is found again.
     for (what, asked_again) in [("wrong once", 0), ("wrong twice in five scenarios", 5)] {
         let (_, tampers) = TAMPERINGS[3];
