@@ -55,3 +55,43 @@ fn read(mut pipe: impl Read, kept: &Mutex<Vec<u8>>) {
         end.drain(..before);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+
+    use super::*;
+
+    fn last_words(pipe: impl Read + Send + 'static) -> Vec<String> {
+        LastWords::of(pipe).lines()
+    }
+
+    #[test]
+    fn the_last_lines_are_kept_and_empty_ones_are_none() {
+        assert_eq!(last_words(io::empty()), [""; 0]);
+        assert_eq!(last_words(&b"one\n\n  \ntwo"[..]), ["one", "two"]);
+        let many: Vec<String> = (0..5000).map(|number| format!("line {number}")).collect();
+        assert_eq!(last_words(io::Cursor::new(many.join("\n") + "\n")), many[4995..]);
+        let long = "x".repeat(KEPT) + "y";
+        assert_eq!(last_words(io::Cursor::new(long.into_bytes())).len(), 1);
+    }
+
+    /// A pipe that says something after a while, and then stays open without a word or ends.
+    struct Slow(&'static [u8], bool);
+
+    impl Read for Slow {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            thread::sleep(Duration::from_millis(20));
+            while self.0.is_empty() && self.1 {
+                thread::park();
+            }
+            self.0.read(buffer)
+        }
+    }
+
+    #[test]
+    fn words_that_are_late_are_waited_for_and_an_open_pipe_is_not() {
+        assert_eq!(last_words(Slow(b"late", false)), ["late"]);
+        assert_eq!(last_words(Slow(b"late", true)), ["late"]);
+    }
+}

@@ -268,6 +268,10 @@ fn tampered() -> String {
             &name(what, Erring { tampers, for_scenarios, ..Erring::new(&Machine::REFERENCE) }, &by_default());
     }
     let late = |late, nothing| Erring { late, nothing, ..Erring::new(&Machine::REFERENCE) };
+    text += &name("late, and nobody said so", late(1, false), &by_default());
+    let (_, tampers) = TAMPERINGS[3];
+    let wrong_too = Erring { tampers, ..late(1, false) };
+    text += &name("late, and half of it wrong as well", wrong_too, &by_default());
     text += &name(
         "late by one step more than is allowed",
         late(2, false),
