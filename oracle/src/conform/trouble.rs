@@ -225,3 +225,21 @@ pub(super) fn excerpt(bytes: &[u8]) -> String {
     }
     shown
 }
+
+#[cfg(test)]
+mod tests {
+    use super::excerpt;
+
+    #[test]
+    fn as_much_as_fits_is_shown_and_nothing_that_moves_the_cursor() {
+        assert_eq!(excerpt(b"one\ttwo\x1b[2J\r\n"), "one\\ttwo\\u{1b}[2J");
+        assert_eq!(excerpt(b"\xFFx"), "\u{FFFD}x");
+        // Letters of one byte, of two and of four.
+        for letter in ["x", "\u{E4}", "\u{1F3CE}"] {
+            let (fits, more) = (letter.repeat(200), letter.repeat(201));
+            assert_eq!(excerpt(fits.as_bytes()), fits);
+            assert_eq!(excerpt(more.as_bytes()), fits + "...");
+        }
+        assert_eq!(excerpt(&[b'\n'; 900]), "...");
+    }
+}

@@ -145,4 +145,24 @@ mod tests {
         assert!(matches!(Reply::to_reset(b"ready"), Err(What::NoReset(_, Some(_)))));
         assert!(matches!(Reply::to_reset(&[0xFF]), Err(What::NotText(_))));
     }
+
+    #[test]
+    fn a_machine_answers_each_step_and_ends_without_a_word() {
+        let step = crate::suite::Step { dt_ms: 10, inputs: adsdv_spec::Inputs::default() };
+        let scenario = Scenario { steps: vec![step; 3] };
+        let mut told = Vec::new();
+        let mut machine = InProcess(Machine::REFERENCE);
+        let asked = machine.ask(&[("a", &scenario), ("b", &scenario)], &mut |place, replies| {
+            told.push((place, replies.len(), replies.iter().all(Reply::is_initial)));
+        });
+        assert!(asked.is_ok() && machine.end().is_ok_and(|notes| notes.is_empty()));
+        assert_eq!(told, [(0, 3, true), (1, 3, true)]);
+    }
+
+    #[test]
+    fn only_as_off_can_come_before_the_first_step() {
+        let initial = |line: &[u8]| Reply::to_step(line, true).is_ok_and(|reply| reply.is_initial());
+        assert!(initial(b"{}") && initial(b"{\"as_state\":\"AS_OFF\"}"));
+        assert!(!initial(b"{\"as_state\":\"AS_READY\"}"));
+    }
 }

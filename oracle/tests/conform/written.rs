@@ -164,6 +164,11 @@ fn readings() -> String {
         let machine = Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT.with(choice));
         text += &name(&format!("{mutation}, all readings"), Erring::new(&machine), &usual());
     }
+    let mute = |_, _: &Inputs, outputs: &mut Outputs| {
+        outputs.remove("go_signal");
+    };
+    let mute = Erring { tampers: mute, ..Erring::new(&Machine::REFERENCE) };
+    text += &name("shows no GO_SIGNAL, so that one question stays open", mute, &usual());
     let pinned = Options { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
     let edge = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
     text + &name("another reading than the one that is pinned", Erring::new(&edge), &pinned)
