@@ -171,7 +171,10 @@ fn readings() -> String {
     text += &name("shows no GO_SIGNAL, so that one question stays open", mute, &usual());
     let pinned = Options { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
     let edge = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
-    text + &name("another reading than the one that is pinned", Erring::new(&edge), &pinned)
+    text += &name("another reading than the one that is pinned", Erring::new(&edge), &pinned);
+    let (_, tampers) = TAMPERINGS[6];
+    let wrong = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
+    text + &name("nothing is right, and a reading is pinned", wrong, &pinned)
 }
 
 /// How outputs can be wrong.

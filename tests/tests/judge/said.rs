@@ -70,8 +70,8 @@ pub(crate) fn what_happens_is_as_written(name: &str, events: &[Event], options: 
 
 /// Writes the file from what all tests say, one after the other.
 fn write(name: &str, text: &str) {
-    assert!(env::var_os("NEXTEST").is_none(), "cargo test writes it: nextest runs each test by itself");
     static WRITTEN: Mutex<Said> = Mutex::new(Said::new());
+    assert!(env::var_os("NEXTEST").is_none(), "cargo test writes it: nextest runs each test by itself");
     let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
     written.entry(name.to_owned()).or_default().insert(text.to_owned());
     let texts = written.iter().flat_map(|(name, texts)| texts.iter().map(move |text| (name, text)));
