@@ -86,7 +86,7 @@ fn what_can_happen_next() {
         ("emergency-can-happen", run("emergency-can-happen", Operator::Any)),
     ];
     let people = Closed::explorer(Machine::REFERENCE);
-    let models = [
+    let models = vec![
         ("a well-behaved operator", scaled(Operator::WellBehaved), 4),
         ("any operator", scaled(Operator::Any), 3),
         ("any operator, and no answers", scaled(Operator::Any).with_conduct(Conduct::Mute), 3),

@@ -287,6 +287,7 @@ mod tests {
             Some(10): 363831 steps, 8C3D6C767D267F00
             None: 4210 steps, 804BDF964887A243
             Some(50): 116868 steps, 3A26165977378DBC
-        "#]].assert_eq(&told);
+        "#]]
+        .assert_eq(&told);
     }
 }
