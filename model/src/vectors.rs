@@ -153,7 +153,7 @@ mod tests {
                 }
             }
         }
-        expect![[r#"
+        expect![[r"
             default readings, Every, AS_OFF: 7 and 7 in 14336, 7 and 7 in 14336,
             default readings, Every, AS_READY: 11 and 7 in 57344, 11 and 7 in 57344,
             default readings, Every, AS_DRIVING: 10 and 7 in 21504, 10 and 7 in 21504,
@@ -184,7 +184,7 @@ mod tests {
             other readings, Few, AS_DRIVING: 11 and 7 in 1152, 11 and 7 in 1152,
             other readings, Few, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
             other readings, Few, AS_FINISHED: 6 and 7 in 64, 6 and 7 in 64,
-        "#]]
+        "]]
         .assert_eq(&told);
     }
 

@@ -270,11 +270,11 @@ mod tests {
         let other = Machine::new(Interface::V3_0, readings);
         let mut told = String::new();
         for (machine, cycle_ms) in
-            [(Machine::REFERENCE, None), (Machine::REFERENCE, Some(10)), (other, None), (other, Some(50))]
+            [(&Machine::REFERENCE, None), (&Machine::REFERENCE, Some(10)), (&other, None), (&other, Some(50))]
         {
             let (mut sum, mut steps) = (FnvHasher::default(), 0);
             for run in 0..200 {
-                let scenario = Walker::new(&machine, cycle_ms, Rng::new(1, run)).scenario();
+                let scenario = Walker::new(machine, cycle_ms, Rng::new(1, run)).scenario();
                 steps += scenario.steps.len();
                 for step in &scenario.steps {
                     sum.write(format!("{} {}\n", step.dt_ms, Told(step.inputs)).as_bytes());
@@ -282,12 +282,12 @@ mod tests {
             }
             let _ = writeln!(told, "{cycle_ms:?}: {steps} steps, {:016X}", sum.finish());
         }
-        expect![[r#"
+        expect![[r"
             None: 3988 steps, 986DC06D91E4392F
             Some(10): 363831 steps, 8C3D6C767D267F00
             None: 4210 steps, 804BDF964887A243
             Some(50): 116868 steps, 3A26165977378DBC
-        "#]]
+        "]]
         .assert_eq(&told);
     }
 }
