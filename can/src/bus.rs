@@ -70,8 +70,6 @@ pub struct Received {
 const EXTENDED_FLAG: u32 = 0x8000_0000;
 const REMOTE_FLAG: u32 = 0x4000_0000;
 const ERROR_FLAG: u32 = 0x2000_0000;
-const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
-const STANDARD_MASK: u32 = 0x7FF;
 
 impl Received {
     /// The bytes of `struct can_frame`: identifier and flags, length, three that do not count, and the data.
@@ -83,21 +81,21 @@ impl Received {
         let word = u32::from_ne_bytes([i0, i1, i2, i3]);
         let len = len.min(8);
         let extended = word & EXTENDED_FLAG != 0;
-        let (kind, mask) = if word & ERROR_FLAG != 0 {
-            (FrameKind::Error, EXTENDED_MASK)
+        let kind = if word & ERROR_FLAG != 0 {
+            FrameKind::Error
         } else if word & REMOTE_FLAG != 0 {
-            (FrameKind::Remote { extended, len }, if extended { EXTENDED_MASK } else { STANDARD_MASK })
+            FrameKind::Remote { extended, len }
         } else if extended {
-            (FrameKind::Extended, EXTENDED_MASK)
+            FrameKind::Extended
         } else {
-            (FrameKind::Standard, STANDARD_MASK)
+            FrameKind::Standard
         };
         let len = if matches!(kind, FrameKind::Remote { .. }) { 0 } else { len };
         let mut clean = [0; 8];
         for (place, byte) in clean.iter_mut().zip(data).take(len.into()) {
             *place = byte;
         }
-        Self { time_ns, kind, id: word & mask, len, data: clean }
+        Self { time_ns, kind, id: word & kind.max_id(), len, data: clean }
     }
 
     /// The bytes that came.

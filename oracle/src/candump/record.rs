@@ -1,5 +1,7 @@
 //! One line of a log, read.
 
+use super::frame::{EXTENDED_MASK, STANDARD_MASK};
+
 /// The largest data field of any frame: CAN XL.
 pub(super) const MAX_DATA: usize = 2048;
 
@@ -53,6 +55,20 @@ pub enum FrameKind {
     },
     /// CAN XL frame: `45123#81:00:12345678#11223344`. Network, flags and types of its header are not kept.
     Xl,
+}
+
+impl FrameKind {
+    /// The largest identifier that a frame of this kind can have; for an error frame, the largest class. One of CAN XL has a
+    /// priority in its place.
+    pub const fn max_id(self) -> u32 {
+        match self {
+            Self::Extended
+            | Self::Error
+            | Self::Remote { extended: true, .. }
+            | Self::Fd { extended: true, .. } => EXTENDED_MASK,
+            Self::Standard | Self::Remote { .. } | Self::Fd { .. } | Self::Xl => STANDARD_MASK,
+        }
+    }
 }
 
 /// Whether the recording host received or sent a frame.

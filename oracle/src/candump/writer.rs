@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::dropped::Dropped;
-use super::frame::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
+use super::frame::{ERROR_FLAG, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::line;
 use super::record::{Direction, FrameKind, Record};
 use super::time::{NS_PER_MICROSECOND, NS_PER_SECOND};
@@ -130,32 +130,32 @@ fn put(
 
 /// Fails if the kind has no such identifier, or not so much data.
 fn check_limits(record: &Record<'_>) -> io::Result<()> {
-    let (id_mask, most) = match record.kind {
-        FrameKind::Standard => (STANDARD_MASK, MAX_CLASSIC),
-        FrameKind::Extended | FrameKind::Error => (EXTENDED_MASK, MAX_CLASSIC),
-        FrameKind::Remote { extended, len } => {
+    let most = match record.kind {
+        FrameKind::Standard | FrameKind::Extended | FrameKind::Error => MAX_CLASSIC,
+        FrameKind::Remote { len, .. } => {
             if usize::from(len) > MAX_CLASSIC {
                 return Err(invalid(format!(
                     "the remote frame asks for {len} bytes of data, and CAN has at most {MAX_CLASSIC}"
                 )));
             }
-            (if extended { EXTENDED_MASK } else { STANDARD_MASK }, 0)
+            0
         }
-        FrameKind::Fd { extended, flags } => {
+        FrameKind::Fd { flags, .. } => {
             if flags > 0xF {
                 return Err(invalid(format!(
                     "the flags of the CAN FD frame are {flags:X}, and a log has one digit"
                 )));
             }
-            (if extended { EXTENDED_MASK } else { STANDARD_MASK }, MAX_FD)
+            MAX_FD
         }
         FrameKind::Xl => {
             return Err(invalid("a frame of CAN XL has more than a record keeps of it".to_owned()));
         }
     };
-    if record.id > id_mask {
+    let max_id = record.kind.max_id();
+    if record.id > max_id {
         return Err(invalid(format!(
-            "the identifier is {:X}, and such a frame has them up to {id_mask:X}",
+            "the identifier is {:X}, and such a frame has them up to {max_id:X}",
             record.id
         )));
     }
@@ -209,6 +209,7 @@ fn invalid(message: String) -> io::Error {
 mod tests {
     use super::super::{Entry, Reader};
     use super::*;
+    use crate::candump::frame::EXTENDED_MASK;
 
     fn written(time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<String> {
         let mut out = Vec::new();

@@ -128,8 +128,7 @@ fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
         3 => drop(watch.dropped(bytes.any())),
         4 => {
             let received = Received::of_can_frame(time_ns, bytes.any());
-            let largest = if matches!(received.kind, FrameKind::Standard) { 0x7FF } else { 0x1FFF_FFFF };
-            assert!(received.id <= largest && received.len <= 8, "{received:?}");
+            assert!(received.id <= received.kind.max_id() && received.len <= 8, "{received:?}");
             watch.frame(&received);
         }
         _ => {
