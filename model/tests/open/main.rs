@@ -1,5 +1,7 @@
 //! The open model: complete, the same whichever way it is explored, and what its abstractions rest on.
 
+#[path = "../chance/mod.rs"]
+mod chance;
 mod lemmas;
 mod raw;
 mod whole;

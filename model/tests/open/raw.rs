@@ -4,27 +4,11 @@ use adsdv_model::{PROPERTIES, Step, Vectors};
 use adsdv_spec::messages::{AxleTorqueRequest, SteerAngle, WheelSpeed};
 use adsdv_spec::{Atom, Control, Fault, Inputs, Interface, Machine, Observation};
 
+use crate::chance::Random;
 use crate::reachable;
 
-/// SplitMix64: small, and the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        usize::try_from((z ^ (z >> 31)) >> 33).unwrap_or_default() % limit
-    }
-
-    fn one_in(&mut self, many: usize) -> bool {
-        self.below(many) == 0
-    }
-
-    fn value(&mut self, from: i32, to: i32) -> i32 {
-        from + i32::try_from(self.below(usize::try_from(to - from + 1).unwrap_or(1))).unwrap_or_default()
-    }
+fn value(random: &mut Random, from: i32, to: i32) -> i32 {
+    from + i32::try_from(random.below(usize::try_from(to - from + 1).unwrap_or(1))).unwrap_or_default()
 }
 
 /// Inputs that wander: mostly towards what lets a mission go on, sometimes anywhere.
@@ -79,11 +63,11 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
         let ai = &mut inputs.ai;
         let wheels = &mut inputs.vehicle.wheel_speeds;
         match random.below(5) {
-            0 => ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(random.value(0, 1950)),
-            1 => ai.steer.steer_request = SteerAngle::clamped(random.value(-240, 240)),
-            2 => inputs.vehicle.steer_angle = SteerAngle::clamped(random.value(-60, 60)),
-            3 => wheels.fl_wheel_speed = WheelSpeed::clamped(random.value(5, 15)),
-            _ => wheels.rr_wheel_speed = WheelSpeed::clamped(random.value(0, 1000)),
+            0 => ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(value(random, 0, 1950)),
+            1 => ai.steer.steer_request = SteerAngle::clamped(value(random, -240, 240)),
+            2 => inputs.vehicle.steer_angle = SteerAngle::clamped(value(random, -60, 60)),
+            3 => wheels.fl_wheel_speed = WheelSpeed::clamped(value(random, 5, 15)),
+            _ => wheels.rr_wheel_speed = WheelSpeed::clamped(value(random, 0, 1000)),
         }
     }
     // An AI Computer that answers, but for now and then.

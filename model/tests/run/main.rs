@@ -4,6 +4,8 @@
 //! - `judged`: whole runs, right and wrong, judged as they should be.
 //! - `random`: random paths, whose raw inputs do what the observations did, and whose logs blame nobody wrongly.
 
+#[path = "../chance/mod.rs"]
+mod chance;
 mod judged;
 mod path;
 mod random;

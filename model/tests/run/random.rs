@@ -6,24 +6,8 @@ use adsdv_model::{Action, Run};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Interface, Machine, Observation, Readings};
 
+use crate::chance::Random;
 use crate::path::{CYCLE_MS, blamed, judged};
-
-/// A small deterministic generator (SplitMix64), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn one_in(&mut self, n: u64) -> bool {
-        self.bits().is_multiple_of(n)
-    }
-}
 
 /// What keeps a vehicle on its way to AS_DRIVING, with some conditions turned round; or anything at all.
 fn observation(random: &mut Random, control: &Control, rate: u64) -> Observation {

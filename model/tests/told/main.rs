@@ -4,6 +4,8 @@
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test told` writes the files anew.
 
+#[path = "../chance/mod.rs"]
+mod chance;
 mod closed;
 mod open;
 mod readings;

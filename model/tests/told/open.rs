@@ -13,6 +13,7 @@ use adsdv_spec::{Atoms, Choices, Control, Fault, Faults, Machine, Mutation, Obse
 use expect_test::expect_file;
 use fnv::FnvHasher;
 
+use crate::chance::Random;
 use crate::{SHORT, SHORTENED, lines, verified};
 
 /// The machine under every other reading, and with every so many-th mutation.
@@ -49,28 +50,12 @@ fn the_whole_of_it() {
     expect_file!["open.txt"].assert_eq(&told);
 }
 
-/// Numbers that look random, and are the same each time.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u64 {
-        // Knuth's MMIX.
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        self.0 >> 24
-    }
-
-    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
-        let place = usize::try_from(self.next()).expect("40 bits") % of.len();
-        &of[place]
-    }
-}
-
 const STEPS: u64 = 100_000;
 
 /// Steps of the reference, of those that err, and of VCUs that do anything at all: which properties each breaks.
 #[test]
 fn the_steps_that_break_a_property() {
-    let mut numbers = Numbers(3);
+    let mut random = Random(3);
     let machines: Vec<Machine> = machines(1).map(|(_, machine)| machine).collect();
     let all = reachable(&SHORT, SHORT_TIMERS, Vectors::Few);
     let controls = AsState::ALL.map(|state| {
@@ -78,21 +63,21 @@ fn the_steps_that_break_a_property() {
         of.sort_by_cached_key(|control| format!("{control:?}"));
         of
     });
-    let one_of = |numbers: &mut Numbers| {
-        let of = numbers.one(&controls);
-        numbers.one(of)
+    let one_of = |random: &mut Random| {
+        let of = random.one(&controls);
+        random.one(of)
     };
     let mut broken: Vec<_> = PROPERTIES.iter().map(|_| (0_u32, FnvHasher::default())).collect();
     for number in 0..STEPS {
-        let before = *one_of(&mut numbers);
-        let machine = numbers.one(&machines);
-        let bits = numbers.next();
+        let before = *one_of(&mut random);
+        let machine = random.one(&machines);
+        let bits = random.bits();
         let atoms = Observation::SCOPE.iter().filter(|atom| bits >> (*atom as u32) & 1 == 1);
-        let faults = Fault::ALL.iter().filter(|_| numbers.next().is_multiple_of(24));
+        let faults = Fault::ALL.iter().filter(|_| random.one_in(24));
         let faults = faults.fold(Faults::NONE, |all, &fault| all.with(fault));
         let seen = Observation::new(atoms.fold(Atoms::NONE, Atoms::with), faults);
         let mut step = Step::of(machine, &SHORT_TIMERS, before, seen);
-        let other = *one_of(&mut numbers);
+        let other = *one_of(&mut random);
         let after = &mut step.reaction.control;
         match number % 6 {
             0 => *after = other,
