@@ -73,7 +73,8 @@ fn every_mutation_fails_in_its_row() {
         let longest = found(&report).into_iter().map(|(_, steps)| steps).max();
         assert!(longest <= Some(8), "{mutation}: {:?}", found(&report));
     }
-    assert_eq!(fail, 158, "TESTING.md says so");
+    let summary = include_str!("../../../TESTING.md");
+    assert!(summary.contains(&format!(", {fail}: the others behave")), "TESTING.md: {fail} are found");
 }
 
 #[test]
