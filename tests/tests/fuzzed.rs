@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use adsdv_tests::fuzzed::{TARGETS, judge_any, replay, seeds};
+use adsdv_spec::messages::AsState;
+use adsdv_spec::{Interface, Taken};
+use adsdv_tests::fuzzed::{TARGETS, car, judge_any, replay, seeds, step};
 
 /// The body that stands with the border to C, and is run again by the tests there.
 const C_BORDER: &str = "c_border";
@@ -143,4 +145,26 @@ fn the_seeds_of_judge_any_are_read_as_logs() {
         assert_eq!(options.judge, adsdv_oracle::judge::Options::default(), "{name}");
         assert_eq!(options.interface, None, "{name}");
     }
+}
+
+#[test]
+fn the_seeds_of_step_take_every_term_of_the_table() {
+    let corpus = seeds::corpus();
+    let taken: Vec<_> = corpus["step"].values().flat_map(|seed| step::taken(seed)).collect();
+    let mut left = Vec::new();
+    for (row, def) in (0..).zip(Interface::V3_0.table.rows()) {
+        for (term, _) in (0..).zip(def.terms()) {
+            if !taken.contains(&Taken { row, term }) {
+                left.push(format!("{} -> {}: term {term}", def.from, def.to));
+            }
+        }
+    }
+    assert!(left.is_empty(), "{left:?}");
+}
+
+#[test]
+fn the_seeds_of_car_come_to_every_state() {
+    let corpus = seeds::corpus();
+    let reached: BTreeSet<_> = corpus["car"].values().flat_map(|seed| car::reached(seed)).collect();
+    assert_eq!(reached.into_iter().collect::<Vec<_>>(), AsState::ALL);
 }

@@ -2,11 +2,11 @@
 
 use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::bus::{Received, Trouble};
-use adsdv_can::car::{Action, Car, Switch, missing};
+use adsdv_can::car::{Action, Car, Switch, missing_for};
 use adsdv_can::live::Watch;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_oracle::log::LogOptions;
-use adsdv_spec::messages::{AnyMessage, Frame, MESSAGES, Node, Vcu2LogStatus, WheelSpeed};
+use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES, Node, Vcu2LogStatus, WheelSpeed};
 use adsdv_spec::{Interface, Machine};
 
 use super::Bytes;
@@ -17,6 +17,12 @@ const TURNS: u32 = 3000;
 
 /// The body.
 pub fn body(bytes: &[u8]) {
+    reached(bytes);
+}
+
+/// Runs the body; the states that the VCU comes to.
+pub fn reached(bytes: &[u8]) -> Vec<AsState> {
+    let mut reached = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
     let mut car = Car::new(Machine::new(Interface::V3_0, readings));
@@ -49,6 +55,14 @@ pub fn body(bytes: &[u8]) {
                 }
             }
             3 => seen(&mut watch, &mut bytes, time_ns),
+            4 => {
+                let wanted = bytes.pick(&AsState::ALL);
+                let conditions = missing_for(&car, wanted).map(|missing| missing.conditions);
+                for condition in conditions.unwrap_or_default() {
+                    assert!(!condition.to_string().is_empty());
+                    condition.action.iter().for_each(|action| car.act(action));
+                }
+            }
             _ => {
                 let cycle_ms = car.cycle_ms();
                 let dt_ms = match bytes.below(8) {
@@ -57,7 +71,8 @@ pub fn body(bytes: &[u8]) {
                     _ => cycle_ms,
                 };
                 for _ in 0..=bytes.below(16) {
-                    together(&mut car, &mut ai, &mut watch, time_ns, dt_ms);
+                    let state = together(&mut car, &mut ai, &mut watch, time_ns, dt_ms);
+                    reached.extend(state.filter(|state| reached.last() != Some(state)));
                     time_ns = time_ns.saturating_add(i64::from(dt_ms) * 1_000_000);
                 }
             }
@@ -67,10 +82,11 @@ pub fn body(bytes: &[u8]) {
     if let Err(error) = watch.finish() {
         assert!(!error.to_string().is_empty());
     }
+    reached
 }
 
-/// A cycle of both, and the bus between them.
-fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: u32) {
+/// A cycle of both, and the bus between them; the state that the VCU is in then.
+fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: u32) -> Option<AsState> {
     let before = car.vehicle().distance_m();
     let cycle = car.cycle(dt_ms);
     let timing = &car.machine().interface().timing;
@@ -82,9 +98,6 @@ fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: 
     assert!(distance.is_finite() && distance >= before, "{before} m, and then {distance} m");
     let wheels = car.inputs().vehicle.wheel_speeds;
     assert!(wheels.fl_wheel_speed <= WheelSpeed::MAX && wheels.rr_wheel_speed <= WheelSpeed::MAX);
-    if let Some(missing) = missing(car) {
-        assert!(missing.conditions.iter().all(|condition| !condition.to_string().is_empty()));
-    }
     for frame in &cycle.frames {
         sent(frame, Node::Vcu);
         assert!(ai.receive(frame).is_ok());
@@ -96,6 +109,7 @@ fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: 
         heard(watch, time_ns, &frame);
     }
     watch.news();
+    cycle.state()
 }
 
 /// Whoever sends sends what is theirs, and can be read.

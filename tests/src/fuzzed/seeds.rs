@@ -10,6 +10,7 @@ use adsdv_can::scenario::{self, Scenario};
 use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
 use adsdv_oracle::protocol::{INPUTS, Request, SHOWN, Shown, Told};
 use adsdv_oracle::suite::{self, Kind, Test};
+use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
 use adsdv_spec::{
     AiMessages, Atom, Choice, Choices, Control, Fault, Inputs, Interface, Knowledge, Machine, Observation,
@@ -18,7 +19,7 @@ use adsdv_spec::{
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{codec, judge_any, protocol};
+use super::{car, codec, judge_any, protocol, step};
 use crate::world::Random;
 
 /// The logs that the project has, each with its name.
@@ -31,8 +32,8 @@ const LOGS: [(&str, &str); 2] = [
 const LINES: usize = 60;
 /// A word of a dictionary has at most so many bytes: libFuzzer takes no longer ones.
 const WORD: usize = 64;
-/// A body has at most so many inputs to begin with.
-pub const MOST: usize = 40;
+/// A body has at most so many inputs to begin with: one for each theorem.
+pub const MOST: usize = 150;
 
 /// By the name of a body, the inputs that it begins with, each with its name.
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
@@ -79,17 +80,17 @@ pub fn corpus() -> Corpus {
         let data = first.unwrap_or_else(|| vec![0; def.len.into()]);
         add("codec", &format!("{:03X}", def.id), codec::as_data(def.id, &data));
     }
-    for target in [
-        "c_border",
-        "car",
-        "codec",
-        "conform",
-        "judge_any",
-        "judge_reference",
-        "protocol",
-        "step",
-        "theorems",
-    ] {
+    for (place, walk) in walks(5000, 256, step::taken).into_iter().enumerate() {
+        add("step", &format!("walk-{}", place + 1), walk);
+    }
+    for (place, walk) in walks(200, 600, car::reached).into_iter().enumerate() {
+        add("car", &format!("walk-{}", place + 1), walk);
+    }
+    for (place, theorem) in theorems::all().enumerate() {
+        let values = any_bytes(place as u64 + 1, 64);
+        add("theorems", theorem.name, with(&[u8::try_from(place).unwrap_or_default()], &values));
+    }
+    for target in ["c_border", "codec", "conform", "judge_any", "judge_reference", "protocol"] {
         for (place, len) in [16_u16, 48, 64, 96, 128, 192, 256, 400].into_iter().enumerate() {
             add(target, &format!("any-{}", place + 1), any_bytes(place as u64 + 1, len));
         }
@@ -214,6 +215,21 @@ fn with(before: &[u8], behind: &[u8]) -> Vec<u8> {
 fn any_bytes(seed: u64, len: u16) -> Vec<u8> {
     let mut random = Random(seed);
     (0..len).map(|_| random.bits().to_le_bytes()[0]).collect()
+}
+
+/// Of so many inputs of so many bytes those that lead to something that those before them do not lead to.
+fn walks<T: PartialEq>(tries: u64, len: u16, led_to: fn(&[u8]) -> Vec<T>) -> Vec<Vec<u8>> {
+    let mut seen: Vec<T> = Vec::new();
+    let mut walks = Vec::new();
+    for seed in 1..=tries {
+        let walk = any_bytes(seed, len);
+        let more: Vec<T> = led_to(&walk).into_iter().filter(|led| !seen.contains(led)).collect();
+        if !more.is_empty() {
+            seen.extend(more);
+            walks.push(walk);
+        }
+    }
+    walks
 }
 
 /// Some lines from all over a log: its beginning, and where something happens.

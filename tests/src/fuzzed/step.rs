@@ -1,8 +1,8 @@
 //! Sequences of any inputs, under any readings: each step is what the document's words say, and what it leads to is consistent.
 
 use adsdv_proofs::words::{self, Verdict};
-use adsdv_spec::messages::AnyMessage;
-use adsdv_spec::{Control, Inputs, Interface, Machine, Observation};
+use adsdv_spec::messages::{AnyMessage, AsState};
+use adsdv_spec::{Atom, Control, Inputs, Interface, Machine, Observation, Readings, Taken, Timing};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -20,35 +20,78 @@ fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
     }
 }
 
-/// The inputs after those: others altogether, or one condition of Figure 2 changed, as close to its threshold as can be.
-fn next(bytes: &mut Bytes<'_>, inputs: &Inputs) -> Inputs {
-    if bytes.one_in(8) {
-        return bytes.any();
+/// What is seen of a condition that the VCU's memory decides as well.
+fn seen(atom: Atom) -> Atom {
+    match atom {
+        Atom::GoEdge => Atom::GoOn,
+        Atom::MissionFinishedEdge => Atom::MissionFinished,
+        Atom::DirectionNeutralEdge => Atom::DirectionNeutral,
+        _ => atom,
     }
-    let mut inputs = *inputs;
+}
+
+/// The inputs after those: now and then others altogether; what one way out of this state asks for; and some conditions of Figure 2
+/// changed. What is shown is as close to its threshold as can be.
+fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Inputs) -> Inputs {
+    let Interface { table, thresholds, .. } = machine.interface();
+    let mut inputs = if bytes.one_in(8) { bytes.any() } else { *inputs };
+    if bytes.one_in(2) {
+        let ways: Vec<_> = machine.arrows(state).filter_map(|way| way.term(table)).collect();
+        // That one alone.
+        for (atom, value) in ways.iter().filter_map(|way| way.conditions().next()) {
+            inputs.show(atom, !value, thresholds);
+        }
+        for (atom, value) in bytes.pick(&ways).conditions() {
+            inputs.show(seen(atom), value, thresholds);
+        }
+    }
     let shown: Vec<_> = Observation::SCOPE.iter().collect();
-    for _ in 0..=bytes.below(3) {
-        inputs.show(bytes.pick(&shown), bytes.any(), &Interface::V3_0.thresholds);
+    for _ in 0..bytes.below(4) {
+        inputs.show(bytes.pick(&shown), bytes.any(), thresholds);
     }
     inputs
 }
 
+/// Any control state that keeps the invariant: as few as possible of its fields are as they are at first.
+fn any_control(bytes: &mut Bytes<'_>, timing: &Timing, readings: Readings) -> Control {
+    let first = Control::INITIAL;
+    let mut any: Control = bytes.0.arbitrary().unwrap_or(first);
+    any.in_state_ms %= timing.in_state_limit(any.state) + 1;
+    any.handshake.unanswered_ms %= timing.handshake_ms + 1;
+    let mut tried: Vec<u8> = (0..1 << 6).collect();
+    tried.sort_by_key(|tried| tried.count_ones());
+    let mut tried = tried.into_iter().map(|tried| {
+        let keeps = |field: u8| tried >> field & 1 == 0;
+        Control {
+            go_seen_low: if keeps(0) { any.go_seen_low } else { first.go_seen_low },
+            was_running: if keeps(1) { any.was_running } else { first.was_running },
+            was_forward: if keeps(2) { any.was_forward } else { first.was_forward },
+            handshake: if keeps(3) { any.handshake } else { first.handshake },
+            power_cycle_needed: if keeps(4) { any.power_cycle_needed } else { first.power_cycle_needed },
+            shutdown_cause: if keeps(5) { any.shutdown_cause } else { first.shutdown_cause },
+            ..any
+        }
+    });
+    tried.find(|tried| tried.is_consistent(timing, readings)).unwrap_or(first)
+}
+
 /// The body.
 pub fn body(bytes: &[u8]) {
+    taken(bytes);
+}
+
+/// Runs the body; the terms of Figure 2 that decided in it, in their order.
+pub fn taken(bytes: &[u8]) -> Vec<Taken> {
+    let mut taken = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
     let machine = Machine::new(Interface::V3_0, readings);
     let timing = &machine.interface().timing;
-    let mut control = Control::INITIAL;
-    if bytes.one_in(2)
-        && let Some(any) =
-            bytes.0.arbitrary().ok().filter(|any: &Control| any.is_consistent(timing, readings))
-    {
-        control = any;
-    }
+    let mut control =
+        if bytes.one_in(2) { any_control(&mut bytes, timing, readings) } else { Control::INITIAL };
     let mut inputs = Inputs::default();
     while bytes.are_left() {
-        inputs = next(&mut bytes, &inputs);
+        inputs = next(&mut bytes, &machine, control.state, &inputs);
         let dt_ms = dt_ms(&mut bytes);
         let (after, outputs) = machine.step(&control, &inputs, dt_ms);
         let words = words::step(&control, &inputs, dt_ms, readings);
@@ -65,6 +108,8 @@ pub fn body(bytes: &[u8]) {
         for frame in outputs.messages(&inputs).frames() {
             assert!(AnyMessage::decode(frame.id, frame.data()).is_ok(), "{frame}");
         }
+        taken.extend(outputs.taken);
         control = after;
     }
+    taken
 }
