@@ -27,6 +27,7 @@ struct Wrong {
     latency: usize,
     slow_ms: u64,
     no_eof: bool,
+    no_success: bool,
     /// The outputs that are shown; none: all.
     only: Vec<String>,
     /// An output that is shown as another value.
@@ -54,6 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "--latency" => wrong.latency = value()?.parse()?,
             "--slow" => wrong.slow_ms = value()?.parse()?,
             "--no-eof" => wrong.no_eof = true,
+            "--no-success" => wrong.no_success = true,
             "--no-read" => forever(),
             "--grandchild" => {
                 let child = Command::new("sleep").arg("600").stdin(Stdio::inherit()).spawn()?;
@@ -155,7 +157,13 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
         }
     }
     answers.flush()?;
-    if wrong.no_eof { forever() } else { Ok(()) }
+    if wrong.no_eof {
+        forever();
+    }
+    if wrong.no_success {
+        std::process::exit(3);
+    }
+    Ok(())
 }
 
 impl Wrong {

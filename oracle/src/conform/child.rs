@@ -48,27 +48,26 @@ impl Process {
         }
     }
 
-    /// How it ended, such as `exit status: 3`; `None` while it runs.
-    ///
-    /// It is not waited for: as long as it is not, no other process gets its number, or that of its group.
-    #[cfg(unix)]
-    pub(super) fn ended(&self) -> Option<Ended> {
-        use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
-        let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
-        let status = waitid(WaitId::Pid(Pid::from_child(&self.0)), options).ok().flatten()?;
-        Some(match (status.exit_status(), status.terminating_signal()) {
-            (Some(0), _) => Ended { well: true, how: "exit status 0".to_owned() },
-            (Some(code), _) => Ended { well: false, how: format!("exit status {code}") },
-            (None, Some(signal)) => Ended { well: false, how: format!("signal {signal}") },
-            (None, None) => Ended { well: false, how: "for no reason that is known".to_owned() },
-        })
-    }
-
-    /// How it ended, such as `exit code: 3`; `None` while it runs.
-    #[cfg(not(unix))]
+    /// How it ended, such as `exit status 3`; `None` while it runs.
     pub(super) fn ended(&mut self) -> Option<Ended> {
-        let status = self.0.try_wait().ok().flatten()?;
-        Some(Ended { well: status.success(), how: status.to_string() })
+        // It is not waited for: as long as it is not, no other process gets its number, or that of its group.
+        #[cfg(unix)]
+        {
+            use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+            let options = WaitIdOptions::EXITED.union(WaitIdOptions::NOHANG).union(WaitIdOptions::NOWAIT);
+            let status = waitid(WaitId::Pid(Pid::from_child(&self.0)), options).ok().flatten()?;
+            Some(match (status.exit_status(), status.terminating_signal()) {
+                (Some(0), _) => Ended { well: true, how: "exit status 0".to_owned() },
+                (Some(code), _) => Ended { well: false, how: format!("exit status {code}") },
+                (None, Some(signal)) => Ended { well: false, how: format!("signal {signal}") },
+                (None, None) => Ended { well: false, how: "for no reason that is known".to_owned() },
+            })
+        }
+        #[cfg(not(unix))]
+        {
+            let status = self.0.try_wait().ok().flatten()?;
+            Some(Ended { well: status.success(), how: status.to_string() })
+        }
     }
 }
 
@@ -93,5 +92,34 @@ impl Drop for Process {
         }
         let _ = self.0.kill();
         let _ = self.0.wait();
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::thread::sleep;
+    use std::time::{Duration, Instant};
+
+    use rustix::process::Pid;
+
+    use super::*;
+
+    /// The only test in this process that starts any: it stops all there are.
+    #[test]
+    fn programs_are_known_until_they_are_gone_and_can_be_stopped() {
+        let start = || Process::start(&"sleep".into(), &["600".into()]).expect("it starts").0;
+        let known = |group: Pid| RUNNING.lock().expect("nobody has panicked").contains(&group);
+        let (mut stays, goes) = (start(), start());
+        let (stayed, gone) = (Pid::from_child(&stays.0), Pid::from_child(&goes.0));
+        assert!(known(stayed) && known(gone));
+        drop(goes);
+        assert!(known(stayed) && !known(gone));
+        assert_eq!(stays.ended(), None);
+        stop_programs();
+        let begun = Instant::now();
+        while stays.ended().is_none() && begun.elapsed() < Duration::from_secs(20) {
+            sleep(Duration::from_millis(1));
+        }
+        assert_eq!(stays.ended(), Some(Ended { well: false, how: "signal 9".to_owned() }));
     }
 }

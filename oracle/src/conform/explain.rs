@@ -106,8 +106,9 @@ impl Explain {
 
 /// Whether an answer is right where a step has these outputs; each is judged once.
 fn right(judged: &mut Vec<(Outputs, bool)>, outputs: &Outputs, step: &Step, reply: &Reply) -> bool {
+    let mut shown = *outputs;
     // What is shown depends on neither.
-    let shown = Outputs { taken: None, from: outputs.state, ..*outputs };
+    (shown.taken, shown.from) = (None, outputs.state);
     if let Some((_, right)) = judged.iter().find(|(other, _)| *other == shown) {
         return *right;
     }

@@ -82,11 +82,11 @@ pub(super) fn mixes(
             members.for_each(|(place, _)| set.insert(place));
             (choice, set)
         };
-        let choices: Vec<(Choice, Set)> = reading.choices().iter().map(|&choice| with(choice)).collect();
+        let choices = reading.choices().iter().map(|&choice| with(choice));
+        let choices: Vec<(Choice, Set)> = choices.filter(|(_, set)| !set.is_empty()).collect();
         let mut sides: Vec<Side> =
             choices.iter().map(|(choice, _)| Side { choice: *choice, tests: Vec::new() }).collect();
-        let mut possible: Vec<Choice> = reading.choices().to_vec();
-        possible.retain(|choice| choices.iter().any(|(other, set)| other == choice && !set.is_empty()));
+        let mut possible: Vec<Choice> = choices.iter().map(|(choice, _)| *choice).collect();
         let telling =
             names.iter().zip(explained).filter(|(name, set)| !set.is_empty() && !wrong.contains(name));
         for (name, set) in telling {

@@ -71,9 +71,6 @@ impl<'a> Walker<'a> {
             self.show(Atom::SdcOpen, false);
             self.show(Atom::AiEstop, false);
         }
-        if to == AsState::Driving {
-            self.show(Atom::Asms, true);
-        }
         term.conditions().for_each(|(atom, value)| self.show(atom, value));
         if term.on.has(Atom::MissionFinishedEdge) {
             self.inputs.ai.status.mission_status = MissionStatus::Running;

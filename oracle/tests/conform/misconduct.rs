@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use adsdv_oracle::conform::{Options, Program, Report, Trouble, conform};
+use adsdv_oracle::conform::{Options, Program, Report, Trouble, Vcu as _, conform};
 
 use crate::programs::{TIMEOUT, example, path, tests};
 
@@ -172,6 +172,26 @@ fn what_does_no_harm_is_no_trouble() {
     let report = fine(&["--no-eof"]);
     assert!(report.conforms());
     assert_eq!(report.notes, ["the program did not end at the end of its input, and was killed"]);
+    let report = fine(&["--no-success"]);
+    assert!(report.conforms());
+    assert_eq!(report.notes, ["at the end of its input the program ended with exit status 3; expected 0"]);
+}
+
+/// More than is sent ahead, so that answers make room for what is asked next.
+#[test]
+fn as_much_can_be_asked_as_there_is_time_for() {
+    let shortest = tests().iter().min_by_key(|test| test.scenario.steps.len()).expect("there are tests");
+    let asked = vec![(shortest.name.as_str(), &shortest.scenario); 10_000];
+    let mut program =
+        Program::start(&path("mutant").into_os_string(), &[], TIMEOUT, false).expect("it starts");
+    let mut answered = 0;
+    let all = program.ask(&asked, &mut |place, replies| {
+        assert_eq!((place, replies.len()), (answered, shortest.scenario.steps.len()));
+        answered += 1;
+    });
+    all.expect("it answers");
+    assert_eq!(answered, asked.len());
+    assert_eq!(program.end().expect("it ends"), [""; 0]);
 }
 
 #[test]
