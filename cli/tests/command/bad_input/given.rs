@@ -130,7 +130,7 @@ pub(super) fn rubbish_between_good_lines() {
     let line = String::from_utf8_lossy(&mission).lines().count() + 1;
     assert!(outcome.stderr.contains(&format!("\nline {line}, column 1: found ")), "{}", outcome.stderr);
 
-    let suite = run(&["suite"]).stdout;
+    let suite = crate::run::run(&["suite"]).stdout;
     let (first, rest) = suite.split_once('\n').expect("lines");
     let suite = [first.as_bytes(), b"\n\xff\xfe\0\n", rest.as_bytes()].concat();
     let file = temporary("bad-input-suite", &suite);

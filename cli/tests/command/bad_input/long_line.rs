@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::Command;
 
 use super::{adsdv, calm, fed, judged, lines, refused};
-use crate::run::{MISSION, file, outcome};
+use crate::run::{MISSION, file, outcome, run};
 
 const GIGABYTE: usize = 1 << 30;
 /// What the command may have, in KiB, of which its threads take most only as addresses.
@@ -60,7 +60,7 @@ pub(super) fn in_a_scenario() {
 
 #[test]
 pub(super) fn in_a_suite() {
-    let suite = super::run(&["suite"]).stdout;
+    let suite = run(&["suite"]).stdout;
     let mut command = limited(&["conform", "--suite", "/dev/stdin", "--", "cat"]);
     let outcome = fed(&mut command, |stdin| {
         stdin.write_all(suite.as_bytes())?;

@@ -8,8 +8,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::{adsdv, calm, check, folder_with, lines, refused, reported, run, text, told};
-use crate::run::{FINISHED_WHILE_MOVING, MISSION, outcome};
+use super::{Outcome, adsdv, calm, folder_with, lines, refused, reported, run, text, told};
+use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, outcome};
 
 /// Every command that ends by itself and needs no CAN, with what it is asked and the status of its answer.
 const COMMANDS: &[(&[&str], i32)] = &[
@@ -83,26 +83,28 @@ pub(super) fn a_pipe_that_is_closed_after_a_line() {
     }
 }
 
-/// There is no standard output at all (`>&-`), or nobody to tell of an error: the status is what it would have been.
+/// Runs the command with standard streams redirected as a shell has it.
+fn closed(redirection: &str, args: &[&str]) -> Outcome {
+    let command = adsdv(args);
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("exec \"$0\" \"$@\" {redirection}")]).arg(command.get_program()).args(args);
+    shell.current_dir(command.get_current_dir().expect("it was set")).env("RUST_BACKTRACE", "1");
+    calm(outcome(&mut shell))
+}
+
+/// There is no standard output at all: the status is what it would have been.
 #[test]
-pub(super) fn standard_streams_that_are_closed() {
-    let closed = |redirection: &str, args: &[&str]| {
-        let command = adsdv(args);
-        let mut shell = Command::new("sh");
-        shell
-            .args(["-c", &format!("exec \"$0\" \"$@\" {redirection}")])
-            .arg(command.get_program())
-            .args(args);
-        shell.current_dir(command.get_current_dir().expect("it was set")).env("RUST_BACKTRACE", "1");
-        calm(outcome(&mut shell))
-    };
+pub(super) fn a_standard_output_that_is_closed() {
     for &(args, status) in COMMANDS {
         let outcome = closed(">&-", args);
         assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(status), ""), "{args:?}");
     }
-    let (error, input) = (closed("2>&-", &["check", "no-such.log"]), closed("<&-", &["check", "-"]));
-    assert_eq!(error.status, Some(2));
-    refused(&input, "standard input: the log is empty", "candump -L");
+}
+
+#[test]
+pub(super) fn a_standard_input_that_is_closed_is_empty() {
+    let outcome = closed("<&-", &["check", "-"]);
+    refused(&outcome, "standard input: the log is empty", "candump -L");
 }
 
 #[test]
@@ -120,6 +122,7 @@ pub(super) fn a_full_disk_for_errors() {
     for args in [&["check", "no-such.log"][..], &["demo", "--scenario", "tests"], &["--no-such-option"]] {
         let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
         assert_eq!(outcome(adsdv(args).stderr(full)).status, Some(2), "{args:?}");
+        assert_eq!(closed("2>&-", args).status, Some(2), "{args:?}");
     }
 }
 
@@ -137,7 +140,7 @@ pub(super) fn a_full_disk_for_the_log_of_a_demo() {
     let written = fs::read(&log).expect("it is there");
     assert_eq!(written.len(), 201 * 512);
     let whole = String::from_utf8_lossy(&written).matches('\n').count();
-    reported(&check(&written).stdout, whole, &["(0 violations, ", &format!("line {}", whole + 1)]);
+    reported(&check_input(&[], &written).stdout, whole, &["(0 violations, ", &format!("line {}", whole + 1)]);
 }
 
 /// What was explored is told, though the log of a counterexample cannot be written; those that can be are.

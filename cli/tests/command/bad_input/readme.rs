@@ -1,9 +1,20 @@
 //! The README's table and these tests: each row has tests, and each condition has a row.
 
+use std::thread;
+
 use super::{bus, given, log, long_line, output};
 use crate::run::file;
 
-type Test = fn();
+/// A row: the condition, the commands, the tests here with their names, and the names of those on SocketCAN, which are in
+/// `can/tests/socket/command.rs`.
+type Row = (&'static str, &'static str, &'static [(&'static str, fn())], &'static [&'static str]);
+
+/// Tests with their names.
+macro_rules! tests {
+    ($($file:ident::$test:ident),* $(,)?) => {
+        &[$((concat!(stringify!($file), "::", stringify!($test)), $file::$test)),*]
+    };
+}
 
 /// The conditions, in the order of the README.
 const CONDITIONS: [&str; 10] = [
@@ -19,41 +30,49 @@ const CONDITIONS: [&str; 10] = [
     "a full disk",
 ];
 
-/// The rows: condition, commands, and what shows that it is as the README has it. Those on SocketCAN are named as in
-/// `can/tests/socket/command.rs`.
-const ROWS: &[(&str, &str, &[Test], &[&str])] = &[
-    ("a missing file", "`check`, `conform`, `demo`, `vcu`", &[given::a_missing_file], &[]),
+/// The rows, and what shows that each is as the README has it.
+const ROWS: &[Row] = &[
+    ("a missing file", "`check`, `conform`, `demo`, `vcu`", tests![given::a_missing_file], &[]),
     (
         "a missing file",
         "the folder of `demo --log`, `verify --logs`, `watch --log`",
-        &[given::a_missing_folder_for_what_is_written],
+        tests![given::a_missing_folder_for_what_is_written],
         &["a_log_that_cannot_be_made_is_told"],
     ),
     (
         "a directory",
         "`check`, `conform`, `demo`, `vcu`, `watch --log`",
-        &[given::a_directory],
+        tests![given::a_directory],
         &["a_log_that_cannot_be_made_is_told"],
     ),
-    ("an empty file", "`check`, `conform`, `demo`, `vcu`", &[given::an_empty_file], &[]),
+    (
+        "an empty file",
+        "`check`, `conform`, `demo`, `vcu`",
+        tests![given::an_empty_file, output::a_standard_input_that_is_closed_is_empty],
+        &[],
+    ),
     (
         "binary rubbish",
         "`check`",
-        &[log::rubbish_in_the_middle, given::binary_rubbish, given::logs_in_another_wrapping],
+        tests![log::rubbish_in_the_middle, given::binary_rubbish, given::logs_in_another_wrapping],
         &[],
     ),
     (
         "binary rubbish",
         "`conform`, `demo`, `vcu`",
-        &[given::binary_rubbish, given::a_program_that_answers_rubbish, given::rubbish_between_good_lines],
+        tests![
+            given::binary_rubbish,
+            given::a_program_that_answers_rubbish,
+            given::rubbish_between_good_lines
+        ],
         &[],
     ),
-    ("a truncated log", "`check`", &[log::a_truncated_log, log::a_log_that_fails_while_it_is_read], &[]),
-    ("a 1 GB line", "`check`", &[long_line::in_a_log], &[]),
+    ("a truncated log", "`check`", tests![log::a_truncated_log, log::a_log_that_fails_while_it_is_read], &[]),
+    ("a 1 GB line", "`check`", tests![long_line::in_a_log], &[]),
     (
         "a 1 GB line",
         "`conform`, `demo`, `vcu`",
-        &[
+        tests![
             long_line::in_a_scenario,
             long_line::in_a_suite,
             long_line::a_suite_of_bad_lines,
@@ -64,7 +83,7 @@ const ROWS: &[(&str, &str, &[Test], &[&str])] = &[
     (
         "timestamps that go backwards or are absent",
         "`check`",
-        &[log::times_that_go_backwards, log::times_that_are_absent],
+        tests![log::times_that_go_backwards, log::times_that_are_absent],
         &[],
     ),
     (
@@ -77,17 +96,17 @@ const ROWS: &[(&str, &str, &[Test], &[&str])] = &[
     (
         "an interface that vanishes",
         "`ai`, `vcu`, `watch`, which find none",
-        &[bus::an_interface_that_is_not_there],
+        tests![bus::an_interface_that_is_not_there],
         &["what_cannot_be_opened_is_told"],
     ),
     (
         "a closed pipe",
         "all that end by themselves",
-        &[
+        tests![
             output::no_command_is_left_out,
             output::a_closed_pipe,
             output::a_pipe_that_is_closed_after_a_line,
-            output::standard_streams_that_are_closed,
+            output::a_standard_output_that_is_closed,
         ],
         &[],
     ),
@@ -95,14 +114,14 @@ const ROWS: &[(&str, &str, &[Test], &[&str])] = &[
     (
         "a full disk",
         "all but `explore`, for what they print",
-        &[output::no_command_is_left_out, output::a_full_disk, output::a_full_disk_for_errors],
+        tests![output::no_command_is_left_out, output::a_full_disk, output::a_full_disk_for_errors],
         &["a_full_disk_for_what_is_printed_is_told"],
     ),
-    ("a full disk", "`demo --log`", &[output::a_full_disk_for_the_log_of_a_demo], &[]),
-    ("a full disk", "`verify --logs`", &[output::a_full_disk_for_counterexamples], &[]),
+    ("a full disk", "`demo --log`", tests![output::a_full_disk_for_the_log_of_a_demo], &[]),
+    ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
     ("a full disk", "`watch --log`", &[], &["a_full_disk_is_told_and_watching_goes_on"]),
-    ("a full disk", "`explore`", &[output::an_explorer_that_cannot_tell_its_address], &[]),
-    ("a closed pipe", "`explore`", &[output::an_explorer_that_cannot_tell_its_address], &[]),
+    ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_tell_its_address], &[]),
+    ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_tell_its_address], &[]),
 ];
 
 /// The rows of the table: the condition, the commands, what happens and the exit status.
@@ -111,6 +130,29 @@ fn table(readme: &str) -> Vec<Vec<&str>> {
     let section = section.split("\n## ").next().unwrap_or_default();
     let rows = section.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
     rows.skip(1).map(|row| row.split(" | ").map(str::trim).collect()).collect()
+}
+
+/// Asserts that a command may end so in the test that runs at present: that the README says so in a row that has this test.
+#[track_caller]
+pub(super) fn may_end_with(status: i32) {
+    let thread = thread::current();
+    let name = thread.name().unwrap_or_default();
+    // With one thread for all of them, the tests have no names.
+    if name == "main" {
+        return;
+    }
+    let (_, test) =
+        name.split_once("bad_input::").unwrap_or_else(|| panic!("{name} is a test of this folder"));
+    let readme = String::from_utf8(file("README.md")).expect("text");
+    let rows = ROWS.iter().filter(|(.., tests, _)| tests.iter().any(|(name, _)| *name == test));
+    let rows: Vec<_> = rows.map(|&(condition, commands, ..)| (condition, commands)).collect();
+    let table = table(&readme);
+    let said: Vec<&str> =
+        table.iter().filter(|row| rows.contains(&(row[0], row[1]))).map(|row| row[3]).collect();
+    assert!(
+        said.iter().any(|said| said.contains(&status.to_string())),
+        "{test}: exit status {status}, and the README says {said:?}"
+    );
 }
 
 #[test]
