@@ -135,8 +135,9 @@ impl Open {
     /// The same model, of which stateright is asked for nothing but to go to the end. What a look shows is gathered
     /// anyway, and stateright has to find no examples, which takes it longer than the exploration.
     #[must_use]
-    pub(crate) fn unasked(self) -> Self {
-        Self { unasked: true, ..self }
+    pub(crate) fn unasked(mut self) -> Self {
+        self.unasked = true;
+        self
     }
 
     /// What the steps out of a state show.
@@ -180,5 +181,75 @@ impl Model for Open {
 
     fn properties(&self) -> Vec<stateright::Property<Self>> {
         if self.unasked { vec![to_the_end()] } else { questions() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::hash::{BuildHasher as _, BuildHasherDefault};
+
+    use adsdv_spec::messages::{AsState, ShutdownCause};
+    use adsdv_spec::{Handshake, Interface, Readings};
+    use fnv::FnvHasher;
+
+    use super::*;
+    use crate::reachable::reachable;
+    use crate::sweep::SHORT_TIMERS;
+
+    /// Stateright tells states apart by their hashes alone.
+    #[test]
+    fn control_states_that_differ_in_anything_have_other_hashes() {
+        let one = Control {
+            state: AsState::Driving,
+            in_state_ms: 7,
+            go_seen_low: true,
+            was_running: true,
+            was_forward: true,
+            handshake: Handshake { active: true, bit: true, unanswered_ms: 9 },
+            power_cycle_needed: true,
+            shutdown_cause: ShutdownCause::HvilOpenFault,
+        };
+        let shaken = |handshake| Control { handshake, ..one };
+        let others = [
+            one,
+            Control { state: AsState::Ready, ..one },
+            Control { in_state_ms: 8, ..one },
+            Control { in_state_ms: 7 << 4, ..one },
+            Control { go_seen_low: false, ..one },
+            Control { was_running: false, ..one },
+            Control { was_forward: false, ..one },
+            shaken(Handshake { active: false, ..one.handshake }),
+            shaken(Handshake { bit: false, ..one.handshake }),
+            shaken(Handshake { unanswered_ms: 8, ..one.handshake }),
+            Control { power_cycle_needed: false, ..one },
+            Control { shutdown_cause: ShutdownCause::NoShutdown, ..one },
+        ];
+        let hash =
+            |control: Control| BuildHasherDefault::<FnvHasher>::default().hash_one(State::new(control));
+        for (place, &control) in others.iter().enumerate() {
+            for (other_place, &other) in others.iter().enumerate() {
+                let same = place == other_place;
+                assert_eq!(State::new(control) == State::new(other), same, "{control:?}, {other:?}");
+                assert_eq!(hash(control) == hash(other), same, "{control:?}, {other:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_way_out_of_a_state_leads_elsewhere() {
+        let interface = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+        let machine = Machine::new(interface, Readings::DEFAULT);
+        let model = Open::new(machine, SHORT_TIMERS, Vectors::Few);
+        for control in reachable(&machine, SHORT_TIMERS, Vectors::Few) {
+            let state = State::new(control);
+            let (cycles, steps): (Vec<Action>, Vec<Action>) =
+                model.look(&state).ways.iter().partition(|&&way| way == Action::PowerCycle);
+            assert_eq!(cycles.is_empty(), control == Control::INITIAL, "{control:?}");
+            let mut next: Vec<Control> = Vec::new();
+            for after in steps.into_iter().map(|step| step.apply(&machine, &control)) {
+                assert!(!next.contains(&after), "{control:?} leads to {after:?} twice");
+                next.push(after);
+            }
+        }
     }
 }

@@ -238,7 +238,8 @@ impl Closed {
         let heard = state.ai.heard;
         state.bus.to_ai.send(&ai::listens_to(&messages), |frame| heard.with(frame) != heard);
         let actuation = outputs.actuation(&inputs);
-        let pressed = actuation.hyd_press_f.raw() > 0 || actuation.hyd_press_r.raw() > 0;
+        let pressed =
+            [actuation.hyd_press_f, actuation.hyd_press_r].iter().any(|pressure| pressure.raw() > 0);
         let torque = actuation.front_axle_trq.raw() > 0 || actuation.rear_axle_trq.raw() > 0;
         state.motion.braked = pressed || actuation.ebs_triggered;
         state.motion.driven =
