@@ -166,13 +166,36 @@ impl Property {
         }
     }
 
-    /// The inputs that the property looks at, in steps from a control state that may lead to these states.
+    /// The inputs that the property looks at, in steps from a control state that it concerns and that may lead to these states.
     pub(crate) fn reads(&self, from: &Control, document: &Timing, to: impl Fn(AsState) -> bool) -> Atoms {
         match self.claim {
-            Claim::Leads { from: states, when, .. } if states.contains(&from.state) => when.reads(),
-            Claim::Only { from: state, to: other, when } if state == from.state && to(other) => when.reads(),
+            Claim::Leads { when, .. } => when.reads(),
+            Claim::Only { to: other, when, .. } => {
+                if to(other) {
+                    when.reads()
+                } else {
+                    Atoms::NONE
+                }
+            }
             Claim::Each { reads, .. } => reads(from, document),
-            _ => Atoms::NONE,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_property_concerns_the_states_that_it_speaks_of() {
+        for (name, states) in [
+            ("figure-2-arrows", &AsState::ALL[..]),
+            ("ready-switches", &[AsState::Off]),
+            ("ready-sdc", &[AsState::Ready]),
+        ] {
+            let concerns = |state: AsState| Property::of(state).iter().any(|(_, one)| one.name == name);
+            let concerned: Vec<AsState> = AsState::ALL.into_iter().filter(|&state| concerns(state)).collect();
+            assert_eq!(concerned, states, "{name}");
         }
     }
 }

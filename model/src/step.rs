@@ -104,10 +104,13 @@ impl Step {
             hyd_press_r: BrakePressure { .. },
             ebs_triggered: _,
         } = self.outputs(machine).actuation(&full_requests());
-        [front_axle_trq, rear_axle_trq] != [AxleTorqueRequest::default(); 2]
-            || [front_motor_speed_max, rear_motor_speed_max] != [MotorSpeedMax::default(); 2]
-            || direction != DirectionRequest::Neutral
-            || steer.is_some()
+        let reach = [
+            [front_axle_trq, rear_axle_trq] != [AxleTorqueRequest::default(); 2],
+            [front_motor_speed_max, rear_motor_speed_max] != [MotorSpeedMax::default(); 2],
+            direction != DirectionRequest::Neutral,
+            steer.is_some(),
+        ];
+        reach.contains(&true)
     }
 
     /// Whether 520h carries `GO_SIGNAL` 1.

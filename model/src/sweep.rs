@@ -85,67 +85,108 @@ pub struct ClosedCost {
 /// how much.
 pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
     let interface = Interface::V3_0;
-    let short = Interface { timing: SHORT_TIMERS, ..interface };
     let all = combinations();
+    let models: Vec<(Choice, Operator)> = alone()
+        .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
+        .collect();
+    let work = Work { open: all.len(), closed: models.len(), done: AtomicUsize::new(0) };
+    let done = |by| {
+        let (done, all) = work.add(by);
+        progress(done, all);
+    };
+    let Explored { mut transitions, mut complete, failing } = explored(&all, threads, || done(1));
+    let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
+    let mut costs = minimal(failing, &combinations);
+    add_runs(&mut costs, &interface);
+    let mut closed = Vec::new();
+    for (choice, operator) in models {
+        let readings = Readings::DEFAULT.with(choice);
+        let model = Closed::scaled(interface, readings, operator);
+        let exploration = model.clone().explore(threads);
+        complete &= exploration.complete;
+        transitions += exploration.transitions as u64;
+        for found in exploration.results.into_iter().filter(|found| !found.holds) {
+            let machine = Machine::new(interface, readings);
+            // Shortest runs come from one thread.
+            let run = model.clone().run_for(found.property.name).or(found.run);
+            let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
+            closed.push(ClosedCost { property: found.property, choice, run: Run::seeing(&machine, inputs) });
+        }
+        done(work.closed_each());
+    }
+    Sweep { combinations: all.len(), transitions, complete, costs, closed }
+}
+
+/// How much there is to do, as explorations of the open model.
+struct Work {
+    open: usize,
+    closed: usize,
+    done: AtomicUsize,
+}
+
+impl Work {
+    /// An exploration of a closed model takes about a tenth of the time of all those of the open one.
+    const fn closed_each(&self) -> usize {
+        self.open / 10
+    }
+
+    /// How much is done when this much more is, and of how much.
+    fn add(&self, by: usize) -> (usize, usize) {
+        let done = self.done.fetch_add(by, Ordering::Relaxed) + by;
+        (done, self.open + self.closed * self.closed_each())
+    }
+}
+
+/// What the explorations of the open model have shown.
+#[derive(Debug, PartialEq, Eq)]
+struct Explored {
+    transitions: u64,
+    complete: bool,
+    /// By the name of what fails, the choices under which it does.
+    failing: BTreeMap<&'static str, BTreeSet<Choices>>,
+}
+
+impl Explored {
+    const NOTHING: Self = Self { transitions: 0, complete: true, failing: BTreeMap::new() };
+
+    fn add(&mut self, readings: Readings, report: &Exploration) {
+        self.transitions += report.transitions;
+        self.complete &= report.complete;
+        for name in failed(report) {
+            self.failing.entry(name).or_default().insert(others(readings));
+        }
+    }
+}
+
+/// Explores the open model under these combinations, with the short timers.
+fn explored(all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
+    let short = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
     let next = AtomicUsize::new(0);
-    // An exploration of the closed model takes about a fifth of the time of all those of the open one.
-    let (finished, work) = (AtomicUsize::new(0), all.len() + all.len() / 5 * alone().count());
-    let done = |by| progress((finished.fetch_add(by, Ordering::Relaxed) + by).min(work), work);
-    let results = Mutex::new((0, true, BTreeMap::<&'static str, BTreeSet<Choices>>::new()));
+    let explored = Mutex::new(Explored::NOTHING);
     thread::scope(|scope| {
         for _ in 0..threads.max(1) {
             scope.spawn(|| {
                 while let Some(readings) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let report = explore_quietly(&Machine::new(short, *readings), &options());
-                    let mut results = results.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                    results.0 += report.transitions;
-                    results.1 &= report.complete;
-                    for name in failed(&report) {
-                        results.2.entry(name).or_default().insert(others(*readings));
-                    }
-                    drop(results);
-                    done(1);
+                    let mut explored = explored.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                    explored.add(*readings, &report);
+                    drop(explored);
+                    done();
                 }
             });
         }
     });
-    let (mut transitions, mut complete, failing) =
-        results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let explored: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
-    let mut costs = minimal(failing, &explored);
-    // What is shown comes from the real timers.
+    explored.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+/// Adds the shortest runs to the properties that fail. What is shown comes from the real timers.
+fn add_runs(costs: &mut [Cost], interface: &Interface) {
     for choices in costs.iter().map(|cost| cost.choices).collect::<BTreeSet<_>>() {
-        let machine = machine_with(&interface, choices);
-        let runs = runs(&machine, interface.timing);
-        for cost in
-            costs.iter_mut().filter(|cost| cost.choices == choices && Property::find(cost.name).is_some())
-        {
-            cost.run = runs.get(cost.name).cloned();
+        let runs = runs(&machine_with(interface, choices), interface.timing);
+        for cost in costs.iter_mut().filter(|cost| cost.choices == choices) {
+            cost.run = Property::find(cost.name).and_then(|_| runs.get(cost.name).cloned());
         }
     }
-    let mut closed = Vec::new();
-    for choice in alone() {
-        let readings = Readings::DEFAULT.with(choice);
-        for operator in [Operator::WellBehaved, Operator::Any] {
-            let model = Closed::scaled(interface, readings, operator);
-            let exploration = model.clone().explore(threads);
-            complete &= exploration.complete;
-            transitions += exploration.transitions as u64;
-            for found in exploration.results.into_iter().filter(|found| !found.holds) {
-                let machine = Machine::new(interface, readings);
-                // Shortest runs come from one thread.
-                let run = model.clone().run_for(found.property.name).or(found.run);
-                let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
-                closed.push(ClosedCost {
-                    property: found.property,
-                    choice,
-                    run: Run::seeing(&machine, inputs),
-                });
-            }
-        }
-        done(all.len() / 5);
-    }
-    Sweep { combinations: all.len(), transitions, complete, costs, closed }
 }
 
 /// Every choice that is not the default.
@@ -265,6 +306,68 @@ mod tests {
         let questions = Reading::ALL.iter().filter(|reading| **reading != Reading::GoSignal);
         let together: usize = questions.map(|reading| reading.choices().len()).product();
         assert_eq!(all.len(), together + Reading::GoSignal.choices().len() - 1);
+    }
+
+    #[test]
+    fn what_is_done_adds_up() {
+        let work = Work { open: 36, closed: 4, done: AtomicUsize::new(0) };
+        assert_eq!(work.closed_each(), 3);
+        assert_eq!((work.add(1), work.add(35), work.add(3)), ((1, 48), (36, 48), (39, 48)));
+    }
+
+    #[test]
+    fn what_is_explored_adds_up() {
+        let few: Vec<Readings> =
+            combinations().into_iter().filter(|readings| others(*readings).iter().count() < 2).collect();
+        let (times, short) = (AtomicUsize::new(0), Interface { timing: SHORT_TIMERS, ..Interface::V3_0 });
+        let found = explored(&few, 2, || {
+            times.fetch_add(1, Ordering::Relaxed);
+        });
+        assert_eq!(times.into_inner(), few.len());
+        let mut failing = BTreeMap::<_, BTreeSet<Choices>>::new();
+        let (mut steps, mut complete) = (0, Vec::new());
+        for readings in few {
+            let report = explore_quietly(&Machine::new(short, readings), &options());
+            for name in failed(&report) {
+                failing.entry(name).or_default().insert(others(readings));
+            }
+            steps += report.transitions;
+            complete.push(report);
+        }
+        assert!(failing.len() > 5 && !failing.contains_key("ready-switches"), "{failing:?}");
+        assert_eq!(found, Explored { transitions: steps, complete: true, failing });
+
+        let (mut all, mut report) = (found, complete.swap_remove(0));
+        report.complete = false;
+        all.add(Readings::DEFAULT, &report);
+        assert!(!all.complete, "one of them was not");
+        report.complete = true;
+        all.add(Readings::DEFAULT, &report);
+        assert!(!all.complete, "and another does not help");
+    }
+
+    /// Of short timers, as the real ones take long.
+    #[test]
+    fn properties_get_their_shortest_runs_and_goals_none() {
+        let short = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+        let cost = |name, choice| Cost {
+            name,
+            choices: Choices::NONE.with(choice),
+            undone_by: Choices::NONE,
+            run: None,
+        };
+        let mut costs = [
+            cost("driving-neutral", Choice::FaultEdge),
+            cost("whole-mission", Choice::FaultEdge),
+            cost("driving-estop", Choice::EstopEveryState),
+            cost("ready-estop", Choice::EstopDriving),
+        ];
+        add_runs(&mut costs, &short);
+        for cost in costs {
+            let found = runs(&machine_with(&short, cost.choices), short.timing).remove(cost.name);
+            assert_eq!(found.is_none(), cost.name == "driving-estop", "{}", cost.name);
+            assert_eq!(cost.run, found.filter(|_| cost.name != "whole-mission"), "{}", cost.name);
+        }
     }
 
     #[test]
