@@ -106,9 +106,7 @@ pub fn verify(machine: Machine, options: Options, progress: impl FnMut(Progress)
 pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Progress)) -> Exploration {
     /// Between two looks at how far it has come: short beside the shortest exploration.
     const PACE: Duration = Duration::from_millis(2);
-    let timing = &machine.interface().timing;
-    let longest = usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms);
-    let expected_depth = longest / CYCLE_MS as usize;
+    let expected_depth = expected_depth(&machine.interface().timing);
     let model = Open::new(machine, options.document, options.vectors).with_parts();
     to_the_end(model, options.threads, |depth, seen| {
         while let Some(depth) = depth() {
@@ -121,6 +119,11 @@ pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Prog
             thread::sleep(PACE);
         }
     })
+}
+
+/// About how many cycles away from the power cycle the farthest state is: both timers behind one another.
+fn expected_depth(timing: &Timing) -> usize {
+    (usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms)) / CYCLE_MS as usize
 }
 
 /// The same without progress, and without a look at the parts of the table.
@@ -229,4 +232,37 @@ fn distance(a: Observation, b: Observation) -> u32 {
     let atoms = u32::from(a.atoms()) ^ u32::from(b.atoms());
     let faults = u16::from(a.faults()) ^ u16::from(b.faults());
     atoms.count_ones() + faults.count_ones()
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::{Interface, Readings};
+
+    use super::*;
+    use crate::sweep::SHORT_TIMERS;
+
+    fn explored() -> Exploration {
+        let machine = Machine::new(Interface { timing: SHORT_TIMERS, ..Interface::V3_0 }, Readings::DEFAULT);
+        let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS };
+        explore(machine, options, |progress| assert_eq!(progress.expected_depth, 16))
+    }
+
+    #[test]
+    fn it_holds_if_all_of_it_was_seen_and_nothing_failed() {
+        let found = explored();
+        assert!(found.holds(), "{found:?}");
+        let incomplete = Exploration { complete: false, ..found.clone() };
+        let broken = Exploration { broken: PROPERTIES.iter().take(1).collect(), ..found.clone() };
+        let missed = Exploration { missed: GOALS.iter().copied().take(1).collect(), ..found.clone() };
+        let parts = found.parts.iter().take(1).map(|(part, _)| (*part, false)).collect();
+        let dead = Exploration { parts, ..found };
+        assert!([incomplete, broken, missed, dead].iter().all(|found| !found.holds()));
+    }
+
+    #[test]
+    fn the_timers_make_it_as_deep_as_it_is() {
+        assert_eq!(expected_depth(&Interface::V3_0.timing), 2000);
+        let (expected, depth) = (expected_depth(&SHORT_TIMERS), explored().depth);
+        assert!((expected..expected + 20).contains(&depth), "{depth}");
+    }
 }

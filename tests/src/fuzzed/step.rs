@@ -2,7 +2,7 @@
 
 use adsdv_proofs::words::{self, Verdict};
 use adsdv_spec::messages::{AnyMessage, AsState};
-use adsdv_spec::{Atom, Control, Inputs, Interface, Machine, Observation, Readings, Taken, Timing};
+use adsdv_spec::{Control, Inputs, Interface, Machine, Observation, Readings, Taken, Timing};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -20,16 +20,6 @@ fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
     }
 }
 
-/// What is seen of a condition that the VCU's memory decides as well.
-fn seen(atom: Atom) -> Atom {
-    match atom {
-        Atom::GoEdge => Atom::GoOn,
-        Atom::MissionFinishedEdge => Atom::MissionFinished,
-        Atom::DirectionNeutralEdge => Atom::DirectionNeutral,
-        _ => atom,
-    }
-}
-
 /// The inputs after those: now and then others altogether; what one way out of this state asks for; and some conditions of Figure 2
 /// changed. What is shown is as close to its threshold as can be.
 fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Inputs) -> Inputs {
@@ -42,7 +32,8 @@ fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Input
             inputs.show(atom, !value, thresholds);
         }
         for (atom, value) in bytes.pick(&ways).conditions() {
-            inputs.show(seen(atom), value, thresholds);
+            // What is seen of one that memory has a part in.
+            inputs.show(atom.input().unwrap_or(atom), value, thresholds);
         }
     }
     let shown: Vec<_> = Observation::SCOPE.iter().collect();
