@@ -20,7 +20,7 @@ impl Closed {
         let mut owed = 0;
         for inputs in Self::inputs(run) {
             owed += waits.next().unwrap_or_default();
-            if owed > 0 && control.handshake.unanswered_ms == 0 {
+            if control.handshake.unanswered_ms == 0 {
                 let mut last = seen.last().copied().unwrap_or_default();
                 for _ in 0..owed {
                     last.ai.status.handshake = control.handshake.bit;

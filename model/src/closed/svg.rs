@@ -54,9 +54,9 @@ impl Party {
 
     /// Where arrows to and from the party end, on the side of another one.
     const fn edge(self, other: Self) -> u32 {
-        match self {
-            Self::Vcu if other.x() < self.x() => self.x() - BAND,
-            Self::Vcu => self.x() + BAND,
+        match (self, other) {
+            (Self::Vcu, Self::Operator | Self::Ai) => self.x() - BAND,
+            (Self::Vcu, _) => self.x() + BAND,
             _ => self.x(),
         }
     }
@@ -249,7 +249,7 @@ mod tests {
 
     use super::super::sequence::{self, Event, Party, Sequence};
     use super::super::{Act, Action, Closed};
-    use super::{draw, wrapped};
+    use super::{LINE, draw, wrapped};
 
     /// A mission up to an emergency while driving.
     const RUN: [Action; 20] = [
@@ -302,6 +302,21 @@ mod tests {
             rest = after;
         }
         open.is_empty() && rest.is_empty()
+    }
+
+    /// The first line of an arrow's words stands above it, each other one lower than the one before.
+    #[test]
+    fn words_have_lines_of_their_own() {
+        let words = ["one", "two", "three", "four"].map(str::to_owned).to_vec();
+        let event = Event { from: Party::Ai, to: Party::Vcu, words, enters: None, ms: 0 };
+        let svg = draw(&Sequence { first: AsState::Off, events: vec![event] });
+        let y = |text: &str| {
+            let (before, _) = svg.split_once(&format!(">{text}</text>")).expect("it is there");
+            let (_, tag) = before.rsplit_once(" y=\"").expect("it has a place");
+            tag.split('"').next().and_then(|y| y.parse::<u32>().ok()).expect("a number")
+        };
+        assert!(y("one") < y("two"), "{svg}");
+        assert_eq!((y("three") - y("two"), y("four") - y("three")), (LINE, LINE), "{svg}");
     }
 
     #[test]

@@ -185,3 +185,20 @@ pub(super) fn step(model: &Closed, before: &State, action: Action, after: &State
 pub(super) fn seconds(ms: u32) -> String {
     format!("{}.{:02} s", ms / 1000, ms % 1000 / 10)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_state_is_a_line_for_each_thing() {
+        let state = State::default();
+        let text = format!("{state:?}");
+        let expected = state.lines(None);
+        assert!(expected.len() > 3);
+        assert_eq!(text.lines().count(), expected.len());
+        for (line, (name, words)) in text.lines().zip(&expected) {
+            assert!(line.starts_with(*name) && line.ends_with(words.as_str()), "{line:?}: {name}, {words}");
+        }
+    }
+}
