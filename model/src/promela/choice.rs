@@ -188,10 +188,7 @@ fn combinations(group: &[Input], vectors: Vectors) -> impl Iterator<Item = Vec<I
     let all =
         (0..1_usize << group.len()).map(move |bits| on(bits).map(|(_, &input)| input).collect::<Vec<_>>());
     all.filter(move |together| {
-        let apart = |(place, &one): (usize, &Input)| {
-            together.iter().skip(place + 1).all(|&other| !exclude(one, other, vectors))
-        };
-        together.iter().enumerate().all(apart)
+        together.iter().all(|&one| together.iter().all(|&other| !exclude(one, other, vectors)))
     })
 }
 
