@@ -94,26 +94,15 @@ pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
         let (done, all) = work.add(by);
         progress(done, all);
     };
-    let Explored { mut transitions, mut complete, failing } = explored(&all, threads, || done(1));
+    let mut explored = explored(&all, threads, || done(1));
+    for (choice, operator) in models {
+        explored.add_closed(&interface, choice, operator, threads);
+        done(work.closed_each());
+    }
+    let Explored { transitions, complete, failing, closed } = explored;
     let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
     let mut costs = minimal(failing, &combinations);
     add_runs(&mut costs, &interface);
-    let mut closed = Vec::new();
-    for (choice, operator) in models {
-        let readings = Readings::DEFAULT.with(choice);
-        let model = Closed::scaled(interface, readings, operator);
-        let exploration = model.clone().explore(threads);
-        complete &= exploration.complete;
-        transitions += exploration.transitions as u64;
-        for found in exploration.results.into_iter().filter(|found| !found.holds) {
-            let machine = Machine::new(interface, readings);
-            // Shortest runs come from one thread.
-            let run = model.clone().run_for(found.property.name).or(found.run);
-            let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
-            closed.push(ClosedCost { property: found.property, choice, run: Run::seeing(&machine, inputs) });
-        }
-        done(work.closed_each());
-    }
     Sweep { combinations: all.len(), transitions, complete, costs, closed }
 }
 
@@ -137,23 +126,44 @@ impl Work {
     }
 }
 
-/// What the explorations of the open model have shown.
-#[derive(Debug, PartialEq, Eq)]
+/// What the explorations have shown.
 struct Explored {
     transitions: u64,
     complete: bool,
-    /// By the name of what fails, the choices under which it does.
+    /// By the name of what fails in the open model, the choices under which it does.
     failing: BTreeMap<&'static str, BTreeSet<Choices>>,
+    closed: Vec<ClosedCost>,
 }
 
 impl Explored {
-    const NOTHING: Self = Self { transitions: 0, complete: true, failing: BTreeMap::new() };
+    const NOTHING: Self =
+        Self { transitions: 0, complete: true, failing: BTreeMap::new(), closed: Vec::new() };
 
     fn add(&mut self, readings: Readings, report: &Exploration) {
         self.transitions += report.transitions;
         self.complete &= report.complete;
         for name in failed(report) {
             self.failing.entry(name).or_default().insert(others(readings));
+        }
+    }
+
+    /// Explores the closed model of an operator under a choice and otherwise the default readings.
+    fn add_closed(&mut self, interface: &Interface, choice: Choice, operator: Operator, threads: usize) {
+        let readings = Readings::DEFAULT.with(choice);
+        let model = Closed::scaled(*interface, readings, operator);
+        let exploration = model.clone().explore(threads);
+        self.transitions += exploration.transitions as u64;
+        self.complete &= exploration.complete;
+        for found in exploration.results.into_iter().filter(|found| !found.holds) {
+            let machine = Machine::new(*interface, readings);
+            // Shortest runs come from one thread.
+            let run = model.clone().run_for(found.property.name).or(found.run);
+            let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
+            self.closed.push(ClosedCost {
+                property: found.property,
+                choice,
+                run: Run::seeing(&machine, inputs),
+            });
         }
     }
 }
@@ -335,7 +345,8 @@ mod tests {
             complete.push(report);
         }
         assert!(failing.len() > 5 && !failing.contains_key("ready-switches"), "{failing:?}");
-        assert_eq!(found, Explored { transitions: steps, complete: true, failing });
+        assert!(found.complete && found.closed.is_empty());
+        assert_eq!((found.transitions, &found.failing), (steps, &failing));
 
         let (mut all, mut report) = (found, complete.swap_remove(0));
         report.complete = false;
@@ -344,6 +355,37 @@ mod tests {
         report.complete = true;
         all.add(Readings::DEFAULT, &report);
         assert!(!all.complete, "and another does not help");
+    }
+
+    /// A VCU that waits too shortly for the answers of the AI Computer blames one that follows the document.
+    #[test]
+    fn what_fails_in_a_closed_model_adds_up() {
+        let (hasty, choice, operator) = (
+            Interface { timing: Timing { handshake_ms: 10, ..Interface::V3_0.timing }, ..Interface::V3_0 },
+            Choice::GoRaw,
+            Operator::WellBehaved,
+        );
+        let broken = |interface| {
+            let found = Closed::scaled(interface, Readings::DEFAULT.with(choice), operator).explore(1);
+            let broken = found.results.into_iter().filter(|found| !found.holds);
+            (found.transitions as u64, broken.map(|found| found.property.name).collect::<Vec<_>>())
+        };
+        let [(steps, names), (more, none)] = [hasty, Interface::V3_0].map(broken);
+        assert!(
+            names.contains(&"conforming-ai-causes-no-emergency") && none.is_empty(),
+            "{names:?}, {none:?}"
+        );
+        let mut all = Explored::NOTHING;
+        all.add_closed(&hasty, choice, operator, 1);
+        assert!(all.complete);
+        all.complete = false;
+        all.add_closed(&Interface::V3_0, choice, operator, 1);
+        assert!(!all.complete, "one of them was not");
+        assert_eq!(all.transitions, steps + more);
+        assert_eq!(all.closed.iter().map(|cost| cost.property.name).collect::<Vec<_>>(), names);
+        assert!(all.closed.iter().all(|cost| cost.choice == choice));
+        // What fails because it cannot happen has no run that shows it.
+        assert!(all.closed.iter().any(|cost| !cost.run.cycles().is_empty()));
     }
 
     /// Of short timers, as the real ones take long.
