@@ -93,6 +93,11 @@ impl Step {
 
     /// Whether drive or steering requests reach the actuators, were the AI Computer to request all it can.
     pub fn drives(&self, machine: &Machine) -> bool {
+        self.requests_reach(machine).contains(&true)
+    }
+
+    /// Whether what the AI Computer could request of torque, speed, direction and steering reaches the actuators.
+    fn requests_reach(&self, machine: &Machine) -> [bool; 4] {
         let Actuation {
             front_axle_trq,
             front_motor_speed_max,
@@ -104,13 +109,12 @@ impl Step {
             hyd_press_r: BrakePressure { .. },
             ebs_triggered: _,
         } = self.outputs(machine).actuation(&full_requests());
-        let reach = [
+        [
             [front_axle_trq, rear_axle_trq] != [AxleTorqueRequest::default(); 2],
             [front_motor_speed_max, rear_motor_speed_max] != [MotorSpeedMax::default(); 2],
             direction != DirectionRequest::Neutral,
             steer.is_some(),
-        ];
-        reach.contains(&true)
+        ]
     }
 
     /// Whether 520h carries `GO_SIGNAL` 1.
@@ -134,4 +138,22 @@ fn full_requests() -> Inputs {
     ai.drive_r.rear_motor_speed_max = MotorSpeedMax::MAX;
     ai.steer.steer_request = SteerAngle::MAX;
     inputs
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Faults;
+
+    use super::*;
+
+    #[test]
+    fn requests_reach_all_of_the_actuators_or_none() {
+        let machine = Machine::REFERENCE;
+        let seen = Observation::new(Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::GoOn]), Faults::NONE);
+        for state in AsState::ALL {
+            let control = Control { state, ..Control::INITIAL };
+            let step = Step::of(&machine, &machine.interface().timing, control, seen);
+            assert_eq!(step.requests_reach(&machine), [state == AsState::Driving; 4], "{state}");
+        }
+    }
 }

@@ -32,9 +32,8 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
                 let step = Step::of(machine, timing, control, seen);
                 let last = place + 1 == path.len();
                 let broken = property.filter(|property| !property.holds(machine, &step));
-                let looked_at = broken.map_or(Atoms::NONE, |property| {
-                    property.reads(&control, timing, |to| to == step.after().state)
-                });
+                let looked_at =
+                    broken.map_or(Atoms::NONE, |property| property.reads(&control, timing, |_| true));
                 if last || broken.is_some() || step.before.state != step.after().state {
                     lines.push(Line { ms, text: tell(machine, &step, looked_at) });
                 }
@@ -80,4 +79,18 @@ fn tell(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
         conditions.push(Atom::AiCommsLost.text(true));
     }
     if conditions.is_empty() { arrow } else { format!("{arrow}: {}", conditions.join(", ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Observation;
+
+    use super::*;
+
+    /// A run that ends where nothing changes ends with a step all the same.
+    #[test]
+    fn the_last_step_is_told_whatever_it_does() {
+        let told = story(&Machine::REFERENCE, &[Action::Step(Observation::default()); 3], None);
+        assert_eq!(told, [Line { ms: 30, text: "stays in AS_OFF".to_owned() }]);
+    }
 }

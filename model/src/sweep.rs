@@ -207,15 +207,12 @@ fn alone() -> impl Iterator<Item = Choice> {
 /// Every combination of the readings that can matter to each other. `go-signal` changes what 520h tells and no control
 /// state, so that its choices need no company.
 fn combinations() -> Vec<Readings> {
-    let (alone, together): (Vec<Reading>, Vec<Reading>) =
-        Reading::ALL.iter().partition(|reading| **reading == Reading::GoSignal);
-    let defaults = Readings::DEFAULT.choices();
-    let with_any = |readings: &[Reading]| {
-        let choices = readings.iter().flat_map(|reading| reading.choices().iter().copied());
-        choices.fold(defaults, Choices::with).combinations(readings).collect::<Vec<_>>()
-    };
-    let alone = with_any(&alone).into_iter().filter(|readings| *readings != Readings::DEFAULT);
-    alone.chain(with_any(&together)).collect()
+    let together: Vec<Reading> =
+        Reading::ALL.iter().copied().filter(|reading| *reading != Reading::GoSignal).collect();
+    let choices = together.iter().flat_map(|reading| reading.choices().iter().copied());
+    let any = choices.fold(Readings::DEFAULT.choices(), Choices::with);
+    let alone = alone().filter(|choice| Reading::GoSignal.choices().contains(choice));
+    alone.map(|choice| Readings::DEFAULT.with(choice)).chain(any.combinations(&together)).collect()
 }
 
 /// Each exploration has one thread: there are enough explorations for all.

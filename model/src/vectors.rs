@@ -116,7 +116,7 @@ fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
 }
 
 /// Every subset.
-fn subsets<T: Copy>(all: &[T]) -> impl Iterator<Item = Vec<T>> {
+pub(crate) fn subsets<T: Copy>(all: &[T]) -> impl Iterator<Item = Vec<T>> {
     let count = 1_usize << all.len();
     (0..count).map(|bits| {
         all.iter().enumerate().filter(|(place, _)| bits >> place & 1 == 1).map(|(_, &item)| item).collect()
@@ -186,6 +186,16 @@ mod tests {
             other readings, Few, AS_FINISHED: 6 and 7 in 64, 6 and 7 in 64,
         "]]
         .assert_eq(&told);
+    }
+
+    #[test]
+    fn rows_mention_conditions_and_what_is_behind_them() {
+        let mentions = |from| mentioned(Interface::V3_0.table.rows(), from);
+        assert_eq!(mentions(AsState::EmergencyBrake), Atoms::of(&[Atom::EbsTimerComplete, Atom::Asms]));
+        let go = Atoms::of(&[Atom::GoEdge, Atom::GoOn]);
+        assert!(
+            go.is_subset(mentions(AsState::Ready)) && go.intersection(mentions(AsState::Finished)).is_empty()
+        );
     }
 
     #[test]

@@ -259,6 +259,20 @@ mod tests {
         assert!([incomplete, broken, missed, dead].iter().all(|found| !found.holds()));
     }
 
+    /// Who waits can ask until the last state has been seen.
+    #[test]
+    fn how_deep_it_is_can_be_asked_to_the_end() {
+        let machine = Machine::new(Interface { timing: SHORT_TIMERS, ..Interface::V3_0 }, Readings::DEFAULT);
+        let mut expanded = 0;
+        let found = to_the_end(Open::new(machine, SHORT_TIMERS, Vectors::Few), 1, |depth, seen| {
+            while depth().is_some() {
+                std::thread::yield_now();
+            }
+            expanded = seen.expanded.load(Ordering::Relaxed);
+        });
+        assert_eq!(expanded, found.states);
+    }
+
     #[test]
     fn the_timers_make_it_as_deep_as_it_is() {
         assert_eq!(expected_depth(&Interface::V3_0.timing), 2000);

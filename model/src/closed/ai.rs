@@ -111,7 +111,8 @@ impl Heard {
                 Self { torque: [front, drive.rear_axle_trq_request.raw() > 0], ..self }
             }
             Ok(AnyMessage::Vcu2AiBrake(brake)) => {
-                Self { brake: brake.hyd_press_f_req.raw() > 0 && brake.hyd_press_r_req.raw() > 0, ..self }
+                let axles = [brake.hyd_press_f_req.raw(), brake.hyd_press_r_req.raw()];
+                Self { brake: !axles.contains(&0), ..self }
             }
             Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
                 let at_rest = speeds.atoms(&Interface::V3_0.thresholds).has(Atom::AtRest);

@@ -8,31 +8,31 @@ use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observati
 use super::Promela;
 use super::words::{INPUTS, name, one_of};
 use crate::step::CYCLE_MS;
-use crate::vectors::{Vectors, varied};
+use crate::vectors::{Vectors, subsets, varied};
 
 /// Writes the cycles that begin in a state: one for each set of inputs that what is remembered lets it read.
 pub(super) fn cycles(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>, from: AsState) -> fmt::Result {
     let vectors = promela.vectors;
-    let flags = Flag::of(promela.machine, from);
-    let all = 0..1_usize << flags.len();
-    let reads = |in_state_ms: u16, set: usize| {
+    let flags = Flag::of(promela.machine);
+    let all: Vec<Vec<Flag>> = subsets(&flags).collect();
+    let reads = |in_state_ms: u16, set: &[Flag]| {
         let mut control = Control { state: from, in_state_ms, ..Control::INITIAL };
-        flags
-            .iter()
-            .enumerate()
-            .filter(|(place, _)| set >> place & 1 == 1)
-            .for_each(|(_, flag)| flag.set(&mut control));
+        for flag in set {
+            flag.set(&mut control);
+        }
         varied(promela.machine, &promela.document, &control, vectors)
     };
     for Span { begin, end } in
-        spans(promela, from, |ms| all.clone().map(|set| reads(ms, set)).collect::<Vec<_>>())
+        spans(promela, from, |ms| all.iter().map(|set| reads(ms, set)).collect::<Vec<_>>())
     {
         // Only what makes a difference is asked.
-        let matters =
-            |place: &usize| all.clone().any(|set| reads(begin, set) != reads(begin, set ^ 1 << place));
-        let asked: Vec<usize> = (0..flags.len()).filter(matters).collect();
-        let mask = asked.iter().fold(0, |mask, place| mask | 1 << place);
-        for set in all.clone().filter(|set| set & !mask == 0) {
+        let matters = |flag: &Flag| {
+            let without =
+                |set: &[Flag]| set.iter().copied().filter(|other| other != flag).collect::<Vec<_>>();
+            all.iter().any(|set| reads(begin, set) != reads(begin, &without(set)))
+        };
+        let asked: Vec<Flag> = flags.iter().copied().filter(matters).collect();
+        for set in subsets(&asked) {
             write!(f, "    :: atomic {{\n        state == {from}")?;
             if begin > 0 {
                 write!(f, " && in_state_ms >= {begin}")?;
@@ -40,11 +40,11 @@ pub(super) fn cycles(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>, from: As
             if let Some(end) = end {
                 write!(f, " && in_state_ms < {end}")?;
             }
-            for (place, flag) in flags.iter().enumerate().filter(|(place, _)| asked.contains(place)) {
-                write!(f, " && {}{flag}", if set >> place & 1 == 1 { "" } else { "!" })?;
+            for flag in &asked {
+                write!(f, " && {}{flag}", if set.contains(flag) { "" } else { "!" })?;
             }
             f.write_str(" ->\n        SHOW_STATE\n")?;
-            choices(f, reads(begin, set), vectors)?;
+            choices(f, reads(begin, &set), vectors)?;
             writeln!(f, "        step_{from}()\n    }}")?;
         }
     }
@@ -86,17 +86,13 @@ enum Flag {
 }
 
 impl Flag {
-    /// Those that can be set in a state.
-    fn of(machine: &Machine, from: AsState) -> Vec<Self> {
-        let edges = from == AsState::Driving && machine.readings().is(Choice::FaultEdge);
-        let latched = machine.readings().is(Choice::PowerCycleLatched);
-        let flags = [
-            (from == AsState::Ready, Self::GoSeenLow),
-            (edges, Self::WasRunning),
-            (edges, Self::WasForward),
-            (latched, Self::PowerCycleNeeded),
-        ];
-        flags.into_iter().filter_map(|(possible, flag)| possible.then_some(flag)).collect()
+    /// Those that a machine may set.
+    fn of(machine: &Machine) -> Vec<Self> {
+        let mut flags = vec![Self::GoSeenLow, Self::WasRunning, Self::WasForward];
+        if machine.readings().is(Choice::PowerCycleLatched) {
+            flags.push(Self::PowerCycleNeeded);
+        }
+        flags
     }
 
     fn set(self, control: &mut Control) {

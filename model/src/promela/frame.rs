@@ -226,7 +226,7 @@ fn emergency(f: &mut fmt::Formatter<'_>, terms: &[&Term]) -> fmt::Result {
 fn shown_by(fault: Fault, terms: &[&Term]) -> String {
     let sdc_open = Atoms::NONE.with(Atom::SdcOpen);
     // The fault itself opens the circuit.
-    let follows = terms.iter().any(|term| term.on == sdc_open && term.off.is_empty());
+    let follows = terms.iter().any(|term| (term.on, term.off) == (sdc_open, Atoms::NONE));
     if follows {
         fault.flag().into()
     } else {
