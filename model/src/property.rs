@@ -170,13 +170,8 @@ impl Property {
     pub(crate) fn reads(&self, from: &Control, document: &Timing, to: impl Fn(AsState) -> bool) -> Atoms {
         match self.claim {
             Claim::Leads { when, .. } => when.reads(),
-            Claim::Only { to: other, when, .. } => {
-                if to(other) {
-                    when.reads()
-                } else {
-                    Atoms::NONE
-                }
-            }
+            Claim::Only { to: other, when, .. } if to(other) => when.reads(),
+            Claim::Only { .. } => Atoms::NONE,
             Claim::Each { reads, .. } => reads(from, document),
         }
     }

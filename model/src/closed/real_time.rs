@@ -52,12 +52,8 @@ impl Closed {
                 _ => entered = place,
             }
             // From this step on, the timer counts as elapsed.
-            let elapses = control.in_state_ms < limit
-                && control.in_state_ms.saturating_add(self.timing.cycle_ms) >= limit;
-            if limit > 0
-                && elapses
-                && let Some(wait) = waits.get_mut(entered + 1)
-            {
+            let elapsed = control.in_state_ms.saturating_add(self.timing.cycle_ms) >= limit;
+            if elapsed && let Some(wait) = waits.get_mut(entered + 1) {
                 *wait = self.missing(machine, control.state);
             }
         }
@@ -76,9 +72,34 @@ impl Closed {
 #[cfg(test)]
 mod tests {
     use adsdv_spec::{Interface, Machine, Readings};
+    use stateright::Path;
 
-    use super::{AsState, Closed, Control};
-    use crate::closed::Operator;
+    use super::{Action, AsState, Closed, Control};
+    use crate::closed::{DWELL_CYCLES, Operator};
+
+    /// The dwell is waited for in the cycle after AS_READY is entered, and only if the run lasts as long.
+    #[test]
+    fn a_run_waits_where_a_timer_elapses() {
+        let timing = Interface::V3_0.timing;
+        let missing = timing.ready_dwell_ms / timing.cycle_ms - DWELL_CYCLES;
+        let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+        let mission = model.clone().run_for("mission-can-be-finished").expect("it can");
+        let states = mission.clone().into_states();
+        let begin = states.first().expect("it begins").clone();
+        let short =
+            states.iter().position(|state| state.control.in_state_ms == 30).expect("it is ready so long");
+        let actions: Vec<Action> = mission.clone().into_actions().into_iter().take(short).collect();
+        let left = Path::from_actions(&model, begin, &actions).expect("a run");
+        for (run, wait) in [(mission, missing + missing % 2), (left, 0)] {
+            let steps = run.clone().into_vec().into_iter();
+            let cycles = steps.filter(|(_, action)| *action == Some(Action::VcuCycle));
+            let states: Vec<AsState> = cycles.map(|(state, _)| state.control.state).collect();
+            let entered = states.iter().position(|state| *state == AsState::Ready).expect("it is ready");
+            let mut waits = vec![0; states.len()];
+            waits[entered + 1] = wait;
+            assert_eq!(model.waits(&Machine::REFERENCE, &run), waits, "{states:?}");
+        }
+    }
 
     #[test]
     fn a_stretched_run_goes_through_the_same_states() {

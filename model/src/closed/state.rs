@@ -221,3 +221,24 @@ impl Closed {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Atom;
+
+    use super::*;
+
+    #[test]
+    fn the_vcu_sees_whether_the_wheels_turn() {
+        for (wheels, at_rest, moving) in [
+            (Wheels::AtRest, true, false),
+            (Wheels::AtThreshold, false, false),
+            (Wheels::Moving, false, true),
+        ] {
+            let motion = Motion { wheels, ..Motion::default() };
+            let state = State { motion, ..State::default() };
+            let atoms = state.inputs().observe(&Interface::V3_0.thresholds).atoms();
+            assert_eq!((atoms.has(Atom::AtRest), atoms.has(Atom::Moving)), (at_rest, moving), "{wheels:?}");
+        }
+    }
+}
