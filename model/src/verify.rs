@@ -236,7 +236,7 @@ fn distance(a: Observation, b: Observation) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::{Interface, Readings};
+    use adsdv_spec::{Atom, Atoms, Fault, Faults, Interface, Readings};
 
     use super::*;
     use crate::sweep::SHORT_TIMERS;
@@ -258,6 +258,17 @@ mod tests {
         let dead = Exploration { parts, ..found };
         assert!([incomplete, broken, missed, dead].iter().all(|found| !found.holds()));
     }
+
+    #[test]
+    fn each_difference_counts() {
+        let seen = |atoms: &[Atom], faults| Observation::new(Atoms::of(atoms), faults);
+        let (one, other) =
+            (seen(&[Atom::Asms, Atom::Tsms], Faults::NONE), seen(&[Atom::Asms, Atom::GoOn], FAULT));
+        // Tsms, GoOn, the fault, and that the circuit is open.
+        assert_eq!((distance(one, other), distance(one, one), distance(other, other)), (4, 0, 0));
+    }
+
+    const FAULT: Faults = Faults::NONE.with(Fault::HvilOpenFault);
 
     /// Who waits can ask until the last state has been seen.
     #[test]

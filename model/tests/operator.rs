@@ -44,6 +44,14 @@ fn go_is_turned_off_where_it_is_found_on_and_on_again_after_the_dwell() {
     assert_eq!(acts(&ready(5000, true, 6)), []);
 }
 
+#[test]
+fn asms_is_turned_off_once_when_the_mission_is_finished() {
+    let mut state = state(Control { state: AsState::Finished, ..Control::INITIAL });
+    assert_eq!(acts(&state), []);
+    state.switches.asms = true;
+    assert_eq!(acts(&state), [Act::Asms(false)]);
+}
+
 /// The model has no power cycle, so a run ends in AS_OFF after an emergency: nobody goes on without one.
 //= ETO-4
 #[test]

@@ -188,26 +188,17 @@ pub struct Found {
     pub run: Option<Path<State, Action>>,
 }
 
-impl Exploration {
-    /// What was found of the property of this name.
-    pub fn found(&self, name: &str) -> Option<&Found> {
-        self.results.iter().find(|found| found.property.name == name)
-    }
-}
-
 impl Closed {
     /// A shortest run that shows that a property fails, or, for something that is to be possible, that it is.
     ///
     /// It explores only until it has one; `None` after a complete exploration, or if the operator has no such property.
-    pub fn run_for(self, name: &'static str) -> Option<Path<State, Action>> {
-        let known = properties_of(self.operator).any(|property| property.name == name);
-        known.then(|| {
-            self.checker()
-                .finish_when(HasDiscoveries::AnyOf(BTreeSet::from([name])))
-                .spawn_bfs()
-                .join()
-                .discovery(name)
-        })?
+    pub fn run_for(self, name: &str) -> Option<Path<State, Action>> {
+        let property = properties_of(self.operator).find(|property| property.name == name)?;
+        self.checker()
+            .finish_when(HasDiscoveries::AnyOf(BTreeSet::from([property.name])))
+            .spawn_bfs()
+            .join()
+            .discovery(property.name)
     }
 
     /// Explores every state, with this many threads, and decides every property of the operator.
