@@ -83,9 +83,20 @@ fn tell(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::Observation;
+    use adsdv_spec::{Faults, Observation};
 
     use super::*;
+
+    #[test]
+    fn behind_a_power_cycle_it_begins_anew() {
+        let ready = [Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed];
+        let step = Action::Step(Observation::new(Atoms::of(&ready), Faults::NONE));
+        let told = story(&Machine::REFERENCE, &[step, Action::PowerCycle, step], None);
+        let told: Vec<(u64, &str)> =
+            told.iter().map(|line| (line.ms, line.text.split(" (").next().unwrap_or_default())).collect();
+        let ready = "AS_OFF -> AS_READY";
+        assert_eq!(told, [(10, ready), (20, "the power is cycled"), (30, ready)]);
+    }
 
     /// A run that ends where nothing changes ends with a step all the same.
     #[test]
