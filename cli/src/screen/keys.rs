@@ -209,7 +209,16 @@ mod tests {
         assert_eq!(char('q'), Some(Command::Quit));
         assert_eq!(char('?'), Some(Command::Help));
         assert_eq!(press(KeyCode::Esc, KeyModifiers::NONE), Some(Command::Close));
-        assert_eq!(press(KeyCode::PageUp, KeyModifiers::NONE), Some(Command::Scroll(Scroll::PageUp)));
+        for (key, scroll) in [
+            (KeyCode::Up, Scroll::Up),
+            (KeyCode::Down, Scroll::Down),
+            (KeyCode::PageUp, Scroll::PageUp),
+            (KeyCode::PageDown, Scroll::PageDown),
+            (KeyCode::Home, Scroll::First),
+            (KeyCode::End, Scroll::Latest),
+        ] {
+            assert_eq!(press(key, KeyModifiers::NONE), Some(Command::Scroll(scroll)), "{key:?}");
+        }
         for (key, expected) in [
             ('c', Some(Command::Quit)),
             ('C', Some(Command::Quit)),

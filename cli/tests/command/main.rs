@@ -16,6 +16,8 @@ mod readings;
 mod readme;
 mod run;
 mod schema;
+#[cfg(target_os = "linux")]
+mod screen;
 mod streams;
 mod suite;
 mod tables;
