@@ -11,6 +11,7 @@
 //! what people see is compared with the files in `golden/`.
 
 mod help;
+mod keyboard;
 mod keys;
 mod panel;
 mod render;

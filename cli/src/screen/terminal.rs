@@ -3,6 +3,7 @@
 use std::env;
 use std::ffi::OsStr;
 use std::io::{self, IsTerminal as _, stdout};
+use std::mem::ManuallyDrop;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -14,6 +15,7 @@ use ratatui::crossterm::style::force_color_output;
 use ratatui::crossterm::{execute, terminal};
 use ratatui::layout::{Position, Rect};
 
+use super::keyboard::Keyboard;
 use super::render::render;
 use super::{Effect, Screen, Source, keys};
 
@@ -32,7 +34,8 @@ pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
     // Whether colors are wanted has been decided; NO_COLOR was asked then.
     force_color_output(color);
     // The panic hook that this sets puts the terminal back before a panic is told.
-    let mut open = Open(ratatui::try_init().inspect_err(|_| put_back())?);
+    let keyboard = Keyboard::open()?;
+    let mut open = Open(ManuallyDrop::new(ratatui::try_init().inspect_err(|_| put_back())?));
     let (mut screen, begun) = (Screen::new(color), Instant::now());
     while !source.is_over() {
         let status = source.status();
@@ -40,7 +43,7 @@ pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
         let mut log = screen.log;
         open.0.draw(|frame| log = render(&status, &screen, frame.area(), frame.buffer_mut()))?;
         screen.log = log;
-        if listen(source, &mut screen, &status.inputs, &mut open.0)?.is_break() {
+        if listen(source, &keyboard, &mut screen, &status.inputs, &mut open.0)?.is_break() {
             break;
         }
     }
@@ -62,12 +65,13 @@ fn fit(is_terminal: bool, kind: Option<&OsStr>) -> io::Result<()> {
 /// Follows the keys until the next frame is due.
 fn listen(
     source: &dyn Source,
+    keyboard: &Keyboard,
     screen: &mut Screen,
     inputs: &Inputs,
     terminal: &mut DefaultTerminal,
 ) -> io::Result<ControlFlow<()>> {
     let due = Instant::now() + FRAME;
-    while event::poll(due.saturating_duration_since(Instant::now()))? {
+    while keyboard.has_news(due)? {
         let command = match event::read()? {
             Event::Key(key) => keys::command(key),
             // A new size: the next frame has it.
@@ -110,11 +114,12 @@ fn suspend(_: &mut DefaultTerminal) -> io::Result<()> {
     Ok(())
 }
 
-/// A terminal that is put back when it is dropped.
-struct Open(DefaultTerminal);
+/// A terminal that is put back when it is dropped. ratatui would tell, and panic, that a terminal that is gone has no cursor.
+struct Open(ManuallyDrop<DefaultTerminal>);
 
 impl Drop for Open {
     fn drop(&mut self) {
+        let _ = self.0.show_cursor();
         put_back();
     }
 }

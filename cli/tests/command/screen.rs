@@ -6,8 +6,11 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 use std::time::{Duration, Instant};
 
+/// The command.
+pub(crate) const SCREEN: &str = concat!(env!("CARGO_BIN_EXE_adsdv"), " demo --screen");
+
 /// Longer than the screen takes to show anything.
-const PATIENCE: Duration = Duration::from_secs(30);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What a terminal is told when a screen begins, and when it is given back.
 const BEGIN: &str = "\x1b[?1049h";
@@ -17,7 +20,7 @@ const END: &str = "\x1b[?1049l";
 const REDRAW: &str = "\x0c";
 
 /// The command on its terminal. It is stopped when this is dropped, so also when a test fails.
-struct Terminal {
+pub(crate) struct Terminal {
     child: Child,
     keyboard: ChildStdin,
     news: Receiver<Vec<u8>>,
@@ -25,9 +28,9 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// `None`: there is no `script` on this machine.
-    fn new(command: &str) -> Option<Self> {
-        let line = format!("stty rows 40 cols 100; exec {} {command}", env!("CARGO_BIN_EXE_adsdv"));
+    /// Runs this line of a shell; `None`: there is no `script` on this machine.
+    pub(crate) fn new(line: &str) -> Option<Self> {
+        let line = format!("stty rows 40 cols 100; {line}");
         let mut script = Command::new("script");
         script.args(["-qec", &line, "/dev/null"]).env("TERM", "xterm").env_remove("NO_COLOR");
         let mut child = script.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().ok()?;
@@ -50,7 +53,7 @@ impl Terminal {
     }
 
     /// Waits until this is shown, and takes all that was shown until then.
-    fn shows(&mut self, text: &str) -> String {
+    pub(crate) fn shows(&mut self, text: &str) -> String {
         let late = Instant::now() + PATIENCE;
         loop {
             if let Some(at) = self.shown.find(text) {
@@ -74,7 +77,7 @@ impl Drop for Terminal {
 
 #[test]
 fn a_screen_follows_the_keys_and_gives_the_terminal_back() {
-    let Some(mut terminal) = Terminal::new("demo --screen") else { return };
+    let Some(mut terminal) = Terminal::new(&format!("exec {SCREEN}")) else { return };
     terminal.shows(BEGIN);
     // Words without spaces: what is blank already is not drawn.
     terminal.shows("happened");

@@ -8,8 +8,10 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::readme::may_end_with;
 use super::{Outcome, adsdv, calm, folder_with, lines, refused, reported, run, text, told};
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, outcome};
+use crate::screen::{self, SCREEN, Terminal};
 
 /// Every command that ends by itself and needs no CAN, with what it is asked and the status of its answer.
 const COMMANDS: &[(&[&str], i32)] = &[
@@ -105,6 +107,30 @@ pub(super) fn a_standard_output_that_is_closed() {
 pub(super) fn a_standard_input_that_is_closed_is_empty() {
     let outcome = closed("<&-", &["check", "-"]);
     refused(&outcome, "standard input: the log is empty", "candump -L");
+}
+
+/// Whoever holds the switches is gone, so the car goes, too.
+#[test]
+pub(super) fn a_terminal_that_is_closed() {
+    let status = folder_with("bad-input-terminal", "status", b"").join("status");
+    let line = format!("trap '' HUP; {SCREEN}; echo $? > {}", text(&status));
+    let Some(mut terminal) = Terminal::new(&line) else { return };
+    terminal.shows("happened");
+    // Not in the midst of drawing, which ends it anyway, but while it waits for keys.
+    thread::sleep(Duration::from_millis(200));
+    drop(terminal);
+    let late = Instant::now() + screen::PATIENCE;
+    let ended = loop {
+        let ended = fs::read_to_string(&status).expect("it is there");
+        if ended.ends_with('\n') {
+            break ended;
+        }
+        assert!(Instant::now() < late, "it goes on without a terminal");
+        thread::sleep(Duration::from_millis(10));
+    };
+    let ended = ended.trim().parse().expect("a status");
+    may_end_with(ended);
+    assert_eq!(ended, 2);
 }
 
 #[test]

@@ -110,6 +110,12 @@ const ROWS: &[Row] = &[
         ],
         &[],
     ),
+    (
+        "a closed pipe",
+        "the screen of `demo` and `vcu`, when its terminal is closed",
+        tests![output::a_terminal_that_is_closed],
+        &[],
+    ),
     ("a closed pipe", "`ai`, `vcu --plain`, `watch`", &[], &["a_closed_pipe_ends_each_in_order"]),
     (
         "a full disk",
