@@ -138,9 +138,13 @@ impl Output {
         }
         self.findings.sort_by_key(|finding| finding.t_ns);
         self.transitions.sort_by_key(|transition| transition.t_ns);
+        // A frame that was on its way while time was told to pass is judged when it comes, which is later than it was sent.
+        let finding = self.findings.last().map(|finding| finding.t_ns);
+        let transition = self.transitions.last().map(|transition| transition.t_ns);
+        let latest = finding.max(transition).unwrap_or(duration_ns);
         Report {
             frames,
-            duration_ns,
+            duration_ns: duration_ns.max(latest),
             transitions: self.transitions,
             findings: self.findings,
             responses: self.responses,

@@ -206,3 +206,16 @@ fn losses_without_end_are_told_every_ten_seconds() {
     let told: Vec<i64> = gaps(&judge.finish().findings).iter().map(|gap| (gap.0 - last) / MS).collect();
     assert_eq!(told, [0, 10_000, 20_000]);
 }
+
+/// A frame that was on its way while time was told to pass: what is said of it when it comes is said of a time in the report.
+#[test]
+fn what_is_reported_late_is_no_later_than_the_report() {
+    let (mut judge, last, world) = driving();
+    judge.time_passes(last + 500 * MS);
+    let frame = &world.log[world.log.len() - 1].frame;
+    judge.frame(last - MS, frame.id.into(), frame.data());
+    let report = judge.finish();
+    let back =
+        report.findings.iter().find(|finding| finding.rule == Rule::TimeBackwards).expect("it is told");
+    assert_eq!((back.t_ns, report.duration_ns), (last + 500 * MS, last + 500 * MS));
+}
