@@ -33,8 +33,8 @@ pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
     fit(stdout().is_terminal(), env::var_os("TERM").as_deref())?;
     // Whether colors are wanted has been decided; NO_COLOR was asked then.
     force_color_output(color);
-    // The panic hook that this sets puts the terminal back before a panic is told.
     let keyboard = Keyboard::open()?;
+    // The panic hook that this sets puts the terminal back before a panic is told.
     let mut open = Open(ManuallyDrop::new(ratatui::try_init().inspect_err(|_| put_back())?));
     let (mut screen, begun) = (Screen::new(color), Instant::now());
     while !source.is_over() {
