@@ -132,6 +132,16 @@ fn blank_lines_and_carriage_returns_are_no_errors_and_count() {
     assert_eq!(read(b"\n\r\n  "), []);
 }
 
+/// candump writes the name of an interface on each line. Without it nobody knows which bus a frame is from: the line is
+/// broken, whether one space stands in its place or two, and whether or not a frame came before.
+#[test]
+fn a_line_without_an_interface_is_broken_wherever_it_stands() {
+    for line in [&b"(1795210168.432225) 514#C8C8"[..], b"(1795210168.432225)  514#C8C8"] {
+        assert_eq!(outline(&read(line)), [Err(1)], "{}", line.escape_ascii());
+        assert_eq!(outline(&read(&[GOOD, b"\n", line].concat())), [Ok(1), Err(2)], "{}", line.escape_ascii());
+    }
+}
+
 /// Some editors put a mark before the first line. It costs nothing; anywhere else it is what it is, rubbish.
 #[test]
 fn the_mark_of_utf_8_costs_no_line() {

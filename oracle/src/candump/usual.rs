@@ -23,9 +23,13 @@ pub(super) struct Usual {
     pub(super) len: usize,
 }
 
-/// Reads a line if it is a usual one on this interface, which is not empty.
+/// Reads a line if it is a usual one on this interface. Before the first frame there is none, and its name is empty: a usual
+/// line names one.
 #[inline]
 pub(super) fn read(line: &[u8], interface: &[u8]) -> Option<Usual> {
+    if interface.is_empty() {
+        return None;
+    }
     let mut cursor = Cursor::new(line);
     let time_ns = time::usual(&mut cursor)?;
     let (&[b' ', ref id @ .., b'#'], digits) =
@@ -94,6 +98,13 @@ mod tests {
             "(1795209995.234358) vcan0 520#0011223344556677_B",
         ] {
             assert!(!is_usual(line), "{line}");
+        }
+    }
+
+    #[test]
+    fn no_line_is_usual_before_an_interface_is_known() {
+        for line in ["(1795209995.234358)  520#00", "(1795209995.234358) vcan0 520#00"] {
+            assert_eq!(read(line.as_bytes(), b""), None, "{line}");
         }
     }
 }

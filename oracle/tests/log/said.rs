@@ -56,6 +56,11 @@ fn logs() -> Vec<(&'static str, String)> {
         ("blank lines", good().replace('\n', "\n\n")),
         ("rubbish in the middle", with("rubbish")),
         ("no time", with("can0 520#0000010000000000")),
+        ("no interface", with("(1.025000)  520#0000010000000000")),
+        (
+            "no interface in the first line",
+            "(1795209995.234358)  520#0000010000000000\n".to_owned() + &good(),
+        ),
         ("a frame of no message", with("(1.025000) can0 123#00")),
         ("an extended identifier", with("(1.025000) can0 00000520#0000010000000000")),
         ("remote frames", with("(1.025000) can0 520#R\n(1.026000) can0 520#R8")),
