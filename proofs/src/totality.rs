@@ -5,9 +5,9 @@
 //! little more: that what comes out is something that there is. That no frame makes a decoder panic is in
 //! [`codec`](crate::codec).
 
-use adsdv_spec::messages::AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::messages::{Frame, Message, Vcu2AiSteer};
-use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, VcuMessages};
+use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, Taken, VcuMessages};
 
 use crate::invariant::counts_to_ms;
 use crate::prelude::*;
@@ -85,24 +85,77 @@ pub fn what_is_read_is_total() {
     });
 }
 
-/// **What is possible is told of every control state**: the arrow that a step takes is among those that were.
+/// Claims that what a step from this state takes was possible; whether anything was.
+///
+/// A harness for each state, and a loop over the rows by their numbers: so a proof knows each row as a constant.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a table has at most MAX_ROWS rows, and a row MAX_TERMS terms"
+)]
+fn what_is_taken_is_possible(state: AsState) -> bool {
+    let before = Control { state, ..kani::any() };
+    let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
+    let subject = subject();
+    let machine = subject.machine();
+    let rows = machine.interface().table.rows();
+    let (mut found, mut any) = (false, false);
+    for row in 0..rows.len() {
+        if rows[row].from != state {
+            continue;
+        }
+        for term in 0..rows[row].terms().len() {
+            let alternative = Taken { row: row as u8, term: term as u8 };
+            let possible = machine.is_possible(&before, dt_ms, alternative);
+            any |= possible;
+            found |= possible & (outputs.taken == Some(alternative)) & (rows[row].to == after.state);
+        }
+    }
+    kani::cover!(dt_ms == u32::MAX, "the longest time");
+    kani::cover!(outputs.taken.is_some(), "an arrow is taken");
+    assert!(found || outputs.taken.is_none(), "what is taken is possible, and leads where the step leads");
+    any
+}
+
+/// **What is possible is told of every control state in AS_OFF**: the alternative that a step takes is among those that were.
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(12))]
-pub fn what_is_taken_is_possible() {
-    of_each_state(|before| {
-        let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
-        let subject = subject();
-        // A fold and not a loop: for a proof the rows that are gone through are constants then.
-        let (found, none) =
-            subject.machine().possible(&before, dt_ms).fold((false, true), |(found, _), (row, _)| {
-                (found || (row.from == before.state && row.to == after.state), false)
-            });
-        cover_extremes(&before, dt_ms);
-        kani::cover!(outputs.taken.is_some(), "an arrow is taken");
-        kani::cover!(none && before.state == EmergencyBrake, "nothing is possible");
-        assert!(found || outputs.taken.is_none(), "what is taken is possible");
-    });
+pub fn what_is_taken_in_off_is_possible() {
+    let any = what_is_taken_is_possible(Off);
+    kani::cover!(!any, "nothing is possible before a power cycle");
+}
+
+/// **What is possible is told of every control state in AS_READY.**
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn what_is_taken_in_ready_is_possible() {
+    what_is_taken_is_possible(Ready);
+}
+
+/// **What is possible is told of every control state in AS_DRIVING.**
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn what_is_taken_in_driving_is_possible() {
+    what_is_taken_is_possible(Driving);
+}
+
+/// **What is possible is told of every control state in AS_FINISHED.**
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn what_is_taken_in_finished_is_possible() {
+    what_is_taken_is_possible(Finished);
+}
+
+/// **What is possible is told of every control state in EMERGENCY_BRAKE.**
+///
+/// Requirements: SM-1, SM-18.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn what_is_taken_in_emergency_brake_is_possible() {
+    let any = what_is_taken_is_possible(EmergencyBrake);
+    kani::cover!(!any, "nothing is possible while the EBS timer runs");
 }
 
 /// **What a step shows can be looked up**: every number of a row or a term has an answer, if only that there is none.
@@ -234,7 +287,11 @@ theorems![
     a_reaction_is_total,
     an_observation_is_total,
     what_is_read_is_total,
-    what_is_taken_is_possible,
+    what_is_taken_in_off_is_possible,
+    what_is_taken_in_ready_is_possible,
+    what_is_taken_in_driving_is_possible,
+    what_is_taken_in_finished_is_possible,
+    what_is_taken_in_emergency_brake_is_possible,
     what_was_taken_is_looked_up,
     an_actuation_is_total,
     messages_are_total,

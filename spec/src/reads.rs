@@ -7,7 +7,7 @@ use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
 use crate::faults::{Fault, Faults};
 use crate::inputs::Observation;
-use crate::machine::Machine;
+use crate::machine::{Machine, Taken};
 use crate::messages::AsState;
 use crate::readings::Choice;
 use crate::table::{Row, Term};
@@ -97,6 +97,23 @@ impl Machine {
         let arrows =
             self.arrows(control.state).filter_map(|taken| Some((taken.row(table)?, taken.term(table)?)));
         arrows.filter(move |(_, term)| term.truth(known) != Truth::False)
+    }
+
+    /// Whether [`Machine::possible`] has this alternative: some inputs can make a step from this control state take it. One that
+    /// the table or these readings do not have is never taken.
+    ///
+    /// ```
+    /// use adsdv_spec::{AsState, Control, Machine, Taken};
+    /// let (vcu, first) = (Machine::REFERENCE, Taken { row: 0, term: 0 }); // from AS_OFF to AS_READY
+    /// assert!(vcu.is_possible(&Control::INITIAL, 10, first));
+    /// assert!(!vcu.is_possible(&Control { power_cycle_needed: true, ..Control::INITIAL }, 10, first));
+    /// ```
+    pub fn is_possible(&self, control: &Control, dt_ms: u32, taken: Taken) -> bool {
+        let table = &self.interface().table;
+        let (Some(row), Some(term)) = (taken.row(table), taken.term(table)) else { return false };
+        row.from == control.state
+            && term.readings.is_subset(self.readings().choices())
+            && term.truth(self.known(control, dt_ms)) != Truth::False
     }
 
     /// What the control state decides at a step whatever the inputs are.

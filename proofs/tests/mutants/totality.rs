@@ -5,7 +5,7 @@ use adsdv_proofs::subject::Subject;
 use adsdv_spec::messages::{Frame, MESSAGES, SignalDef};
 use adsdv_spec::{
     Actuation, AsState, Atom, Atoms, Control, FIGURE_2, Inputs, Interface, Machine, Observation, Outputs,
-    Reaction, Reads, Row, Table, VcuMessages,
+    Reaction, Reads, Row, Table, Taken, VcuMessages,
 };
 
 use crate::otherwise::Otherwise;
@@ -21,12 +21,18 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         Mutant::new("an_observation_is_total", "a vehicle at 10 rpm moves and is at rest", MovesAtRest),
         Mutant::new("what_is_read_is_total", "the time in the state overflows", Overflows),
         Mutant::new("what_is_read_is_total", "it reads what is remembered", ReadsMemory),
+        elsewhere("what_is_taken_in_off_is_possible", AsState::Off),
+        elsewhere("what_is_taken_in_ready_is_possible", AsState::Ready),
+        elsewhere("what_is_taken_in_driving_is_possible", AsState::Driving),
+        elsewhere("what_is_taken_in_finished_is_possible", AsState::Finished),
+        elsewhere("what_is_taken_in_emergency_brake_is_possible", AsState::EmergencyBrake),
         Mutant::new(
-            "what_is_taken_is_possible",
-            "AS_OFF leads to AS_DRIVING",
-            Otherwise(|before, _, after, _| {
-                if before.state == AsState::Off && after.state == AsState::Ready {
-                    after.state = AsState::Driving;
+            "what_is_taken_in_off_is_possible",
+            "AS_OFF is left before a power cycle",
+            Otherwise(|before, _, after, outputs| {
+                if before.state == AsState::Off && before.power_cycle_needed {
+                    after.state = AsState::Ready;
+                    outputs.taken = Some(Taken { row: 0, term: 0 });
                 }
             }),
         ),
@@ -44,6 +50,17 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         ),
         Mutant::new("a_frame_is_total", "an identifier is cut to 11 bits", CutsTheIdentifier),
     ]
+}
+
+/// Whatever leaves a state leads to AS_DRIVING, or out of AS_READY to AS_FINISHED, where no arrow leads.
+fn elsewhere(theorem: &'static str, state: AsState) -> Mutant {
+    let lead: fn(&Control, &Inputs, &mut Control, &mut Outputs) = |before, _, after, _| {
+        if after.state != before.state {
+            let ready = before.state == AsState::Ready;
+            after.state = if ready { AsState::Finished } else { AsState::Driving };
+        }
+    };
+    Mutant::new(theorem, &format!("{state} leads where no arrow does"), Otherwise(lead))
 }
 
 /// Time is added in 16 bits.

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
     AsState, Atom, Atoms, Choice, Choices, Control, Faults, Handshake, Interface, Machine, Observation,
-    Reading, Readings,
+    Reading, Readings, Taken,
 };
 
 use crate::random::Random;
@@ -110,6 +110,38 @@ fn what_cannot_matter_is_not_read() {
     assert!(reads(AsState::Driving, 0).has(GoOn) && !reads(AsState::Driving, 0).has(EbsArmed));
     let latched = Control { power_cycle_needed: true, ..Control::INITIAL };
     assert!(!machine.reads(&latched, 10).atoms.has(EbsArmed), "AS_OFF cannot be left");
+}
+
+/// What is possible is asked of one alternative, or of all: the answers are the same.
+#[test]
+fn the_possible_alternatives_are_those_of_which_each_is_possible() {
+    let mut random = Random(0x0A15_D5DF);
+    let (mut open, mut all) = (0, 0);
+    for readings in Choices::ALL.combinations(Reading::ALL) {
+        let machine = Machine::new(Interface::V3_0, readings);
+        for _ in 0..20 {
+            let control = random.control(&machine);
+            let dt_ms = [10, 5000][random.below(2)];
+            let listed: Vec<_> = machine.possible(&control, dt_ms).collect();
+            let mut asked = Vec::new();
+            for (row, def) in (0..).zip(Interface::V3_0.table.rows()) {
+                for (term, alternative) in (0..).zip(def.terms()) {
+                    if machine.is_possible(&control, dt_ms, Taken { row, term }) {
+                        asked.push((def, alternative));
+                    }
+                    all += 1;
+                }
+            }
+            // A reading may change their order.
+            assert_eq!(asked.len(), listed.len(), "{readings}\n{control:?}");
+            assert!(asked.iter().all(|one| listed.contains(one)), "{readings}\n{control:?}");
+            open += asked.len();
+        }
+    }
+    assert!(open > 0 && open < all, "{open} of {all}");
+    for nowhere in [Taken { row: 200, term: 0 }, Taken { row: 0, term: 200 }] {
+        assert!(!Machine::REFERENCE.is_possible(&Control::INITIAL, 10, nowhere));
+    }
 }
 
 #[test]
