@@ -8,15 +8,15 @@
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 use std::sync::LazyLock;
-use std::{env, thread};
+use std::thread;
 
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::Report;
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
 use adsdv_spec::messages::{AnyMessage, MESSAGES};
+use adsdv_tests::property::Home;
 use jsonschema::Validator;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
-use proptest::test_runner::{Config, FileFailurePersistence, TestCaseError, TestError, TestRunner};
 use proptest::{collection, sample};
 use serde::{Deserialize, Serialize};
 
@@ -228,22 +228,12 @@ fn round_trip(lines: &[Line]) -> Result<(), String> {
 
 #[test]
 fn a_report_reads_back() {
-    let wanted = env::var("PROPTEST_CASES").ok().and_then(|wanted| wanted.parse().ok());
-    let cases = wanted.unwrap_or(CASES).max(CASES);
-    let regressions = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/round_trip.regressions");
-    let config = Config {
-        cases,
-        max_shrink_iters: 2000,
-        failure_persistence: Some(Box::new(FileFailurePersistence::Direct(regressions))),
-        ..Config::default()
+    let home = Home {
+        package: env!("CARGO_PKG_NAME"),
+        test: env!("CARGO_CRATE_NAME"),
+        regressions: concat!(env!("CARGO_MANIFEST_DIR"), "/tests/round_trip.regressions"),
     };
     let logs = collection::vec(any_line(), 0..80);
-    let tried = TestRunner::new(config).run(&logs, |lines| round_trip(&lines).map_err(TestCaseError::fail));
-    match tried {
-        Ok(()) => {}
-        Err(TestError::Fail(wrong, lines)) => {
-            panic!("{wrong}\n{}", String::from_utf8_lossy(&text(&lines)))
-        }
-        Err(TestError::Abort(why)) => panic!("not tried: {why}"),
-    }
+    let told = |lines: &Vec<Line>| String::from_utf8_lossy(&text(lines)).into_owned();
+    home.holds(CASES, &logs, |lines| round_trip(lines), told);
 }

@@ -42,6 +42,8 @@ pub mod outputs;
 mod prelude;
 pub mod readings;
 pub mod safety;
+#[cfg(not(kani))]
+pub mod seed;
 pub mod steps;
 pub mod subject;
 #[cfg(not(kani))]

@@ -21,9 +21,9 @@ impl Theorem {
         all().find(|theorem| theorem.name == name)
     }
 
-    /// Runs the harness.
-    pub fn check(&self) -> Outcome {
-        kani::check(self.harness, self.runs)
+    /// Runs the harness, on values drawn from this seed if they are drawn at random.
+    pub fn check(&self, seed: u64) -> Outcome {
+        kani::check(self.harness, self.runs, seed)
     }
 }
 

@@ -5,7 +5,7 @@
 //! handshake is answered or begun.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atoms, Control, Interface, Outputs, Timing};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Inputs, Interface, Machine, Outputs, Readings, Timing};
 
 use crate::prelude::*;
 
@@ -24,6 +24,9 @@ fn shown(outputs: &Outputs) -> Outputs {
 /// **`a` and then `b` is `a + b`.** A step after `a` that takes no arrow and finds the handshake as it was, and another
 /// after `b` with the same inputs, come to the same control state, arrow, faults and signals as one step after `a + b`.
 ///
+/// So it is under the default readings; [`two_steps_are_one_where_an_edge_is_enough`] has the one reading under which it takes
+/// more.
+///
 /// Requirements: DRV-4, ETO-1, HS-9, HS-15.
 #[cfg_attr(kani, kani::proof, kani::unwind(12))]
 pub fn two_steps_are_one() {
@@ -39,6 +42,39 @@ pub fn two_steps_are_one() {
     );
     assert!(two.after == one.after, "the same control state");
     assert!(shown(&two.outputs) == shown(&one.outputs), "the same arrow, faults and signals");
+}
+
+/// **`a` and then `b` is `a + b`, where any edge of "Go" counts** (`go-edge=edge`), in AS_READY, the one state in which that
+/// matters: but for an edge of "Go" at the first step, before the 5 seconds are over. The first step uses it up; a single step
+/// at the end of them sees it only then, and drives.
+///
+/// Requirements: D-6, DRV-4, HS-9, HS-15.
+#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+pub fn two_steps_are_one_where_an_edge_is_enough() {
+    const READINGS: Readings = Readings::DEFAULT.with(Choice::GoEdgeEnough);
+    const MACHINE: Machine = Machine::new(Interface::V3_0, READINGS);
+    let keeps =
+        |control: &Control| control.state == AsState::Ready && control.is_consistent(&TIMING, READINGS);
+    // "Go" may have been seen off at any time in that state.
+    let before = Control { state: AsState::Ready, go_seen_low: kani::any(), ..kani::any_where(keeps) };
+    // With others the first step takes an arrow.
+    let inputs = kani::any_where(|inputs: &Inputs| inputs.asms && !inputs.ai.status.estop_request);
+    let (a, b): (u32, u32) = (kani::any(), kani::any());
+    kani::assume(a.checked_add(b).is_some());
+    let (between, first) = subject().step_of(&MACHINE, &before, &inputs, a);
+    kani::assume(first.taken.is_none() && handshake_goes_on(&before, &between));
+    let edge = first.atoms.has(Atom::GoEdge);
+    let too_early = edge & !first.atoms.has(Atom::DwellElapsed);
+    let (after_two, two) = subject().step_of(&MACHINE, &between, &inputs, b);
+    let (after_one, one) = subject().step_of(&MACHINE, &before, &inputs, a + b);
+    let drives = one.state == AsState::Driving;
+    kani::cover!(too_early & drives, "only who looks once drives");
+    kani::assume(!too_early);
+    kani::cover!(edge, "an edge comes in time, and another condition is missing");
+    let brakes = two.state == AsState::EmergencyBrake;
+    kani::cover!(brakes, "the second step takes an arrow");
+    assert!(after_two == after_one, "the same control state");
+    assert!(shown(&two) == shown(&one), "the same arrow, faults and signals");
 }
 
 /// **Timers saturate without changing anything.** A timer that has reached its limit, and one that would have gone on
@@ -137,6 +173,7 @@ pub fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids() {
 
 theorems![
     two_steps_are_one,
+    two_steps_are_one_where_an_edge_is_enough,
     saturated_timers_change_nothing,
     timers_are_the_time_that_has_passed,
     a_faster_cycle_takes_nothing_that_a_slower_one_forbids,

@@ -11,7 +11,7 @@ use super::source::Source;
 /// How a harness is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Runs {
-    /// So many times, on random values. The same values every time: a failure can be looked at again.
+    /// So many times, on random values. The same values for the same seed: a failure can be looked at again.
     Random(u32),
     /// Once for every combination of values.
     Every,
@@ -181,13 +181,13 @@ fn once(harness: fn(), source: Source, listen: bool) -> (End, Run) {
     }
 }
 
-/// Runs a harness many times, until one run fails.
+/// Runs a harness many times, until one run fails. Random values are drawn from the seed.
 ///
 /// A panic inside of a run is not printed: it stands in the outcome.
-pub fn check(harness: fn(), runs: Runs) -> Outcome {
+pub fn check(harness: fn(), runs: Runs, seed: u64) -> Outcome {
     listen_to_panics();
     let mut outcome = Outcome::default();
-    let mut random = fastrand::Rng::with_seed(0);
+    let mut random = fastrand::Rng::with_seed(seed);
     let mut source = next_source(runs, &mut random, None);
     while let Some(values) = source {
         let (end, run) = once(harness, values.clone(), false);

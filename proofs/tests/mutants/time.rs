@@ -8,6 +8,11 @@ use crate::Mutant;
 pub(crate) fn mutants() -> Vec<Mutant> {
     vec![
         Mutant::new("two_steps_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new(
+            "two_steps_are_one_where_an_edge_is_enough",
+            "each step counts one millisecond more",
+            OneMore,
+        ),
         Mutant::new("saturated_timers_change_nothing", "after a minute the timer begins anew", Wraps),
         Mutant::new("timers_are_the_time_that_has_passed", "each step counts one millisecond more", OneMore),
         Mutant::new("timers_are_the_time_that_has_passed", "the timer goes on in the next state", GoesOn),
@@ -24,8 +29,14 @@ pub(crate) fn mutants() -> Vec<Mutant> {
 struct OneMore;
 
 impl Subject for OneMore {
-    fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
-        Machine::REFERENCE.step(before, inputs, dt_ms.saturating_add(1))
+    fn step_of(
+        &self,
+        machine: &Machine,
+        before: &Control,
+        inputs: &Inputs,
+        dt_ms: u32,
+    ) -> (Control, Outputs) {
+        machine.step(before, inputs, dt_ms.saturating_add(1))
     }
 }
 

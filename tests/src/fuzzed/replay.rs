@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use adsdv_proofs::seed;
+
 use crate::world::{Chance, Random};
 
 /// The folders of `fuzz` that have inputs of each body: those that a fuzzer starts from, and those that went wrong once.
@@ -26,7 +28,7 @@ pub fn files(fuzz: &Path, target: &str, body: fn(&[u8])) -> usize {
         for entry in entries {
             let path = entry.expect("the folder can be read").path();
             let bytes = fs::read(&path).expect("the file can be read");
-            Running { bytes: &bytes, path: Some(&path) }.run(body);
+            Running { bytes: &bytes, from: From::File(&path) }.run(body);
             run += 1;
         }
     }
@@ -36,7 +38,13 @@ pub fn files(fuzz: &Path, target: &str, body: fn(&[u8])) -> usize {
 /// An input that is run, and told if it goes wrong.
 struct Running<'a> {
     bytes: &'a [u8],
-    path: Option<&'a Path>,
+    from: From<'a>,
+}
+
+/// Where an input is from.
+enum From<'a> {
+    File(&'a Path),
+    Seed(u64),
 }
 
 impl Running<'_> {
@@ -48,18 +56,22 @@ impl Running<'_> {
 
 impl Drop for Running<'_> {
     fn drop(&mut self) {
-        match self.path {
-            Some(path) => eprintln!("the input is {}", path.display()),
-            None => eprintln!("the input is \"{}\"", self.bytes.escape_ascii()),
+        match self.from {
+            From::File(path) => eprintln!("the input is {}", path.display()),
+            From::Seed(seed) => {
+                let bytes = self.bytes.escape_ascii();
+                eprintln!("the input is \"{bytes}\", drawn with {}={seed}", seed::VARIABLE);
+            }
         }
     }
 }
 
-/// Runs a body on nothing, and on so many small inputs that are the same each time: any bytes, and now and then few of them
-/// repeated, as text is.
+/// Runs a body on nothing, and on so many small inputs that are the same for the same [`seed`](seed::seed): any bytes, and
+/// now and then few of them repeated, as text is.
 pub fn random(count: u64, body: fn(&[u8])) {
     body(&[]);
-    let mut random = Random(1);
+    let seed = seed::seed();
+    let mut random = Random(seed);
     let mut input = Vec::new();
     for _ in 0..count {
         input.clear();
@@ -68,6 +80,6 @@ pub fn random(count: u64, body: fn(&[u8])) {
         for _ in 0..random.below(200) {
             input.push(if few { random.pick(&alphabet) } else { random.bits().to_le_bytes()[0] });
         }
-        Running { bytes: &input, path: None }.run(body);
+        Running { bytes: &input, from: From::Seed(seed) }.run(body);
     }
 }

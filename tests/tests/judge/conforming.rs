@@ -2,6 +2,7 @@
 //! operator do, under any readings, however the recorder jitters and whatever frames it loses.
 
 use adsdv_oracle::judge::{Options, Party};
+use adsdv_proofs::seed::seed;
 use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Readings};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings, judge, violations};
 
@@ -59,11 +60,14 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
     let runs = 500 * recordings_of_a_kind() / USUAL;
     let mut states = std::collections::BTreeSet::new();
     let mut transitions = 0;
-    for seed in 0..runs.max(WRITTEN) {
+    for seed in 0..WRITTEN {
         let Recording { name, log, options } = Recording::new(&Interface::V3_0, seed, jitter_ms, loss);
-        if seed < WRITTEN {
-            is_as_written(&name, &log, options);
-        }
+        is_as_written(&name, &log, options);
+    }
+    for place in 0..runs {
+        // Far apart, so that no run is tried twice when the next seed is the next number.
+        let seed = seed().wrapping_mul(1 << 32).wrapping_add(place);
+        let Recording { name, log, options } = Recording::new(&Interface::V3_0, seed, jitter_ms, loss);
         let report = judge(&log, options);
         assert!(by(&report, Party::Vcu).is_empty(), "{name}: {:#?}", violations(&report));
         transitions += report.transitions.len();

@@ -6,13 +6,13 @@ use std::fmt::Write as _;
 use adsdv_oracle::suite;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Interface, Machine, Mutation, Readings};
+use adsdv_tests::property::SHRINKING;
 use expect_test::expect_file;
 use proptest::strategy::{Strategy, ValueTree as _};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 
 use crate::clocks::Clocks;
 use crate::handshake::Handshake;
-use crate::holds::SHRINKING;
 use crate::operations::{Run, runs};
 use crate::power::Power;
 use crate::run::{Property, Seen, keeps};

@@ -1,16 +1,24 @@
 //! Looking more often than needed changes nothing: a wait is a wait, in one step or in many.
 //!
-//! That two steps are one where nothing happens in between is a theorem. This is what it promises for whole runs: of all the
-//! looks of a run, any may be left out at which no arrow is taken, no edge of the handshake answered or begun, and
-//! nothing about to change. At every other look the VCU remembers and shows the same.
+//! Of all the looks of a run, any may be left out at which no arrow is taken, no edge of the handshake answered or begun,
+//! nothing about to change, and no edge of "Go" seen that comes too early. At every other look the VCU remembers and shows the
+//! same.
+//!
+//! An edge of "Go" comes too early where any edge counts that the conditions meet (`go-edge=edge`), and the 5 seconds of
+//! AS_READY are not over: who looks at it then has seen it, and who looks next when they are over sees it only then, and
+//! drives. Where "Go" has to be seen off while the conditions hold, there is no such edge.
+//!
+//! The theorems `two_steps_are_one` and `two_steps_are_one_where_an_edge_is_enough` of `adsdv-proofs` prove the same of one look
+//! that is left out, under the default readings and under `go-edge=edge`. This tries whole runs, under any readings.
 
 use std::convert::Infallible;
 
-use adsdv_spec::{Atoms, Control, Inputs, Machine, Outputs};
+use adsdv_spec::messages::{AmiState, EbsState, MissionStatus, SignalValue as _};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Inputs, Machine, Outputs, Readings};
 use proptest::sample;
 
 use crate::holds::{holds, regressions};
-use crate::operations::{Run, runs};
+use crate::operations::{Operation, Run, runs};
 use crate::run::{Event, Seen, Silent, play};
 use crate::runs::machine;
 use crate::timeline::timeline;
@@ -30,8 +38,15 @@ struct Look {
     power_cycled: bool,
     after: Control,
     outputs: Outputs,
-    /// An arrow was taken, or the handshake went on.
+    /// An arrow was taken, the handshake went on, or "Go" came too early.
     happened: bool,
+}
+
+/// An edge of "Go" that is seen before the 5 seconds are over, and counts at this look alone.
+fn go_comes_too_early(readings: Readings, outputs: &Outputs) -> bool {
+    readings.is(Choice::GoEdgeEnough)
+        && outputs.atoms.has(Atom::GoEdge)
+        && !outputs.atoms.has(Atom::DwellElapsed)
 }
 
 /// A run, look by look, with an AI Computer that takes its time if it answers at all.
@@ -58,7 +73,8 @@ fn looks(machine: &Machine, run: &Run) -> Vec<Look> {
         control = after;
         let goes_on =
             before.handshake.active == after.handshake.active && before.handshake.bit == after.handshake.bit;
-        let happened = outputs.taken.is_some() || !goes_on;
+        let happened =
+            outputs.taken.is_some() || !goes_on || go_comes_too_early(machine.readings(), &outputs);
         looks.push(Look { t_ms, dt_ms, inputs, power_cycled, after, outputs, happened });
         Ok(())
     });
@@ -111,4 +127,33 @@ fn fewer_looks_see_the_same() {
         |(run, kept)| format!("each {kept}th look is kept\n{}", timeline(&machine(run), run, &mut Silent)),
     );
     assert!(left_out.get() > 1000, "{} looks were left out", left_out.get());
+}
+
+/// The run that showed what an edge of "Go" changes: with `go-edge=edge` it comes at 4.999 s of AS_READY, a millisecond before
+/// a look that may be the next one.
+#[test]
+fn an_edge_of_go_just_before_the_end_of_the_dwell_is_looked_at() {
+    let set = Operation::set;
+    let run = Run {
+        readings: Readings::DEFAULT.with(Choice::GoEdgeEnough),
+        cycle_ms: 1,
+        operations: vec![
+            set("tsms", 1),
+            set("ami", AmiState::TrackDrive.to_raw()),
+            set("ebs", EbsState::Armed.to_raw()),
+            set("mission_status", MissionStatus::Selected.to_raw()),
+            set("asms", 1),
+            Operation::Wait(1),
+            Operation::Wait(4998),
+            set("go", 1),
+            Operation::Wait(20),
+        ],
+    };
+    let looks = looks(&machine(&run), &run);
+    let early = looks.iter().filter(|look| go_comes_too_early(run.readings, &look.outputs)).count();
+    assert_eq!(early, 1, "the edge is seen once");
+    for kept in [2, 3, 7, usize::MAX] {
+        let left_out = same_with_fewer_looks(&run, kept).unwrap_or_else(|wrong| panic!("{kept}: {wrong}"));
+        assert!(left_out > 2000, "{kept}: {left_out} looks are left out");
+    }
 }
