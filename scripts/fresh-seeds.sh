@@ -42,6 +42,7 @@ tests=(
   "adsdv-ffi fuzzed small_random"
   "adsdv round_trip"
   "adsdv-proofs theorems"
+  "adsdv-model run random::"
 )
 
 log=${CARGO_TARGET_DIR:-target}/fresh-seeds.log

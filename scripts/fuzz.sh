@@ -2,12 +2,15 @@
 # Builds every fuzzer of fuzz/ once, and runs each for a while: from the corpus and the inputs that went wrong once, with the
 # dictionary of its format. fuzz/README.md tells about the fuzzers.
 #
-# usage: scripts/fuzz.sh [-t SECONDS] [-j JOBS] [TARGET ...]
+# usage: scripts/fuzz.sh [-t SECONDS] [-r RUNS] [-s SEED] [-j JOBS] [TARGET ...]
 #   -t SECONDS  how long each fuzzer runs, 10 if nothing is said
+#   -r RUNS     how many inputs each fuzzer runs at the most, as many as there is time for if nothing is said
+#   -s SEED     the same inputs every time: drawn from this seed, a number from 1, and from what is committed alone. Less time
+#               or fewer runs are fewer of the same inputs
 #   -j JOBS     how many processes run one fuzzer at the same time, 1 if nothing is said
 #   TARGET      these alone, as in fuzz/Cargo.toml
 #
-# What it finds that is new goes to fuzz/target/corpus, where the next run begins; the committed corpus stays as it is.
+# What it finds that is new goes to fuzz/target/corpus, where the next run without -s begins; the committed corpus stays as it is.
 # Exit status: 0 nothing went wrong, 1 an input did, or a fuzzer does not build, 2 wrong usage, or a tool is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,19 +18,22 @@ cd "$(dirname "$0")/.."
 fail() { echo "fuzz.sh: $2" >&2; exit "$1"; }
 usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/fuzz.sh; }
 
-seconds=10 jobs=1
-while getopts t:j:h option; do
+seconds=10 jobs=1 runs= seed=
+while getopts t:r:s:j:h option; do
   case $option in
     t) seconds=$OPTARG ;;
+    r) runs=$OPTARG ;;
+    s) seed=$OPTARG ;;
     j) jobs=$OPTARG ;;
     h) usage; exit 0 ;;
     *) fail 2 "see scripts/fuzz.sh -h" ;;
   esac
 done
 shift $((OPTIND - 1))
-for number in "$seconds" "$jobs"; do
-  [[ $number =~ ^[1-9][0-9]*$ ]] || fail 2 "'$number' is no number of seconds or jobs; expected a whole number from 1"
+for number in "$seconds" "$jobs" ${runs:+"$runs"} ${seed:+"$seed"}; do
+  [[ $number =~ ^[1-9][0-9]{0,8}$ ]] || fail 2 "'$number' is not expected; expected a whole number from 1 to 999999999"
 done
+[ -z "$seed" ] || [ "$jobs" = 1 ] || fail 2 "-s goes with one process: several change places by chance; leave out -j"
 
 cargo +nightly --version >/dev/null 2>&1 \
   || fail 2 "there is no nightly toolchain; install it with: rustup toolchain install nightly"
@@ -47,19 +53,33 @@ cargo +nightly fuzz build -O --debug-assertions || fail 1 "the fuzzers do not bu
 max_len=$(sed -n 's/^max_len = //p' fuzz/libfuzzer.options)
 bin=fuzz/target/$(rustc +nightly -vV | sed -n 's/^host: //p')/release
 
+# libFuzzer learns from what the program compares, addresses among it: the same inputs every time need the same addresses.
+same=()
+if [ -n "$seed" ]; then
+  if setarch -R true 2>/dev/null; then
+    same=(setarch -R)
+  else
+    echo "fuzz.sh: addresses change here from run to run, and so may the inputs: setarch -R does not work" >&2
+  fi
+fi
+
 for target in $targets; do
-  found=fuzz/target/corpus/$target artifacts=fuzz/artifacts/$target log=fuzz/target/$target.log
+  found=fuzz/target/${seed:+seed-}corpus/$target artifacts=fuzz/artifacts/$target log=fuzz/target/$target.log
+  # What an earlier run has found is not among what is committed.
+  [ -z "$seed" ] || rm -rf "$found"
   mkdir -p "$found" "$artifacts"
   inputs=("$found")
   for folder in corpus regressions; do
     [ ! -d "fuzz/$folder/$target" ] || inputs+=("fuzz/$folder/$target")
   done
-  options=(-max_total_time="$seconds" -max_len="$max_len" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$artifacts/" -print_final_stats=1)
+  options=(-max_total_time="$seconds" -max_len="$max_len" -timeout=60 -rss_limit_mb=2048 -artifact_prefix="$artifacts/" -print_final_stats=1)
+  [ -z "$runs" ] || options+=(-runs="$runs")
+  [ -z "$seed" ] || options+=(-seed="$seed")
   [ ! -f "fuzz/dictionaries/$target.dict" ] || options+=(-dict="fuzz/dictionaries/$target.dict")
   # -fork goes on after an input that is slow or takes too much memory, unless it is told not to.
   [ "$jobs" = 1 ] || options+=(-fork="$jobs" -ignore_ooms=0 -ignore_timeouts=0)
   printf '%-16s ' "$target"
-  if "$bin/$target" "${options[@]}" "${inputs[@]}" >"$log" 2>&1; then
+  if "${same[@]}" "$bin/$target" "${options[@]}" "${inputs[@]}" >"$log" 2>&1; then
     awk '
       /^#[0-9]+[ \t]/ { runs = $1; gsub(/[^0-9]/, "", runs); for (i = 2; i < NF; i++) if ($i == "cov:") cov = $(i + 1) }
       /^stat::number_of_executed_units/ { runs = $2 }

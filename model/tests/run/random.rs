@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use adsdv_model::{Action, Run};
+use adsdv_proofs::seed::seed;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Interface, Machine, Observation, Readings};
 
@@ -81,10 +82,15 @@ fn machines() -> impl Iterator<Item = Machine> {
     std::iter::once(Readings::DEFAULT).chain(readings).map(|readings| Machine::new(Interface::V3_0, readings))
 }
 
+/// The chance of one machine: other chance for each, and for each seed.
+fn chance(place: u64) -> Random {
+    Random(seed().wrapping_mul(1 << 32).wrapping_add(place))
+}
+
 #[test]
 fn raw_inputs_lead_where_the_observations_led() {
-    for (seed, machine) in (0..).zip(machines()) {
-        let mut random = Random(seed);
+    for (place, machine) in (0..).zip(machines()) {
+        let mut random = chance(place);
         let mut states = BTreeSet::new();
         for rate in [RATES, RATES].concat() {
             let path = path(&mut random, &machine, rate, 3000);
@@ -99,7 +105,8 @@ fn raw_inputs_lead_where_the_observations_led() {
                 let step = steps.next().expect("each step of the path is in the run");
                 assert_eq!(step.before, control);
                 let reaction = machine.react(&control, seen, CYCLE_MS);
-                assert_eq!((step.after, step.outputs.taken), (reaction.control, reaction.taken), "{seen:?}");
+                let (done, expected) = ((step.after, step.outputs.taken), (reaction.control, reaction.taken));
+                assert_eq!(done, expected, "seed {}: {seen:?}", seed());
                 control = reaction.control;
                 states.insert(control.state);
             }
@@ -111,15 +118,16 @@ fn raw_inputs_lead_where_the_observations_led() {
 
 #[test]
 fn no_log_of_a_right_vcu_is_a_violation_of_the_vcu() {
-    for (seed, machine) in (100..).zip(machines()) {
-        let mut random = Random(seed);
+    for (place, machine) in (100..).zip(machines()) {
+        let mut random = chance(place);
         for (number, rate) in RATES.into_iter().cycle().take(21).enumerate() {
             let path = path(&mut random, &machine, rate, 1200);
             let run = Run::new(&machine, path).persisting(Run::AFTERMATH_MS);
             let report = judged(&run, machine.readings());
             assert!(
                 blamed(&report).is_empty(),
-                "readings {}, path {number}: {:#?}",
+                "seed {}, readings {}, path {number}: {:#?}",
+                seed(),
                 machine.readings(),
                 blamed(&report)
             );

@@ -14,8 +14,10 @@
 //! - `suite`: a run as a line of a test suite reads back.
 //! - `dbc`: the exported CAN database, read by another program, decodes what the codec encodes.
 //!
-//! So many cases are tried that all takes some seconds. `PROPTEST_CASES=10000 cargo test -p adsdv-tests --test properties` tries
-//! more. What has failed once is kept beside these files, under `regressions`, and tried first from then on.
+//! So many cases are tried that all takes some seconds, the same ones every time: `ADSDV_SEED=7` draws others, and
+//! `scripts/fresh-seeds.sh` goes from seed to seed for as long as one likes. `PROPTEST_CASES=10000 cargo test -p adsdv-tests
+//! --test properties` tries more. What has failed once is kept beside these files, under `regressions`, and tried first from
+//! then on.
 
 mod clocks;
 mod dbc;

@@ -1,0 +1,174 @@
+//! What is wrong with what Kani has printed, and what only takes long.
+
+use std::fmt;
+
+use adsdv_proofs::theorems;
+
+use crate::read::{Case, Harness, Verdict};
+
+/// How long a theorem may take, in seconds, and all of them, before that is worth a word. Nothing fails for it.
+const LONG: f64 = 60.0;
+const LONG_IN_ALL: f64 = 600.0;
+
+/// What there is to say of a run of Kani.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Findings {
+    verified: usize,
+    seconds: f64,
+    /// Why the run proves less than it should.
+    wrong: Vec<String>,
+    /// What takes long.
+    slow: Vec<String>,
+}
+
+/// The names of all theorems, as Kani prints them.
+pub(crate) fn expected() -> Vec<String> {
+    let name = |theorem: &theorems::Theorem| {
+        let module = theorem.module.split_once("::").map_or("", |(_, module)| module);
+        format!("{module}::{}", theorem.name)
+    };
+    theorems::all().map(name).collect()
+}
+
+impl Findings {
+    /// What there is to say of these harnesses, if all of the expected ones have to be there.
+    pub(crate) fn of(harnesses: &[Harness], expected: &[String]) -> Self {
+        let mut findings = Self::default();
+        if harnesses.is_empty() {
+            findings.wrong.push(
+                "no harness was checked; expected the regular output of cargo kani, which -j and the terse format do not have"
+                    .to_owned(),
+            );
+            return findings;
+        }
+        for harness in harnesses {
+            findings.look_at(harness);
+        }
+        let is_there = |name: &String| harnesses.iter().any(|harness| harness.name == *name);
+        let missing = expected.iter().filter(|name| !is_there(name));
+        findings.wrong.extend(missing.map(|name| format!("{name}: not checked")));
+        if findings.seconds > LONG_IN_ALL {
+            findings
+                .slow
+                .push(format!("all together took {:.0} s, more than {LONG_IN_ALL} s", findings.seconds));
+        }
+        findings
+    }
+
+    fn look_at(&mut self, harness: &Harness) {
+        let Harness { name, verdict, seconds, cases } = harness;
+        match verdict {
+            Verdict::Verified => {
+                self.verified += 1;
+                if cases.is_empty() {
+                    self.wrong.push(format!("{name}: has no case to be reached; expected a kani::cover!"));
+                }
+                let unreached = cases.iter().filter(|&(_, &reached)| !reached);
+                self.wrong.extend(unreached.map(|(Case { place, description }, _)| {
+                    format!("{name}: never reached: {description}, at {place}")
+                }));
+            }
+            Verdict::Refuted(checks) => self.wrong.push(format!("{name}: refuted: {}", checks.join("; "))),
+            Verdict::NoAnswer => self.wrong.push(format!("{name}: no answer: out of time or of memory")),
+            Verdict::Missing => self.wrong.push(format!("{name}: the output ends before the answer")),
+        }
+        let seconds = seconds.unwrap_or_default();
+        self.seconds += seconds;
+        if seconds > LONG {
+            self.slow.push(format!("{name} took {seconds:.0} s, more than {LONG} s"));
+        }
+    }
+
+    /// Whether all is verified, and every case reached.
+    pub(crate) fn holds(&self) -> bool {
+        self.wrong.is_empty()
+    }
+}
+
+impl fmt::Display for Findings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.slow.iter().try_for_each(|slow| writeln!(f, "slow: {slow}"))?;
+        self.wrong.iter().try_for_each(|wrong| writeln!(f, "wrong: {wrong}"))?;
+        let theorems = if self.verified == 1 { "theorem" } else { "theorems" };
+        write!(f, "{} {theorems} verified in {:.0} s", self.verified, self.seconds)?;
+        if self.holds() {
+            writeln!(f, ", every case reached")
+        } else {
+            writeln!(f, "; {} wrong", self.wrong.len())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Findings, expected};
+    use crate::read::harnesses;
+    use crate::read::tests::{INLINED, NO_ANSWER, REFUTED, TERSE, UNREACHED, VERIFIED};
+
+    fn told(text: &str, expected: &[&str]) -> (bool, String) {
+        let expected: Vec<String> = expected.iter().map(|&name| name.to_owned()).collect();
+        let findings = Findings::of(&harnesses(text), &expected);
+        (findings.holds(), findings.to_string())
+    }
+
+    #[test]
+    fn what_is_verified_with_every_case_reached_is_right() {
+        let all = [VERIFIED, INLINED].concat();
+        let expected =
+            ["codec::ai::ai2vcu_brake_514h", "codec::any::a_frame_is_read_as_the_message_of_its_identifier"];
+        let slow =
+            "slow: codec::any::a_frame_is_read_as_the_message_of_its_identifier took 242 s, more than 60 s\n";
+        let sum = "2 theorems verified in 245 s, every case reached\n";
+        assert_eq!(told(&all, &expected), (true, format!("{slow}{sum}")), "what is slow is no failure");
+    }
+
+    #[test]
+    fn all_together_may_be_slow_and_that_is_no_failure() {
+        let (holds, told) = told(&INLINED.repeat(3), &[]);
+        assert!(holds);
+        assert!(told.contains("slow: all together took 726 s, more than 600 s\n"), "{told}");
+    }
+
+    #[test]
+    fn what_is_not_verified_or_not_reached_is_wrong() {
+        for (text, expected, wrong) in [
+            (REFUTED, &[][..], &["figure2::driving_asms: refuted: \"the condition leads there\""][..]),
+            (NO_ANSWER, &[], &["totality::what_is_taken_is_possible: no answer: out of time or of memory"]),
+            (
+                UNREACHED,
+                &[],
+                &[
+                    "handshake::lost: never reached: lost, at proofs/src/handshake.rs:31:5 in function handshake::lost",
+                    "handshake::lost: never reached: never looked at, at proofs/src/handshake.rs:32:5 in function handshake::lost",
+                ],
+            ),
+            (VERIFIED, &["time::two_steps_are_one"], &["time::two_steps_are_one: not checked"]),
+            (
+                "Checking harness time::empty...\nVERIFICATION:- SUCCESSFUL\n",
+                &[],
+                &["time::empty: has no case to be reached; expected a kani::cover!"],
+            ),
+            ("Checking harness time::cut...\n", &[], &["time::cut: the output ends before the answer"]),
+        ] {
+            let (holds, told) = told(text, expected);
+            assert!(!holds, "{told}");
+            let lines: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("wrong: ")).collect();
+            assert_eq!(lines, wrong);
+        }
+    }
+
+    #[test]
+    fn output_without_a_harness_is_wrong() {
+        for text in [TERSE, "", "error: no such command: `kani`\n"] {
+            let (holds, told) = told(text, &[]);
+            assert!(!holds && told.contains("no harness was checked"), "{told}");
+        }
+    }
+
+    #[test]
+    fn theorems_have_the_names_that_kani_prints() {
+        let expected = expected();
+        assert!(expected.iter().any(|name| name == "codec::ai::ai2vcu_brake_514h"), "{expected:?}");
+        assert!(expected.iter().any(|name| name == "time::two_steps_are_one"), "{expected:?}");
+    }
+}
