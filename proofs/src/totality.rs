@@ -88,6 +88,7 @@ pub fn what_is_read_is_total() {
 /// Claims that what a step from this state takes was possible; whether anything was.
 ///
 /// A harness for each state, and a loop over the rows by their numbers: so a proof knows each row as a constant.
+#[expect(clippy::needless_range_loop, reason = "an index is what makes a row a constant")]
 #[expect(
     clippy::cast_possible_truncation,
     reason = "a table has at most MAX_ROWS rows, and a row MAX_TERMS terms"
@@ -107,7 +108,7 @@ fn what_is_taken_is_possible(state: AsState) -> bool {
             let alternative = Taken { row: row as u8, term: term as u8 };
             let possible = machine.is_possible(&before, dt_ms, alternative);
             any |= possible;
-            found |= possible & (outputs.taken == Some(alternative)) & (rows[row].to == after.state);
+            found |= possible && outputs.taken == Some(alternative) && rows[row].to == after.state;
         }
     }
     kani::cover!(dt_ms == u32::MAX, "the longest time");

@@ -66,6 +66,6 @@ impl Handshake {
 /// In 16 bits, in which a timer is kept: for a proof that is much less than the same in 32 bits.
 pub(crate) const fn count_up(timer_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
     let dt_ms = if dt_ms > u16::MAX as u32 { u16::MAX } else { dt_ms as u16 };
-    let time_ms = timer_ms.saturating_add(dt_ms);
-    if time_ms > limit_ms { limit_ms } else { time_ms }
+    let sum_ms = timer_ms.saturating_add(dt_ms);
+    if sum_ms > limit_ms { limit_ms } else { sum_ms }
 }
