@@ -158,7 +158,7 @@ _Transition = TypedDict(
         "t": float,
         "from": _AsState,
         "to": _AsState,
-        "clause": str,
+        "section": str,
         "justified": Literal["true", "false", "unknown"],
     },
 )
@@ -167,7 +167,7 @@ class _Finding(TypedDict):
     t: float
     severity: Literal["violation", "warning", "note"]
     party: Literal["AI", "VCU", "LOG"]
-    clause: str
+    section: str
     rule: str
     message: str
 

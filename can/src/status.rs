@@ -129,7 +129,7 @@ pub enum What {
         /// After; `None` if the VCU is without power.
         to: Option<AsState>,
         /// The section of the arrow, or empty.
-        clause: &'static str,
+        section: &'static str,
         /// The conditions that decided, in the words of Figure 2.
         why: String,
     },

@@ -343,7 +343,7 @@ fn the_way_out_is_that_of_the_reading() {
 fn what_is_missing_is_told_for_any_state() {
     let (mut car, drives) = driving();
     let finished = missing_for(&car, AsState::Finished).expect("AS_DRIVING leads to AS_FINISHED");
-    assert_eq!((finished.to, finished.clause), (AsState::Finished, "3.3"));
+    assert_eq!((finished.to, finished.section), (AsState::Finished, "3.3"));
     assert!(words(&finished).contains(&"MISSION_STATUS == FINISHED".to_owned()), "{finished}");
     // The way to AS_OFF is not that through an emergency.
     assert_eq!(missing_for(&car, AsState::Off), Some(finished));

@@ -97,7 +97,7 @@ struct TransitionJson {
     t: f64,
     from: &'static str,
     to: &'static str,
-    clause: &'static str,
+    section: &'static str,
     justified: &'static str,
 }
 
@@ -106,7 +106,7 @@ struct FindingJson<'a> {
     t: f64,
     severity: &'static str,
     party: &'static str,
-    clause: &'static str,
+    section: &'static str,
     rule: &'static str,
     message: &'a str,
 }
@@ -185,7 +185,7 @@ impl From<&Transition> for TransitionJson {
             t: seconds(transition.t_ns),
             from: transition.from.name(),
             to: transition.to.name(),
-            clause: transition.clause,
+            section: transition.section,
             justified: transition.justified.name(),
         }
     }
@@ -197,7 +197,7 @@ impl<'a> From<&'a Finding> for FindingJson<'a> {
             t: seconds(finding.t_ns),
             severity: finding.severity.name(),
             party: finding.party.name(),
-            clause: finding.clause,
+            section: finding.section,
             rule: finding.rule.id(),
             message: &finding.message,
         }

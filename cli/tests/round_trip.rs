@@ -41,7 +41,7 @@ struct ReadTransition {
     t: f64,
     from: String,
     to: String,
-    clause: String,
+    section: String,
     justified: String,
 }
 
@@ -51,7 +51,7 @@ struct ReadFinding {
     t: f64,
     severity: String,
     party: String,
-    clause: String,
+    section: String,
     rule: String,
     message: String,
 }
@@ -87,7 +87,7 @@ fn expected(report: &Report) -> Read {
                 t: seconds(transition.t_ns),
                 from: transition.from.name().to_owned(),
                 to: transition.to.name().to_owned(),
-                clause: transition.clause.to_owned(),
+                section: transition.section.to_owned(),
                 justified: transition.justified.name().to_owned(),
             })
             .collect(),
@@ -98,7 +98,7 @@ fn expected(report: &Report) -> Read {
                 t: seconds(finding.t_ns),
                 severity: finding.severity.name().to_owned(),
                 party: finding.party.name().to_owned(),
-                clause: finding.clause.to_owned(),
+                section: finding.section.to_owned(),
                 rule: finding.rule.id().to_owned(),
                 message: finding.message.clone(),
             })

@@ -180,7 +180,7 @@ impl adsdv_judge {
             severity: adsdv_severity::from(finding.severity) as u8,
             severity_name: short(finding.severity.name()),
             party: short(finding.party.name()),
-            section: short(finding.clause),
+            section: short(finding.section),
             rule: short(finding.rule.id()),
         }
     }

@@ -122,8 +122,8 @@ impl adsdv_outputs {
         if let Some(taken) = outputs.taken {
             shown.taken = 1;
             (shown.row, shown.term) = (taken.row, taken.term);
-            shown.section = outputs.row(machine).map_or([0; 8], |row| short(row.clause));
-            shown.term_section = outputs.term(machine).map_or([0; 8], |term| short(term.clause));
+            shown.section = outputs.row(machine).map_or([0; 8], |row| short(row.section));
+            shown.term_section = outputs.term(machine).map_or([0; 8], |term| short(term.section));
         }
         shown
     }

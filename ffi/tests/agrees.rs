@@ -70,8 +70,8 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
         assert_eq!(fields.remove("taken"), Some(row.is_some().into()));
         assert_eq!(fields.remove("row"), Some(outputs.taken.map_or(0, |taken| taken.row.into())));
         assert_eq!(fields.remove("term"), Some(outputs.taken.map_or(0, |taken| taken.term.into())));
-        assert_eq!(text(&shown.section), row.map_or("", |row| row.clause));
-        assert_eq!(text(&shown.term_section), term.map_or("", |term| term.clause));
+        assert_eq!(text(&shown.section), row.map_or("", |row| row.section));
+        assert_eq!(text(&shown.term_section), term.map_or("", |term| term.section));
         fields.retain(|name, _| name != "section" && name != "term_section");
         assert!(fields.is_empty(), "more is shown than there is: {fields:?}");
         assert_eq!(frames, outputs.messages(&inputs).frames().map(adsdv_frame::from));

@@ -85,7 +85,7 @@ fn line(finding: &Finding) -> String {
     format!(
         "{} {severity} {party} {} {} {}",
         finding.t_ns,
-        finding.clause,
+        finding.section,
         finding.rule.id(),
         finding.message
     )

@@ -58,9 +58,9 @@ pub static GOALS: LazyLock<Vec<Goal>> = LazyLock::new(|| {
         target: Target::Mission,
     };
     let arrows = FIGURE_2.rows().iter().map(|row| Goal {
-        name: leak(format!("arrow-{}", row.clause)),
+        name: leak(format!("arrow-{}", row.section)),
         statement: leak(format!("The arrow from {} to {} is taken", row.from, row.to)),
-        requirement: row.clause,
+        requirement: row.section,
         target: Target::Arrow(row.from, row.to),
     });
     let causes = Fault::ALL.iter().map(|fault| Goal {

@@ -48,15 +48,15 @@ impl Part {
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { row: Row { from, to, clause, .. }, term, literal } = self;
-        write!(f, "{from} -> {to} ({clause})")?;
+        let Self { row: Row { from, to, section, .. }, term, literal } = self;
+        write!(f, "{from} -> {to} ({section})")?;
         match (term, literal) {
             (Some(term), None) => {
                 let conditions: Vec<&str> = term.conditions().map(|(atom, on)| atom.text(on)).collect();
                 write!(f, ": {}", conditions.join(" and "))
             }
             (Some(term), Some((atom, on))) => {
-                write!(f, ": {} in the alternative of {}", atom.text(*on), term.clause)
+                write!(f, ": {} in the alternative of {}", atom.text(*on), term.section)
             }
             (None, _) => Ok(()),
         }

@@ -51,12 +51,12 @@ pub fn story_of(run: &Run) -> Vec<Line> {
     changes
         .map(|(cycle, step)| {
             let (before, after) = (cycle.before.state, cycle.after.state);
-            let clause = cycle.outputs.row(run.machine()).map_or("", |row| row.clause);
+            let section = cycle.outputs.row(run.machine()).map_or("", |row| row.section);
             let deciding =
                 cycle.outputs.term(run.machine()).map_or(Atoms::NONE, |term| term.on.union(term.off));
             let conditions: Vec<&str> =
                 deciding.iter().map(|atom| atom.text(cycle.outputs.atoms.has(atom))).collect();
-            let text = format!("{before} -> {after} ({clause}): {}", conditions.join(", "));
+            let text = format!("{before} -> {after} ({section}): {}", conditions.join(", "));
             Line { ms: step * u64::from(CYCLE_MS), text }
         })
         .collect()
@@ -69,7 +69,7 @@ fn tell(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     let taken = step.reaction.taken;
     let (row, term) = (taken.and_then(|taken| taken.row(table)), taken.and_then(|taken| taken.term(table)));
     let arrow = match row {
-        Some(row) => format!("{before} -> {after} ({})", row.clause),
+        Some(row) => format!("{before} -> {after} ({})", row.section),
         None => format!("stays in {after}"),
     };
     let deciding = term.map_or(Atoms::NONE, |term| term.on.union(term.off));

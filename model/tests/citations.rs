@@ -25,7 +25,7 @@ fn each_requirement_cited_is_one() {
         }
     }
     for goal in GOALS.iter() {
-        let section = FIGURE_2.rows().iter().any(|row| row.clause == goal.requirement);
+        let section = FIGURE_2.rows().iter().any(|row| row.section == goal.requirement);
         assert!(section || is_requirement(goal.requirement), "{}: {}", goal.name, goal.requirement);
     }
     assert!(!is_requirement("SM-99"));

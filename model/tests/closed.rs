@@ -57,7 +57,7 @@ fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Interface
                 change(&mut terms);
                 assert_ne!(terms, row.terms(), "the row has changed");
             }
-            Row::new(row.from, row.to, row.clause, &terms)
+            Row::new(row.from, row.to, row.section, &terms)
         })
         .collect();
     Interface { table: Table::new(&rows), ..V3_0 }

@@ -145,11 +145,11 @@ fn dead_parts_are_found() {
     };
     assert_eq!(dead(&SHORTENED), Vec::<String>::new());
     let mut rows = SHORTENED.table.rows().to_vec();
-    let finished = rows.iter().position(|row| row.clause == "3.3").unwrap();
+    let finished = rows.iter().position(|row| row.section == "3.3").unwrap();
     let row = rows[finished];
     let mut terms = row.terms().to_vec();
     terms.push(Term::on("3.3", &[Atom::MissionFinished, Atom::EbsTimerComplete]));
-    rows[finished] = Row::new(row.from, row.to, row.clause, &terms);
+    rows[finished] = Row::new(row.from, row.to, row.section, &terms);
     let dead = dead(&Interface { table: Table::new(&rows), ..SHORTENED });
     assert!(
         dead.contains(

@@ -43,7 +43,7 @@ use pyo3::prelude::*;
 ///
 /// >>> log = b"(1.000000) can0 520#0000010000000000\n(1.010000) can0 520#0000020000000000\n"
 /// >>> adsdv.check(log).transitions
-/// [{'t': 0.01, 'from': 'AS_OFF', 'to': 'AS_READY', 'clause': '3.1', 'justified': 'unknown'}]
+/// [{'t': 0.01, 'from': 'AS_OFF', 'to': 'AS_READY', 'section': '3.1', 'justified': 'unknown'}]
 ///
 /// Whatever is given that is not what was expected is an AdsdvError, which is a ValueError; whatever cannot be read is an
 /// OSError. Both say what was found, and what would have been right.

@@ -90,7 +90,7 @@ impl Report {
         self.get(py, "verdict")
     }
 
-    /// The changes of AS_STATE that were seen, in order, as flat dicts: t, from, to, clause (the section of the document),
+    /// The changes of AS_STATE that were seen, in order, as flat dicts: t, from, to, section (the section of the document),
     /// and justified ("true", "false" or "unknown").
     #[getter]
     fn transitions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -98,7 +98,7 @@ impl Report {
     }
 
     /// What was found, in order, as flat dicts: t, severity ("violation", "warning" or "note"), party ("AI", "VCU" or
-    /// "LOG"), clause (the section of the document), rule (what was checked) and message.
+    /// "LOG"), section (the section of the document), rule (what was checked) and message.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.get(py, "findings")
@@ -170,7 +170,7 @@ pub(crate) fn transitions<'py>(py: Python<'py>, transitions: &[Transition]) -> P
         dict.set_item("t", seconds(transition.t_ns))?;
         dict.set_item("from", transition.from.name())?;
         dict.set_item("to", transition.to.name())?;
-        dict.set_item("clause", transition.clause)?;
+        dict.set_item("section", transition.section)?;
         dict.set_item("justified", transition.justified.name())?;
         list.append(dict)?;
     }
@@ -184,7 +184,7 @@ pub(crate) fn findings<'py>(py: Python<'py>, findings: &[Finding]) -> PyResult<B
         dict.set_item("t", seconds(finding.t_ns))?;
         dict.set_item("severity", finding.severity.name())?;
         dict.set_item("party", finding.party.name())?;
-        dict.set_item("clause", finding.clause)?;
+        dict.set_item("section", finding.section)?;
         dict.set_item("rule", finding.rule.id())?;
         dict.set_item("message", &finding.message)?;
         list.append(dict)?;

@@ -90,7 +90,7 @@ impl Step {
     /// The section of the document that describes the arrow that was taken, such as "3.1"; None if the state stays.
     #[getter]
     fn section(&self) -> Option<&'static str> {
-        self.taken_row().map(|row| row.clause)
+        self.taken_row().map(|row| row.section)
     }
 
     /// The conditions that decided, in the words of Figure 2; empty if the state stays.

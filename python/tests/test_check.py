@@ -32,7 +32,7 @@ def test_a_conforming_mission(mission):
 def test_finished_at_speed_violates(finished):
     report = adsdv.check(str(finished))
     assert report.verdict == "violates"
-    assert [(one["rule"], one["party"], one["clause"]) for one in report.violations] == [
+    assert [(one["rule"], one["party"], one["section"]) for one in report.violations] == [
         ("finished-while-moving", "AI", "3.7"),
         ("fault-flag-unfounded", "VCU", "2.2"),
     ]
@@ -250,6 +250,6 @@ def test_findings_are_a_table(finished):
     pandas = pytest.importorskip("pandas")
     report = adsdv.check(finished)
     findings = pandas.DataFrame(report.findings)
-    assert list(findings.columns) == ["t", "severity", "party", "clause", "rule", "message"]
+    assert list(findings.columns) == ["t", "severity", "party", "section", "rule", "message"]
     assert findings.groupby("severity").size()["violation"] == len(report.violations)
     assert len(pandas.DataFrame(report.transitions)) == len(report.transitions)

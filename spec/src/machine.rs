@@ -195,7 +195,7 @@ impl Machine {
     /// let vcu = Machine::REFERENCE;
     /// let (control, outputs) = vcu.step(&Control::INITIAL, &inputs, 10);
     /// assert_eq!(control.state, AsState::Ready);
-    /// assert_eq!(outputs.row(&vcu).map(|row| row.clause), Some("3.1"));
+    /// assert_eq!(outputs.row(&vcu).map(|row| row.section), Some("3.1"));
     /// ```
     #[inline(always)]
     pub const fn step(&self, control: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {

@@ -24,7 +24,7 @@ use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mutation {
     /// The section of the row that is changed, for the name; empty where no row is.
-    clause: &'static str,
+    section: &'static str,
     /// What is changed.
     pub change: Change,
 }
@@ -85,8 +85,8 @@ impl Mutation {
     /// Every mutation of an interface, times and thresholds by one unit.
     pub fn all(interface: &Interface) -> impl Iterator<Item = Self> {
         let rows = interface.table.rows();
-        let by_row = rows.iter().enumerate().flat_map(move |(row, Row { clause, .. })| {
-            changes_of_row(rows, row).map(move |change| Self { clause, change })
+        let by_row = rows.iter().enumerate().flat_map(move |(row, Row { section, .. })| {
+            changes_of_row(rows, row).map(move |change| Self { section, change })
         });
         let constants = [-1, 1].into_iter().flat_map(|by| {
             let times = [Time::ReadyDwell, Time::EbsTimer, Time::Handshake];
@@ -94,7 +94,7 @@ impl Mutation {
             let times = times.into_iter().map(move |time| Change::Time(time, by));
             times.chain(thresholds.into_iter().map(move |threshold| Change::Threshold(threshold, by)))
         });
-        by_row.chain(constants.map(|change| Self { clause: "", change }))
+        by_row.chain(constants.map(|change| Self { section: "", change }))
     }
 
     /// The interface with the change.
@@ -112,7 +112,7 @@ impl Change {
         match *self {
             Change::RowDropped(row) => mutant.table = with_row(&mutant.table, row, |_| None),
             Change::RowLeadsTo(row, to) => {
-                let leading = |row: &Row| Some(Row::new(row.from, to, row.clause, row.terms()));
+                let leading = |row: &Row| Some(Row::new(row.from, to, row.section, row.terms()));
                 mutant.table = with_row(&mutant.table, row, leading);
             }
             Change::RowFirst(row) => mutant.table = with_row_first(&mutant.table, row),
@@ -196,7 +196,7 @@ fn with_term(row: &Row, index: usize, change: TermChange) -> Row {
     let changed = changed
         .filter_map(|(place, term)| if place == index { changed_term(term, change) } else { Some(*term) });
     let len = terms.iter_mut().zip(changed).map(|(slot, term)| *slot = term).count();
-    Row::new(row.from, row.to, row.clause, terms.split_at(len).0)
+    Row::new(row.from, row.to, row.section, terms.split_at(len).0)
 }
 
 fn changed_term(term: &Term, change: TermChange) -> Option<Term> {
@@ -216,12 +216,12 @@ fn changed_term(term: &Term, change: TermChange) -> Option<Term> {
 /// Such as `3.7 term 1: go-on flipped` or `EBS timer +1`.
 impl fmt::Display for Mutation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let clause = self.clause;
+        let section = self.section;
         match self.change {
-            Change::RowDropped(_) => write!(f, "{clause}: dropped"),
-            Change::RowLeadsTo(_, to) => write!(f, "{clause}: leads to {to}"),
-            Change::RowFirst(_) => write!(f, "{clause}: one place earlier"),
-            Change::Term(_, term, change) => write!(f, "{clause} term {term}: {change}"),
+            Change::RowDropped(_) => write!(f, "{section}: dropped"),
+            Change::RowLeadsTo(_, to) => write!(f, "{section}: leads to {to}"),
+            Change::RowFirst(_) => write!(f, "{section}: one place earlier"),
+            Change::Term(_, term, change) => write!(f, "{section} term {term}: {change}"),
             Change::Time(time, by) => write!(f, "{time} {by:+}"),
             Change::Threshold(threshold, by) => write!(f, "{threshold} {by:+}"),
         }

@@ -29,21 +29,21 @@ pub struct Term {
     /// inputs say it themselves.
     pub fault: Option<Fault>,
     /// The section of the document that this alternative comes from.
-    pub clause: &'static str,
+    pub section: &'static str,
 }
 
 impl Term {
     pub(crate) const EMPTY: Self =
-        Self { on: Atoms::NONE, off: Atoms::NONE, readings: Choices::NONE, fault: None, clause: "" };
+        Self { on: Atoms::NONE, off: Atoms::NONE, readings: Choices::NONE, fault: None, section: "" };
 
     /// A term that holds when all of these atoms do.
-    pub const fn on(clause: &'static str, atoms: &[Atom]) -> Self {
-        Self { on: Atoms::of(atoms), clause, ..Self::EMPTY }
+    pub const fn on(section: &'static str, atoms: &[Atom]) -> Self {
+        Self { on: Atoms::of(atoms), section, ..Self::EMPTY }
     }
 
     /// A term that holds when none of these atoms does.
-    pub const fn off(clause: &'static str, atoms: &[Atom]) -> Self {
-        Self { off: Atoms::of(atoms), clause, ..Self::EMPTY }
+    pub const fn off(section: &'static str, atoms: &[Atom]) -> Self {
+        Self { off: Atoms::of(atoms), section, ..Self::EMPTY }
     }
 
     /// With atoms that must not hold.
@@ -100,29 +100,29 @@ pub struct Row {
     /// Where it ends.
     pub to: AsState,
     /// The section of the document that describes it.
-    pub clause: &'static str,
+    pub section: &'static str,
     terms: [Term; MAX_TERMS],
     len: u8,
 }
 
 impl Row {
     pub(crate) const EMPTY: Self =
-        Self { from: AsState::Off, to: AsState::Off, clause: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
+        Self { from: AsState::Off, to: AsState::Off, section: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
 
     /// A row that is written down with its terms. More than [`MAX_TERMS`] do not compile.
     pub const fn of<const N: usize>(
         from: AsState,
         to: AsState,
-        clause: &'static str,
+        section: &'static str,
         terms: &[Term; N],
     ) -> Self {
         let () = Count::<N>::TERMS;
-        Self::new(from, to, clause, terms)
+        Self::new(from, to, section, terms)
     }
 
     /// A row with terms that are known when the program runs. Only the first [`MAX_TERMS`] count.
-    pub const fn new(from: AsState, to: AsState, clause: &'static str, terms: &[Term]) -> Self {
-        let mut row = Self { from, to, clause, ..Self::EMPTY };
+    pub const fn new(from: AsState, to: AsState, section: &'static str, terms: &[Term]) -> Self {
+        let mut row = Self { from, to, section, ..Self::EMPTY };
         let mut i = 0;
         while i < terms.len() && i < MAX_TERMS {
             row.terms[i] = terms[i];
@@ -145,7 +145,7 @@ impl serde::Serialize for Row {
         let mut row = serializer.serialize_struct("Row", 4)?;
         row.serialize_field("from", &self.from)?;
         row.serialize_field("to", &self.to)?;
-        row.serialize_field("clause", self.clause)?;
+        row.serialize_field("section", self.section)?;
         row.serialize_field("terms", self.terms())?;
         row.end()
     }

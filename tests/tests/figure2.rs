@@ -18,10 +18,11 @@ fn from_table(row: &Row, readings: Readings) -> Printed {
     let terms = row.terms().iter().filter(|term| term.readings.iter().all(|choice| readings.is(choice)));
     let alternatives = terms.map(|term| {
         let conditions: Vec<_> = term.conditions().map(|(atom, value)| atom.text(value)).collect();
-        let section = if term.clause == row.clause { String::new() } else { format!(" ({})", term.clause) };
+        let section =
+            if term.section == row.section { String::new() } else { format!(" ({})", term.section) };
         conditions.join(" and ") + &section
     });
-    (row.from.to_string(), row.to.to_string(), row.clause.to_owned(), alternatives.collect())
+    (row.from.to_string(), row.to.to_string(), row.section.to_owned(), alternatives.collect())
 }
 
 /// Undoes the escapes of a format, in the order given.

@@ -13,7 +13,7 @@ pub struct Missing {
     /// Where the arrow leads.
     pub to: AsState,
     /// The section that describes it.
-    pub clause: &'static str,
+    pub section: &'static str,
     /// The conditions that do not hold yet.
     pub conditions: Vec<Condition>,
     /// What the way waits for behind the arrow, if it is known by now: the power cycle after an emergency.
@@ -50,10 +50,10 @@ impl fmt::Display for Condition {
 /// It displays as what has to be done, such as `AS_READY (section 3.1) still needs: AS master switch ON`.
 impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { to, clause, conditions, then } = self;
+        let Self { to, section, conditions, then } = self;
         let conditions: Vec<String> = conditions.iter().map(Condition::to_string).collect();
         let conditions = if conditions.is_empty() { "nothing".to_owned() } else { conditions.join(", ") };
-        write!(f, "{to} (section {clause}) still needs: {conditions}")?;
+        write!(f, "{to} (section {section}) still needs: {conditions}")?;
         then.as_ref().map_or(Ok(()), |then| write!(f, "; then {then}"))
     }
 }
@@ -99,7 +99,7 @@ pub fn missing_for(car: &Car, wanted: AsState) -> Option<Missing> {
     let then = power_cycle(machine, next, wanted, atoms).map(condition);
     Some(Missing {
         to: row.to,
-        clause: row.clause,
+        section: row.section,
         conditions: conditions.into_iter().map(condition).collect(),
         then,
     })

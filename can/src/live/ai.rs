@@ -88,7 +88,7 @@ impl<B: Bus> AiComputer<B> {
     }
 
     fn change(&mut self, from: Option<AsState>, to: Option<AsState>, why: &str) {
-        self.line.happen(What::State { from, to, clause: "", why: why.to_owned() });
+        self.line.happen(What::State { from, to, section: "", why: why.to_owned() });
     }
 }
 

@@ -172,8 +172,8 @@ impl<B: Bus> Vcu<B> {
         let row = cycle.outputs.as_ref().and_then(|outputs| outputs.row(machine));
         let conditions = term.map(|term| term.conditions().map(|(atom, value)| atom.text(value)).collect());
         let why = conditions.map(|conditions: Vec<&str>| conditions.join(", ")).unwrap_or_default();
-        let clause = row.map_or("", |row| row.clause);
-        self.line.happen(What::State { from, to: cycle.state(), clause, why });
+        let section = row.map_or("", |row| row.section);
+        self.line.happen(What::State { from, to: cycle.state(), section, why });
     }
 
     /// Notes that the AI Computer has fallen silent: for longer than an answer may take.

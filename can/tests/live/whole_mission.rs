@@ -27,11 +27,11 @@ fn a_whole_mission_is_driven_and_conforms() {
     assert!(status.distance_m > 10.0, "{} m", status.distance_m);
     // Each arrow is told with its section and what decided.
     let ready = status.happened.iter().find_map(|happening| match &happening.what {
-        What::State { to: Some(AsState::Ready), clause, why, .. } => Some((*clause, why.clone())),
+        What::State { to: Some(AsState::Ready), section, why, .. } => Some((*section, why.clone())),
         _ => None,
     });
-    let (clause, why) = ready.expect("it was ready");
-    assert!(clause == "3.1" && why.contains("AS master switch ON"), "{clause}: {why}");
+    let (section, why) = ready.expect("it was ready");
+    assert!(section == "3.1" && why.contains("AS master switch ON"), "{section}: {why}");
 
     let mut judge = Judge::new(Options::default());
     for (at, frame) in bench.take_sent() {

@@ -145,7 +145,7 @@ impl<'a> From<&'a Failure> for FailureJson<'a> {
             row: found.and_then(|found| found.why.row()).map(|row| RowJson {
                 from: row.from.name(),
                 to: row.to.name(),
-                section: row.clause,
+                section: row.section,
                 guard: &row.guard,
             }),
             differences: found.map(differences).unwrap_or_default(),

@@ -29,11 +29,11 @@ pub(super) fn write(out: &mut String, findings: &[Finding], width: usize) -> fmt
 }
 
 pub(super) fn write_one(out: &mut String, finding: &Finding, times: usize, width: usize) -> fmt::Result {
-    let Finding { t_ns, severity, party, clause, rule, message } = finding;
+    let Finding { t_ns, severity, party, section, rule, message } = finding;
     let style = style::of(*severity);
     write!(
         out,
-        "{:>10} s  {:9}  {:3}  {clause:<8}  {}",
+        "{:>10} s  {:9}  {:3}  {section:<8}  {}",
         Seconds(*t_ns),
         Styled(style, severity.name()),
         party.name(),

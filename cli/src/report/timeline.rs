@@ -18,13 +18,13 @@ pub(super) fn write(out: &mut String, transitions: &[Transition], width: usize) 
 }
 
 pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize) -> fmt::Result {
-    let Transition { t_ns, from, to, clause, justified, .. } = transition;
+    let Transition { t_ns, from, to, section, justified, .. } = transition;
     let word = match justified {
         Truth::True => Styled(style::QUIET, "justified"),
         Truth::Unknown => Styled(style::CARE, "not certain"),
         Truth::False => Styled(style::BAD, "VIOLATION"),
     };
-    writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {clause:<8}  {word}", Seconds(*t_ns))?;
+    writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {section:<8}  {word}", Seconds(*t_ns))?;
     if let Some((term, known)) = transition.decided {
         wrapped(out, conditions(&term, known), INDENT, width);
     }

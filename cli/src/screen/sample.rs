@@ -23,8 +23,8 @@ fn did(what: &str) -> What {
     What::Did(what.to_owned())
 }
 
-fn changed(from: Option<AsState>, to: Option<AsState>, clause: &'static str, why: &str) -> What {
-    What::State { from, to, clause, why: why.to_owned() }
+fn changed(from: Option<AsState>, to: Option<AsState>, section: &'static str, why: &str) -> What {
+    What::State { from, to, section, why: why.to_owned() }
 }
 
 fn condition(atom: Atom, value: bool, action: Option<Action>) -> Condition {
@@ -62,7 +62,7 @@ pub(super) fn ready() -> Status {
     Status {
         outputs: Some(outputs(AsState::Ready)),
         in_state_ms: 2_170,
-        missing: Some(Missing { to: AsState::Driving, clause: "3.2", conditions, then: None }),
+        missing: Some(Missing { to: AsState::Driving, section: "3.2", conditions, then: None }),
         ..driving()
     }
 }
@@ -157,7 +157,7 @@ pub(super) fn emergency() -> Status {
         condition(Atom::Asms, false, "asms off".parse().ok()),
     ];
     let then = Some(condition(Atom::PowerCycleNeeded, false, Some(Action::PowerCycle)));
-    status.missing = Some(Missing { to: AsState::Off, clause: "3.9", conditions, then });
+    status.missing = Some(Missing { to: AsState::Off, section: "3.9", conditions, then });
     status.ai_silent_ms = Some(2_480);
     status.cycles = Cycles { count: 2_637, late: 2, left_out: 3, worst_ms: 23.4, p50_ms: 0.07, p99_ms: 0.31 };
     [status.unsent, status.refused, status.dropped] = [131, 3, 12];

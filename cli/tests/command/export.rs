@@ -23,11 +23,11 @@ fn every_row_is_in_the_model() {
     assert_eq!(printed, model(Readings::DEFAULT, Vectors::Read));
     for row in FIGURE_2.rows() {
         let target = format!("-> next = {}", row.to);
-        let words = format!("/* {}: ", row.clause);
+        let words = format!("/* {}: ", row.section);
         let mut options = printed.split(words.as_str()).skip(1);
         // What stands behind the words of the row, up to the next option.
         let taken = options.any(|text| text.split("/* ").next().is_some_and(|text| text.contains(&target)));
-        assert!(taken, "{}: {target} is missing: {printed}", row.clause);
+        assert!(taken, "{}: {target} is missing: {printed}", row.section);
     }
 }
 

@@ -165,7 +165,7 @@ fn the_online_judge_agrees_with_the_judge() {
                 finding.t_ns / 1000 % 1_000_000,
                 finding.severity.name(),
                 finding.party.name(),
-                finding.clause,
+                finding.section,
                 finding.rule.id(),
                 finding.message,
             )

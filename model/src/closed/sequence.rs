@@ -86,7 +86,7 @@ fn vcu_cycle(model: &Closed, before: &State, after: &State) -> Event {
     let mut words = vec![format!("cycle of {ms} ms")];
     let enters = enters(before, after);
     if enters.is_some() {
-        words.push(change(before, after, outputs.row(&model.machine).map(|row| row.clause)));
+        words.push(change(before, after, outputs.row(&model.machine).map(|row| row.section)));
     }
     Event { from: Party::Vcu, to: Party::Vcu, words, enters, ms }
 }
@@ -108,9 +108,9 @@ fn said(state: &State) -> String {
     words
 }
 
-fn change(before: &State, after: &State, clause: Option<&str>) -> String {
+fn change(before: &State, after: &State, section: Option<&str>) -> String {
     let arrow = format!("{} to {}", before.control.state, after.control.state);
-    clause.map_or(arrow.clone(), |clause| format!("{arrow} ({clause})"))
+    section.map_or(arrow.clone(), |section| format!("{arrow} ({section})"))
 }
 
 fn ai_cycle(before: &State, after: &State) -> Event {

@@ -231,8 +231,8 @@ pub(super) fn of_step(f: &mut fmt::Formatter<'_>, from: AsState) -> fmt::Result 
 }
 /// What reaches a goal in a step from a state that changes the state or the cause.
 fn reached(goal: &str, from: AsState) -> Option<String> {
-    if let Some(clause) = goal.strip_prefix("arrow-") {
-        let rows = FIGURE_2.rows().iter().filter(|row| row.clause == clause && row.from == from);
+    if let Some(section) = goal.strip_prefix("arrow-") {
+        let rows = FIGURE_2.rows().iter().filter(|row| row.section == section && row.from == from);
         let to: Vec<AsState> = rows.map(|row| row.to).collect();
         (!to.is_empty()).then(|| is_one_of("state", &to))
     } else if let Some(number) = goal.strip_prefix("cause-") {

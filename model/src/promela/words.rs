@@ -58,12 +58,12 @@ fn bracketed(expressions: impl Iterator<Item = String>) -> Vec<String> {
 }
 
 /// A guard in the words of Figure 2.
-pub(super) fn in_words<'a>(terms: impl Iterator<Item = &'a Term>, clause: &str) -> String {
+pub(super) fn in_words<'a>(terms: impl Iterator<Item = &'a Term>, section: &str) -> String {
     let alternatives = terms.map(|term| {
         let words: Vec<_> = term.conditions().map(|(atom, on)| atom.text(on)).collect();
         let words =
             if words.is_empty() { "always".into() } else { wrapped(&words, " and ", "\n         *   and ") };
-        if term.clause == clause { words } else { format!("{words} ({})", term.clause) }
+        if term.section == section { words } else { format!("{words} ({})", term.section) }
     });
     alternatives.collect::<Vec<_>>().join("\n         * or ")
 }

@@ -29,7 +29,7 @@ fn mutant(name: &str) -> Machine {
 
 /// What the judge lays to the VCU.
 fn found(report: &Report) -> Vec<(Rule, &'static str)> {
-    blamed(report).iter().map(|finding| (finding.rule, finding.clause)).collect()
+    blamed(report).iter().map(|finding| (finding.rule, finding.section)).collect()
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn a_vcu_that_drives_on_without_go_violates_section_3_7_then() {
     let off_ns = run.steps().last().expect("the path has steps").t_ns;
     let report = judged(&run, Readings::DEFAULT);
     let [finding] = blamed(&report)[..] else { panic!("one finding: {:#?}", report.findings) };
-    assert_eq!((finding.rule, finding.clause), (Rule::Due, "3.7"));
+    assert_eq!((finding.rule, finding.section), (Rule::Due, "3.7"));
     let late = finding.t_ns - off_ns;
     assert!((-20 * MS..=80 * MS).contains(&late), "{late} ns after \"Go\" went off");
 }

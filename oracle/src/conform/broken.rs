@@ -47,7 +47,7 @@ pub struct Row {
     /// Where it leads.
     pub to: AsState,
     /// The section of the document.
-    pub clause: &'static str,
+    pub section: &'static str,
     /// The conditions of the alternative, in words.
     pub guard: Vec<&'static str>,
 }
@@ -57,13 +57,13 @@ impl Row {
         let table = &machine.interface().table;
         let (row, term) = (taken.row(table)?, taken.term(table)?);
         let guard = term.conditions().map(|(atom, value)| atom.text(value)).collect();
-        Some(Self { place: taken.row.into(), from: row.from, to: row.to, clause: term.clause, guard })
+        Some(Self { place: taken.row.into(), from: row.from, to: row.to, section: term.section, guard })
     }
 }
 
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} -> {} (section {}: {})", self.from, self.to, self.clause, self.guard.join(", "))
+        write!(f, "{} -> {} (section {}: {})", self.from, self.to, self.section, self.guard.join(", "))
     }
 }
 

@@ -119,7 +119,7 @@ impl Judge {
             t_ns: t.min(edge + self.handshake_limit()),
             severity,
             party: Party::Ai,
-            clause: "2.4",
+            section: "2.4",
             rule: Rule::HandshakeLate,
             message,
         });
@@ -222,7 +222,7 @@ impl Judge {
             super::transitions::conditions(&term, known)
         );
         // Section 3.7 is where both readings meet.
-        self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, clause: "3.7", rule, message });
+        self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, section: "3.7", rule, message });
     }
 
     /// Whether the VCU may have left AS_DRIVING before `t` in a frame that is missing from the log.
@@ -250,7 +250,7 @@ impl Judge {
             t_ns: since,
             severity: Severity::Warning,
             party: Party::Ai,
-            clause: "3.2",
+            section: "3.2",
             rule: Rule::ReadyHeld,
             message,
         });

@@ -146,7 +146,7 @@ pub struct Finding {
     /// Who is at fault.
     pub party: Party,
     /// The section of the document, such as `3.7`.
-    pub clause: &'static str,
+    pub section: &'static str,
     /// What was checked.
     pub rule: Rule,
     /// What was seen, with the conditions and their values, and what was expected instead.
@@ -163,7 +163,7 @@ pub struct Transition {
     /// The state after.
     pub to: AsState,
     /// The section that describes the arrow; `Figure 2` where there is none.
-    pub clause: &'static str,
+    pub section: &'static str,
     /// Whether the guard held.
     pub justified: Truth,
     /// The alternative of the guard that decided, or may have, and what was known of its conditions.

@@ -48,9 +48,9 @@ const VISIBLE: [Fault; 4] =
     [Fault::AiComputerRequest, Fault::AiCommsFault, Fault::AutonomousBrakingFault, Fault::MissionStatusFault];
 
 impl Judge {
-    fn vcu_violation(&mut self, t_ns: i64, clause: &'static str, rule: Rule, message: String) {
+    fn vcu_violation(&mut self, t_ns: i64, section: &'static str, rule: Rule, message: String) {
         let (severity, party) = (Severity::Violation, Party::Vcu);
-        self.out.finding(Finding { t_ns, severity, party, clause, rule, message });
+        self.out.finding(Finding { t_ns, severity, party, section, rule, message });
     }
 
     /// Flags and causes of two 520h that follow one another differ.
@@ -112,7 +112,7 @@ impl Judge {
             t_ns: t,
             severity,
             party: Party::Vcu,
-            clause: "2.2",
+            section: "2.2",
             rule: Rule::CauseChanged,
             message,
         });
@@ -176,7 +176,7 @@ impl Judge {
                 t_ns: brake.since,
                 severity,
                 party: Party::Vcu,
-                clause: "2.2",
+                section: "2.2",
                 rule: Rule::CauseMissing,
                 message,
             });
@@ -206,7 +206,7 @@ impl Judge {
         if fault == Fault::AiCommsFault && window.of(Atom::AiCommsLost) != Truth::False {
             return;
         }
-        let mut clause = "2.2";
+        let mut section = "2.2";
         let mut missing: Option<&Term> = None;
         for term in AsState::ALL.iter().flat_map(|&state| self.variants.terms(state)) {
             if term.fault != Some(fault) {
@@ -215,7 +215,7 @@ impl Judge {
             // Told in the words of the first alternative, by the section of the last: those of section 3.7, and
             // section 4 where the reading that it stands for is possible.
             missing = missing.or(Some(term));
-            clause = term.clause;
+            section = term.section;
             let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
             // An edge may lie before the window; what it needs besides does not.
             let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
@@ -225,15 +225,15 @@ impl Judge {
         }
         let off = window.of(Atom::Tsms) == Truth::False
             && self.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
-        let (clause, why) = match (fault, missing) {
+        let (section, why) = match (fault, missing) {
             (Fault::AiCommsFault, _) if off => ("2.4", Atom::Tsms.text(false).to_owned()),
             (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
             (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", Atom::AiEstop.text(false))),
-            (_, Some(term)) => (clause, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
-            (_, None) => (clause, "nothing can be its reason".to_owned()),
+            (_, Some(term)) => (section, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
+            (_, None) => (section, "nothing can be its reason".to_owned()),
         };
         let message = format!("{fault} was raised, but {why}; expected 0");
-        self.vcu_violation(t, clause, Rule::FlagUnfounded, message);
+        self.vcu_violation(t, section, Rule::FlagUnfounded, message);
     }
 
     /// The VCU changed its handshake bit: was the one before answered?

@@ -80,7 +80,7 @@ impl Judge {
         let message = format!(
             "{frames} lost {place}, because nobody took what came in time; judged as a new recording {anew}"
         );
-        let (severity, party, clause, rule) = (Severity::Warning, Party::Log, "2", Rule::Gap);
-        self.out.finding(super::Finding { t_ns: since, severity, party, clause, rule, message });
+        let (severity, party, section, rule) = (Severity::Warning, Party::Log, "2", Rule::Gap);
+        self.out.finding(super::Finding { t_ns: since, severity, party, section, rule, message });
     }
 }

@@ -263,11 +263,11 @@ impl Judge {
         &mut self,
         severity: Severity,
         party: Party,
-        clause: &'static str,
+        section: &'static str,
         rule: Rule,
         message: String,
     ) {
-        self.out.finding(Finding { t_ns: self.now, severity, party, clause, rule, message });
+        self.out.finding(Finding { t_ns: self.now, severity, party, section, rule, message });
     }
 
     /// The end of the log: settles what is still open.

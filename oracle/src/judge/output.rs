@@ -131,7 +131,7 @@ impl Output {
                 t_ns: duration_ns,
                 severity: Severity::Note,
                 party: Party::Log,
-                clause: "3",
+                section: "3",
                 rule: Rule::Repeated,
                 message: format!("{} more transitions, not listed", self.transitions_left_out),
             });

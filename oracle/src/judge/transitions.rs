@@ -24,7 +24,7 @@ pub(super) struct Seen {
 pub(super) struct Due {
     since: i64,
     to: AsState,
-    clause: &'static str,
+    section: &'static str,
     term: Term,
     /// Whether the guard held in a step that is over: then it does not matter that it holds no more.
     held: bool,
@@ -111,7 +111,7 @@ impl Judge {
             decided
         };
         let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
-        let clause = arrow.as_ref().map_or("Figure 2", |guard| guard.clause);
+        let section = arrow.as_ref().map_or("Figure 2", |guard| guard.section);
         if to == AsState::EmergencyBrake {
             // All other reasons have one.
             let certain = justified == Truth::True && !switched_off(window);
@@ -128,13 +128,13 @@ impl Judge {
                 t_ns: t,
                 severity: Severity::Violation,
                 party: Party::Vcu,
-                clause,
+                section,
                 rule,
                 message,
             });
         }
         let or = decided.map(|(term, _)| self.told_alike(from, to, &term, window)).unwrap_or_default();
-        self.out.transition(Transition { t_ns: t, from, to, clause, justified, decided, or });
+        self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, or });
     }
 
     /// Where the shutdown circuit decided: the alternatives that the VCU reports as the same fault (D-13), as far as they are
@@ -226,8 +226,8 @@ impl Judge {
                     .as_ref()
                     .is_none_or(|due| due.term.truth(known) != Truth::True && due.is_over(known)) =>
             {
-                let (to, clause) = (guard.to, guard.clause);
-                self.due = Some(Due { since: t, to, clause, term, held: false, reported: false });
+                let (to, section) = (guard.to, guard.section);
+                self.due = Some(Due { since: t, to, section, term, held: false, reported: false });
             }
             (Some(_), _) => {}
         }
@@ -238,8 +238,8 @@ impl Judge {
     pub(super) fn guard_held(&mut self, t: i64, state: AsState, known: Knowledge) {
         let Some((guard, term)) = self.variants.due(state, known) else { return };
         if self.due.is_none_or(|due| due.is_over(self.known)) {
-            let (to, clause) = (guard.to, guard.clause);
-            self.due = Some(Due { since: t, to, clause, term, held: true, reported: false });
+            let (to, section) = (guard.to, guard.section);
+            self.due = Some(Due { since: t, to, section, term, held: true, reported: false });
         }
     }
 
@@ -263,7 +263,7 @@ impl Judge {
             t_ns: due.since + self.deadline,
             severity: Severity::Violation,
             party: Party::Vcu,
-            clause: due.clause,
+            section: due.section,
             rule: Rule::Due,
             message: format!(
                 "{state} was not left, though {} for more than {} ms; expected {state} -> {}",

@@ -204,7 +204,7 @@ impl Judge {
                 t_ns: t,
                 severity,
                 party: M::DEF.sender.into(),
-                clause: M::DEF.section,
+                section: M::DEF.section,
                 rule,
                 message,
             });
@@ -231,7 +231,7 @@ impl Judge {
             t_ns: t,
             severity: Severity::Violation,
             party: def.sender.into(),
-            clause: def.section,
+            section: def.section,
             rule: Rule::TooShort,
             message,
         });
@@ -251,7 +251,7 @@ impl Judge {
             t_ns: t,
             severity: Severity::Note,
             party: def.sender.into(),
-            clause: def.section,
+            section: def.section,
             rule: Rule::Length,
             message,
         });
@@ -265,7 +265,7 @@ impl Judge {
                 t_ns: t,
                 severity: Severity::Note,
                 party: Party::Log,
-                clause: "2.3",
+                section: "2.3",
                 rule: Rule::Reserved,
                 message: format!(
                     "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
@@ -284,7 +284,7 @@ impl Judge {
                 t_ns: t,
                 severity: Severity::Violation,
                 party: Party::Ai,
-                clause: "2.3",
+                section: "2.3",
                 rule: Rule::Reserved,
                 message: format!("the AI Computer sent {id:03X}h, which is reserved; expected it not to"),
             });
@@ -295,7 +295,7 @@ impl Judge {
                 t_ns: t,
                 severity: Severity::Violation,
                 party: Party::Ai,
-                clause: def.section,
+                section: def.section,
                 rule: Rule::Sender,
                 message: format!(
                     "the AI Computer sent {} ({:03X}h); expected that message from the VCU only",

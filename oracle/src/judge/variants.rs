@@ -21,7 +21,7 @@ fn table_readings(table: &Table) -> Vec<Reading> {
 #[derive(Clone, Debug)]
 pub(super) struct Guard {
     pub(super) to: AsState,
-    pub(super) clause: &'static str,
+    pub(super) section: &'static str,
     pub(super) terms: Vec<Term>,
 }
 
@@ -132,7 +132,7 @@ fn guards(interface: &Interface, arrows: &[Taken]) -> Variant {
         };
         match rows.last_mut() {
             Some((last, guard)) if *last == taken.row => guard.terms.push(*term),
-            _ => rows.push((taken.row, Guard { to: row.to, clause: row.clause, terms: vec![*term] })),
+            _ => rows.push((taken.row, Guard { to: row.to, section: row.section, terms: vec![*term] })),
         }
     }
     rows.into_iter().map(|(_, guard)| guard).collect()

@@ -5,7 +5,7 @@ use adsdv_spec::{Atom, Choice, Fault, Row, Term};
 
 /// The requirements behind a row of Figure 2: the figure's own, and those of the text.
 pub(super) fn of_row(row: &Row) -> &'static [&'static str] {
-    match row.clause {
+    match row.section {
         "3.1" => &["SM-9", "RDY-5"],
         "3.2" => &["SM-11", "DRV-15"],
         "3.3" => &["SM-14", "FIN-4"],
@@ -21,7 +21,7 @@ pub(super) fn of_row(row: &Row) -> &'static [&'static str] {
 
 /// The requirements behind an alternative of a row.
 pub(super) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
-    let own = term.conditions().flat_map(|(atom, _)| match (row.clause, atom) {
+    let own = term.conditions().flat_map(|(atom, _)| match (row.section, atom) {
         (_, Atom::AiCommsLost) => &["HS-10"][..],
         (_, Atom::AiEstop) => &["D-9"],
         (_, Atom::GoEdge) => &["DRV-14"],
@@ -36,13 +36,13 @@ pub(super) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
     });
     let own: Vec<_> = own.copied().collect();
     // What stands beside the figure is not the figure's.
-    let figures = term.clause == row.clause;
+    let figures = term.section == row.section;
     if figures { of_row(row).iter().copied().chain(own).collect() } else { own }
 }
 
 /// The requirements behind one condition of an alternative, where it has some of its own.
 pub(super) fn of_condition(row: &Row, term: &Term, atom: Atom) -> Vec<&'static str> {
-    let own: &[_] = match (row.clause, atom) {
+    let own: &[_] = match (row.section, atom) {
         ("3.1", Atom::Tsms) => &["RDY-1"],
         ("3.1", Atom::Asms) => &["RDY-2"],
         ("3.1", Atom::AmiSelected) => &["RDY-3"],
@@ -68,7 +68,7 @@ pub(super) fn of_condition(row: &Row, term: &Term, atom: Atom) -> Vec<&'static s
 
 /// The requirements behind two rows that hold at once, the earlier one first.
 pub(super) fn of_pair(one: &Row, other: &Row) -> Vec<&'static str> {
-    let own: &[_] = match (one.clause, other.clause) {
+    let own: &[_] = match (one.section, other.section) {
         ("3.6", "3.2") => &["D-22"],
         _ => &[],
     };

@@ -33,7 +33,7 @@ fn a_late_mutant_fails_in_its_row() {
     assert_eq!(report.late, 2);
     let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
     let found = failure.found.as_ref().expect("it fails");
-    assert_eq!(found.why.row().map(|row| row.clause), Some("3.6"));
+    assert_eq!(found.why.row().map(|row| row.section), Some("3.6"));
     // Steps 1 and 2, and the answer to 2 comes with step 4.
     assert_eq!((failure.scenario.steps.len(), found.about, found.step), (2, 1, 3));
     let moments = failure.timeline();
@@ -76,7 +76,7 @@ fn a_mutant_at_a_fixed_cycle_fails_in_its_row() {
     let options = Options { cycle_ms: Some(100), runs: 0, ..Options::default() };
     let report = machine(&Machine::new(mutant, adsdv_spec::Readings::DEFAULT), &options);
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();
-    assert!(!rows.is_empty() && rows.iter().all(|row| row.clause == "3.7"), "{rows:?}");
+    assert!(!rows.is_empty() && rows.iter().all(|row| row.section == "3.7"), "{rows:?}");
     // What goes on and on is told in a few lines.
     let steps = report.failures[0].scenario.steps.len();
     assert!(steps > 50 && report.failures[0].timeline().len() < 12, "{:?}", report.failures[0].timeline());

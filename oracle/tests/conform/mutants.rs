@@ -23,8 +23,9 @@ fn named(name: &str) -> Report {
 
 /// The failures, with the section of the row and the number of steps.
 fn found(report: &Report) -> Vec<(&str, usize)> {
-    let one =
-        |failure: &'_ Failure| failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.clause);
+    let one = |failure: &'_ Failure| {
+        failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.section)
+    };
     report
         .failures
         .iter()

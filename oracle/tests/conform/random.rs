@@ -20,7 +20,7 @@ fn what_the_suite_does_not_find_is_found_and_shortened() {
     assert!(failure.name.contains("of seed 1"), "{}", failure.name);
     // Into AS_READY, out of it, and into it again.
     assert_eq!(failure.scenario.steps.len(), 3);
-    assert_eq!(failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.clause), Some("3.1"));
+    assert_eq!(failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.section), Some("3.1"));
     let failed: Vec<&str> = report
         .requirements
         .iter()

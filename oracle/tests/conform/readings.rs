@@ -126,7 +126,7 @@ fn a_pinned_reading_is_the_only_one() {
     assert!(!report.conforms());
     assert!(report.readings.is(Choice::FaultLevel));
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();
-    assert!(!rows.is_empty() && rows.iter().all(|row| row.clause == "3.7"), "{rows:?}");
+    assert!(!rows.is_empty() && rows.iter().all(|row| row.section == "3.7"), "{rows:?}");
 }
 
 /// A row of which an alternative is missing is not another reading, though one test of it looks as if it were.

@@ -65,7 +65,7 @@ fn every_row_and_every_alternative_is_taken() {
     for (place, row) in (0u8..).zip(adsdv_spec::FIGURE_2.rows()) {
         for (alternative, term) in (0u8..).zip(row.terms()) {
             if term.readings.is_subset(Readings::DEFAULT.choices()) {
-                assert!(taken.contains_key(&(place, alternative)), "{} term {alternative}", row.clause);
+                assert!(taken.contains_key(&(place, alternative)), "{} term {alternative}", row.section);
             }
         }
     }
@@ -104,7 +104,7 @@ fn every_condition_is_shown_to_matter_on_its_own() {
             });
             // The dwell is over wherever an edge of "Go" can be accepted at all: it is tried by an edge that comes early.
             let implied = atom == Atom::DwellElapsed;
-            assert!(with && (without || implied), "{} {atom}: {with} {without}", row.clause);
+            assert!(with && (without || implied), "{} {atom}: {with} {without}", row.section);
         }
     }
 }

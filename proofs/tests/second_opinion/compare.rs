@@ -36,7 +36,7 @@ pub(crate) fn step(
     }
     let verdict = Verdict::of(control, &outputs);
     let transcription = words::step(before, inputs, dt_ms, machine.readings());
-    let section = outputs.row(machine).map(|row| row.clause);
+    let section = outputs.row(machine).map(|row| row.section);
     let same_row = section == transcription.arrow.map(Arrow::section);
     if verdict == transcription && same_row && outputs.from == before.state {
         Ok(control)

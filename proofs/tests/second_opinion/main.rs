@@ -40,7 +40,11 @@ fn assert_agreement(run: &Run, readings: Readings) {
         panic!("readings [{readings}]: {disagreement}");
     }
     for (row, taken) in Interface::V3_0.table.rows().iter().zip(run.taken) {
-        assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken only {taken} times", row.clause);
+        assert!(
+            taken >= OFTEN,
+            "readings [{readings}]: section {} was taken only {taken} times",
+            row.section
+        );
     }
 }
 
@@ -81,7 +85,7 @@ fn every_combination_of_conditions_agrees() {
             panic!("readings [{readings}]: {disagreement}");
         }
         for (row, taken) in Interface::V3_0.table.rows().iter().zip(exploration.taken) {
-            assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken {taken} times", row.clause);
+            assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken {taken} times", row.section);
         }
     }
 }

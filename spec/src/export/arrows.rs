@@ -65,8 +65,8 @@ impl fmt::Display for Guard<'_> {
                 })?;
                 f.write_str(atom.text(value))?;
             }
-            if term.clause != self.arrow.row.clause {
-                write!(f, " ({})", term.clause)?;
+            if term.section != self.arrow.row.section {
+                write!(f, " ({})", term.section)?;
             }
         }
         Ok(())
@@ -81,7 +81,7 @@ pub(super) struct Label<'a> {
 
 impl fmt::Display for Label<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "section {}\n{}", self.arrow.row.clause, self.arrow.guard(self.wrap))
+        write!(f, "section {}\n{}", self.arrow.row.section, self.arrow.guard(self.wrap))
     }
 }
 

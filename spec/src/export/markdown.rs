@@ -26,8 +26,8 @@ impl fmt::Display for Figure2<'_> {
         f.write_str("| from | to | section | guard |\n|---|---|---|---|\n")?;
         for arrow in arrows(self.0) {
             let row = arrow.row;
-            let (clause, guard) = (Escaped(row.clause, in_cell), Escaped(arrow.guard(usize::MAX), in_cell));
-            writeln!(f, "| {} | {} | {clause} | {guard} |", row.from, row.to)?;
+            let (section, guard) = (Escaped(row.section, in_cell), Escaped(arrow.guard(usize::MAX), in_cell));
+            writeln!(f, "| {} | {} | {section} | {guard} |", row.from, row.to)?;
         }
         Ok(())
     }

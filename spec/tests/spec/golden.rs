@@ -39,8 +39,8 @@ fn markdown() {
 #[test]
 fn nothing_in_a_text_ends_it() {
     let first = &Interface::V3_0.table.rows()[0];
-    let clause = "a \"b\" \\c &d <e> |f| *g* `h` #i: j;\nk";
-    let table = Table::new(&[Row::new(first.from, first.to, clause, first.terms())]);
+    let section = "a \"b\" \\c &d <e> |f| *g* `h` #i: j;\nk";
+    let table = Table::new(&[Row::new(first.from, first.to, section, first.terms())]);
     let interface = Interface { table, version: "\"4\" \\5", ..Interface::V3_0 };
     let machine = Machine::new(interface, Readings::DEFAULT);
     for (export, expected) in [
@@ -91,8 +91,8 @@ fn mutations_have_names_of_their_own() {
 fn lines(interface: &Interface) -> Vec<String> {
     let Interface { table, timing, thresholds, .. } = interface;
     let rows = table.rows().iter().flat_map(|row| {
-        let Row { from, to, clause, .. } = row;
-        let head = format!("{clause} {from} -> {to}");
+        let Row { from, to, section, .. } = row;
+        let head = format!("{section} {from} -> {to}");
         let terms: Vec<_> = row.terms().iter().map(|term| format!("{head}: {}", of(term))).collect();
         std::iter::once(head).chain(terms)
     });
@@ -100,7 +100,7 @@ fn lines(interface: &Interface) -> Vec<String> {
 }
 
 fn of(term: &Term) -> String {
-    let Term { readings, fault, clause, .. } = term;
+    let Term { readings, fault, section, .. } = term;
     let conditions =
         term.conditions().map(|(atom, on)| if on { atom.to_string() } else { format!("not {atom}") });
     let mut words = conditions.collect::<Vec<_>>().join(", ");
@@ -110,5 +110,5 @@ fn of(term: &Term) -> String {
     if let Some(fault) = fault {
         write!(words, ", told as {fault:?}").expect("a string can be written");
     }
-    format!("{words} ({clause})")
+    format!("{words} ({section})")
 }

@@ -68,7 +68,7 @@ fn a_step_tells_the_arrow_and_the_alternative_that_it_took() {
     let inputs = Inputs { go: false, ..busy() };
     let (_, outputs) = vcu.step(&Control { state: AsState::Driving, ..Control::INITIAL }, &inputs, 10);
     let (row, term) = (outputs.row(&vcu).expect("an arrow"), outputs.term(&vcu).expect("an alternative"));
-    assert_eq!((row.clause, row.from, row.to), ("3.7", AsState::Driving, AsState::EmergencyBrake));
+    assert_eq!((row.section, row.from, row.to), ("3.7", AsState::Driving, AsState::EmergencyBrake));
     assert!(row.terms().contains(term));
     assert_eq!(term.conditions().collect::<Vec<_>>(), [(Atom::GoOn, false)]);
     let stays = in_state(AsState::Driving, &busy());

@@ -345,8 +345,8 @@ fn the_table_is_a_list_of_arrows() {
         json!({
             "from": "AS_READY",
             "to": "AS_OFF",
-            "clause": "3.6",
-            "terms": [{"on": [], "off": ["asms"], "readings": [], "fault": null, "clause": "3.6"}],
+            "section": "3.6",
+            "terms": [{"on": [], "off": ["asms"], "readings": [], "fault": null, "section": "3.6"}],
         })
     );
     assert_eq!(table[1]["terms"][1]["fault"], "AI_COMMS_LOST");

@@ -18,7 +18,7 @@ fn a_table_is_what_it_is_written_down_with() {
     );
     assert_eq!(terms[0].readings, Choices::NONE.with(Choice::FaultLevel));
     let row = Row::of(AsState::Driving, AsState::EmergencyBrake, "3.7", &terms);
-    assert_eq!((row.terms(), row.clause), (&terms[..], "3.7"));
+    assert_eq!((row.terms(), row.section), (&terms[..], "3.7"));
     let table = Table::of(&[row]);
     assert_eq!(table.rows(), [row]);
     assert_eq!(table, Table::new(&[row]));

@@ -66,12 +66,12 @@ fn sound(report: &Report) {
     for transition in &report.transitions {
         assert!((0..=ends).contains(&transition.t_ns), "{transition:?}, and the log ends at {ends}");
         assert_ne!(transition.from, transition.to);
-        told(&transition.clause);
+        told(&transition.section);
     }
     for finding in &report.findings {
         assert!((0..=ends).contains(&finding.t_ns), "{finding:?}, and the log ends at {ends}");
         told(&finding.message);
-        told(&finding.clause);
+        told(&finding.section);
     }
     let violates = report.findings.iter().any(|finding| finding.severity == Severity::Violation);
     assert_eq!(report.verdict() == Verdict::Violates, violates);

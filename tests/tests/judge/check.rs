@@ -46,7 +46,7 @@ pub(crate) fn by(report: &Report, party: Party) -> Vec<&Finding> {
 
 /// What one party is blamed for.
 pub(crate) fn blames(report: &Report, party: Party) -> Vec<Blame> {
-    by(report, party).iter().map(|finding| (finding.rule, finding.clause)).collect()
+    by(report, party).iter().map(|finding| (finding.rule, finding.section)).collect()
 }
 
 /// The one violation of the VCU that there is.

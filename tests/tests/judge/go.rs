@@ -87,7 +87,7 @@ fn driving_ends_with_go() {
 /// The VCU shows "Go" before it acts on it: that it shows more in between takes nothing back.
 #[test]
 fn an_edge_may_be_taken_late() {
-    for (ms, clauses) in [(20, vec![]), (40, vec![]), (200, vec!["3.2"])] {
+    for (ms, sections) in [(20, vec![]), (40, vec![]), (200, vec!["3.2"])] {
         let mut world = World::with_reading(Choice::GoRaw);
         world.dwelt();
         world.hold_state();
@@ -97,7 +97,7 @@ fn an_edge_may_be_taken_late() {
         world.wait(300);
         is_as_written(&format!("taken {ms} ms late"), &world.log, pinned(Choice::GoRaw));
         let report = world.judge(pinned(Choice::GoRaw));
-        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| finding.clause).collect();
-        assert_eq!(found, clauses, "{ms} ms: {:#?}", report.findings);
+        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| finding.section).collect();
+        assert_eq!(found, sections, "{ms} ms: {:#?}", report.findings);
     }
 }

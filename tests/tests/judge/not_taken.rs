@@ -54,7 +54,7 @@ fn every_term_that_is_passed_over_is_reported() {
         is_at(&finding, taken + deadline, 20);
         assert!(finding.message.contains(case.row.to.name()), "{}: {}", case.name(), finding.message);
         assert_eq!(blames(&report, Party::Ai), blames_of_the_ai(case), "{}", case.name());
-        let expected = [(Rule::Due, case.row.clause)];
+        let expected = [(Rule::Due, case.row.section)];
         if case.term.on.has(Atom::GoEdge) {
             // It shows once only, and six messages must be complete around it.
             is_reported_if_seen(&world, case.options(), Party::Vcu, &expected, &case.name());

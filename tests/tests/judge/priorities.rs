@@ -22,8 +22,8 @@ fn told(choice: Choice) -> Options {
     Options { readings: options.readings.pin(Choice::EstopEveryState), ..options }
 }
 
-fn clause(from: AsState, to: AsState) -> &'static str {
-    FIGURE_2.rows().iter().find(|row| (row.from, row.to) == (from, to)).map_or("", |row| row.clause)
+fn section(from: AsState, to: AsState) -> &'static str {
+    FIGURE_2.rows().iter().find(|row| (row.from, row.to) == (from, to)).map_or("", |row| row.section)
 }
 
 /// An emergency and the other arrow at once; after 50 ms the VCU goes to one of the two states.
@@ -57,7 +57,7 @@ fn each(test: impl Fn(Priority, Atom, &str)) {
 fn the_emergency_is_passed_over() {
     each(|priority, emergency, name| {
         let world = both_open(priority, emergency, priority.first);
-        let expected = [(Rule::Unjustified, clause(priority.from, priority.first))];
+        let expected = [(Rule::Unjustified, section(priority.from, priority.first))];
         is_reported(&world, told(brake_first(priority)), Party::Vcu, &expected, name);
         is_silent(&world, told(priority.choice), name);
         is_silent(&world, Options::default(), name);
@@ -68,7 +68,7 @@ fn the_emergency_is_passed_over() {
 fn the_emergency_overtakes() {
     each(|priority, emergency, name| {
         let world = both_open(priority, emergency, AsState::EmergencyBrake);
-        let expected = [(Rule::Unjustified, clause(priority.from, AsState::EmergencyBrake))];
+        let expected = [(Rule::Unjustified, section(priority.from, AsState::EmergencyBrake))];
         // Under jitter a frame may be missing that showed the other state, from which the emergency leads here.
         let report = judge(&world.log, told(priority.choice));
         assert_eq!(blames(&report, Party::Vcu), expected, "{name}");

@@ -148,8 +148,8 @@ fn shortened(text: &str) -> String {
 }
 
 fn transition(transition: &Transition) -> String {
-    let Transition { t_ns, from, to, clause, justified, decided, or } = transition;
-    let mut line = format!("{} us: {from} -> {to} ({clause}), {justified}", t_ns / 1000);
+    let Transition { t_ns, from, to, section, justified, decided, or } = transition;
+    let mut line = format!("{} us: {from} -> {to} ({section}), {justified}", t_ns / 1000);
     for (word, (term, known)) in
         decided.iter().map(|one| ("by", one)).chain(or.iter().map(|other| ("or by", other)))
     {
@@ -161,7 +161,7 @@ fn transition(transition: &Transition) -> String {
 /// The conditions of an alternative with what was known of them; of one that holds, how many there are.
 fn alternative(term: &Term, known: Knowledge) -> String {
     if term.truth(known) == Truth::True {
-        return format!("all {} of {}", term.conditions().count(), term.clause);
+        return format!("all {} of {}", term.conditions().count(), term.section);
     }
     let conditions: Vec<String> =
         term.conditions().map(|(atom, _)| format!("{atom} {}", known.of(atom))).collect();
@@ -169,9 +169,9 @@ fn alternative(term: &Term, known: Knowledge) -> String {
 }
 
 fn finding(finding: &Finding) -> String {
-    let Finding { t_ns, severity, party, clause, rule, message } = finding;
+    let Finding { t_ns, severity, party, section, rule, message } = finding;
     format!(
-        "{} us: {} of {} by {}, {clause}: {message}",
+        "{} us: {} of {} by {}, {section}: {message}",
         t_ns / 1000,
         severity.name(),
         rule.id(),

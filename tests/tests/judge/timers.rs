@@ -10,8 +10,8 @@ use crate::check::{Blame, is_reported, is_silent};
 /// What is tried after this many milliseconds less than the timer takes.
 const EARLY_MS: [(i64, bool); 2] = [(100, false), (0, true)];
 
-fn expected(in_time: bool, clause: &'static str) -> Vec<Blame> {
-    if in_time { Vec::new() } else { vec![(Rule::Unjustified, clause)] }
+fn expected(in_time: bool, section: &'static str) -> Vec<Blame> {
+    if in_time { Vec::new() } else { vec![(Rule::Unjustified, section)] }
 }
 
 /// Waits until so many milliseconds after the state was entered.

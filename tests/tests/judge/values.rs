@@ -49,7 +49,7 @@ fn each_is_reported_once_with_its_name() {
             };
             let [finding] = &report.findings[..] else { panic!("{name}: {:#?}", report.findings) };
             assert_eq!((finding.rule, finding.severity), (rule, severity), "{name}");
-            assert_eq!((finding.party, finding.clause), (message.sender.into(), message.section), "{name}");
+            assert_eq!((finding.party, finding.section), (message.sender.into(), message.section), "{name}");
             let said = &finding.message;
             assert!(said.contains(message.name) && said.contains(signal.name), "{name}: {said}");
             count += 1;

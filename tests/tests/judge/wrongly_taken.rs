@@ -70,7 +70,7 @@ fn every_literal_that_fails_is_reported() {
         );
         let text = literal.text(fails_as(case, literal));
         assert!(finding.message.contains(text), "{name}: {}", finding.message);
-        is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.clause)], &name);
+        is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.section)], &name);
         count += 1;
     }
     assert!(count > 20, "the table has literals");

@@ -63,13 +63,13 @@ fn every_arrow_is_taken() {
             if let Event::Step(seen) = event
                 && let Some(row) = seen.outputs.row(&machine)
             {
-                taken.borrow_mut().insert(row.clause);
+                taken.borrow_mut().insert(row.section);
             }
             Ok(())
         });
         played.map(drop)
     };
     holds(CASES, regressions!("runs"), &runs(), runs_of, |run| format!("{run:?}"));
-    let rows = Interface::V3_0.table.rows().iter().map(|row| row.clause);
+    let rows = Interface::V3_0.table.rows().iter().map(|row| row.section);
     assert_eq!(taken.into_inner(), rows.collect(), "the sections whose arrow is taken");
 }

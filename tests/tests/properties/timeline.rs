@@ -48,7 +48,7 @@ fn step(text: &mut String, machine: &Machine, seen: &Seen<'_>) {
             seconds(seen.t_ms),
             row.from,
             seen.outputs.state,
-            row.clause
+            row.section
         );
     }
 }

@@ -72,11 +72,11 @@ fn told(happening: &Happening, theme: Theme, width: usize) -> Vec<Line<'static>>
 /// What happened, in words.
 pub(crate) fn words(what: &What) -> String {
     match what {
-        What::State { from, to, clause, why } => {
+        What::State { from, to, section, why } => {
             let name = |state: &Option<AsState>| state.map_or("no power", AsState::name);
-            let clause = if clause.is_empty() { String::new() } else { format!(" ({clause})") };
+            let section = if section.is_empty() { String::new() } else { format!(" ({section})") };
             let why = if why.is_empty() { String::new() } else { format!(": {why}") };
-            format!("{} -> {}{clause}{why}", name(from), name(to))
+            format!("{} -> {}{section}{why}", name(from), name(to))
         }
         What::Did(action) => format!("operator: {action}"),
         What::Refused(why) => format!("frame refused: {why}"),
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn each_happening_has_its_words() {
-        let state = |from, to, clause, why: &str| What::State { from, to, clause, why: why.to_owned() };
+        let state = |from, to, section, why: &str| What::State { from, to, section, why: why.to_owned() };
         let (off, ready) = (Some(AsState::Off), Some(AsState::Ready));
         for (what, expected) in [
             (state(None, off, "", ""), "no power -> AS_OFF"),

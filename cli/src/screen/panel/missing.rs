@@ -16,7 +16,7 @@ const NOTHING: &str = "nothing";
 pub(in crate::screen) fn title(status: &Status) -> String {
     status.missing.as_ref().map_or_else(
         || format!("Missing for {}", AsState::Driving),
-        |missing| format!("Missing for {} ({})", missing.to, missing.clause),
+        |missing| format!("Missing for {} ({})", missing.to, missing.section),
     )
 }
 

@@ -14,7 +14,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
     for from in AsState::ALL {
         let leaving: Vec<(&Row, &Term)> = terms(machine).filter(|(row, _)| row.from == from).collect();
         for (place, one) in leaving.iter().enumerate() {
-            let later = leaving.iter().skip(place).filter(|other| other.0.clause != one.0.clause);
+            let later = leaving.iter().skip(place).filter(|other| other.0.section != one.0.section);
             // One alternative of each row is enough: those of a row lead to the same state.
             tests.extend(later.filter_map(|other| both(machine, *one, *other)));
         }
@@ -52,5 +52,5 @@ fn both(machine: &Machine, one: (&Row, &Term), other: (&Row, &Term)) -> Option<T
     let (first, second) = (name(one.0, one.1), name(other.0, other.1));
     let about = format!("in {} the guards of {first} and of {second} hold at once", row.from);
     let ids = of_pair(one.0, other.0);
-    Some(test(Kind::Pair, format!("{first}-with-{second}"), about, one.0.clause, walk).checks(ids))
+    Some(test(Kind::Pair, format!("{first}-with-{second}"), about, one.0.section, walk).checks(ids))
 }

@@ -17,15 +17,15 @@ pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
     let taken = attempt(machine, before(machine, row, term), term, None);
     let about = format!("{} leads from {} to {}", term_words(term), row.from, row.to);
     // What stands beside the figure is not the figure's.
-    let figure = (term.clause == row.clause).then_some("SM-1");
+    let figure = (term.section == row.section).then_some("SM-1");
     let mut tests = vec![
-        test(Kind::Row, name.clone(), about, term.clause, taken).checks(of_term(row, term)).checks(figure),
+        test(Kind::Row, name.clone(), about, term.section, taken).checks(of_term(row, term)).checks(figure),
     ];
     for (atom, value) in term.conditions() {
         let about = format!("{}: {} is not left for {}", words(atom, !value), row.from, row.to);
         let walk = without(machine, row, term, atom);
         tests.push(
-            test(Kind::Condition, format!("{name}-but-{atom}"), about, term.clause, walk)
+            test(Kind::Condition, format!("{name}-but-{atom}"), about, term.section, walk)
                 .checks(of_condition(row, term, atom)),
         );
     }
@@ -40,9 +40,9 @@ pub(super) fn name(row: &Row, term: &Term) -> String {
         .collect();
     // Where a row has several long alternatives they are readings of one question, of which a machine has one.
     if row.terms().len() == 1 || conditions.len() > 2 {
-        return row.clause.to_owned();
+        return row.section.to_owned();
     }
-    format!("{}-{}", row.clause, conditions.join("-and-"))
+    format!("{}-{}", row.section, conditions.join("-and-"))
 }
 
 /// The way to a step in which all conditions of an alternative hold but one.
