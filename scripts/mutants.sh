@@ -102,8 +102,8 @@ describe() {
     model)
       files=('model/src/**') package=adsdv-model
       rounds=(
-        'adsdv-model --lib --test=told | --skip the_properties --skip well_behaved'
-        'adsdv-model --test=told --test=closed --test=operator --test=run --test=open --test=mutants | --skip all_input_vectors'
+        'adsdv-model --lib --test=printed | --skip the_properties --skip well_behaved'
+        'adsdv-model --test=printed --test=closed --test=operator --test=run --test=open --test=mutants | --skip all_input_vectors'
         "adsdv-model $every"
         "adsdv-tests,adsdv $every"
       )

@@ -35,7 +35,7 @@ pub trait Listen {
 /// A bus to receive from and to send to. What is sent is not received back.
 pub trait Bus: Listen {
     /// Sends a frame. It does not wait: a frame that the bus does not take at once is not sent.
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble>;
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance>;
 }
 
 /// What came of waiting.
@@ -46,7 +46,7 @@ pub enum Event {
     /// Nothing came in time.
     Nothing,
     /// Something happened to the bus. It may come back: receiving goes on, and tells [`Event::Up`] when it does.
-    Trouble(Trouble),
+    Disturbance(Disturbance),
     /// The bus is there again: its interface is up, or others are heard on it.
     Up,
 }
@@ -120,7 +120,7 @@ impl Received {
 
 /// What is wrong with a bus.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Trouble {
+pub enum Disturbance {
     /// The interface is down.
     Down,
     /// The interface is gone.
@@ -133,7 +133,7 @@ pub enum Trouble {
     Other(String),
 }
 
-impl fmt::Display for Trouble {
+impl fmt::Display for Disturbance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Down => f.write_str("the interface is down"),
@@ -145,7 +145,7 @@ impl fmt::Display for Trouble {
     }
 }
 
-impl std::error::Error for Trouble {}
+impl std::error::Error for Disturbance {}
 
 #[cfg(test)]
 mod tests {

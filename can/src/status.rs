@@ -6,7 +6,7 @@ use adsdv_oracle::judge::ResponseTimes;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Inputs, Outputs};
 
-use crate::bus::Trouble;
+use crate::bus::Disturbance;
 use crate::car::Missing;
 use crate::scenario::Stuck;
 
@@ -19,7 +19,7 @@ pub struct Status {
     /// The name of the bus.
     pub bus: String,
     /// What is wrong with the bus; `None` while it is well.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Disturbance>,
     /// What the VCU sees.
     pub inputs: Inputs,
     /// What the last cycle came to; `None` while the VCU is without power.
@@ -70,10 +70,10 @@ impl Status {
     /// What has happened since there were so many happenings, as far as it is kept; and how many there are now.
     ///
     /// ```
-    /// use adsdv_can::status::{Status, What};
+    /// use adsdv_can::status::{HappeningKind, Status};
     ///
     /// let mut status = Status::default();
-    /// status.happen(10, What::AiHeard);
+    /// status.happen(10, HappeningKind::AiHeard);
     /// let (news, seen) = status.since(0);
     /// assert_eq!(news.count(), 1);
     /// assert_eq!(status.since(seen).0.count(), 0);
@@ -84,7 +84,7 @@ impl Status {
     }
 
     /// Something happens. The oldest that is kept gives way.
-    pub fn happen(&mut self, time_ms: u64, what: What) {
+    pub fn happen(&mut self, time_ms: u64, what: HappeningKind) {
         if self.happened.len() >= KEPT {
             self.happened.pop_front();
         }
@@ -116,12 +116,12 @@ pub struct Happening {
     /// When, in milliseconds since the program began.
     pub time_ms: u64,
     /// What.
-    pub what: What,
+    pub what: HappeningKind,
 }
 
 /// What happened.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum What {
+pub enum HappeningKind {
     /// The AS state changed, by this section of the document.
     State {
         /// Before; `None` if the VCU was without power.
@@ -144,7 +144,7 @@ pub enum What {
     /// An error frame came.
     ErrorFrame(String),
     /// Something is wrong with the bus.
-    Trouble(Trouble),
+    Disturbance(Disturbance),
     /// The bus is there again.
     Up,
     /// The kernel dropped frames, because they were not taken in time.

@@ -139,7 +139,7 @@ fn it_takes_torque_away_as_it_comes_to_its_speed() {
 
 //= FIN-2, FIN-3
 #[test]
-fn it_brakes_to_a_stop_and_says_finished_only_then() {
+fn the_ai_computer_brakes_to_a_stop_and_sends_finished_only_then() {
     let (mut ai, mut said) = driving();
     let mut moving = 0;
     while ai.stage() == Stage::Driving {

@@ -18,7 +18,7 @@ fn act(car: &mut Car, actions: &[&str]) {
 }
 
 /// What the AI Computer says, with the VCU's handshake bit of the cycle before.
-fn say(car: &mut Car, status: Ai2VcuStatus) {
+fn print_ms(car: &mut Car, status: Ai2VcuStatus) {
     let handshake = car.outputs().is_some_and(|outputs| outputs.handshake);
     let frame = Ai2VcuStatus { handshake, ..status }.encode();
     assert_eq!(car.receive(&frame), Ok(true));
@@ -27,7 +27,7 @@ fn say(car: &mut Car, status: Ai2VcuStatus) {
 /// Answers the handshake for so many cycles of 10 ms.
 fn cycles(car: &mut Car, count: u32, status: Ai2VcuStatus) {
     for _ in 0..count {
-        say(car, status);
+        print_ms(car, status);
         car.cycle(10);
     }
 }
@@ -298,7 +298,7 @@ fn actions(missing: &Missing) -> Vec<Option<String>> {
 }
 
 #[test]
-fn the_way_out_of_an_emergency_is_told_to_the_power_cycle() {
+fn missing_lists_the_way_out_of_an_emergency_up_to_the_power_cycle() {
     let (mut car, drives) = driving();
     act(&mut car, &["remote_estop on"]);
     cycles(&mut car, 100, drives);
@@ -340,7 +340,7 @@ fn the_way_out_is_that_of_the_reading() {
 }
 
 #[test]
-fn what_is_missing_is_told_for_any_state() {
+fn missing_lists_what_any_state_still_needs() {
     let (mut car, drives) = driving();
     let finished = missing_for(&car, AsState::Finished).expect("AS_DRIVING leads to AS_FINISHED");
     assert_eq!((finished.to, finished.section), (AsState::Finished, "3.3"));
@@ -392,7 +392,7 @@ fn what_the_operator_can_do_does_it() {
 }
 
 #[test]
-fn every_switch_is_told_in_a_few_words() {
+fn every_switch_has_a_few_words() {
     let mut told: Vec<&str> = Switch::all().map(Switch::about).chain([Action::ABOUT_POWER_CYCLE]).collect();
     assert!(told.iter().all(|about| !about.is_empty() && !about.contains('|')), "{told:?}");
     told.sort_unstable();
@@ -442,7 +442,7 @@ fn every_position_of_every_switch_is_read_as_it_is_written_and_takes_effect() {
 }
 
 #[test]
-fn what_is_no_action_is_told_with_its_place() {
+fn a_wrong_action_is_refused_with_its_place() {
     let error = |text: &str| text.parse::<Action>().expect_err("no action");
     let cases = [
         ("", 0, "found nothing, expected an action such as asms on"),
@@ -472,9 +472,9 @@ fn what_is_no_action_is_told_with_its_place() {
 }
 
 #[test]
-fn the_speed_that_is_told_is_that_of_the_vehicle() {
+fn the_vcu_sends_the_speed_of_the_vehicle() {
     let (mut car, drives) = driving();
-    say(&mut car, drives);
+    print_ms(&mut car, drives);
     let cycle = car.cycle(10);
     let frame = cycle.frames.iter().find(|frame| frame.id == Vcu2LogDynamics1::ID).expect("500h");
     let told = Vcu2LogDynamics1::decode(frame.data()).expect("it decodes").speed_actual.to_physical();

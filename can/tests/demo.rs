@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use adsdv_can::ai::Ai;
 use adsdv_can::bus::{Bus as _, Event, Listen as _};
 use adsdv_can::car::{Car, missing};
-use adsdv_can::demo::{self, LocalBus, Options, Run, RunError, run};
+use adsdv_can::demo::{self, DemoOptions, LocalBus, Run, RunError, run};
 use adsdv_can::scenario::Scenario;
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::{self, Judge, Report, Severity};
@@ -21,9 +21,9 @@ fn sample(name: &str) -> Scenario {
 
 /// Runs a scenario; the log, and what the judge says of it.
 fn judged(scenario: &Scenario) -> (Run, Vec<(i64, Frame)>, Report) {
-    let mut judge = Judge::new(judge::Options::default());
+    let mut judge = Judge::new(judge::JudgeOptions::default());
     let mut log = Vec::new();
-    let run = run(scenario, Ai::default(), &Options::default(), |time_ns, frame| {
+    let run = run(scenario, Ai::default(), &DemoOptions::default(), |time_ns, frame| {
         judge.frame(time_ns, frame.id.into(), frame.data());
         log.push((time_ns, *frame));
         Ok::<(), Infallible>(())
@@ -103,10 +103,10 @@ fn the_same_run_is_the_same_log() {
 }
 
 #[test]
-fn a_state_that_never_comes_is_told() {
+fn a_scenario_stuck_before_a_state_reports_it() {
     let scenario: Scenario =
         "0 asms on, tsms on, ami SKIDPAD\n\nAS_READY +5 go on\n+1 end".parse().expect("a scenario");
-    let options = Options { patience_ms: 20_000, ..Options::default() };
+    let options = DemoOptions { patience_ms: 20_000, ..DemoOptions::default() };
     let error = run(&scenario, Ai::default(), &options, |_, _| Ok::<(), Infallible>(())).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -116,8 +116,8 @@ fn a_state_that_never_comes_is_told() {
 
 /// What is told is what leads to the state that the scenario waits for, and what was done until then is there.
 #[test]
-fn what_leads_to_the_awaited_state_is_told() {
-    let options = Options { patience_ms: 20_000, ..Options::default() };
+fn a_stuck_scenario_reports_what_leads_to_the_awaited_state() {
+    let options = DemoOptions { patience_ms: 20_000, ..DemoOptions::default() };
     let cases = [
         (
             "AS_DRIVING +1 remote_estop on\nAS_OFF end",
@@ -148,7 +148,7 @@ fn what_leads_to_the_awaited_state_is_told() {
 #[test]
 fn a_sink_that_fails_stops_the_run() {
     let mut left = 100;
-    let error = run(&Scenario::mission(), Ai::default(), &Options::default(), |_, _| {
+    let error = run(&Scenario::mission(), Ai::default(), &DemoOptions::default(), |_, _| {
         left -= 1;
         if left == 0 { Err("full") } else { Ok(()) }
     });

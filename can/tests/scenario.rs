@@ -53,7 +53,7 @@ fn what_may_stand_in_a_file() {
 }
 
 #[test]
-fn each_bad_line_is_told_with_what_was_found_and_expected() {
+fn each_bad_line_is_reported_with_what_was_found_and_expected() {
     let cases = [
         (
             "asms on",
@@ -126,7 +126,7 @@ fn each_bad_line_is_told_with_what_was_found_and_expected() {
 }
 
 #[test]
-fn every_error_is_told_and_none_hides_another() {
+fn every_error_is_reported_and_none_hides_another() {
     let text = b"0 asms up, horn, go on\nx tsms maybe\n# fine\n1 \xff\xfe\n2 go off\nAS_REDY +3 go in\n";
     let expected = [
         "line 1, column 8: found \"up\"",
@@ -167,7 +167,7 @@ fn lines_that_cannot_take_place_in_their_order() {
 }
 
 #[test]
-fn a_file_that_says_nothing() {
+fn a_file_without_a_line() {
     for text in ["", "\n\n", "# only this\n", "   "] {
         let told = errors(text.as_bytes());
         assert!(
@@ -178,7 +178,7 @@ fn a_file_that_says_nothing() {
 }
 
 #[test]
-fn a_long_line_is_passed_over_and_told() {
+fn a_long_line_is_passed_over_and_reported() {
     let fits = format!("0 asms on #{}", "x".repeat(MAX_LINE - 11));
     assert_eq!(fits.len(), MAX_LINE);
     assert!(fits.parse::<Scenario>().is_ok());
@@ -268,7 +268,7 @@ fn errors_of(text: &str) -> String {
 }
 
 #[test]
-fn a_source_that_fails_is_told_with_its_line() {
+fn a_source_that_fails_is_reported_with_its_line() {
     struct Fails;
     impl Read for Fails {
         fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
@@ -438,7 +438,7 @@ fn lines_keep_their_order_when_their_time_has_passed() {
 }
 
 #[test]
-fn what_comes_next_is_told_in_words() {
+fn the_player_puts_what_comes_next_into_words() {
     let mut player =
         Player::new(&scenario("0.5 asms on\nAS_READY +5.5 go on\nAS_DRIVING go off, asms off\n+1.5 end"));
     let off = Some(AsState::Off);
@@ -476,7 +476,7 @@ fn the_readme_names_every_switch() {
         .collect();
     assert_eq!(table, expected);
     // It says for how long a scenario may wait, and what comes behind its last line.
-    let defaults = adsdv_can::demo::Options::default();
+    let defaults = adsdv_can::demo::DemoOptions::default();
     assert_eq!((defaults.patience_ms, defaults.tail_ms), (600_000, 1000));
     for words in ["after 600 seconds", "stops a second after the last line", Action::POWER_CYCLE] {
         assert!(readme.contains(words), "{words:?} is missing");

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use adsdv_oracle::judge::Options;
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
@@ -197,12 +197,12 @@ pub(crate) struct CheckArgs {
     /// The window W: how long after its cause an effect may be seen, in milliseconds.
     ///
     /// The cycle of the VCU and the delay of the bus. A wider window finds less, and is wrong less often.
-    #[arg(long, value_name = "MS", default_value_t = Options::default().window_ms, value_parser = milliseconds,
+    #[arg(long, value_name = "MS", default_value_t = JudgeOptions::default().window_ms, value_parser = milliseconds,
         allow_negative_numbers = true)]
     pub(crate) window: u32,
 
     /// The deadline D: how long a cause must last before its missing effect is a violation, in milliseconds.
-    #[arg(long, value_name = "MS", default_value_t = Options::default().deadline_ms, value_parser = milliseconds,
+    #[arg(long, value_name = "MS", default_value_t = JudgeOptions::default().deadline_ms, value_parser = milliseconds,
         allow_negative_numbers = true)]
     pub(crate) deadline: u32,
 

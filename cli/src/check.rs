@@ -5,13 +5,13 @@ use std::io;
 use std::path::Path;
 
 use adsdv_oracle::candump::ReadError;
-use adsdv_oracle::judge::{Options, Report};
-use adsdv_oracle::log::{LogError, LogOptions, Progress, judge_readable};
+use adsdv_oracle::judge::{JudgeOptions, Report};
+use adsdv_oracle::log::{LogError, LogOptions, LogProgress, judge_readable};
 
 use crate::args::CheckArgs;
 use crate::error::Error;
 use crate::progress::Line;
-use crate::report::{self, Subject};
+use crate::report::{self, JudgedLog};
 use crate::status::Status;
 use crate::{json, output, pins};
 
@@ -19,7 +19,7 @@ use crate::{json, output, pins};
 const STDIN: &str = "-";
 
 pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
-    let judge = Options {
+    let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: pins::possible(&args.readings)?,
@@ -34,7 +34,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     if args.json {
         output::plain(&json::text(&report))?;
     } else {
-        let subject = Subject { name: &name, options: &options, pins: &args.readings };
+        let subject = JudgedLog { name: &name, options: &options, pins: &args.readings };
         output::styled(&report::text(&subject, &report, output::width()), args.color)?;
     }
     // What could be read has been judged; a verdict on all of the log it is not.
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
 /// The report of what could be read, and why that was not all.
 fn read(log: &Path, name: &str, options: &LogOptions) -> Result<(Report, Option<ReadError>), Error> {
     let mut line = Line::new();
-    let progress = |progress: Progress| line.show(format_args!("{} lines", progress.lines));
+    let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
     let judged = if log == Path::new(STDIN) {
         judge_readable(io::stdin().lock(), options, progress)
     } else {

@@ -12,7 +12,7 @@ use std::path::Path;
 
 use adsdv_can::ai::Ai;
 use adsdv_can::car::Action;
-use adsdv_can::demo::{self, BUS, LocalBus, Options, Run, RunError};
+use adsdv_can::demo::{self, BUS, DemoOptions, LocalBus, Run, RunError};
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario, Stuck, Unreadable};
 use adsdv_oracle::candump::{FrameKind, Record, write_record};
@@ -23,7 +23,7 @@ use crate::args::DemoArgs;
 use crate::error::Error;
 use crate::layout::{Seconds, wrapped};
 use crate::report::style::{self, Styled};
-use crate::report::{self, Subject};
+use crate::report::{self, JudgedLog};
 use crate::status::Status;
 use crate::{json, operate, output};
 
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     };
     let options = LogOptions::default();
     let mut judge = LogJudge::new(options.clone());
-    let made = demo::run(&scenario, Ai::default(), &Options::default(), |time_ns, frame| {
+    let made = demo::run(&scenario, Ai::default(), &DemoOptions::default(), |time_ns, frame| {
         let record = Record {
             line: 0,
             time_ns,
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
         output::plain(&json::text(&report))?;
     } else {
         let width = output::width();
-        let subject = Subject { name: &name, options: &options, pins: &[] };
+        let subject = JudgedLog { name: &name, options: &options, pins: &[] };
         let text = story(args, &run, width) + &report::text(&subject, &report, width);
         output::styled(&text, args.color)?;
     }
@@ -93,7 +93,7 @@ fn on_screen(args: &DemoArgs) -> Result<Status, Error> {
 
 /// What was done: the lines before the report.
 fn story(args: &DemoArgs, run: &Run, width: usize) -> String {
-    let scenario = told(args.scenario.as_deref());
+    let scenario = printed(args.scenario.as_deref());
     let mut text = String::new();
     let about = format!(
         "A virtual VCU with its car, and a small AI Computer, on a bus within this program: {scenario}, {} s of \
@@ -137,7 +137,7 @@ pub(crate) fn scenario_name(file: &Path) -> String {
 }
 
 /// The scenario in a sentence.
-fn told(scenario: Option<&Path>) -> String {
+fn printed(scenario: Option<&Path>) -> String {
     match scenario {
         None => "the built-in scenario".to_owned(),
         Some(file) if sample(file).is_some() => format!("the built-in scenario {}", file.display()),
@@ -243,7 +243,7 @@ fn waits(args: &DemoArgs, stuck: &Stuck, run: &Run) -> Error {
         let _ = write!(why, "\n{} has the run until then: {time} s, {} frames", log.display(), run.frames);
     }
     Error {
-        what: args.scenario.as_deref().map_or_else(|| told(None), scenario_name),
+        what: args.scenario.as_deref().map_or_else(|| printed(None), scenario_name),
         why: why.trim_end().to_owned(),
         hint: "have the operator do what is missing in a line before that one".to_owned(),
     }

@@ -148,10 +148,10 @@ impl Error {
     }
 
     /// Tells the user, and says how the command ends.
-    pub(crate) fn tell(&self) -> Status {
+    pub(crate) fn print(&self) -> Status {
         // If standard error cannot be written there is nobody left to tell; the status still tells.
         let _ = writeln!(io::stderr(), "adsdv: {self}");
-        Status::Trouble
+        Status::NoAnswer
     }
 }
 
@@ -173,7 +173,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_error_tells_what_to_do() {
+    fn each_error_has_a_hint() {
         let cases = [
             (io::ErrorKind::NotFound, "check the path"),
             (io::ErrorKind::PermissionDenied, "permissions"),

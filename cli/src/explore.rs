@@ -14,7 +14,7 @@ pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
     let told = |address| {
         // Nobody may be listening, or the address may not be written, and the Explorer is still there.
         if let Err(error) = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n")) {
-            error.tell();
+            error.print();
         }
     };
     serve(Closed::explorer(machine), args.port, told).map_err(|error| Error::port(args.port, &error))?;

@@ -56,7 +56,7 @@ fn main() -> ExitCode {
         Ok(cli) => run(&cli.command),
         Err(text) => usage(&text),
     };
-    result.unwrap_or_else(|error| error.tell()).into()
+    result.unwrap_or_else(|error| error.print()).into()
 }
 
 fn run(command: &Command) -> Result<Status, Error> {
@@ -83,7 +83,7 @@ fn usage(text: &clap::Error) -> Result<Status, Error> {
     if text.use_stderr() {
         // If standard error cannot be written there is nobody left to tell; the status still tells.
         let _ = text.print();
-        return Ok(Status::Trouble);
+        return Ok(Status::NoAnswer);
     }
     output::styled(&text.render().ansi().to_string(), clap::ColorChoice::Auto)?;
     Ok(Status::Conforms)

@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use adsdv_can::live::{Handle, Runner};
-use adsdv_can::status::{Happening, Status, What};
+use adsdv_can::status::{Happening, HappeningKind, Status};
 use clap::ColorChoice;
 
 use crate::error::Error;
@@ -62,10 +62,10 @@ fn show(status: &Status, seen: &mut u64, color: ColorChoice) -> Result<bool, Err
 fn line(happening: &Happening) -> String {
     let ns = i64::try_from(happening.time_ms).unwrap_or(i64::MAX).saturating_mul(1_000_000);
     let style = match happening.what {
-        What::State { .. } => style::HEADING,
-        What::Up | What::AiHeard => style::GOOD,
-        What::Trouble(_) => style::BAD,
-        What::Did(_) => style::QUIET,
+        HappeningKind::State { .. } => style::HEADING,
+        HappeningKind::Up | HappeningKind::AiHeard => style::GOOD,
+        HappeningKind::Disturbance(_) => style::BAD,
+        HappeningKind::Did(_) => style::QUIET,
         _ => style::CARE,
     };
     format!("{:>10} s  {}\n", Seconds(ns), Styled(style, words(&happening.what)))
@@ -112,14 +112,14 @@ fn summary(status: &Status) -> String {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_can::bus::Trouble;
+    use adsdv_can::bus::Disturbance;
     use adsdv_can::status::KEPT;
 
     use super::*;
 
     #[test]
     fn a_happening_is_a_line_with_its_time() {
-        let happening = Happening { time_ms: 12_345, what: What::Trouble(Trouble::Down) };
+        let happening = Happening { time_ms: 12_345, what: HappeningKind::Disturbance(Disturbance::Down) };
         let text = anstream::adapter::strip_str(&line(&happening)).to_string();
         assert_eq!(text, "    12.345 s  the interface is down\n");
     }
@@ -142,7 +142,7 @@ mod tests {
              AI handshake: 1 answer; min 4.00, median 4.00, p99 4.00, max 4.00 ms\n"
         );
         let mut status = Status::default();
-        (0..=KEPT).for_each(|_| status.happen(0, What::Up));
+        (0..=KEPT).for_each(|_| status.happen(0, HappeningKind::Up));
         assert_eq!(status.since(0).0.count(), KEPT);
     }
 }

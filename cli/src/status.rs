@@ -12,7 +12,7 @@ pub(crate) enum Status {
     /// The log violates the document.
     Violates,
     /// There is no answer: the input could not be read, the output not written, or the arguments are wrong.
-    Trouble,
+    NoAnswer,
 }
 
 impl From<Verdict> for Status {
@@ -29,7 +29,7 @@ impl From<Status> for ExitCode {
         match status {
             Status::Conforms => Self::SUCCESS,
             Status::Violates => Self::from(1),
-            Status::Trouble => Self::from(2),
+            Status::NoAnswer => Self::from(2),
         }
     }
 }

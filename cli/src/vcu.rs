@@ -61,8 +61,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_scenario_that_waits_in_vain_is_given_up_and_says_for_what() -> Result<(), Box<dyn std::error::Error>>
-    {
+    fn a_scenario_that_waits_in_vain_is_given_up_with_what_it_waits_for()
+    -> Result<(), Box<dyn std::error::Error>> {
         let args = VcuArgs {
             interface: "demo".to_owned(),
             scenario: Some("in-vain.txt".into()),

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{Options, Program, Vcu, conform};
+use adsdv_oracle::conform::{ConformOptions, Program, Vcu, conform};
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::Interface;
 use divan::Bencher;
@@ -53,7 +53,7 @@ fn judged(bencher: Bencher) {
     let tests = suite::generate(&Interface::V3_0);
     drop(adapter()); // It is built by now.
     bencher.counter(ItemsCount::new(steps(&tests))).bench(|| {
-        let options = Options { runs: 0, ..Options::default() };
+        let options = ConformOptions { runs: 0, ..ConformOptions::default() };
         let report = conform(&mut adapter(), &tests, &options, &mut |_| {}).expect("it answers");
         assert!(report.conforms());
     });

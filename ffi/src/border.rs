@@ -7,7 +7,7 @@
 
 use core::ffi::{CStr, c_char};
 
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 
 /// A struct that C may hand over: every pattern of its bits is one of its values.
 ///
@@ -29,30 +29,30 @@ unsafe impl Plain for adsdv_error {}
 #[inline(always)]
 pub(crate) unsafe fn answer<'a>(
     error: *mut adsdv_error,
-    work: impl FnOnce() -> Result<(), Trouble<'a>>,
+    work: impl FnOnce() -> Result<(), Refusal<'a>>,
 ) -> adsdv_status {
     match caught(work) {
         Ok(()) => adsdv_status::ADSDV_OK,
         // SAFETY: the caller of the function promises that `error` is NULL or its own.
-        Err(trouble) => unsafe { tell(error, &trouble) },
+        Err(trouble) => unsafe { report(error, &trouble) },
     }
 }
 
 #[cfg(feature = "std")]
 #[inline(always)]
-fn caught<'a>(work: impl FnOnce() -> Result<(), Trouble<'a>>) -> Result<(), Trouble<'a>> {
+fn caught<'a>(work: impl FnOnce() -> Result<(), Refusal<'a>>) -> Result<(), Refusal<'a>> {
     // What a panic leaves half done is either the caller's own, which is written last, or a judge, which is given up.
-    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_or(Err(Trouble::Internal))
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_or(Err(Refusal::Internal))
 }
 
 #[cfg(not(feature = "std"))]
 #[inline(always)]
-fn caught<'a>(work: impl FnOnce() -> Result<(), Trouble<'a>>) -> Result<(), Trouble<'a>> {
+fn caught<'a>(work: impl FnOnce() -> Result<(), Refusal<'a>>) -> Result<(), Refusal<'a>> {
     work()
 }
 
 #[cold]
-unsafe fn tell(error: *mut adsdv_error, trouble: &Trouble<'_>) -> adsdv_status {
+unsafe fn report(error: *mut adsdv_error, trouble: &Refusal<'_>) -> adsdv_status {
     // SAFETY: the caller promises that `error` is NULL or its own; one that is not aligned is left alone.
     if let Ok(error) = unsafe { out(error, "error") } {
         error.set(adsdv_error::of(trouble));
@@ -62,7 +62,7 @@ unsafe fn tell(error: *mut adsdv_error, trouble: &Trouble<'_>) -> adsdv_status {
 
 /// What a pointer points to. The caller promises that it is NULL or points to a `T`.
 #[inline(always)]
-pub(crate) unsafe fn load<T: Plain>(pointer: *const T, name: &'static str) -> Result<T, Trouble<'static>> {
+pub(crate) unsafe fn load<T: Plain>(pointer: *const T, name: &'static str) -> Result<T, Refusal<'static>> {
     check(pointer, name)?;
     // SAFETY: it is not NULL, it is aligned, every pattern of bits is a `T`, and the caller promises the rest.
     Ok(unsafe { pointer.read() })
@@ -74,7 +74,7 @@ pub(crate) unsafe fn load<T: Plain>(pointer: *const T, name: &'static str) -> Re
 pub(crate) unsafe fn get<'a, T: Plain>(
     pointer: *const T,
     name: &'static str,
-) -> Result<&'a T, Trouble<'static>> {
+) -> Result<&'a T, Refusal<'static>> {
     check(pointer, name)?;
     // SAFETY: it is not NULL, it is aligned, every pattern of bits is a `T`, and the caller promises the rest.
     Ok(unsafe { &*pointer })
@@ -86,7 +86,7 @@ pub(crate) struct Out<T>(*mut T);
 /// The place behind a pointer. The caller promises that it is NULL or points to a `T` that is its own for as long as the
 /// place is used.
 #[inline(always)]
-pub(crate) unsafe fn out<T: Plain>(pointer: *mut T, name: &'static str) -> Result<Out<T>, Trouble<'static>> {
+pub(crate) unsafe fn out<T: Plain>(pointer: *mut T, name: &'static str) -> Result<Out<T>, Refusal<'static>> {
     check(pointer, name)?;
     Ok(Out(pointer))
 }
@@ -107,7 +107,7 @@ pub(crate) unsafe fn slice<'a, T: Plain>(
     pointer: *const T,
     count: usize,
     name: &'static str,
-) -> Result<&'a [T], Trouble<'static>> {
+) -> Result<&'a [T], Refusal<'static>> {
     if count == 0 {
         return Ok(&[]);
     }
@@ -115,7 +115,7 @@ pub(crate) unsafe fn slice<'a, T: Plain>(
     // No object is larger; a count beyond it would be undefined behaviour rather than wrong.
     let most = isize::MAX.cast_unsigned() / size_of::<T>().max(1);
     if count > most {
-        return Err(Trouble::TooMany { what: name, given: count, most });
+        return Err(Refusal::TooMany { what: name, given: count, most });
     }
     // SAFETY: it is not NULL, it is aligned, every pattern of bits is a `T`, and the caller promises the rest.
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
@@ -129,10 +129,10 @@ pub(crate) unsafe fn fill<T: Plain>(
     room: usize,
     name: &'static str,
     values: impl ExactSizeIterator<Item = T>,
-) -> Result<(), Trouble<'static>> {
+) -> Result<(), Refusal<'static>> {
     check(pointer, name)?;
     if values.len() > room {
-        return Err(Trouble::NoRoom { what: name, given: room, needed: values.len() });
+        return Err(Refusal::NoRoom { what: name, given: room, needed: values.len() });
     }
     for (place, value) in values.take(room).enumerate() {
         // SAFETY: it is not NULL, it is aligned, `place` is less than `room`, and the caller promises the rest.
@@ -146,21 +146,21 @@ pub(crate) unsafe fn fill<T: Plain>(
 pub(crate) unsafe fn text<'a>(
     pointer: *const c_char,
     name: &'static str,
-) -> Result<&'a str, Trouble<'static>> {
+) -> Result<&'a str, Refusal<'static>> {
     check(pointer, name)?;
     // SAFETY: it is not NULL, and the caller promises the rest.
     let text = unsafe { CStr::from_ptr(pointer) };
-    text.to_str().map_err(|_| Trouble::NotText(name))
+    text.to_str().map_err(|_| Refusal::NotText(name))
 }
 
 #[inline(always)]
-pub(crate) fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Trouble<'static>> {
+pub(crate) fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Refusal<'static>> {
     if pointer.is_null() {
-        Err(Trouble::Null(name))
+        Err(Refusal::Null(name))
     } else if pointer.is_aligned() {
         Ok(())
     } else {
-        Err(Trouble::Misaligned(name))
+        Err(Refusal::Misaligned(name))
     }
 }
 

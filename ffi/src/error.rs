@@ -55,14 +55,14 @@ impl Default for adsdv_error {
 
 impl adsdv_error {
     #[cold]
-    pub(crate) fn of(trouble: &Trouble<'_>) -> Self {
+    pub(crate) fn of(trouble: &Refusal<'_>) -> Self {
         Self { status: trouble.status() as i32, text: text::array(format_args!("{trouble}")) }
     }
 }
 
 /// Why a function failed; it displays as the text of the error.
 #[derive(Debug)]
-pub(crate) enum Trouble<'a> {
+pub(crate) enum Refusal<'a> {
     Null(&'static str),
     Misaligned(&'static str),
     /// A field of a struct, or an argument.
@@ -113,7 +113,7 @@ pub(crate) enum Trouble<'a> {
     Internal,
 }
 
-impl Trouble<'_> {
+impl Refusal<'_> {
     pub(crate) const fn status(&self) -> adsdv_status {
         match self {
             Self::Null(_) | Self::Misaligned(_) => adsdv_status::ADSDV_BAD_POINTER,
@@ -139,7 +139,7 @@ impl Trouble<'_> {
     }
 }
 
-impl fmt::Display for Trouble<'_> {
+impl fmt::Display for Refusal<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Null(name) => write!(f, "{name} is NULL; expected a pointer"),
@@ -178,13 +178,13 @@ impl fmt::Display for Trouble<'_> {
     }
 }
 
-impl From<DecodeError> for Trouble<'_> {
+impl From<DecodeError> for Refusal<'_> {
     fn from(error: DecodeError) -> Self {
         Self::Decode(error)
     }
 }
 
-impl From<OutOfRange> for Trouble<'_> {
+impl From<OutOfRange> for Refusal<'_> {
     fn from(error: OutOfRange) -> Self {
         Self::Signal(error)
     }

@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use adsdv_spec::messages::{DecodeError, Frame, MessageDef, SignalDef, message_by_id};
 
 use crate::border::{Plain, answer, load, out, text};
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 
 /// A classic CAN data frame with an 11-bit identifier.
 #[repr(C)]
@@ -30,25 +30,25 @@ impl From<Frame> for adsdv_frame {
 
 impl adsdv_frame {
     /// The bytes that are sent.
-    pub(crate) fn sent(&self) -> Result<&[u8], Trouble<'static>> {
+    pub(crate) fn sent(&self) -> Result<&[u8], Refusal<'static>> {
         let (given, most) = (usize::from(self.len), self.data.len());
-        self.data.get(..given).ok_or(Trouble::TooMany { what: "frame.len", given, most })
+        self.data.get(..given).ok_or(Refusal::TooMany { what: "frame.len", given, most })
     }
 }
 
 /// The message with this identifier.
-pub(crate) fn message(id: u16) -> Result<&'static MessageDef, Trouble<'static>> {
-    message_by_id(id).ok_or(Trouble::Decode(DecodeError::UnknownId { id }))
+pub(crate) fn message(id: u16) -> Result<&'static MessageDef, Refusal<'static>> {
+    message_by_id(id).ok_or(Refusal::Decode(DecodeError::UnknownId { id }))
 }
 
 /// The signal of a message with this name.
-pub(crate) fn signal<'a>(message: &MessageDef, name: &'a str) -> Result<&'static SignalDef, Trouble<'a>> {
-    message.signal(name).ok_or(Trouble::NoSignal { given: name, message: message.name })
+pub(crate) fn signal<'a>(message: &MessageDef, name: &'a str) -> Result<&'static SignalDef, Refusal<'a>> {
+    message.signal(name).ok_or(Refusal::NoSignal { given: name, message: message.name })
 }
 
 /// This data ends before a signal does.
-pub(crate) fn ends(message: &MessageDef, signal: &SignalDef, data: &[u8]) -> Trouble<'static> {
-    Trouble::Decode(DecodeError::TooShort {
+pub(crate) fn ends(message: &MessageDef, signal: &SignalDef, data: &[u8]) -> Refusal<'static> {
+    Refusal::Decode(DecodeError::TooShort {
         message: message.name,
         id: message.id,
         given: data.len(),

@@ -4,11 +4,11 @@ use core::ffi::c_char;
 use std::collections::VecDeque;
 use std::ffi::CString;
 
-use adsdv_oracle::judge::{Finding, Judge, Options, Severity};
+use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Severity};
 use adsdv_spec::Choices;
 
 use crate::border::{Plain, answer, check, load, out, slice};
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::machine::listed;
 use crate::text::short;
 
@@ -105,7 +105,7 @@ pub struct adsdv_judge {
 }
 
 impl adsdv_judge {
-    fn new(options: Options) -> Self {
+    fn new(options: JudgeOptions) -> Self {
         Self {
             judge: Some(Judge::new(options)),
             at_work: false,
@@ -118,10 +118,10 @@ impl adsdv_judge {
     /// Does what can go wrong in a way that nobody foresaw; after that, the judge is of no use.
     fn at_work<T>(
         &mut self,
-        work: impl FnOnce(&mut Self) -> Result<T, Trouble<'static>>,
-    ) -> Result<T, Trouble<'static>> {
+        work: impl FnOnce(&mut Self) -> Result<T, Refusal<'static>>,
+    ) -> Result<T, Refusal<'static>> {
         if self.at_work {
-            return Err(Trouble::Internal);
+            return Err(Refusal::Internal);
         }
         self.at_work = true;
         let done = work(self);
@@ -130,14 +130,14 @@ impl adsdv_judge {
     }
 
     /// Shows the judge a frame.
-    fn see(&mut self, frame: impl FnOnce(&mut Judge)) -> Result<(), Trouble<'static>> {
+    fn see(&mut self, frame: impl FnOnce(&mut Judge)) -> Result<(), Refusal<'static>> {
         self.at_work(|this| {
-            frame(this.judge.as_mut().ok_or(Trouble::Finished)?);
+            frame(this.judge.as_mut().ok_or(Refusal::Finished)?);
             Ok(())
         })
     }
 
-    fn finish(&mut self) -> Result<adsdv_report, Trouble<'static>> {
+    fn finish(&mut self) -> Result<adsdv_report, Refusal<'static>> {
         self.at_work(|this| {
             if let Some(judge) = this.judge.take() {
                 let report = judge.finish();
@@ -149,13 +149,13 @@ impl adsdv_judge {
     }
 
     /// The next finding, for C.
-    fn next(&mut self) -> Result<Option<adsdv_finding>, Trouble<'static>> {
+    fn next(&mut self) -> Result<Option<adsdv_finding>, Refusal<'static>> {
         self.at_work(|this| {
             if let (true, Some(judge)) = (this.news.is_empty(), &mut this.judge) {
                 let (_, findings) = judge.take_news();
                 this.hear(findings);
             }
-            Ok(this.news.pop_front().map(|finding| this.tell(&finding)))
+            Ok(this.news.pop_front().map(|finding| this.report(&finding)))
         })
     }
 
@@ -170,7 +170,7 @@ impl adsdv_judge {
         self.news.extend(findings);
     }
 
-    fn tell(&mut self, finding: &Finding) -> adsdv_finding {
+    fn report(&mut self, finding: &Finding) -> adsdv_finding {
         // No message has a NUL in it; one that had would lose it, and nothing else.
         let message: Vec<u8> = finding.message.bytes().filter(|&byte| byte != 0).collect();
         self.told = CString::new(message).unwrap_or_default();
@@ -188,7 +188,7 @@ impl adsdv_judge {
 
 /// The judge behind a handle. The caller promises that it is NULL or a handle of adsdv_judge_new that is not freed yet,
 /// and that no other thread uses it meanwhile.
-unsafe fn handle<'a>(judge: *mut adsdv_judge) -> Result<&'a mut adsdv_judge, Trouble<'static>> {
+unsafe fn handle<'a>(judge: *mut adsdv_judge) -> Result<&'a mut adsdv_judge, Refusal<'static>> {
     check(judge, "judge")?;
     // SAFETY: it is not NULL, it is aligned, and the caller promises the rest.
     Ok(unsafe { &mut *judge })
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn adsdv_judge_options_init(
     let work = || {
         // SAFETY: the caller promises it for the options.
         let place = unsafe { out(options, "options")? };
-        let Options { window_ms, deadline_ms, .. } = Options::default();
+        let JudgeOptions { window_ms, deadline_ms, .. } = JudgeOptions::default();
         place.set(adsdv_judge_options { window_ms, deadline_ms, readings: core::ptr::null() });
         Ok(())
     };
@@ -219,7 +219,7 @@ pub unsafe extern "C" fn adsdv_judge_new(
 ) -> *mut adsdv_judge {
     let mut made = core::ptr::null_mut();
     let work = || {
-        let mut chosen = Options::default();
+        let mut chosen = JudgeOptions::default();
         if !options.is_null() {
             // SAFETY: the caller promises it for the options.
             let given = unsafe { load(options, "options")? };
@@ -340,11 +340,11 @@ mod tests {
 
     #[test]
     fn a_judge_that_panicked_is_not_used_again() {
-        let mut judge = adsdv_judge::new(Options::default());
+        let mut judge = adsdv_judge::new(JudgeOptions::default());
         assert!(judge.see(|judge| judge.frame(0, 0x520, &[])).is_ok());
         assert!(catch_unwind(AssertUnwindSafe(|| judge.see(|_| panic!("once")))).is_err());
-        assert!(matches!(judge.see(|judge| judge.frame(0, 0x520, &[])), Err(Trouble::Internal)));
-        assert!(matches!(judge.next(), Err(Trouble::Internal)));
-        assert!(matches!(judge.finish(), Err(Trouble::Internal)));
+        assert!(matches!(judge.see(|judge| judge.frame(0, 0x520, &[])), Err(Refusal::Internal)));
+        assert!(matches!(judge.next(), Err(Refusal::Internal)));
+        assert!(matches!(judge.finish(), Err(Refusal::Internal)));
     }
 }

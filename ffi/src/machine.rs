@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use adsdv_spec::{Choice, Choices, Interface, Machine, Readings};
 
 use crate::border::{Plain, answer, out, text};
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 
 /// A VCU: the interface with an answer to every question that the document leaves open. It is four bytes that can be
 /// copied, compared and kept.
@@ -25,8 +25,8 @@ impl adsdv_machine {
     pub(crate) const REFERENCE: Self = Self { readings: Readings::DEFAULT.choices().bits() };
 
     /// The readings; an error where the bits are not one choice of each.
-    fn read(self) -> Result<Readings, Trouble<'static>> {
-        let unknown = Trouble::Machine { readings: self.readings };
+    fn read(self) -> Result<Readings, Refusal<'static>> {
+        let unknown = Refusal::Machine { readings: self.readings };
         let Some(choices) = Choices::from_bits(self.readings) else { return Err(unknown) };
         let readings = choices.iter().fold(Readings::DEFAULT, Readings::with);
         // Not so if a reading has no choice or several.
@@ -35,11 +35,11 @@ impl adsdv_machine {
 
     /// The machine itself, for which there is `room` where it is not kept anyway.
     #[inline(always)]
-    pub(crate) fn find(self, room: &mut Option<Machine>) -> Result<&Machine, Trouble<'static>> {
+    pub(crate) fn find(self, room: &mut Option<Machine>) -> Result<&Machine, Refusal<'static>> {
         if self == Self::REFERENCE { Ok(&REFERENCE) } else { self.find_other(room) }
     }
 
-    fn find_other(self, room: &mut Option<Machine>) -> Result<&Machine, Trouble<'static>> {
+    fn find_other(self, room: &mut Option<Machine>) -> Result<&Machine, Refusal<'static>> {
         #[cfg(feature = "std")]
         if let Some(machine) = kept::find(self) {
             return Ok(machine);
@@ -81,13 +81,13 @@ mod kept {
 }
 
 /// The choices of a list such as `fault-trigger=edge, power-cycle=not-latched`.
-pub(crate) fn choices(list: &str) -> impl Iterator<Item = Result<Choice, Trouble<'_>>> {
+pub(crate) fn choices(list: &str) -> impl Iterator<Item = Result<Choice, Refusal<'_>>> {
     let mut given = Choices::NONE;
     list.split([' ', ',', '\t', '\n']).filter(|name| !name.is_empty()).map(move |name| {
-        let choice: Choice = name.parse().map_err(|why| Trouble::Reading { given: name, why })?;
+        let choice: Choice = name.parse().map_err(|why| Refusal::Reading { given: name, why })?;
         let reading = choice.reading();
         if given.of_reading(reading).next().is_some() {
-            return Err(Trouble::Twice(reading));
+            return Err(Refusal::Twice(reading));
         }
         given = given.with(choice);
         Ok(choice)
@@ -101,7 +101,7 @@ pub(crate) unsafe fn listed<'a, T>(
     list: *const c_char,
     start: T,
     mut add: impl FnMut(T, Choice) -> T,
-) -> Result<T, Trouble<'a>> {
+) -> Result<T, Refusal<'a>> {
     if list.is_null() {
         return Ok(start);
     }

@@ -7,7 +7,7 @@ use adsdv_spec::messages::{
 };
 
 use crate::border::{answer, out, slice};
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::plain::Allowed;
 use crate::text;
 
@@ -102,12 +102,12 @@ pub unsafe extern "C" fn adsdv_value_of_name(
         // SAFETY: the caller promises it for `length` bytes and for the value.
         let (name, value) = unsafe { (slice(name.cast::<u8>(), length, "name")?, out(value, "value")?) };
         let Some(Enumeration { allowed, .. }) = self::enumeration(enumeration) else {
-            return Err(Trouble::NoEnumeration(enumeration));
+            return Err(Refusal::NoEnumeration(enumeration));
         };
-        let given = core::str::from_utf8(name).map_err(|_| Trouble::NotText("name"))?;
+        let given = core::str::from_utf8(name).map_err(|_| Refusal::NotText("name"))?;
         match allowed.values.iter().find(|(_, name)| *name == given) {
             Some(&(number, _)) => value.set(number),
-            None => return Err(Trouble::NoSuchValue { given, allowed }),
+            None => return Err(Refusal::NoSuchValue { given, allowed }),
         }
         Ok(())
     };

@@ -4,7 +4,7 @@ use core::fmt;
 
 use adsdv_spec::messages::{Decimal, Scale, SignalValue};
 
-use crate::error::Trouble;
+use crate::error::Refusal;
 
 /// What a field may be; it displays as in `0 = NEUTRAL, 1 = FORWARD`.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ pub(crate) fn value<T: SignalValue>(
     of: &'static str,
     field: &'static str,
     raw: impl Into<i32>,
-) -> Result<T, Trouble<'static>> {
+) -> Result<T, Refusal<'static>> {
     let raw = raw.into();
     match T::from_raw(raw) {
         Some(value) => Ok(value),
@@ -55,8 +55,8 @@ pub(crate) fn value<T: SignalValue>(
 }
 
 #[cold]
-fn refused<T: SignalValue>(of: &'static str, field: &'static str, raw: i32) -> Trouble<'static> {
-    Trouble::Value { of, field, given: raw.into(), allowed: Allowed::of::<T>() }
+fn refused<T: SignalValue>(of: &'static str, field: &'static str, raw: i32) -> Refusal<'static> {
+    Refusal::Value { of, field, given: raw.into(), allowed: Allowed::of::<T>() }
 }
 
 /// The number of a value, in the type that its field has in C. Every value of every field fits: the tests go through
@@ -74,7 +74,7 @@ macro_rules! conversions {
         impl $plain {
             /// As the specification has it; an error names the field.
             #[inline(always)]
-            pub(crate) fn read(&self) -> Result<$type, crate::error::Trouble<'static>> {
+            pub(crate) fn read(&self) -> Result<$type, crate::error::Refusal<'static>> {
                 Ok(crate::plain::conversions!(@read $of self $type $body))
             }
         }

@@ -6,7 +6,7 @@ use adsdv_spec::Choice;
 use adsdv_spec::messages::{AnyMessage, MESSAGES, MessageDef, Node, SignalDef};
 
 use crate::border::{Plain, answer, fill, load, out, text};
-use crate::error::{Trouble, adsdv_error, adsdv_status};
+use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::frame::{adsdv_frame, ends, message, signal};
 use crate::text::{array, short};
 
@@ -153,8 +153,8 @@ impl adsdv_reading {
 }
 
 /// One thing of a list by its index.
-fn at<T: Copy>(list: &[T], index: usize) -> Result<T, Trouble<'static>> {
-    list.get(index).copied().ok_or(Trouble::NoIndex { index, count: list.len() })
+fn at<T: Copy>(list: &[T], index: usize) -> Result<T, Refusal<'static>> {
+    list.get(index).copied().ok_or(Refusal::NoIndex { index, count: list.len() })
 }
 
 /// The messages of the interface, by ascending identifier: `index` is less than ADSDV_MESSAGES.

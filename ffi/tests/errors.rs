@@ -239,7 +239,7 @@ fn texts_are_cut_where_they_do_not_fit() {
 }
 
 #[test]
-fn versions_are_told() {
+fn versions_are_returned() {
     // SAFETY: the library's texts end with a NUL.
     let (library, document) =
         unsafe { (CStr::from_ptr(adsdv_version()), CStr::from_ptr(adsdv_document_version())) };

@@ -9,7 +9,7 @@ use std::ptr::{null, null_mut};
 
 use adsdv::adsdv_status::*;
 use adsdv::*;
-use adsdv_oracle::judge::{Finding, Judge, Options, Report, Severity};
+use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Report, Severity};
 use adsdv_spec::messages::{AmiState, Frame};
 use adsdv_spec::{Choice, Choices};
 use adsdv_tests::world::World;
@@ -20,12 +20,12 @@ fn recording() -> Vec<(i64, Frame)> {
     let mut world = World::reference();
     world.inputs.ami = AmiState::TrackDrive;
     world.wait(300);
-    world.tells = |status| status.as_state = adsdv_spec::AsState::Driving;
+    world.shows = |status| status.as_state = adsdv_spec::AsState::Driving;
     world.wait(300);
-    world.tells = |status| status.bms_fault = true;
+    world.shows = |status| status.bms_fault = true;
     world.inputs.asms = true;
     world.wait(300);
-    world.tells = |_| {};
+    world.shows = |_| {};
     world.ai_answers = false;
     world.inputs.tsms = true;
     world.wait(500);
@@ -98,7 +98,7 @@ fn counted(lines: impl IntoIterator<Item = String>) -> BTreeMap<String, u32> {
     })
 }
 
-fn in_rust(options: Options) -> Report {
+fn in_rust(options: JudgeOptions) -> Report {
     let mut judge = Judge::new(options);
     for (t_ns, frame) in recording() {
         judge.frame(t_ns, frame.id.into(), frame.data());
@@ -128,7 +128,7 @@ fn it_finds_what_the_judge_finds_at_the_end() {
     }
     let report = judge.finish();
     let found = std::iter::from_fn(|| judge.next()).collect();
-    agrees(report, found, &in_rust(Options::default()));
+    agrees(report, found, &in_rust(JudgeOptions::default()));
     assert_eq!(judge.finish(), report, "a second call says the same");
     let refused = (ADSDV_FINISHED, "the judge has finished; expected a new one for more frames".to_owned());
     assert_eq!(judge.frame(0, Frame::default()), Err(refused));
@@ -145,7 +145,7 @@ fn it_finds_the_same_as_it_happens() {
     assert!(!found.is_empty(), "something is known before the end");
     let report = judge.finish();
     found.extend(std::iter::from_fn(|| judge.next()));
-    agrees(report, found, &in_rust(Options::default()));
+    agrees(report, found, &in_rust(JudgeOptions::default()));
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn options_count() {
     let mut options: adsdv_judge_options = unsafe { std::mem::zeroed() };
     // SAFETY: the pointer is to what it is said to be.
     outcome(|error| unsafe { adsdv_judge_options_init(&raw mut options, error) }).unwrap();
-    let usual = Options::default();
+    let usual = JudgeOptions::default();
     assert_eq!((options.window_ms, options.deadline_ms), (usual.window_ms, usual.deadline_ms));
     assert!(options.readings.is_null());
 
@@ -166,7 +166,7 @@ fn options_count() {
     }
     let report = judge.finish();
     let readings = Choices::ALL.pin(Choice::CommsNoArrow);
-    let expected = in_rust(Options { window_ms: 1, deadline_ms: 100, readings });
+    let expected = in_rust(JudgeOptions { window_ms: 1, deadline_ms: 100, readings });
     agrees(report, std::iter::from_fn(|| judge.next()).collect(), &expected);
     assert_ne!(expected.findings, in_rust(usual).findings, "the options were to make a difference");
 

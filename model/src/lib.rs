@@ -67,7 +67,7 @@ pub use property::{Claim, Harm, Property, When};
 pub use reachable::reachable;
 pub use run::{Cycle, Phase, Run};
 pub use step::Step;
-pub use story::{Line, story, story_of};
+pub use story::{StoryLine, story, story_of};
 pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, sweep};
 pub use vectors::Vectors;
 pub use verify::{Exploration, Options, Progress, Report, explore, verify};

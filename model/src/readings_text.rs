@@ -9,7 +9,7 @@ use crate::closed::ClosedProperty;
 use crate::goals::GOALS;
 use crate::properties::PROPERTIES;
 use crate::property::{Harm, Property};
-use crate::story::{Line, story, story_of};
+use crate::story::{StoryLine, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};
 
 const INTRODUCTION: &str = "\
@@ -162,9 +162,9 @@ fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::
     Ok(())
 }
 
-fn lines(f: &mut Formatter<'_>, story: &[Line]) -> fmt::Result {
+fn lines(f: &mut Formatter<'_>, story: &[StoryLine]) -> fmt::Result {
     writeln!(f, "```text")?;
-    for Line { ms, text } in story {
+    for StoryLine { ms, text } in story {
         writeln!(f, "{:>6}.{:03} s  {text}", ms / 1000, ms % 1000)?;
     }
     writeln!(f, "```")

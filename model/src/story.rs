@@ -9,7 +9,7 @@ use crate::step::{CYCLE_MS, Step};
 
 /// A line of a story.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Line {
+pub struct StoryLine {
     /// When it happens, in milliseconds after the VCU was switched on.
     pub ms: u64,
     /// What happens.
@@ -18,7 +18,7 @@ pub struct Line {
 
 /// Tells the run of a machine along a path. A step that breaks the property tells what the property looks
 /// at, too.
-pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) -> Vec<Line> {
+pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) -> Vec<StoryLine> {
     let timing = &machine.interface().timing;
     let (mut control, mut ms, mut lines) = (Control::INITIAL, 0, Vec::new());
     for (place, action) in path.iter().enumerate() {
@@ -26,7 +26,7 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
         match *action {
             Action::PowerCycle => {
                 control = Control::INITIAL;
-                lines.push(Line { ms, text: "the power is cycled".to_owned() });
+                lines.push(StoryLine { ms, text: "the power is cycled".to_owned() });
             }
             Action::Step(seen) => {
                 let step = Step::of(machine, timing, control, seen);
@@ -35,7 +35,7 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
                 let looked_at =
                     broken.map_or(Atoms::NONE, |property| property.reads(&control, timing, |_| true));
                 if last || broken.is_some() || step.before.state != step.after().state {
-                    lines.push(Line { ms, text: tell(machine, &step, looked_at) });
+                    lines.push(StoryLine { ms, text: add_line(machine, &step, looked_at) });
                 }
                 control = *step.after();
             }
@@ -45,7 +45,7 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
 }
 
 /// Tells the changes of state of a run.
-pub fn story_of(run: &Run) -> Vec<Line> {
+pub fn story_of(run: &Run) -> Vec<StoryLine> {
     let steps = run.steps().zip(1..);
     let changes = steps.filter(|(cycle, _)| cycle.before.state != cycle.after.state);
     changes
@@ -57,13 +57,13 @@ pub fn story_of(run: &Run) -> Vec<Line> {
             let conditions: Vec<&str> =
                 deciding.iter().map(|atom| atom.text(cycle.outputs.atoms.has(atom))).collect();
             let text = format!("{before} -> {after} ({section}): {}", conditions.join(", "));
-            Line { ms: step * u64::from(CYCLE_MS), text }
+            StoryLine { ms: step * u64::from(CYCLE_MS), text }
         })
         .collect()
 }
 
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
-fn tell(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
+fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     let (before, after) = (step.before.state, step.after().state);
     let table = &machine.interface().table;
     let taken = step.reaction.taken;
@@ -100,8 +100,8 @@ mod tests {
 
     /// A run that ends where nothing changes ends with a step all the same.
     #[test]
-    fn the_last_step_is_told_whatever_it_does() {
+    fn the_story_has_the_last_step_whatever_it_does() {
         let told = story(&Machine::REFERENCE, &[Action::Step(Observation::default()); 3], None);
-        assert_eq!(told, [Line { ms: 30, text: "stays in AS_OFF".to_owned() }]);
+        assert_eq!(told, [StoryLine { ms: 30, text: "stays in AS_OFF".to_owned() }]);
     }
 }

@@ -1,6 +1,6 @@
 //! The closed model: its properties hold for the reference, and none of them holds for the wrong reason.
 
-use adsdv_model::closed::{Closed, Conduct, Exploration, Operator, Stage};
+use adsdv_model::closed::{Closed, ClosedExploration, Conduct, Operator, Stage};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{Atom, Fault, Interface, Machine, Readings};
@@ -13,7 +13,7 @@ fn scaled(interface: &Interface, operator: Operator) -> Closed {
 }
 
 #[track_caller]
-fn assert_all_hold(exploration: &Exploration) {
+fn assert_all_hold(exploration: &ClosedExploration) {
     for found in &exploration.results {
         assert!(found.holds, "{}: {:#?}", found.property.name, found.run.clone().map(Path::into_actions));
     }

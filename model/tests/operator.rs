@@ -1,27 +1,28 @@
 //! What the operator does: the procedure of sections 3.1 and 3.2, and nothing more after an emergency.
 
-use adsdv_model::closed::{Act, Action, Closed, Operator, State};
+use adsdv_model::closed::{Act, Closed, ClosedAction, ClosedState, Operator};
 use adsdv_spec::messages::{AmiState, AsState, ShutdownCause};
 use adsdv_spec::{Control, Machine};
 use stateright::Model;
 
 /// What a well-behaved operator may do.
-fn acts(state: &State) -> Vec<Act> {
+fn acts(state: &ClosedState) -> Vec<Act> {
     let mut actions = Vec::new();
     Closed::new(Machine::REFERENCE, Operator::WellBehaved).actions(state, &mut actions);
     let acts = actions.into_iter();
-    acts.filter_map(|action| if let Action::Operator(act) = action { Some(act) } else { None }).collect()
+    acts.filter_map(|action| if let ClosedAction::Operator(act) = action { Some(act) } else { None })
+        .collect()
 }
 
 /// A state with this control state of the VCU, in which an operator has the time to act.
-fn state(control: Control) -> State {
-    State { control, rested: true, ..State::default() }
+fn state(control: Control) -> ClosedState {
+    ClosedState { control, rested: true, ..ClosedState::default() }
 }
 
 //= RDY-8
 #[test]
 fn the_mission_is_selected_once() {
-    let selects = |state: &State| acts(state).iter().any(|act| matches!(act, Act::Mission(_)));
+    let selects = |state: &ClosedState| acts(state).iter().any(|act| matches!(act, Act::Mission(_)));
     let mut state = state(Control::INITIAL);
     assert!(selects(&state));
     assert!(!acts(&state).contains(&Act::Mission(AmiState::NotSelected)));

@@ -95,7 +95,7 @@ fn spin_finds_the_same_in_mutants() {
 }
 
 #[test]
-fn nothing_is_told_that_has_no_name() {
+fn promela_names_everything_that_it_prints() {
     let violated = PROPERTIES.iter().map(|property| format!("violated: {}", property.name));
     let reached = GOALS.iter().map(|goal| format!("reached: {}", goal.name));
     let text = Promela { machine: &Machine::REFERENCE, document: SHORT, vectors: Vectors::Read }.to_string();

@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::path::Path;
 
 use adsdv_oracle::candump::{Entry, Reader, write_frame};
-use adsdv_oracle::judge::{Judge, Options};
+use adsdv_oracle::judge::{Judge, JudgeOptions};
 use adsdv_oracle::log::{LogOptions, judge_log};
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -63,7 +63,7 @@ fn read(bencher: Bencher, name: &str) {
 fn judge(bencher: Bencher, name: &str) {
     let frames = repeated(name);
     bencher.counter(ItemsCount::new(frames.len())).bench(|| {
-        let mut judge = Judge::new(Options::default());
+        let mut judge = Judge::new(JudgeOptions::default());
         for frame in black_box(&frames) {
             judge.frame(frame.time_ns, frame.id, frame.data());
         }

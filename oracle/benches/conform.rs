@@ -12,7 +12,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{InProcess, Options, Program, Reply, Vcu, conform};
+use adsdv_oracle::conform::{ConformOptions, InProcess, Program, Reply, Vcu, conform};
 use adsdv_oracle::protocol::Shown;
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::{Control, Interface, Machine, Outputs};
@@ -82,7 +82,7 @@ fn in_process_by_field(bencher: Bencher) {
 }
 
 fn judge(vcu: &mut dyn Vcu, tests: &[Test]) {
-    let options = Options { runs: 0, ..Options::default() };
+    let options = ConformOptions { runs: 0, ..ConformOptions::default() };
     let report = conform(vcu, tests, &options, &mut |_| {});
     assert!(report.is_ok_and(|report| report.conforms()));
 }

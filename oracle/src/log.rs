@@ -9,13 +9,13 @@ use std::io::Read;
 use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus, message_by_id};
 
 use crate::candump::{Direction, Dropped, Entry, FrameKind, ReadError, Reader, Record};
-use crate::judge::{Finding, Judge, Options, Party, Report, Rule, Severity, Transition};
+use crate::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity, Transition};
 
 /// How a log is judged.
 #[derive(Clone, Debug, Default)]
 pub struct LogOptions {
     /// What the judge may assume.
-    pub judge: Options,
+    pub judge: JudgeOptions,
     /// The interface to judge; `None` for the first that carries a message of the document.
     pub interface: Option<String>,
 }
@@ -77,7 +77,7 @@ impl std::error::Error for LogError {
 
 /// What a step of reading came to, for showing progress.
 #[derive(Clone, Copy, Debug)]
-pub struct Progress {
+pub struct LogProgress {
     /// Lines read so far.
     pub lines: u64,
 }
@@ -108,7 +108,7 @@ const PROGRESS_LINES: u64 = 1 << 16;
 pub fn judge_log(
     source: impl Read,
     options: &LogOptions,
-    progress: impl FnMut(Progress),
+    progress: impl FnMut(LogProgress),
 ) -> Result<Report, LogError> {
     match judge_readable(source, options, progress)? {
         (report, None) => Ok(report),
@@ -146,7 +146,7 @@ pub fn judge_log(
 pub fn judge_readable(
     source: impl Read,
     options: &LogOptions,
-    mut progress: impl FnMut(Progress),
+    mut progress: impl FnMut(LogProgress),
 ) -> Result<(Report, Option<ReadError>), LogError> {
     let mut reader = Reader::new(source);
     let mut log = LogJudge::new(options.clone());
@@ -162,7 +162,7 @@ pub fn judge_readable(
             Entry::Frame(record) => {
                 if record.line >= next_progress {
                     next_progress = record.line + PROGRESS_LINES;
-                    progress(Progress { lines: record.line });
+                    progress(LogProgress { lines: record.line });
                 }
                 log.frame(&record);
             }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use adsdv_oracle::protocol::{Answer, Domain, INPUTS, Request, SHOWN, Shown, Told};
+use adsdv_oracle::protocol::{Answer, Domain, INPUTS, InputsAsJson, Request, SHOWN, Shown};
 use adsdv_spec::messages::{MissionStatus, SteerAngle};
 use adsdv_spec::{Control, Inputs, Machine};
 
@@ -205,13 +205,13 @@ fn only_what_is_not_at_its_default_is_written() {
 #[test]
 fn inputs_are_read_as_they_are_written() {
     let mut inputs = Inputs::default();
-    assert_eq!(Told(inputs).to_string(), "{}");
+    assert_eq!(InputsAsJson(inputs).to_string(), "{}");
     inputs.ai.status.mission_status = MissionStatus::Finished;
     inputs.vehicle.steer_angle = SteerAngle::clamped(-49);
-    let line = Told(inputs).to_string();
+    let line = InputsAsJson(inputs).to_string();
     assert_eq!(line, r#"{"mission_status":"FINISHED","steer_angle":-49}"#);
-    assert_eq!(line.parse(), Ok(Told(inputs)));
-    let refused = |line: &str| line.parse::<Told>().unwrap_err().to_string();
+    assert_eq!(line.parse(), Ok(InputsAsJson(inputs)));
+    let refused = |line: &str| line.parse::<InputsAsJson>().unwrap_err().to_string();
     assert!(refused(r#"{"go":true,"asms":true,"go":true}"#).contains("twice"));
     assert!(refused(r#"{"op":"step"}"#).contains("\"op\""));
     assert!(refused("7").contains("a JSON object"));

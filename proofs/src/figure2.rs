@@ -24,9 +24,9 @@ pub fn a_step_is_what_the_document_says() {
 }
 
 /// A step from a state, in the words of the document.
-fn any_now(from: AsState, claims: impl FnOnce(&Step, words::Step<'_>)) {
+fn any_now(from: AsState, claims: impl FnOnce(&Step, words::StepInWords<'_>)) {
     let step = any_step_from(from);
-    claims(&step, words::Step::of(&step.before, &step.inputs, step.dt_ms, Readings::DEFAULT));
+    claims(&step, words::StepInWords::of(&step.before, &step.inputs, step.dt_ms, Readings::DEFAULT));
 }
 
 /// The arrow is taken if `holds`, and only then; and its row is what the step shows to have been taken.

@@ -184,7 +184,7 @@ pub fn feedback_of_brakes_and_wheels() {
 ///
 /// Requirements: MSG-29 to MSG-33, D-47 to D-50.
 #[cfg_attr(kani, kani::proof, kani::unwind(12))]
-pub fn log_500h_says_the_same_in_coarser_steps() {
+pub fn log_500h_has_the_same_in_coarser_steps() {
     let step = any_end();
     let (ai, vehicle) = (&step.inputs.ai, &step.inputs.vehicle);
     let log = messages(&step).log_dynamics;
@@ -374,7 +374,7 @@ theorems![
     go_signal_is_on_while_the_vehicle_may_drive,
     feedback_of_drive_and_steering,
     feedback_of_brakes_and_wheels,
-    log_500h_says_the_same_in_coarser_steps,
+    log_500h_has_the_same_in_coarser_steps,
     log_502h_shows_the_states_again,
     drive_and_steering_obey_in_as_driving_only,
     the_powertrain_is_ready_when_as_ready_ends,

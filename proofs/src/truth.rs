@@ -64,7 +64,7 @@ pub fn a_term_is_called_what_it_is() {
 ///
 /// Requirements: SM-1.
 #[cfg_attr(kani, kani::proof, kani::unwind(2))]
-pub fn unknown_is_said_only_where_both_are_possible() {
+pub fn unknown_comes_only_where_both_are_possible() {
     let (term, known): (Term, Knowledge) = (any_term(), kani::any());
     // A term that asks for an atom to be on and off is no alternative of any guard.
     kani::assume(term.on.intersection(term.off).is_empty());
@@ -204,7 +204,7 @@ pub fn a_true_step_is_never_blamed() {
 
 theorems![
     a_term_is_called_what_it_is,
-    unknown_is_said_only_where_both_are_possible,
+    unknown_comes_only_where_both_are_possible,
     knowledge_is_what_was_learnt,
     one_condition_is_set_and_the_others_stay,
     a_guard_over_a_window_is_called_what_it_is,

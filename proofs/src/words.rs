@@ -184,7 +184,7 @@ impl Flags {
 
 /// One step in the making: what it starts from, and what the clocks say once `dt` has passed.
 #[derive(Clone, Copy, Debug)]
-pub struct Step<'a> {
+pub struct StepInWords<'a> {
     control: &'a Control,
     inputs: &'a Inputs,
     readings: Readings,
@@ -197,7 +197,7 @@ pub struct Step<'a> {
 
 /// Section 3: one step of the state machine of Figure 2.
 pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
-    let now = Step::of(control, inputs, dt_ms, readings);
+    let now = StepInWords::of(control, inputs, dt_ms, readings);
     let handshake = now.handshake;
     let arrow = match control.state {
         AsState::Off => now.leaving_as_off(),
@@ -266,7 +266,7 @@ fn later(clock_ms: u16, dt_ms: u32, limit_ms: u16) -> u16 {
 }
 
 /// The arrows, each state's in the order in which they are tried; two that hold at once are a matter of reading.
-impl Step<'_> {
+impl StepInWords<'_> {
     fn leaving_as_off(&self) -> Option<Arrow> {
         if self.section_3_1() { Some(Arrow::OffToReady) } else { None }
     }
@@ -317,7 +317,7 @@ impl Step<'_> {
     }
 }
 
-impl<'a> Step<'a> {
+impl<'a> StepInWords<'a> {
     /// The step from a control state with these inputs, `dt_ms` after the last.
     pub fn of(control: &'a Control, inputs: &'a Inputs, dt_ms: u32, readings: Readings) -> Self {
         let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
@@ -492,7 +492,7 @@ impl<'a> Step<'a> {
 }
 
 /// The fault flags and `SHUTDOWN_CAUSE` of section 2.2.
-impl Step<'_> {
+impl StepInWords<'_> {
     /// The faults of the inputs and the handshake, whatever the state.
     pub fn live(&self) -> Flags {
         let sdc = &self.inputs.sdc;

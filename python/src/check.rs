@@ -1,6 +1,6 @@
 //! `check`: judges a recorded log.
 
-use adsdv_oracle::judge::Options;
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_spec::Choices;
 use pyo3::prelude::*;
@@ -55,13 +55,13 @@ pub(crate) fn options(
     readings: Option<&Bound<'_, PyAny>>,
     window_ms: Option<&Bound<'_, PyAny>>,
     deadline_ms: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Options> {
-    let usual = Options::default();
+) -> PyResult<JudgeOptions> {
+    let usual = JudgeOptions::default();
     let ms = |key: &str, given: Option<&Bound<'_, PyAny>>, usual: u32| match given {
         Some(given) => value::whole(key, given, 0, LONGEST),
         None => Ok(usual),
     };
-    Ok(Options {
+    Ok(JudgeOptions {
         window_ms: ms("window_ms", window_ms, usual.window_ms)?,
         deadline_ms: ms("deadline_ms", deadline_ms, usual.deadline_ms)?,
         readings: value::choices(readings)?.into_iter().fold(Choices::ALL, Choices::pin),

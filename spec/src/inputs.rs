@@ -176,7 +176,7 @@ pub struct Vehicle {
 /// stop request as the faults have them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(from = "Parts"))]
+#[cfg_attr(feature = "serde", serde(from = "ObservationParts"))]
 pub struct Observation {
     atoms: Atoms,
     faults: Faults,
@@ -186,14 +186,14 @@ pub struct Observation {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Parts {
+struct ObservationParts {
     atoms: Atoms,
     faults: Faults,
 }
 
 #[cfg(feature = "serde")]
-impl From<Parts> for Observation {
-    fn from(Parts { atoms, faults }: Parts) -> Self {
+impl From<ObservationParts> for Observation {
+    fn from(ObservationParts { atoms, faults }: ObservationParts) -> Self {
         Self::new(atoms, faults)
     }
 }

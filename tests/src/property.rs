@@ -25,7 +25,7 @@ pub struct Home {
 impl Home {
     /// Tries a property on so many random values, or more if `PROPTEST_CASES` wants more.
     ///
-    /// `broken` says what is wrong with a value. If something is, `tell` tells the shortest such value that was found.
+    /// `broken` says what is wrong with a value. If something is, `tell` prints the shortest such value that was found.
     ///
     /// # Panics
     ///

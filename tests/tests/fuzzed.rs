@@ -142,7 +142,7 @@ fn the_seeds_of_judge_any_are_read_as_logs() {
     for (name, seed) in logs {
         let (options, text) = judge_any::text(seed).unwrap_or_else(|| panic!("{name} is a log"));
         assert!(text.starts_with(b"(") || text.starts_with(b"DROPCOUNT"), "{name}");
-        assert_eq!(options.judge, adsdv_oracle::judge::Options::default(), "{name}");
+        assert_eq!(options.judge, adsdv_oracle::judge::JudgeOptions::default(), "{name}");
         assert_eq!(options.interface, None, "{name}");
     }
 }

@@ -11,7 +11,7 @@
 //!
 //! Like the car it is pure: it is told the frames that came and how much time has passed.
 
-mod heard;
+mod from_vcu;
 mod motion;
 
 use adsdv_spec::messages::{
@@ -22,7 +22,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{AiMessages, Interface};
 
 use crate::car::{Physics, gear_ratio};
-use heard::Heard;
+use from_vcu::FromVcu;
 use motion::Motion;
 
 /// What it drives.
@@ -107,7 +107,7 @@ pub struct Ai {
     physics: Physics,
     plan: Plan,
     stage: Stage,
-    heard: Heard,
+    heard: FromVcu,
     motion: Motion,
     /// For how long the VCU has said nothing, in milliseconds.
     silent_ms: u32,
@@ -133,7 +133,7 @@ impl Ai {
             physics: Physics::DEFAULT,
             plan,
             stage: Stage::Idle,
-            heard: Heard::default(),
+            heard: FromVcu::default(),
             motion: Motion::default(),
             silent_ms: 0,
             driven_ms: 0,

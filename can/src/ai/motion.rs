@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{Acceleration, Ai2LogDynamics2, YawRate};
 
-use super::heard::Heard;
+use super::from_vcu::FromVcu;
 use crate::car::Physics;
 
 /// The time constant that takes the steps out of the measured speed, in milliseconds.
@@ -23,7 +23,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub(super) fn measure(&mut self, heard: &Heard, physics: &Physics, dt_ms: u32) {
+    pub(super) fn measure(&mut self, heard: &FromVcu, physics: &Physics, dt_ms: u32) {
         let speeds = &heard.wheel_speeds;
         let rear = [speeds.rl_wheel_speed, speeds.rr_wheel_speed];
         let rpm = rear.iter().map(|speed| speed.to_physical()).sum::<f64>() / 2.0;

@@ -10,7 +10,7 @@ use adsdv_spec::messages::Frame;
 
 use super::BUS;
 use crate::ai::Ai;
-use crate::bus::{Bus, Event, Listen, Received, Trouble};
+use crate::bus::{Bus, Disturbance, Event, Listen, Received};
 
 /// A bus with the AI Computer on it, for a machine without CAN. Frames are there at once.
 ///
@@ -71,7 +71,7 @@ impl Listen for LocalBus {
 }
 
 impl Bus for LocalBus {
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance> {
         // What does not decode is the business of the AI Computer, which nobody asks here.
         let _ = self.ai.receive(frame);
         Ok(())

@@ -28,7 +28,7 @@ const MS: i64 = 1_000_000;
 
 /// How a run is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct DemoOptions {
     /// For how long a scenario may wait for a state, in milliseconds of simulated time.
     pub patience_ms: u64,
     /// How long after the VCU's cycle that of the AI Computer begins, in milliseconds.
@@ -37,7 +37,7 @@ pub struct Options {
     pub tail_ms: u64,
 }
 
-impl Default for Options {
+impl Default for DemoOptions {
     /// Ten minutes of patience, 4 ms, and a second.
     fn default() -> Self {
         Self { patience_ms: PATIENCE_MS, phase_ms: 4, tail_ms: 1000 }
@@ -90,12 +90,12 @@ impl<E: std::error::Error + 'static> std::error::Error for RunError<E> {}
 ///
 /// ```
 /// use adsdv_can::ai::Ai;
-/// use adsdv_can::demo::{Options, run};
+/// use adsdv_can::demo::{DemoOptions, run};
 /// use adsdv_can::scenario::Scenario;
 /// use adsdv_oracle::judge::{self, Judge, Verdict};
 ///
-/// let mut judge = Judge::new(judge::Options::default());
-/// let run = run(&Scenario::mission(), Ai::default(), &Options::default(), |time_ns, frame| {
+/// let mut judge = Judge::new(judge::JudgeOptions::default());
+/// let run = run(&Scenario::mission(), Ai::default(), &DemoOptions::default(), |time_ns, frame| {
 ///     judge.frame(time_ns, frame.id.into(), frame.data());
 ///     Ok::<(), std::convert::Infallible>(())
 /// })?;
@@ -106,7 +106,7 @@ impl<E: std::error::Error + 'static> std::error::Error for RunError<E> {}
 pub fn run<E>(
     scenario: &Scenario,
     ai: Ai,
-    options: &Options,
+    options: &DemoOptions,
     mut sink: impl FnMut(i64, &Frame) -> Result<(), E>,
 ) -> Result<Run, RunError<E>> {
     let mut run = Running::new(scenario, ai, options);
@@ -149,7 +149,7 @@ struct Running {
 }
 
 impl Running {
-    fn new(scenario: &Scenario, ai: Ai, options: &Options) -> Self {
+    fn new(scenario: &Scenario, ai: Ai, options: &DemoOptions) -> Self {
         Self {
             car: Car::new(Machine::REFERENCE),
             ai,
@@ -202,12 +202,12 @@ impl Running {
     }
 
     /// Whether the run ends before the next cycle.
-    fn is_over(&self, options: &Options) -> bool {
+    fn is_over(&self, options: &DemoOptions) -> bool {
         let over = |done_at: u64| self.time_ms() > done_at.saturating_add(options.tail_ms);
         self.player.is_over() || self.done_at_ms.is_some_and(over)
     }
 
-    fn stuck(&self, options: &Options) -> Option<Stuck> {
+    fn stuck(&self, options: &DemoOptions) -> Option<Stuck> {
         self.player.stuck(self.time_ms(), options.patience_ms, |state| missing_for(&self.car, state))
     }
 

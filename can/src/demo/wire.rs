@@ -11,7 +11,7 @@ pub(super) enum Node {
 
 /// A frame that waits for the bus.
 #[derive(Clone, Copy, Debug)]
-struct Waiting {
+struct QueuedFrame {
     /// Since when, in nanoseconds.
     since: i64,
     from: Node,
@@ -22,7 +22,7 @@ struct Waiting {
 #[derive(Debug)]
 pub(super) struct Wire {
     bit_ns: i64,
-    waiting: Vec<Waiting>,
+    waiting: Vec<QueuedFrame>,
     /// When the bus is free again.
     free_at: i64,
 }
@@ -36,7 +36,7 @@ impl Wire {
 
     /// Hands frames over to be sent from this time on.
     pub(super) fn send(&mut self, since: i64, from: Node, frames: Vec<Frame>) {
-        self.waiting.extend(frames.into_iter().map(|frame| Waiting { since, from, frame }));
+        self.waiting.extend(frames.into_iter().map(|frame| QueuedFrame { since, from, frame }));
     }
 
     /// The next frame that is complete on the bus at `until` at the latest, and when it is.
@@ -45,11 +45,11 @@ impl Wire {
     pub(super) fn complete(&mut self, until: i64) -> Option<(i64, Node, Frame)> {
         let earliest = self.waiting.iter().map(|waiting| waiting.since).min()?;
         let begins = earliest.max(self.free_at);
-        let contends = |waiting: &&Waiting| waiting.since <= begins;
+        let contends = |waiting: &&QueuedFrame| waiting.since <= begins;
         // A node that has two frames of one identifier sends the older one first.
         let next =
             self.waiting.iter().filter(contends).min_by_key(|waiting| (waiting.frame.id, waiting.since))?;
-        let Waiting { since, from, frame } = *next;
+        let QueuedFrame { since, from, frame } = *next;
         let ends = begins.saturating_add(i64::from(bits(&frame)) * self.bit_ns);
         if ends > until {
             return None;

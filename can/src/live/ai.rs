@@ -4,12 +4,12 @@ use adsdv_spec::Interface;
 use adsdv_spec::messages::{AsState, Message as _, Node, Vcu2AiStatus, message_by_id};
 
 use super::handle::Runner;
-use super::line::Line;
+use super::line::LiveBus;
 use super::note::Note;
 use crate::ai::Ai;
 use crate::bus::{Bus, Received};
 use crate::car::Action;
-use crate::status::{Status, What};
+use crate::status::{HappeningKind, Status};
 
 /// For so long the VCU may be silent before it is taken to be without power, in milliseconds: many of its cycles.
 const SILENT_MS: u64 = 200;
@@ -19,7 +19,7 @@ const SILENT_MS: u64 = 200;
 /// Its [`Status`] has what is of the bus, the cycle, and the AS state that the VCU shows; what is of a car is at its default.
 #[derive(Debug)]
 pub struct AiComputer<B> {
-    line: Line<B>,
+    line: LiveBus<B>,
     ai: Ai,
     /// The AS state that the VCU shows, and when it did so last, in milliseconds since the beginning.
     shown: Option<(AsState, u64)>,
@@ -28,7 +28,7 @@ pub struct AiComputer<B> {
 impl<B: Bus> AiComputer<B> {
     /// An AI Computer that has just been switched on.
     pub fn new(bus: B, ai: Ai) -> Self {
-        Self { line: Line::new(bus, Interface::V3_0.timing.cycle_ms.into()), ai, shown: None }
+        Self { line: LiveBus::new(bus, Interface::V3_0.timing.cycle_ms.into()), ai, shown: None }
     }
 
     /// One cycle: receives until it is due, and sends its frames.
@@ -54,14 +54,14 @@ impl<B: Bus> AiComputer<B> {
             self.line.status.foreign += 1;
             let id = frame.id;
             self.line.note(Note::Foreign, || {
-                What::OtherAi(format!("somebody else sends {id:03X}h, which is the AI Computer's"))
+                HappeningKind::OtherAi(format!("somebody else sends {id:03X}h, which is the AI Computer's"))
             });
             return;
         }
         if let Err(error) = self.ai.receive(&frame) {
             self.line.status.refused += 1;
             let id = frame.id;
-            self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
+            self.line.note(Note::Refused(id), || HappeningKind::Refused(format!("{id:03X}h: {error}")));
         } else if frame.id == Vcu2AiStatus::ID
             && let Ok(status) = Vcu2AiStatus::decode(frame.data())
         {
@@ -88,7 +88,7 @@ impl<B: Bus> AiComputer<B> {
     }
 
     fn change(&mut self, from: Option<AsState>, to: Option<AsState>, why: &str) {
-        self.line.happen(What::State { from, to, section: "", why: why.to_owned() });
+        self.line.happen(HappeningKind::State { from, to, section: "", why: why.to_owned() });
     }
 }
 

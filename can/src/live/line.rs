@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
 
-use crate::bus::{Bus, Event, Received, Trouble};
+use crate::bus::{Bus, Disturbance, Event, Received};
 use crate::clock::{Begun, Clock};
-use crate::live::note::{Note, Told};
+use crate::live::note::{LastNotes, Note};
 use crate::socket;
-use crate::status::{Status, What};
+use crate::status::{HappeningKind, Status};
 
 /// For so long a bus has to take all frames of every cycle before its queue is no longer full. One that has room for a frame
 /// now and then is full.
@@ -17,13 +17,13 @@ const WHOLE_MS: u64 = 1000;
 
 /// The bus, the clock of the cycle, and the status that both fill.
 #[derive(Debug)]
-pub(super) struct Line<B> {
+pub(super) struct LiveBus<B> {
     bus: B,
     clock: Clock,
     pub(super) status: Status,
-    told: Told,
+    told: LastNotes,
     /// What was told of the bus last, which is not how it stands if that changes all the time.
-    told_trouble: Option<Trouble>,
+    reported_disturbance: Option<Disturbance>,
     /// Since when the bus has taken all frames, in milliseconds since the beginning; `None` if it did not the last time.
     whole_since: Option<u64>,
     /// Cycles that were left out, and have not been told.
@@ -36,7 +36,7 @@ pub(super) struct Line<B> {
     patience: Duration,
 }
 
-impl<B: Bus> Line<B> {
+impl<B: Bus> LiveBus<B> {
     /// The first cycle is due now.
     pub(super) fn new(bus: B, cycle_ms: u32) -> Self {
         let status = Status { bus: bus.name().to_owned(), ..Status::default() };
@@ -46,8 +46,8 @@ impl<B: Bus> Line<B> {
             bus,
             clock,
             status,
-            told: Told::default(),
-            told_trouble: None,
+            told: LastNotes::default(),
+            reported_disturbance: None,
             whole_since: None,
             untold_late: 0,
             told_dropped: 0,
@@ -71,13 +71,13 @@ impl<B: Bus> Line<B> {
             match self.bus.receive(deadline) {
                 Event::Nothing if self.bus.now() >= deadline => return None,
                 Event::Nothing => {}
-                Event::Trouble(trouble) => self.trouble(trouble),
+                Event::Disturbance(trouble) => self.trouble(trouble),
                 Event::Up => self.up(),
                 Event::Frame(frame) => {
                     self.status.received += 1;
                     if frame.kind == FrameKind::Error {
                         self.status.errors += 1;
-                        self.note(Note::Error, || What::ErrorFrame(socket::error_text(&frame)));
+                        self.note(Note::Error, || HappeningKind::ErrorFrame(socket::error_text(&frame)));
                     } else {
                         return Some(frame);
                     }
@@ -91,9 +91,9 @@ impl<B: Bus> Line<B> {
         self.give_up = None;
         let begun = self.clock.begin(self.bus.now());
         self.untold_late = self.untold_late.saturating_add(begun.left_out);
-        if self.untold_late > 0 && self.may_tell(Note::Late) {
+        if self.untold_late > 0 && self.may_report(Note::Late) {
             let late = std::mem::take(&mut self.untold_late);
-            self.happen(What::Late(late));
+            self.happen(HappeningKind::Late(late));
         }
         begun
     }
@@ -123,7 +123,7 @@ impl<B: Bus> Line<B> {
             // That frames are taken again is all that tells of a queue that is no longer full.
             let since = *self.whole_since.get_or_insert(now);
             if now >= since.saturating_add(WHOLE_MS)
-                && matches!(self.status.trouble, Some(Trouble::Full | Trouble::Other(_)))
+                && matches!(self.status.trouble, Some(Disturbance::Full | Disturbance::Other(_)))
             {
                 self.up();
             }
@@ -133,12 +133,15 @@ impl<B: Bus> Line<B> {
 
     /// The end of a turn: what the status has of the bus and the cycle.
     pub(super) fn end(&mut self) {
-        self.tell_trouble();
+        self.report_disturbance();
         self.status.dropped = self.bus.dropped();
         let dropped = self.status.dropped.saturating_sub(self.told_dropped);
-        if dropped > 0 && self.may_tell(Note::Dropped) {
+        if dropped > 0 && self.may_report(Note::Dropped) {
             self.told_dropped = self.status.dropped;
-            self.happen(What::Dropped { frames: dropped, small_buffer: self.bus.has_small_buffer() });
+            self.happen(HappeningKind::Dropped {
+                frames: dropped,
+                small_buffer: self.bus.has_small_buffer(),
+            });
         }
         self.status.cycles = self.clock.cycles();
         self.status.time_ms = self.time_ms();
@@ -159,43 +162,44 @@ impl<B: Bus> Line<B> {
         i64::try_from(self.clock.elapsed(self.bus.now()).as_nanos()).unwrap_or(i64::MAX)
     }
 
-    pub(super) fn happen(&mut self, what: What) {
+    pub(super) fn happen(&mut self, what: HappeningKind) {
         let time_ms = self.time_ms();
         self.status.happen(time_ms, what);
     }
 
     /// Tells what may come again and again, not too often.
-    pub(super) fn note(&mut self, note: Note, what: impl FnOnce() -> What) {
-        if self.may_tell(note) {
+    pub(super) fn note(&mut self, note: Note, what: impl FnOnce() -> HappeningKind) {
+        if self.may_report(note) {
             self.happen(what());
         }
     }
 
-    fn may_tell(&mut self, note: Note) -> bool {
+    fn may_report(&mut self, note: Note) -> bool {
         let now = self.time_ms();
         self.told.may(note, now)
     }
 
-    fn trouble(&mut self, trouble: Trouble) {
+    fn trouble(&mut self, trouble: Disturbance) {
         // A full queue is what comes of a bus that is off, and says less.
-        if self.status.trouble.is_none() || trouble != Trouble::Full {
+        if self.status.trouble.is_none() || trouble != Disturbance::Full {
             self.status.trouble = Some(trouble);
-            self.tell_trouble();
+            self.report_disturbance();
         }
     }
 
     fn up(&mut self) {
         self.status.trouble = None;
-        self.tell_trouble();
+        self.report_disturbance();
     }
 
     /// Tells how the bus stands, if that is news. A bus that goes and comes all the time is told now and then.
-    fn tell_trouble(&mut self) {
-        if self.told_trouble == self.status.trouble || !self.may_tell(Note::of(self.status.trouble.as_ref()))
+    fn report_disturbance(&mut self) {
+        if self.reported_disturbance == self.status.trouble
+            || !self.may_report(Note::of(self.status.trouble.as_ref()))
         {
             return;
         }
-        self.told_trouble.clone_from(&self.status.trouble);
-        self.happen(self.status.trouble.clone().map_or(What::Up, What::Trouble));
+        self.reported_disturbance.clone_from(&self.status.trouble);
+        self.happen(self.status.trouble.clone().map_or(HappeningKind::Up, HappeningKind::Disturbance));
     }
 }

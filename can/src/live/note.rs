@@ -2,7 +2,7 @@
 
 use std::mem::{Discriminant, discriminant};
 
-use crate::bus::Trouble;
+use crate::bus::Disturbance;
 
 /// It is told once in so many milliseconds. It is counted every time.
 pub(super) const TOLD_EVERY_MS: u64 = 1000;
@@ -16,21 +16,21 @@ pub(super) enum Note {
     Late,
     Dropped,
     Up,
-    Trouble(Discriminant<Trouble>),
+    Disturbance(Discriminant<Disturbance>),
 }
 
 impl Note {
     /// What is told of how the bus stands.
-    pub(super) fn of(trouble: Option<&Trouble>) -> Self {
-        trouble.map_or(Self::Up, |trouble| Self::Trouble(discriminant(trouble)))
+    pub(super) fn of(trouble: Option<&Disturbance>) -> Self {
+        trouble.map_or(Self::Up, |trouble| Self::Disturbance(discriminant(trouble)))
     }
 }
 
 /// When each was told last. There are as many as notes, which are few.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Told(Vec<(Note, u64)>);
+pub(super) struct LastNotes(Vec<(Note, u64)>);
 
-impl Told {
+impl LastNotes {
     /// Whether it is time to tell this, which then counts as told. The time is in milliseconds.
     pub(super) fn may(&mut self, note: Note, now: u64) -> bool {
         match self.0.iter_mut().find(|(told, _)| *told == note) {

@@ -2,7 +2,7 @@
 
 use adsdv_oracle::candump::FrameKind;
 
-use crate::bus::{Received, Trouble};
+use crate::bus::{Disturbance, Received};
 
 /// The second in which frames are counted moves on in steps of this length.
 const STEP_NS: i64 = 100_000_000;
@@ -89,7 +89,7 @@ pub struct Outage {
     /// When it was noticed, in nanoseconds since the first frame; 0 if that was before it.
     pub t_ns: i64,
     /// What was wrong.
-    pub trouble: Trouble,
+    pub trouble: Disturbance,
     /// When the bus was there again, likewise; `None` if it was not.
     pub until_ns: Option<i64>,
 }
@@ -99,7 +99,7 @@ pub struct Outage {
 pub(super) struct Outages(Vec<Outage>);
 
 impl Outages {
-    pub(super) fn begin(&mut self, t_ns: i64, trouble: &Trouble) {
+    pub(super) fn begin(&mut self, t_ns: i64, trouble: &Disturbance) {
         if self.0.len() < MAX_OUTAGES {
             self.0.push(Outage { t_ns, trouble: trouble.clone(), until_ns: None });
         }
@@ -158,13 +158,13 @@ mod tests {
     #[test]
     fn an_outage_ends_when_the_bus_is_there_again() {
         let mut outages = Outages::default();
-        outages.begin(5, &Trouble::Down);
-        outages.begin(6, &Trouble::Gone);
+        outages.begin(5, &Disturbance::Down);
+        outages.begin(6, &Disturbance::Gone);
         outages.end(9);
-        outages.begin(12, &Trouble::BusOff);
+        outages.begin(12, &Disturbance::BusOff);
         let until: Vec<_> = outages.all().iter().map(|outage| (outage.t_ns, outage.until_ns)).collect();
         assert_eq!(until, [(5, Some(9)), (6, Some(9)), (12, None)]);
-        (0..2000).for_each(|t| outages.begin(20 + t, &Trouble::Full));
+        (0..2000).for_each(|t| outages.begin(20 + t, &Disturbance::Full));
         assert_eq!(outages.all().len(), MAX_OUTAGES);
     }
 }

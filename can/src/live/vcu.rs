@@ -4,12 +4,12 @@ use adsdv_oracle::judge::Meter;
 use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node, message_by_id};
 
 use super::handle::Runner;
-use super::line::Line;
+use super::line::LiveBus;
 use super::note::{Note, TOLD_EVERY_MS};
 use crate::bus::{Bus, Received};
 use crate::car::{Action, Car, Cycle, missing, missing_for};
 use crate::scenario::Player;
-use crate::status::{Status, What};
+use crate::status::{HappeningKind, Status};
 
 /// The car on a bus: one [`turn`](Self::turn) is one cycle of the VCU.
 ///
@@ -27,7 +27,7 @@ use crate::status::{Status, What};
 /// ```
 #[derive(Debug)]
 pub struct Vcu<B> {
-    line: Line<B>,
+    line: LiveBus<B>,
     car: Car,
     player: Option<Player>,
     /// For how long the player may wait for a state, in milliseconds; `None` without end.
@@ -48,7 +48,7 @@ impl<B: Bus> Vcu<B> {
     pub fn new(bus: B, machine: adsdv_spec::Machine, player: Option<Player>) -> Self {
         let car = Car::new(machine);
         Self {
-            line: Line::new(bus, car.cycle_ms()),
+            line: LiveBus::new(bus, car.cycle_ms()),
             car,
             player,
             patience_ms: None,
@@ -76,7 +76,7 @@ impl<B: Bus> Vcu<B> {
         let before = self.car.outputs().map(|outputs| outputs.state);
         self.play(before);
         let cycle = self.car.cycle(begun.dt_ms);
-        self.say(&cycle);
+        self.report(&cycle);
         if cycle.state() != before {
             self.changed(before, &cycle);
         }
@@ -87,7 +87,7 @@ impl<B: Bus> Vcu<B> {
     /// What the operator does, before the next step.
     pub fn act(&mut self, action: &Action) {
         self.car.act(action);
-        self.line.happen(What::Did(action.to_string()));
+        self.line.happen(HappeningKind::Did(action.to_string()));
     }
 
     /// How everything stands after the last turn.
@@ -115,7 +115,7 @@ impl<B: Bus> Vcu<B> {
                 self.line.status.foreign += 1;
                 let id = frame.id;
                 self.line.note(Note::Foreign, || {
-                    What::OtherVcu(format!("somebody else sends {id:03X}h, which is the VCU's"))
+                    HappeningKind::OtherVcu(format!("somebody else sends {id:03X}h, which is the VCU's"))
                 });
             }
             Some(Node::Ai) => self.hear_ai(&frame),
@@ -138,7 +138,7 @@ impl<B: Bus> Vcu<B> {
             Err(error) => {
                 self.line.status.refused += 1;
                 let id = frame.id;
-                self.line.note(Note::Refused(id), || What::Refused(format!("{id:03X}h: {error}")));
+                self.line.note(Note::Refused(id), || HappeningKind::Refused(format!("{id:03X}h: {error}")));
             }
         }
     }
@@ -151,12 +151,12 @@ impl<B: Bus> Vcu<B> {
         let long = paused.is_none_or(|paused| paused >= TOLD_EVERY_MS);
         if !self.heard && (long || elapsed_ms(since, now) >= TOLD_EVERY_MS) {
             self.heard = true;
-            self.line.happen(What::AiHeard);
+            self.line.happen(HappeningKind::AiHeard);
         }
     }
 
     /// Sends the frames of a cycle.
-    fn say(&mut self, cycle: &Cycle) {
+    fn report(&mut self, cycle: &Cycle) {
         let all = self.line.send_all(&cycle.frames);
         match &cycle.outputs {
             // An edge that was not sent cannot be answered.
@@ -173,7 +173,7 @@ impl<B: Bus> Vcu<B> {
         let conditions = term.map(|term| term.conditions().map(|(atom, value)| atom.text(value)).collect());
         let why = conditions.map(|conditions: Vec<&str>| conditions.join(", ")).unwrap_or_default();
         let section = row.map_or("", |row| row.section);
-        self.line.happen(What::State { from, to: cycle.state(), section, why });
+        self.line.happen(HappeningKind::State { from, to: cycle.state(), section, why });
     }
 
     /// Notes that the AI Computer has fallen silent: for longer than an answer may take.
@@ -183,7 +183,7 @@ impl<B: Bus> Vcu<B> {
         if silent.is_some_and(|silent| silent > limit) {
             self.heard_since = None;
             if std::mem::replace(&mut self.heard, false) {
-                self.line.happen(What::AiSilent);
+                self.line.happen(HappeningKind::AiSilent);
             }
         }
     }

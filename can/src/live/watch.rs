@@ -5,7 +5,7 @@ use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 
 use super::traffic::{Outage, Outages, Traffic};
-use crate::bus::{Received, Trouble};
+use crate::bus::{Disturbance, Received};
 
 /// A frame is told within this time after the kernel had it, or there is none: so long after, silence is told to the judge.
 const DELAY_NS: i64 = 100_000_000;
@@ -54,7 +54,7 @@ impl Watch {
     }
 
     /// Something went wrong with the bus, at a time in nanoseconds since 1970.
-    pub fn trouble(&mut self, now_ns: i64, trouble: &Trouble) {
+    pub fn trouble(&mut self, now_ns: i64, trouble: &Disturbance) {
         self.traffic.troubles += 1;
         self.outages.begin(self.since_first(now_ns), trouble);
     }

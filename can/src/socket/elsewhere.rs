@@ -6,7 +6,7 @@ use std::time::Instant;
 use adsdv_spec::messages::Frame;
 
 use super::OpenError;
-use crate::bus::{Bus, Event, Listen, Received, Trouble};
+use crate::bus::{Bus, Disturbance, Event, Listen, Received};
 
 /// A bus of SocketCAN. There is none on this system.
 #[derive(Debug)]
@@ -57,7 +57,7 @@ macro_rules! listens {
 listens!(CanBus, Listener);
 
 impl Bus for CanBus {
-    fn send(&mut self, _frame: &Frame) -> Result<(), Trouble> {
+    fn send(&mut self, _frame: &Frame) -> Result<(), Disturbance> {
         match self.0 {}
     }
 }

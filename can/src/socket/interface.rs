@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn each_interface_that_cannot_be_used_says_why_and_what_to_do() -> Result<(), Box<dyn Error>> {
+    fn an_interface_that_cannot_be_used_is_refused_with_why_and_what_to_do() -> Result<(), Box<dyn Error>> {
         let machine = Machine::new("interfaces")?;
         let none = machine.refuses("can0");
         assert_eq!((none.what.as_str(), none.why.as_str()), ("can0", "there is no such interface"));

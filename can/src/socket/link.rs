@@ -13,7 +13,7 @@ use socketcan::{CanError, CanErrorFrame};
 use super::OpenError;
 use super::interface::{Interfaces, State};
 use super::raw::Raw;
-use crate::bus::{Bus, Event, Listen, Received, Trouble};
+use crate::bus::{Bus, Disturbance, Event, Listen, Received};
 
 /// An interface that is not there is looked for this often.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
@@ -22,7 +22,7 @@ const MOST_QUEUED: usize = 1 << 16;
 
 /// A bus of SocketCAN, to send to and to receive from.
 ///
-/// Once opened it lasts: an interface that goes down or is removed is [`Trouble`], and [`Event::Up`] when it is back.
+/// Once opened it lasts: an interface that goes down or is removed is [`Disturbance`], and [`Event::Up`] when it is back.
 #[derive(Debug)]
 pub struct CanBus(Link);
 
@@ -61,7 +61,7 @@ impl Listen for CanBus {
 }
 
 impl Bus for CanBus {
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance> {
         self.0.send(frame)
     }
 }
@@ -175,7 +175,7 @@ impl Link {
         self.pending.push_back(Event::Frame(frame));
         if off {
             self.bus_off = true;
-            self.pending.push_back(Event::Trouble(Trouble::BusOff));
+            self.pending.push_back(Event::Disturbance(Disturbance::BusOff));
         }
     }
 
@@ -188,7 +188,7 @@ impl Link {
                 if bound.is_some() {
                     self.drain();
                     self.lose();
-                    self.pending.push_back(Event::Trouble(Trouble::Gone));
+                    self.pending.push_back(Event::Disturbance(Disturbance::Gone));
                 }
             }
             State::Up { index } | State::Down { index } if bound != Some(index) => {
@@ -199,7 +199,7 @@ impl Link {
                     self.socket = Some((socket, index));
                     self.look_at = Instant::now();
                     if !matches!(self.interfaces.state(&self.name), State::Up { .. }) {
-                        self.pending.push_back(Event::Trouble(Trouble::Down));
+                        self.pending.push_back(Event::Disturbance(Disturbance::Down));
                         self.look_at += LOOK_EVERY;
                     }
                 }
@@ -247,41 +247,41 @@ impl Link {
     }
 
     /// The socket failed: what that means, which is also told once what it still has is.
-    fn failed(&mut self, error: Errno) -> Trouble {
+    fn failed(&mut self, error: Errno) -> Disturbance {
         let error = self.drain().unwrap_or(error);
         self.look_at = Instant::now() + LOOK_EVERY;
         self.up = false;
         let trouble = match error {
-            Errno::ENETDOWN => Trouble::Down,
+            Errno::ENETDOWN => Disturbance::Down,
             Errno::ENODEV | Errno::ENXIO => {
                 self.lose();
-                Trouble::Gone
+                Disturbance::Gone
             }
             error => {
                 self.lose();
-                Trouble::Other(io::Error::from(error).to_string())
+                Disturbance::Other(io::Error::from(error).to_string())
             }
         };
-        self.pending.push_back(Event::Trouble(trouble.clone()));
+        self.pending.push_back(Event::Disturbance(trouble.clone()));
         trouble
     }
 
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
-        let Some((socket, _)) = &self.socket else { return Err(Trouble::Gone) };
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance> {
+        let Some((socket, _)) = &self.socket else { return Err(Disturbance::Gone) };
         let Err(error) = socket.send(frame) else { return Ok(()) };
         Err(match error.raw_os_error().map(Errno::from_raw) {
-            Some(Errno::ENOBUFS | Errno::EAGAIN) => Trouble::Full,
+            Some(Errno::ENOBUFS | Errno::EAGAIN) => Disturbance::Full,
             Some(gone @ (Errno::ENETDOWN | Errno::ENODEV | Errno::ENXIO)) => {
                 if self.up {
                     self.failed(gone)
                 } else if gone == Errno::ENETDOWN {
-                    Trouble::Down
+                    Disturbance::Down
                 } else {
-                    Trouble::Gone
+                    Disturbance::Gone
                 }
             }
             // Receiving goes on, and finds out whether more is wrong.
-            _ => Trouble::Other(error.to_string()),
+            _ => Disturbance::Other(error.to_string()),
         })
     }
 
@@ -349,7 +349,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn why_there_is_no_socket_is_told_with_what_to_do() {
+    fn the_error_without_a_socket_has_why_and_what_to_do() {
         let cases = [
             (Errno::EAFNOSUPPORT, "has no CAN", "modprobe"),
             (Errno::EPROTONOSUPPORT, "has no CAN", "adsdv demo"),
@@ -375,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn error_frames_are_told_in_words() {
+    fn error_frames_are_put_into_words() {
         let text = |id, data| error_text(&Received { time_ns: 0, kind: FrameKind::Error, id, len: 8, data });
         assert_eq!(text(0x40, [0; 8]), "bus off");
         assert_eq!(text(0x100, [0; 8]), "restarted");

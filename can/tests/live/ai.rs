@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use adsdv_can::ai::Ai;
-use adsdv_can::bus::{Event, Trouble};
+use adsdv_can::bus::{Disturbance, Event};
 use adsdv_can::live::AiComputer;
-use adsdv_can::status::{Status, What};
+use adsdv_can::status::{HappeningKind, Status};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
 
@@ -18,15 +18,15 @@ fn run(ai: &mut AiComputer<Bench>, bench: &Bench, until: Duration) {
 }
 
 fn states(status: &Status) -> Vec<(Option<AsState>, Option<AsState>)> {
-    let state = |what: &What| match *what {
-        What::State { from, to, .. } => Some((from, to)),
+    let state = |what: &HappeningKind| match *what {
+        HappeningKind::State { from, to, .. } => Some((from, to)),
         _ => None,
     };
     status.happened.iter().filter_map(|happening| state(&happening.what)).collect()
 }
 
 #[test]
-fn it_tells_what_the_vcu_shows_and_when_it_is_gone() {
+fn the_ai_computer_reports_what_the_vcu_shows_and_when_it_is_gone() {
     let bench = Bench::new();
     let mut ai = AiComputer::new(bench.clone(), Ai::default());
     for (at, state) in [(100, AsState::Off), (110, AsState::Off), (120, AsState::Ready), (900, AsState::Off)]
@@ -44,21 +44,30 @@ fn it_tells_what_the_vcu_shows_and_when_it_is_gone() {
 }
 
 #[test]
-fn another_ai_computer_garbage_and_trouble_are_told() {
+fn the_ai_computer_reports_a_second_one_garbage_and_disturbances() {
     let bench = Bench::new();
     let mut ai = AiComputer::new(bench.clone(), Ai::default());
     bench.frame_comes(ms(5), FrameKind::Standard, 0x510, &[0; 8]);
     bench.frame_comes(ms(6), FrameKind::Standard, 0x520, &[0; 1]);
     bench.frame_comes(ms(6), FrameKind::Standard, 0x525, &[0; 1]);
     bench.frame_comes(ms(6), FrameKind::Standard, 0x123, &[0; 1]);
-    bench.comes(ms(7), Event::Trouble(Trouble::Down));
+    bench.comes(ms(7), Event::Disturbance(Disturbance::Down));
     bench.comes(ms(300), Event::Up);
     run(&mut ai, &bench, ms(1000));
     let status = ai.status();
     assert_eq!((status.foreign, status.refused, status.trouble.clone()), (1, 2, None));
-    assert_eq!(count(status, |what| matches!(what, What::OtherAi(text) if text.contains("510h"))), 1);
-    assert_eq!(count(status, |what| matches!(what, What::Refused(text) if text.starts_with("520h: "))), 1);
-    assert_eq!(count(status, |what| matches!(what, What::Refused(text) if text.starts_with("525h: "))), 1);
-    assert_eq!(count(status, |what| *what == What::Trouble(Trouble::Down)), 1);
-    assert_eq!(count(status, |what| *what == What::Up), 1);
+    assert_eq!(
+        count(status, |what| matches!(what, HappeningKind::OtherAi(text) if text.contains("510h"))),
+        1
+    );
+    assert_eq!(
+        count(status, |what| matches!(what, HappeningKind::Refused(text) if text.starts_with("520h: "))),
+        1
+    );
+    assert_eq!(
+        count(status, |what| matches!(what, HappeningKind::Refused(text) if text.starts_with("525h: "))),
+        1
+    );
+    assert_eq!(count(status, |what| *what == HappeningKind::Disturbance(Disturbance::Down)), 1);
+    assert_eq!(count(status, |what| *what == HappeningKind::Up), 1);
 }

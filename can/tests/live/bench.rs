@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use adsdv_can::ai::Ai;
-use adsdv_can::bus::{Bus, Event, Listen, Received, Trouble};
+use adsdv_can::bus::{Bus, Disturbance, Event, Listen, Received};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
 
@@ -26,7 +26,7 @@ struct Inner {
     /// What the node under test sent, and when.
     sent: Vec<(Duration, Frame)>,
     /// What sending comes to.
-    sending: Result<(), Trouble>,
+    sending: Result<(), Disturbance>,
     dropped: u64,
     /// How long it takes to take something from the bus.
     cost: Duration,
@@ -74,7 +74,7 @@ impl Bench {
     }
 
     /// What sending comes to from now on.
-    pub(crate) fn sending(&self, sending: Result<(), Trouble>) {
+    pub(crate) fn sending(&self, sending: Result<(), Disturbance>) {
         self.inner().sending = sending;
     }
 
@@ -167,7 +167,7 @@ impl Listen for Bench {
 }
 
 impl Bus for Bench {
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance> {
         let mut inner = self.inner();
         inner.sending.clone()?;
         let at = inner.now - inner.start;

@@ -1,28 +1,28 @@
 //! What goes wrong on a bus is told, once, and the car goes on.
 
 use adsdv_can::ai::Ai;
-use adsdv_can::bus::{Event, Trouble};
+use adsdv_can::bus::{Disturbance, Event};
 use adsdv_can::live::Runner as _;
-use adsdv_can::status::What;
+use adsdv_can::status::HappeningKind;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
 
 use super::{Bench, count, happenings, mission, ms, run, vcu};
 
-fn is_trouble(what: &What) -> bool {
-    matches!(what, What::Trouble(_))
+fn is_trouble(what: &HappeningKind) -> bool {
+    matches!(what, HappeningKind::Disturbance(_))
 }
 
 #[test]
-fn an_interface_that_goes_down_and_comes_back_is_told_once_each() {
-    for trouble in [Trouble::Down, Trouble::Gone] {
+fn an_interface_that_goes_down_and_comes_back_is_reported_once_each() {
+    for trouble in [Disturbance::Down, Disturbance::Gone] {
         let bench = Bench::new();
         let mut vcu = vcu(&bench, "");
         run(&mut vcu, &bench, ms(1000));
         assert_eq!(vcu.status().trouble, None);
         let sent = vcu.status().sent;
 
-        bench.comes(ms(1005), Event::Trouble(trouble.clone()));
+        bench.comes(ms(1005), Event::Disturbance(trouble.clone()));
         bench.sending(Err(trouble.clone()));
         run(&mut vcu, &bench, ms(2000));
         assert_eq!(vcu.status().trouble, Some(trouble.clone()));
@@ -37,40 +37,40 @@ fn an_interface_that_goes_down_and_comes_back_is_told_once_each() {
         assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (301, 0));
         let told: Vec<_> = happenings(vcu.status())
             .into_iter()
-            .filter(|(_, what)| is_trouble(what) || **what == What::Up)
+            .filter(|(_, what)| is_trouble(what) || **what == HappeningKind::Up)
             .collect();
-        assert_eq!(told, [(1005, &What::Trouble(trouble)), (2005, &What::Up)]);
+        assert_eq!(told, [(1005, &HappeningKind::Disturbance(trouble)), (2005, &HappeningKind::Up)]);
     }
 }
 
 #[test]
-fn bus_off_is_told_and_so_is_the_restart() {
+fn bus_off_and_the_restart_are_reported() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     bench.frame_comes(ms(105), FrameKind::Error, 0x40, &[0; 8]);
-    bench.comes(ms(105), Event::Trouble(Trouble::BusOff));
+    bench.comes(ms(105), Event::Disturbance(Disturbance::BusOff));
     bench.frame_comes(ms(505), FrameKind::Error, 0x100, &[0; 8]);
     bench.comes(ms(505), Event::Up);
     run(&mut vcu, &bench, ms(110));
-    bench.sending(Err(Trouble::Full));
+    bench.sending(Err(Disturbance::Full));
     run(&mut vcu, &bench, ms(300));
     // A full queue is what comes of it, and no news.
-    assert_eq!(vcu.status().trouble, Some(Trouble::BusOff));
+    assert_eq!(vcu.status().trouble, Some(Disturbance::BusOff));
     bench.sending(Ok(()));
     run(&mut vcu, &bench, ms(400));
     assert_eq!(
         vcu.status().trouble,
-        Some(Trouble::BusOff),
+        Some(Disturbance::BusOff),
         "that frames are taken does not mean that they are sent"
     );
     run(&mut vcu, &bench, ms(600));
     assert_eq!((vcu.status().trouble.clone(), vcu.status().errors), (None, 2));
     assert_eq!(count(vcu.status(), is_trouble), 1);
-    assert_eq!(count(vcu.status(), |what| *what == What::Up), 1);
+    assert_eq!(count(vcu.status(), |what| *what == HappeningKind::Up), 1);
 }
 
 #[test]
-fn error_frames_are_counted_and_told_in_words_not_too_often() {
+fn error_frames_are_counted_and_reported_in_words_not_too_often() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     for at in 0..2500 {
@@ -81,7 +81,7 @@ fn error_frames_are_counted_and_told_in_words_not_too_often() {
     let told: Vec<_> = happenings(vcu.status())
         .into_iter()
         .filter_map(|(at, what)| match what {
-            What::ErrorFrame(text) => Some((at, text.as_str())),
+            HappeningKind::ErrorFrame(text) => Some((at, text.as_str())),
             _ => None,
         })
         .collect();
@@ -95,62 +95,67 @@ fn a_full_queue_costs_frames_and_no_time() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     run(&mut vcu, &bench, ms(100));
-    bench.sending(Err(Trouble::Full));
+    bench.sending(Err(Disturbance::Full));
     run(&mut vcu, &bench, ms(200));
-    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Trouble::Full), 81));
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Disturbance::Full), 81));
     bench.sending(Ok(()));
     run(&mut vcu, &bench, ms(1200));
     // Frames are taken again: for how long, nobody knows yet.
-    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Trouble::Full), 81));
+    assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (Some(Disturbance::Full), 81));
     run(&mut vcu, &bench, ms(1300));
     assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (None, 81));
     assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (131, 0));
     let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
-    assert_eq!(told, [(110, &What::Trouble(Trouble::Full)), (1210, &What::Up)]);
+    assert_eq!(told, [(110, &HappeningKind::Disturbance(Disturbance::Full)), (1210, &HappeningKind::Up)]);
 }
 
 /// A bus that nobody answers on has room for a frame now and then.
 #[test]
-fn a_queue_that_is_full_again_and_again_is_told_once() {
+fn a_queue_that_is_full_again_and_again_is_reported_once() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "1 asms on\n");
     for cycle in 1..=3000 {
-        bench.sending(if cycle % 3 == 0 { Err(Trouble::Full) } else { Ok(()) });
+        bench.sending(if cycle % 3 == 0 { Err(Disturbance::Full) } else { Ok(()) });
         run(&mut vcu, &bench, ms(cycle * 10));
     }
     bench.sending(Ok(()));
     run(&mut vcu, &bench, ms(32_000));
     let status = vcu.status();
-    assert_eq!(count(status, |what| *what == What::Trouble(Trouble::Full)), 1, "{:#?}", status.happened);
-    assert_eq!(count(status, |what| *what == What::Up), 1);
+    assert_eq!(
+        count(status, |what| *what == HappeningKind::Disturbance(Disturbance::Full)),
+        1,
+        "{:#?}",
+        status.happened
+    );
+    assert_eq!(count(status, |what| *what == HappeningKind::Up), 1);
     // What happened at the beginning is still there.
-    assert_eq!(count(status, |what| matches!(what, What::State { .. })), 1);
-    assert_eq!(count(status, |what| matches!(what, What::Did(_))), 1);
+    assert_eq!(count(status, |what| matches!(what, HappeningKind::State { .. })), 1);
+    assert_eq!(count(status, |what| matches!(what, HappeningKind::Did(_))), 1);
 }
 
 /// A controller that is restarted a tenth of a second after it has gone bus-off, and goes so again.
 #[test]
-fn a_bus_that_goes_and_comes_all_the_time_is_told_now_and_then_and_as_it_stands() {
+fn a_flapping_bus_is_reported_now_and_then_and_as_it_stands() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     for round in 0..100 {
-        bench.comes(ms(105 + round * 110), Event::Trouble(Trouble::BusOff));
+        bench.comes(ms(105 + round * 110), Event::Disturbance(Disturbance::BusOff));
         bench.comes(ms(205 + round * 110), Event::Up);
     }
-    bench.comes(ms(11_105), Event::Trouble(Trouble::BusOff));
+    bench.comes(ms(11_105), Event::Disturbance(Disturbance::BusOff));
     run(&mut vcu, &bench, ms(13_000));
     let status = vcu.status();
     let told: Vec<_> = happenings(status).into_iter().skip(1).collect();
-    assert_eq!(told.first(), Some(&(105, &What::Trouble(Trouble::BusOff))));
+    assert_eq!(told.first(), Some(&(105, &HappeningKind::Disturbance(Disturbance::BusOff))));
     assert!((20..=26).contains(&told.len()), "{told:#?}");
     // Whatever was left out on the way, the last that is told is how it stands.
-    assert_eq!(status.trouble, Some(Trouble::BusOff));
-    assert_eq!(told.last().map(|(_, what)| *what), Some(&What::Trouble(Trouble::BusOff)));
+    assert_eq!(status.trouble, Some(Disturbance::BusOff));
+    assert_eq!(told.last().map(|(_, what)| *what), Some(&HappeningKind::Disturbance(Disturbance::BusOff)));
 }
 
 /// It answers each time a little too late.
 #[test]
-fn an_ai_computer_that_pauses_again_and_again_is_told_to_be_silent_once() {
+fn an_ai_computer_that_pauses_again_and_again_is_reported_silent_once() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     let answer = [0; 8];
@@ -163,14 +168,16 @@ fn an_ai_computer_that_pauses_again_and_again_is_told_to_be_silent_once() {
     }
     run(&mut vcu, &bench, ms(34_500));
     let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
-    let [(15, What::AiHeard), (70, What::AiSilent), (heard, What::AiHeard)] = told[..] else {
+    let [(15, HappeningKind::AiHeard), (70, HappeningKind::AiSilent), (heard, HappeningKind::AiHeard)] =
+        told[..]
+    else {
         panic!("{told:#?}")
     };
     assert!((33_400..33_600).contains(&heard), "{heard}");
 }
 
 #[test]
-fn frames_that_were_dropped_are_told_and_not_too_often() {
+fn frames_that_were_dropped_are_reported_and_not_too_often() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     run(&mut vcu, &bench, ms(100));
@@ -180,7 +187,7 @@ fn frames_that_were_dropped_are_told_and_not_too_often() {
     }
     run(&mut vcu, &bench, ms(4000));
     let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
-    let dropped = |frames| What::Dropped { frames, small_buffer: false };
+    let dropped = |frames| HappeningKind::Dropped { frames, small_buffer: false };
     assert_eq!(told, [(110, &dropped(1)), (1110, &dropped(100)), (2110, &dropped(49))]);
     assert_eq!(vcu.status().dropped, 150);
 }
@@ -229,7 +236,7 @@ fn foreign_frames_change_nothing() {
 }
 
 #[test]
-fn garbage_of_the_ai_computer_is_refused_and_told() {
+fn garbage_of_the_ai_computer_is_refused_and_reported() {
     let quiet = Bench::new();
     let mut alone = vcu(&quiet, "");
     run(&mut alone, &quiet, ms(5000));
@@ -251,10 +258,10 @@ fn garbage_of_the_ai_computer_is_refused_and_told() {
     assert!(refused > 1000, "{refused}");
     assert_eq!((status.received, status.refused), (5000, refused));
     // One a second for each of five identifiers.
-    let told = count(status, |what| matches!(what, What::Refused(_)));
+    let told = count(status, |what| matches!(what, HappeningKind::Refused(_)));
     assert!((5..=25).contains(&told), "{told}");
     let text = status.happened.iter().find_map(|happening| match &happening.what {
-        What::Refused(text) => Some(text.clone()),
+        HappeningKind::Refused(text) => Some(text.clone()),
         _ => None,
     });
     assert!(text.as_ref().is_some_and(|text| text.starts_with("51") && text.contains("h: ")), "{text:?}");
@@ -263,7 +270,7 @@ fn garbage_of_the_ai_computer_is_refused_and_told() {
 }
 
 #[test]
-fn a_second_vcu_is_told() {
+fn a_second_vcu_is_reported() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     run(&mut vcu, &bench, ms(500));
@@ -274,7 +281,7 @@ fn a_second_vcu_is_told() {
     run(&mut vcu, &bench, ms(2500));
     let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
     let text = "somebody else sends 520h, which is the VCU's".to_owned();
-    assert_eq!(told, [(500, &What::OtherVcu(text.clone())), (1500, &What::OtherVcu(text))]);
+    assert_eq!(told, [(500, &HappeningKind::OtherVcu(text.clone())), (1500, &HappeningKind::OtherVcu(text))]);
     assert_eq!(vcu.status().foreign, 150);
     // It does not take the other's state for its own.
     assert_eq!(vcu.status().outputs.map(|outputs| outputs.state), Some(AsState::Off));
@@ -294,21 +301,21 @@ fn an_ai_computer_that_vanishes_costs_the_mission_and_is_heard_again() {
     run(&mut vcu, &bench, unplugged + ms(300));
     let status = vcu.status();
     assert_eq!(status.outputs.map(|outputs| outputs.state), Some(AsState::EmergencyBrake));
-    assert_eq!(count(status, |what| *what == What::AiSilent), 1);
+    assert_eq!(count(status, |what| *what == HappeningKind::AiSilent), 1);
     assert!(
         status.ai_silent_ms.is_some_and(|silent| (290..=310).contains(&silent)),
         "{:?}",
         status.ai_silent_ms
     );
-    let heard = count(status, |what| *what == What::AiHeard);
+    let heard = count(status, |what| *what == HappeningKind::AiHeard);
 
     // It is seen at once, and told when it has been heard for a second.
     bench.plug_in(Ai::default());
     run(&mut vcu, &bench, unplugged + ms(600));
     assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));
-    assert_eq!(count(vcu.status(), |what| *what == What::AiHeard), heard);
+    assert_eq!(count(vcu.status(), |what| *what == HappeningKind::AiHeard), heard);
     run(&mut vcu, &bench, unplugged + ms(1400));
-    assert_eq!(count(vcu.status(), |what| *what == What::AiHeard), heard + 1);
+    assert_eq!(count(vcu.status(), |what| *what == HappeningKind::AiHeard), heard + 1);
     assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));
 }
 
@@ -325,7 +332,7 @@ fn a_power_cycle_silences_the_vcu_for_a_while() {
         .happened
         .iter()
         .filter_map(|happening| match happening.what {
-            What::State { from, to, .. } => Some((from, to)),
+            HappeningKind::State { from, to, .. } => Some((from, to)),
             _ => None,
         })
         .collect();

@@ -8,7 +8,7 @@ use adsdv_can::car::Action;
 use adsdv_can::demo::LocalBus;
 use adsdv_can::live::{Handle, Panicked, Runner, Vcu};
 use adsdv_can::scenario::{Player, Scenario};
-use adsdv_can::status::{Status, What};
+use adsdv_can::status::{HappeningKind, Status};
 use adsdv_spec::Machine;
 
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -26,14 +26,16 @@ fn wait_for(handle: &Handle, is: impl Fn(&Status) -> bool) -> Arc<Status> {
 }
 
 #[test]
-fn it_is_told_what_to_do_and_stops_with_whole_cycles() -> Result<(), Box<dyn std::error::Error>> {
+fn the_handle_passes_actions_on_and_stops_at_a_whole_cycle() -> Result<(), Box<dyn std::error::Error>> {
     let handle = Handle::start(Vcu::new(LocalBus::new(Ai::default()), Machine::REFERENCE, None))?;
     wait_for(&handle, |status| status.sent > 50);
     handle.act("tsms on".parse::<Action>()?);
     wait_for(&handle, |status| status.inputs.tsms && status.responses.count() > 3);
     assert!(handle.is_running());
     let status = handle.join()?;
-    assert!(status.happened.iter().any(|happening| happening.what == What::Did("tsms on".to_owned())));
+    assert!(
+        status.happened.iter().any(|happening| happening.what == HappeningKind::Did("tsms on".to_owned()))
+    );
     // Every cycle that began was sent to its end: eight frames each, and 502h with some.
     let slow = status.sent - 8 * status.cycles.count;
     let whole = status.time_ms / 100 + 1;
@@ -73,7 +75,7 @@ impl Runner for Mistaken {
 }
 
 #[test]
-fn a_mistake_is_told() -> std::io::Result<()> {
+fn a_mistake_is_reported() -> std::io::Result<()> {
     let handle = Handle::start(Mistaken::default())?;
     while handle.is_running() {
         std::thread::sleep(Duration::from_millis(1));

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use adsdv_can::ai::Ai;
 use adsdv_can::live::Runner as _;
-use adsdv_can::status::What;
+use adsdv_can::status::HappeningKind;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::AsState;
 
@@ -46,7 +46,7 @@ fn a_mission_is_driven_beside_a_full_bus() {
     }
     let status = vcu.status();
     assert!(status.distance_m > 40.0, "{} m: {:#?}", status.distance_m, status.happened);
-    assert_eq!(count(status, |what| *what == What::AiSilent), 0);
+    assert_eq!(count(status, |what| *what == HappeningKind::AiSilent), 0);
     assert!(status.outputs.is_some_and(|outputs| outputs.faults.is_empty()), "{:?}", status.outputs);
 }
 
@@ -71,14 +71,14 @@ fn a_bus_that_brings_more_than_can_be_taken_does_not_hold_up_the_cycle() {
 }
 
 #[test]
-fn cycles_that_nobody_had_time_for_are_left_out_and_told() {
+fn cycles_that_were_missed_are_left_out_and_reported() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "0 asms on\n");
     run(&mut vcu, &bench, ms(1000));
     bench.stall(ms(57));
     run(&mut vcu, &bench, ms(2000));
     let status = vcu.status();
-    assert_eq!(count(status, |what| *what == What::Late(4)), 1, "{:#?}", status.happened);
+    assert_eq!(count(status, |what| *what == HappeningKind::Late(4)), 1, "{:#?}", status.happened);
     let cycles = status.cycles;
     assert_eq!((cycles.count, cycles.late, cycles.left_out), (201 - 4, 1, 4));
     assert_eq!(cycles.count + cycles.left_out, status.time_ms / 10 + 1);
@@ -102,7 +102,7 @@ fn nobody_is_blamed_for_answers_that_the_vcu_had_no_time_for() {
     assert!(status.cycles.late >= 39, "{:?}", status.cycles);
     // They are told once a second, and none is forgotten.
     let told = status.happened.iter().map(|happening| match happening.what {
-        What::Late(cycles) => cycles,
+        HappeningKind::Late(cycles) => cycles,
         _ => 0,
     });
     let told: Vec<u64> = told.filter(|cycles| *cycles > 0).collect();
@@ -128,7 +128,7 @@ fn who_sleeps_too_long_still_takes_what_came_meanwhile() {
         bench.oversleep(ms(60));
         run(&mut vcu, &bench, ms(3000));
         let status = vcu.status();
-        assert!(count(status, |what| matches!(what, What::Late(_))) > 0, "{begin}");
+        assert!(count(status, |what| matches!(what, HappeningKind::Late(_))) > 0, "{begin}");
         let state = status.outputs.map(|outputs| outputs.state);
         assert_eq!(state, Some(AsState::Ready), "{begin}: {:#?}", status.happened);
     }

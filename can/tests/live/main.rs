@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario};
-use adsdv_can::status::{Status, What};
+use adsdv_can::status::{HappeningKind, Status};
 use adsdv_spec::Machine;
 
 use bench::Bench;
@@ -49,11 +49,11 @@ fn run(vcu: &mut Vcu<Bench>, bench: &Bench, until: Duration) {
 }
 
 /// What happened, with its time, in order.
-fn happenings(status: &Status) -> Vec<(u64, &What)> {
+fn happenings(status: &Status) -> Vec<(u64, &HappeningKind)> {
     status.happened.iter().map(|happening| (happening.time_ms, &happening.what)).collect()
 }
 
 /// How often something happened.
-fn count(status: &Status, is: impl Fn(&What) -> bool) -> usize {
+fn count(status: &Status, is: impl Fn(&HappeningKind) -> bool) -> usize {
     status.happened.iter().filter(|happening| is(&happening.what)).count()
 }

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use adsdv_can::ai::Ai;
-use adsdv_can::bus::{Received, Trouble};
+use adsdv_can::bus::{Disturbance, Received};
 use adsdv_can::live::Watch;
 use adsdv_oracle::candump::{FrameKind, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
@@ -50,7 +50,7 @@ fn traffic() -> Vec<Received> {
 }
 
 #[test]
-fn it_says_what_check_says_of_the_log_that_it_recorded() -> Result<(), Box<dyn Error>> {
+fn watch_reports_what_check_reports_of_the_recorded_log() -> Result<(), Box<dyn Error>> {
     let mut watch = Watch::new("vcan0", LogOptions::default());
     let mut log = Vec::new();
     let (mut transitions, mut findings): (Vec<Transition>, Vec<Finding>) = Default::default();
@@ -82,7 +82,7 @@ fn it_says_what_check_says_of_the_log_that_it_recorded() -> Result<(), Box<dyn E
 }
 
 #[test]
-fn what_is_certain_is_told_though_nothing_comes_any_more() {
+fn the_judge_reports_what_is_certain_though_nothing_comes_any_more() {
     let mut watch = Watch::new("can0", LogOptions::default());
     watch.silence(ORIGIN - 500 * MS);
     for cycle in 0..20 {
@@ -102,7 +102,7 @@ fn what_is_certain_is_told_though_nothing_comes_any_more() {
 }
 
 #[test]
-fn lost_frames_are_told_and_blamed_on_nobody() -> Result<(), Box<dyn Error>> {
+fn lost_frames_are_reported_and_blamed_on_nobody() -> Result<(), Box<dyn Error>> {
     let judged = |lost: bool| -> Result<_, LogError> {
         let mut watch = Watch::new("can0", LogOptions::default());
         for cycle in 0..100 {
@@ -132,7 +132,7 @@ fn lost_frames_are_told_and_blamed_on_nobody() -> Result<(), Box<dyn Error>> {
 fn a_bus_without_a_frame_has_no_report() {
     let mut watch = Watch::new("can0", LogOptions::default());
     watch.silence(ORIGIN);
-    watch.trouble(ORIGIN, &Trouble::Down);
+    watch.trouble(ORIGIN, &Disturbance::Down);
     assert_eq!((watch.traffic().frames, watch.traffic().troubles), (0, 1));
     assert!(matches!(watch.finish(), Err(LogError::NoFrame { .. })));
 }
@@ -287,7 +287,7 @@ fn the_log_blames_nobody_for_what_was_lost() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn of_more_findings_than_are_listed_one_a_second_is_told() -> Result<(), Box<dyn Error>> {
+fn of_more_findings_than_are_listed_one_a_second_is_reported() -> Result<(), Box<dyn Error>> {
     let mut watch = Watch::new("can0", LogOptions::default());
     let mut told = Vec::new();
     for cycle in 0..1000 {

@@ -1,8 +1,8 @@
 //! What is to work: a whole mission, the rates, the answers.
 
 use adsdv_can::ai::Ai;
-use adsdv_can::status::What;
-use adsdv_oracle::judge::{Judge, Options, Verdict};
+use adsdv_can::status::HappeningKind;
+use adsdv_oracle::judge::{Judge, JudgeOptions, Verdict};
 use adsdv_spec::messages::AsState;
 
 use super::{Bench, are_apart, count, mission, ms, run, vcu};
@@ -18,7 +18,7 @@ fn a_whole_mission_is_driven_and_conforms() {
         .happened
         .iter()
         .filter_map(|happening| match happening.what {
-            What::State { to, .. } => to,
+            HappeningKind::State { to, .. } => to,
             _ => None,
         })
         .collect();
@@ -27,13 +27,13 @@ fn a_whole_mission_is_driven_and_conforms() {
     assert!(status.distance_m > 10.0, "{} m", status.distance_m);
     // Each arrow is told with its section and what decided.
     let ready = status.happened.iter().find_map(|happening| match &happening.what {
-        What::State { to: Some(AsState::Ready), section, why, .. } => Some((*section, why.clone())),
+        HappeningKind::State { to: Some(AsState::Ready), section, why, .. } => Some((*section, why.clone())),
         _ => None,
     });
     let (section, why) = ready.expect("it was ready");
     assert!(section == "3.1" && why.contains("AS master switch ON"), "{section}: {why}");
 
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     for (at, frame) in bench.take_sent() {
         judge.frame(i64::try_from(at.as_nanos()).expect("a minute"), frame.id.into(), frame.data());
     }
@@ -70,11 +70,11 @@ fn the_answers_to_the_handshake_are_timed() {
     // The AI Computer of the bench sends 4 ms after the VCU.
     assert_eq!((status.responses.min_ms(), status.responses.max_ms()), (Some(4.0), Some(4.0)));
     assert_eq!(status.last_response_ms, Some(4.0));
-    assert_eq!(count(status, |what| *what == What::AiHeard), 1);
+    assert_eq!(count(status, |what| *what == HappeningKind::AiHeard), 1);
 }
 
 #[test]
-fn what_is_missing_and_what_comes_next_is_told() {
+fn the_status_has_what_is_missing_and_what_comes_next() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "5 asms on\n");
     run(&mut vcu, &bench, ms(100));
@@ -85,5 +85,5 @@ fn what_is_missing_and_what_comes_next_is_told() {
     assert_eq!((status.time_ms, status.in_state_ms), (100, 100));
     run(&mut vcu, &bench, ms(5100));
     assert!(vcu.status().inputs.asms);
-    assert_eq!(count(vcu.status(), |what| *what == What::Did("asms on".to_owned())), 1);
+    assert_eq!(count(vcu.status(), |what| *what == HappeningKind::Did("asms on".to_owned())), 1);
 }

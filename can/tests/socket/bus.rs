@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
-use adsdv_can::bus::{Bus as _, Event, Listen, Received, Trouble};
+use adsdv_can::bus::{Bus as _, Disturbance, Event, Listen, Received};
 use adsdv_can::socket;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
@@ -15,15 +15,15 @@ use super::vcan::{Outcome, Test, Tried, Vcan, ensure, next, tc};
 pub(crate) const TESTS: &[Test] = &[
     ("bus::frames_of_every_kind_come_with_their_time", every_kind),
     ("bus::what_is_sent_reaches_others_and_not_the_sender", sends),
-    ("bus::an_interface_that_goes_down_and_up_is_told", down_and_up),
-    ("bus::an_interface_that_is_removed_and_made_again_is_told", gone_and_back),
-    ("bus::what_came_before_it_went_down_comes_before_that_is_told", down_with_frames),
-    ("bus::what_came_before_it_was_removed_comes_before_that_is_told", gone_with_frames),
+    ("bus::an_interface_that_goes_down_and_up_is_reported", down_and_up),
+    ("bus::an_interface_that_is_removed_and_made_again_is_reported", gone_and_back),
+    ("bus::what_came_before_it_went_down_comes_before_that_is_reported", down_with_frames),
+    ("bus::what_came_before_it_was_removed_comes_before_that_is_reported", gone_with_frames),
     ("bus::sending_to_one_that_went_down_loses_nothing_that_came", down_while_sending),
-    ("bus::bus_off_and_restart_are_told", bus_off),
+    ("bus::bus_off_and_restart_are_reported", bus_off),
     ("bus::a_burst_of_ten_times_a_full_bus_is_not_lost", burst),
     ("bus::what_is_dropped_is_counted", dropped),
-    ("bus::a_full_queue_is_told", full),
+    ("bus::a_full_queue_is_reported", full),
 ];
 
 const FRAME: [u8; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
@@ -98,9 +98,9 @@ fn down_and_up() -> Outcome {
     let mut bus = socket::open(&vcan.0)?;
     for _ in 0..3 {
         vcan.set("down")?;
-        expect(&mut bus, &Event::Trouble(Trouble::Down))?;
+        expect(&mut bus, &Event::Disturbance(Disturbance::Down))?;
         let sent = bus.send(&frame(0x520, &[])?);
-        ensure!(sent == Err(Trouble::Down), "{sent:?}");
+        ensure!(sent == Err(Disturbance::Down), "{sent:?}");
         // While it is down nothing comes, and nothing is told again.
         let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
         ensure!(nothing == Event::Nothing, "{nothing:?}");
@@ -120,19 +120,19 @@ fn gone_and_back() -> Outcome {
         vcan.delete()?;
         // It goes down before it is gone: whether that is seen is a question of time.
         let mut came = next(&mut bus)?;
-        if came == Event::Trouble(Trouble::Down) {
+        if came == Event::Disturbance(Disturbance::Down) {
             came = next(&mut bus)?;
         }
-        ensure!(came == Event::Trouble(Trouble::Gone), "{came:?}");
+        ensure!(came == Event::Disturbance(Disturbance::Gone), "{came:?}");
         let sent = bus.send(&frame(0x520, &[])?);
-        ensure!(sent == Err(Trouble::Gone), "{sent:?}");
+        ensure!(sent == Err(Disturbance::Gone), "{sent:?}");
         let nothing = bus.receive(Instant::now() + Duration::from_millis(300));
         ensure!(nothing == Event::Nothing, "{nothing:?}");
         vcan.add()?;
         vcan.set("up")?;
         // It may be seen between the two.
         let mut came = next(&mut bus)?;
-        if came == Event::Trouble(Trouble::Down) {
+        if came == Event::Disturbance(Disturbance::Down) {
             came = next(&mut bus)?;
         }
         ensure!(came == Event::Up, "{came:?}");
@@ -160,7 +160,7 @@ fn expect_waiting(bus: &mut impl Listen) -> Tried {
 }
 
 fn is_down_until_up(vcan: &Vcan, bus: &mut impl Listen) -> Tried {
-    expect(bus, &Event::Trouble(Trouble::Down))?;
+    expect(bus, &Event::Disturbance(Disturbance::Down))?;
     let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
     ensure!(nothing == Event::Nothing, "{nothing:?}");
     vcan.set("up")?;
@@ -189,10 +189,10 @@ fn gone_with_frames() -> Outcome {
     vcan.delete()?;
     expect_waiting(&mut bus)?;
     let mut came = next(&mut bus)?;
-    if came == Event::Trouble(Trouble::Down) {
+    if came == Event::Disturbance(Disturbance::Down) {
         came = next(&mut bus)?;
     }
-    ensure!(came == Event::Trouble(Trouble::Gone), "{came:?}");
+    ensure!(came == Event::Disturbance(Disturbance::Gone), "{came:?}");
     let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
     ensure!(nothing == Event::Nothing, "{nothing:?}");
     Ok(Completion::Completed)
@@ -205,14 +205,14 @@ fn down_while_sending() -> Outcome {
     send_waiting(&vcan)?;
     vcan.set("down")?;
     let sent = bus.send(&frame(0x520, &[])?);
-    ensure!(sent == Err(Trouble::Down), "{sent:?}");
+    ensure!(sent == Err(Disturbance::Down), "{sent:?}");
     expect_waiting(&mut bus)?;
     is_down_until_up(&vcan, &mut bus)?;
 
     send_waiting(&vcan)?;
     vcan.delete()?;
     let sent = bus.send(&frame(0x520, &[])?);
-    ensure!(matches!(sent, Err(Trouble::Gone | Trouble::Down)), "{sent:?}");
+    ensure!(matches!(sent, Err(Disturbance::Gone | Disturbance::Down)), "{sent:?}");
     expect_waiting(&mut bus)?;
     Ok(Completion::Completed)
 }
@@ -224,14 +224,14 @@ fn bus_off() -> Outcome {
     other.send_error(0x40, &[])?;
     let came = next_frame(&mut bus)?;
     ensure!((came.kind, came.id) == (FrameKind::Error, 0x40), "{came:?}");
-    expect(&mut bus, &Event::Trouble(Trouble::BusOff))?;
+    expect(&mut bus, &Event::Disturbance(Disturbance::BusOff))?;
     // Restarted: by the driver, which says so, or as others are heard again.
     other.send_error(0x100, &[])?;
     expect(&mut bus, &Event::Up)?;
     ensure!(next_frame(&mut bus)?.id == 0x100, "another frame");
     other.send_error(0x40, &[])?;
     next_frame(&mut bus)?;
-    expect(&mut bus, &Event::Trouble(Trouble::BusOff))?;
+    expect(&mut bus, &Event::Disturbance(Disturbance::BusOff))?;
     other.send_standard(0x510, &[])?;
     expect(&mut bus, &Event::Up)?;
     ensure!(next_frame(&mut bus)?.id == 0x510, "another frame");
@@ -296,7 +296,7 @@ fn full() -> Outcome {
         }
         ensure!(sent < 10_000, "the queue never was full");
     };
-    ensure!(trouble == Trouble::Full, "{trouble}");
+    ensure!(trouble == Disturbance::Full, "{trouble}");
     ensure!(begun.elapsed() < Duration::from_millis(900), "it waited for room");
     thread::sleep(Duration::from_millis(1500));
     bus.send(&frame(0x520, &FRAME)?)?;

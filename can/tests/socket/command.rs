@@ -15,11 +15,11 @@ use super::vcan::{Outcome, PATIENCE, Test, Tried, Vcan, ensure, undisturbed, wai
 pub(crate) const TESTS: &[Test] = &[
     ("command::a_mission_is_watched_and_recorded_and_the_logs_conform", mission),
     ("command::told_to_stop_each_ends_in_order", stops),
-    ("command::what_cannot_be_opened_is_told", refused),
-    ("command::a_full_disk_is_told_and_watching_goes_on", full_disk),
-    ("command::a_full_disk_for_what_is_printed_is_told", full_disk_for_output),
-    ("command::a_log_that_cannot_be_made_is_told", no_log),
-    ("command::an_interface_that_vanishes_is_told_and_waited_for", vanishes),
+    ("command::what_cannot_be_opened_is_reported", refused),
+    ("command::a_full_disk_is_reported_and_watching_goes_on", full_disk),
+    ("command::a_full_disk_for_what_is_printed_is_reported", full_disk_for_output),
+    ("command::a_log_that_cannot_be_made_is_reported", no_log),
+    ("command::an_interface_that_vanishes_is_reported_and_waited_for", vanishes),
     ("command::a_closed_pipe_ends_each_in_order", closed_pipe),
 ];
 

@@ -9,7 +9,7 @@ use adsdv_can::bus::{Event, Listen as _};
 use adsdv_can::live::{AiComputer, Handle, Vcu, Watch};
 use adsdv_can::scenario::{Player, Scenario};
 use adsdv_can::socket;
-use adsdv_can::status::{Status, What};
+use adsdv_can::status::{HappeningKind, Status};
 use adsdv_oracle::judge::Verdict;
 use adsdv_oracle::log::LogOptions;
 use adsdv_spec::messages::AsState;
@@ -64,7 +64,7 @@ fn watched_mission() -> Tried<bool> {
     let (vcu, ai) = (vcu.join()?, ai.join()?);
     let to = |status: &Status| -> Vec<AsState> {
         let states = status.happened.iter().map(|happening| match happening.what {
-            What::State { to, .. } => to,
+            HappeningKind::State { to, .. } => to,
             _ => None,
         });
         states.flatten().collect()
@@ -86,7 +86,8 @@ fn two_vcus() -> Outcome {
     let (one, two) = (vcu(&vcan, None)?, vcu(&vcan, None)?);
     wait_until("both hear the other", || one.status().foreign > 10 && two.status().foreign > 10)?;
     for status in [one.join()?, two.join()?] {
-        let told = status.happened.iter().any(|happening| matches!(happening.what, What::OtherVcu(_)));
+        let told =
+            status.happened.iter().any(|happening| matches!(happening.what, HappeningKind::OtherVcu(_)));
         ensure!(told, "{:#?}", status.happened);
     }
     Ok(Completion::Completed)
@@ -100,10 +101,11 @@ fn vanishes() -> Outcome {
     first.join()?;
     wait_until("the AI Computer is missed", || state(&vcu.status()) == Some(AsState::EmergencyBrake))?;
     wait_until("that is told", || {
-        vcu.status().happened.iter().any(|happening| happening.what == What::AiSilent)
+        vcu.status().happened.iter().any(|happening| happening.what == HappeningKind::AiSilent)
     })?;
-    let heard =
-        |status: &Status| status.happened.iter().filter(|happening| happening.what == What::AiHeard).count();
+    let heard = |status: &Status| {
+        status.happened.iter().filter(|happening| happening.what == HappeningKind::AiHeard).count()
+    };
     let before = heard(&vcu.status());
     // Longer than a pause, so that it is told at once.
     thread::sleep(Duration::from_secs(1));

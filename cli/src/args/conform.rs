@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use adsdv_oracle::conform::Options as Conform;
+use adsdv_oracle::conform::ConformOptions as Conform;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice};
 

@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use adsdv_oracle::conform::{Break, Failure, Follows, Reply, Report};
+use adsdv_oracle::conform::{Break, ConformReport, Failure, Follows, Reply};
 use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN, Shown, Value};
 use adsdv_oracle::suite::Step;
 use adsdv_spec::{Inputs, Reading};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
-use super::Subject;
+use super::JudgedProgram;
 use crate::json::line;
 
 /// The outcome as one JSON object on one line.
-pub(super) fn text(subject: &Subject<'_>, report: &Report) -> String {
+pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> String {
     line(&ConformJson {
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         tests: report.tests,

@@ -14,7 +14,9 @@ use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
 
-use adsdv_oracle::conform::{Options, Phase, Program, Progress, Report, Trouble, What, conform};
+use adsdv_oracle::conform::{
+    ConformOptions, ConformProgress, ConformReport, Phase, Program, ProgramError, ProgramErrorKind, conform,
+};
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Interface, Machine, Readings};
 
@@ -25,13 +27,13 @@ use crate::status::Status;
 use crate::{output, pins};
 
 pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
-    let options = Options {
+    let options = ConformOptions {
         possible: pins::possible(&args.readings)?,
         latency: args.latency,
         cycle_ms: args.cycle_ms,
         seed: args.seed,
         runs: args.runs,
-        ..Options::default()
+        ..ConformOptions::default()
     };
     let tests = match &args.suite {
         Some(file) => read(file, pins::answers(&args.readings)?)?,
@@ -44,7 +46,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         hint: "run it where signals can be handled".to_owned(),
     })?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
-    let subject = Subject { name: &name, args };
+    let subject = JudgedProgram { name: &name, args };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
@@ -55,20 +57,24 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
 
 /// What was judged, and how.
 #[derive(Clone, Copy, Debug)]
-struct Subject<'a> {
+struct JudgedProgram<'a> {
     /// The command line of the program.
     name: &'a str,
     /// What was asked for.
     args: &'a ConformArgs,
 }
 
-fn judge(args: &ConformArgs, tests: &[Test], options: &Options) -> Result<Report, Trouble> {
+fn judge(
+    args: &ConformArgs,
+    tests: &[Test],
+    options: &ConformOptions,
+) -> Result<ConformReport, ProgramError> {
     // The arguments have the program at least: without it they are refused.
     let (program, rest) = args.command.split_at(args.command.len().min(1));
     let program = program.first().cloned().unwrap_or_default();
     let mut program = Program::start(&program, rest, args.timeout, args.latency > 0)?.within(args.time_limit);
     let mut line = Line::new();
-    conform(&mut program, tests, options, &mut |Progress { phase, done, all }| {
+    conform(&mut program, tests, options, &mut |ConformProgress { phase, done, all }| {
         line.show_bar(
             done,
             all,
@@ -81,11 +87,11 @@ fn judge(args: &ConformArgs, tests: &[Test], options: &Options) -> Result<Report
     })
 }
 
-fn no_verdict(name: &str, args: &ConformArgs, trouble: &Trouble) -> Error {
+fn no_verdict(name: &str, args: &ConformArgs, trouble: &ProgramError) -> Error {
     let is_directory = args.command.first().is_some_and(|program| Path::new(program).is_dir());
     let (why, hint) = match &trouble.what {
         // The system tells that it may not be executed, or is not there, and means this.
-        What::NoStart(_) if is_directory => {
+        ProgramErrorKind::NoStart(_) if is_directory => {
             ("is a directory; expected a program".to_owned(), "name the program in it")
         }
         _ => (trouble.to_string(), trouble.hint()),

@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::conform::{Failure, Follows, Moment, Outcome, Report, Requirement};
+use adsdv_oracle::conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
 use adsdv_spec::Readings;
 
-use super::Subject;
+use super::JudgedProgram;
 use crate::layout::{counted, wrapped};
 use crate::report::style::{self, Styled};
 
@@ -22,14 +22,14 @@ const INPUTS: usize = 4 + 9 + 2 + 10 + 2 + STATE + 2 + STATE + 6;
 /// So many names are told; of more only how many there are.
 const NAMES: usize = 6;
 
-pub(super) fn text(subject: &Subject<'_>, report: &Report, width: usize) -> String {
+pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport, width: usize) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = write(&mut text, subject, report, width);
     text
 }
 
-fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
+fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, width: usize) -> fmt::Result {
     header(out, subject, report, width)?;
     requirements(out, report, width)?;
     writeln!(out, "\n{}", Styled(style::HEADING, "FAILURES"))?;
@@ -61,8 +61,13 @@ fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize)
     verdict(out, subject, report)
 }
 
-fn header(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
-    let Subject { name, args } = subject;
+fn header(
+    out: &mut String,
+    subject: &JudgedProgram<'_>,
+    report: &ConformReport,
+    width: usize,
+) -> fmt::Result {
+    let JudgedProgram { name, args } = subject;
     writeln!(
         out,
         "{name}: {}, {} (seed {}), {}",
@@ -97,7 +102,7 @@ fn header(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize
     Ok(())
 }
 
-fn requirements(out: &mut String, report: &Report, width: usize) -> fmt::Result {
+fn requirements(out: &mut String, report: &ConformReport, width: usize) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "REQUIREMENTS"))?;
     // Those of a suite that somebody else wrote may be any.
     let about = match report.about_the_vcu.checked_sub(report.requirements.len()) {
@@ -166,8 +171,8 @@ fn failure(out: &mut String, failure: &Failure, width: usize) -> fmt::Result {
     Ok(())
 }
 
-fn step(out: &mut String, moment: &Moment, width: usize) -> fmt::Result {
-    let Moment { first, last, time_ms, changes, expected, actual, wrong } = moment;
+fn step(out: &mut String, moment: &Stretch, width: usize) -> fmt::Result {
+    let Stretch { first, last, time_ms, changes, expected, actual, wrong } = moment;
     let steps = if first == last { first.to_string() } else { format!("{first}-{last}") };
     let state = |state: &Option<_>| state.as_ref().map_or("-".to_owned(), ToString::to_string);
     write!(out, "    {steps:>9}  {time_ms:>7} ms  {:STATE$}  ", state(expected))?;
@@ -228,7 +233,7 @@ fn reading(out: &mut String, follows: &Follows, width: usize) -> fmt::Result {
     }
 }
 
-fn verdict(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+fn verdict(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport) -> fmt::Result {
     let verdict = if report.conforms() {
         Styled(style::GOOD, "conforms")
     } else {

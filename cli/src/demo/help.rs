@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use adsdv_can::car::{Action, Switch};
-use adsdv_can::demo::Options;
+use adsdv_can::demo::DemoOptions;
 use adsdv_can::scenario::Scenario;
 use adsdv_spec::messages::AsState;
 
@@ -52,7 +52,7 @@ pub(crate) fn after() -> String {
 fn scenario() -> String {
     let states = AsState::ALL.map(AsState::name).join(", ");
     let samples = Scenario::SAMPLES.map(|(name, _)| name).join(", ");
-    let Options { patience_ms, tail_ms, .. } = Options::default();
+    let DemoOptions { patience_ms, tail_ms, .. } = DemoOptions::default();
     let paragraph = |text: &str| {
         let mut lines = String::new();
         wrapped(&mut lines, text.split(' '), 2, WIDTH);

@@ -6,7 +6,7 @@ mod timeline;
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::{Finding, Options, Report, Severity, Transition, Verdict};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
 use adsdv_spec::Choice;
 
@@ -19,7 +19,7 @@ const INDENT: usize = 14;
 
 /// What was judged, and how.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Subject<'a> {
+pub(crate) struct JudgedLog<'a> {
     /// The log, as the user named it.
     pub(crate) name: &'a str,
     /// How it was judged.
@@ -29,7 +29,7 @@ pub(crate) struct Subject<'a> {
 }
 
 /// The whole report, with ANSI styles, wrapped to `width` columns.
-pub(crate) fn text(subject: &Subject<'_>, report: &Report, width: usize) -> String {
+pub(crate) fn text(subject: &JudgedLog<'_>, report: &Report, width: usize) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
     let _ = write(&mut text, subject, report, width);
@@ -60,7 +60,7 @@ fn write_news(
     findings.try_for_each(|finding| findings::write_one(out, finding, 1, width))
 }
 
-fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize) -> fmt::Result {
+fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usize) -> fmt::Result {
     header(out, subject, report)?;
     timeline::write(out, &report.transitions, width)?;
     findings::write(out, &report.findings, width)?;
@@ -68,13 +68,13 @@ fn write(out: &mut String, subject: &Subject<'_>, report: &Report, width: usize)
     verdict(out, subject, report)
 }
 
-fn header(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+fn header(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Result {
     let frames = counted(report.frames, "frame");
     writeln!(out, "{}: {frames} in {} s", subject.name, Seconds(report.duration_ns))?;
     if let Some(interface) = &subject.options.interface {
         writeln!(out, "interface {interface}")?;
     }
-    let (judge, default) = (subject.options.judge, Options::default());
+    let (judge, default) = (subject.options.judge, JudgeOptions::default());
     if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
         writeln!(out, "window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms)?;
     }
@@ -97,7 +97,7 @@ fn answers(out: &mut String, report: &Report) -> fmt::Result {
     }
 }
 
-fn verdict(out: &mut String, subject: &Subject<'_>, report: &Report) -> fmt::Result {
+fn verdict(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Result {
     let verdict = report.verdict();
     let style = match verdict {
         Verdict::Conforms => style::GOOD,

@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_condition_tells_what_was_seen_and_what_was_needed() {
+    fn a_condition_prints_what_was_seen_and_what_was_needed() {
         let term = Term::on("3.1", &[Atom::Asms, Atom::Tsms, Atom::EbsArmed, Atom::SdcOpen]);
         let seen = Atoms::of(&[Atom::Asms, Atom::Tsms]);
         let known = Knowledge::NOTHING.learn(seen, Atoms::of(&[Atom::Asms]));

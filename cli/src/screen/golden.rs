@@ -82,7 +82,7 @@ fn scrolled_back() {
 }
 
 #[test]
-fn a_terminal_that_is_too_small_says_so() {
+fn the_screen_reports_a_terminal_that_is_too_small() {
     let (buffer, room) = drawn(&sample::driving(), &Screen::new(true), 20, 5);
     assert_eq!(text(&buffer), "AS_DRIVING\ntoo small: 20x5\nneeded: 80x24\nq quits\n\n");
     assert_eq!(room, panel::Room::default());

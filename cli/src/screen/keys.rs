@@ -63,7 +63,7 @@ impl Key {
 
 /// What the operator wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Command {
+pub(super) enum KeyCommand {
     /// Leave the screen.
     Quit,
     /// Explain the keys, or stop explaining them.
@@ -124,48 +124,48 @@ impl Turn {
 }
 
 /// What a key means; `None` if nothing.
-pub(super) fn command(event: KeyEvent) -> Option<Command> {
+pub(super) fn command(event: KeyEvent) -> Option<KeyCommand> {
     if event.kind == KeyEventKind::Release {
         return None;
     }
     let held = |key| event.modifiers.contains(key);
     match event.code {
         KeyCode::Char(key) if held(KeyModifiers::CONTROL) => match key.to_ascii_lowercase() {
-            'c' => Some(Command::Quit),
-            'z' => Some(Command::Suspend),
-            'l' => Some(Command::Redraw),
+            'c' => Some(KeyCommand::Quit),
+            'z' => Some(KeyCommand::Suspend),
+            'l' => Some(KeyCommand::Redraw),
             _ => None,
         },
         KeyCode::Char(_) if held(KeyModifiers::ALT) => None,
-        KeyCode::Char('q' | 'Q') => Some(Command::Quit),
-        KeyCode::Char('?') => Some(Command::Help),
+        KeyCode::Char('q' | 'Q') => Some(KeyCommand::Quit),
+        KeyCode::Char('?') => Some(KeyCommand::Help),
         KeyCode::Char(key) => operator(key),
-        KeyCode::Esc => Some(Command::Close),
-        KeyCode::Up => Some(Command::Scroll(Scroll::Up)),
-        KeyCode::Down => Some(Command::Scroll(Scroll::Down)),
-        KeyCode::PageUp => Some(Command::Scroll(Scroll::PageUp)),
-        KeyCode::PageDown => Some(Command::Scroll(Scroll::PageDown)),
-        KeyCode::Home => Some(Command::Scroll(Scroll::First)),
-        KeyCode::End => Some(Command::Scroll(Scroll::Latest)),
+        KeyCode::Esc => Some(KeyCommand::Close),
+        KeyCode::Up => Some(KeyCommand::Scroll(Scroll::Up)),
+        KeyCode::Down => Some(KeyCommand::Scroll(Scroll::Down)),
+        KeyCode::PageUp => Some(KeyCommand::Scroll(Scroll::PageUp)),
+        KeyCode::PageDown => Some(KeyCommand::Scroll(Scroll::PageDown)),
+        KeyCode::Home => Some(KeyCommand::Scroll(Scroll::First)),
+        KeyCode::End => Some(KeyCommand::Scroll(Scroll::Latest)),
         _ => None,
     }
 }
 
-fn operator(key: char) -> Option<Command> {
+fn operator(key: char) -> Option<KeyCommand> {
     let found = KEYS.iter().find(|entry| entry.stroke == key.to_ascii_lowercase())?;
     let turn = if key.is_ascii_uppercase() { Turn::Previous } else { Turn::Next };
-    Some(found.switch().map_or(Command::PowerCycle, |switch| Command::Turn(switch, turn)))
+    Some(found.switch().map_or(KeyCommand::PowerCycle, |switch| KeyCommand::Turn(switch, turn)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn press(code: KeyCode, modifiers: KeyModifiers) -> Option<Command> {
+    fn press(code: KeyCode, modifiers: KeyModifiers) -> Option<KeyCommand> {
         command(KeyEvent::new(code, modifiers))
     }
 
-    fn char(key: char) -> Option<Command> {
+    fn char(key: char) -> Option<KeyCommand> {
         press(KeyCode::Char(key), KeyModifiers::NONE)
     }
 
@@ -192,7 +192,7 @@ mod tests {
         for key in KEYS {
             assert!(key.stroke.is_ascii_lowercase() || key.stroke.is_ascii_digit(), "{key:?}");
             let expected =
-                key.switch().map_or(Command::PowerCycle, |switch| Command::Turn(switch, Turn::Next));
+                key.switch().map_or(KeyCommand::PowerCycle, |switch| KeyCommand::Turn(switch, Turn::Next));
             assert_eq!(char(key.stroke), Some(expected), "the key of {} does something else", key.name);
         }
     }
@@ -200,15 +200,18 @@ mod tests {
     #[test]
     fn a_capital_letter_turns_the_other_way() {
         let ami = Switch::named("ami").expect("a switch");
-        assert_eq!(press(KeyCode::Char('M'), KeyModifiers::SHIFT), Some(Command::Turn(ami, Turn::Previous)));
-        assert_eq!(char('P'), Some(Command::PowerCycle));
+        assert_eq!(
+            press(KeyCode::Char('M'), KeyModifiers::SHIFT),
+            Some(KeyCommand::Turn(ami, Turn::Previous))
+        );
+        assert_eq!(char('P'), Some(KeyCommand::PowerCycle));
     }
 
     #[test]
     fn keys_of_the_screen() {
-        assert_eq!(char('q'), Some(Command::Quit));
-        assert_eq!(char('?'), Some(Command::Help));
-        assert_eq!(press(KeyCode::Esc, KeyModifiers::NONE), Some(Command::Close));
+        assert_eq!(char('q'), Some(KeyCommand::Quit));
+        assert_eq!(char('?'), Some(KeyCommand::Help));
+        assert_eq!(press(KeyCode::Esc, KeyModifiers::NONE), Some(KeyCommand::Close));
         for (key, scroll) in [
             (KeyCode::Up, Scroll::Up),
             (KeyCode::Down, Scroll::Down),
@@ -217,13 +220,13 @@ mod tests {
             (KeyCode::Home, Scroll::First),
             (KeyCode::End, Scroll::Latest),
         ] {
-            assert_eq!(press(key, KeyModifiers::NONE), Some(Command::Scroll(scroll)), "{key:?}");
+            assert_eq!(press(key, KeyModifiers::NONE), Some(KeyCommand::Scroll(scroll)), "{key:?}");
         }
         for (key, expected) in [
-            ('c', Some(Command::Quit)),
-            ('C', Some(Command::Quit)),
-            ('z', Some(Command::Suspend)),
-            ('l', Some(Command::Redraw)),
+            ('c', Some(KeyCommand::Quit)),
+            ('C', Some(KeyCommand::Quit)),
+            ('z', Some(KeyCommand::Suspend)),
+            ('l', Some(KeyCommand::Redraw)),
             ('a', None),
             ('q', None),
         ] {

@@ -31,7 +31,7 @@ use adsdv_can::car::{Action, Switch};
 use adsdv_can::status::Status;
 use adsdv_spec::Inputs;
 
-use keys::{Command, Scroll, Turn};
+use keys::{KeyCommand, Scroll, Turn};
 
 pub(crate) use panel::happened;
 pub(crate) use terminal::run;
@@ -96,20 +96,20 @@ impl Screen {
     }
 
     /// Follows a command while the inputs of the car are these.
-    fn follow(&mut self, command: Command, inputs: &Inputs) -> Effect {
+    fn follow(&mut self, command: KeyCommand, inputs: &Inputs) -> Effect {
         match command {
-            Command::Quit => return Effect::Quit,
-            Command::Suspend => return Effect::Suspend,
-            Command::Redraw => return Effect::Redraw,
-            Command::PowerCycle => return Effect::Act(Action::PowerCycle),
-            Command::Turn(switch, turn) => {
+            KeyCommand::Quit => return Effect::Quit,
+            KeyCommand::Suspend => return Effect::Suspend,
+            KeyCommand::Redraw => return Effect::Redraw,
+            KeyCommand::PowerCycle => return Effect::Act(Action::PowerCycle),
+            KeyCommand::Turn(switch, turn) => {
                 if let Some(raw) = self.turn(switch, turn, inputs) {
                     return Effect::Act(Action::Set(switch, raw));
                 }
             }
-            Command::Help => self.help = !self.help,
-            Command::Close => self.help = false,
-            Command::Scroll(scroll) => self.scroll(scroll),
+            KeyCommand::Help => self.help = !self.help,
+            KeyCommand::Close => self.help = false,
+            KeyCommand::Scroll(scroll) => self.scroll(scroll),
         }
         Effect::Nothing
     }
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn keys_that_are_struck_faster_than_the_car_answers_count_all() {
         let (mut screen, inputs) = (Screen::new(true), Inputs::default());
-        let ami = Command::Turn(switch("ami"), Turn::Next);
+        let ami = KeyCommand::Turn(switch("ami"), Turn::Next);
         let act = |screen: &mut Screen| screen.follow(ami, &inputs);
         assert_eq!(act(&mut screen), Effect::Act(Action::Set(switch("ami"), 1)));
         assert_eq!(act(&mut screen), Effect::Act(Action::Set(switch("ami"), 2)));
@@ -172,11 +172,11 @@ mod tests {
     fn help_opens_and_closes() {
         let (mut screen, inputs) = (Screen::new(true), Inputs::default());
         for (command, help) in [
-            (Command::Help, true),
-            (Command::Help, false),
-            (Command::Close, false),
-            (Command::Help, true),
-            (Command::Close, false),
+            (KeyCommand::Help, true),
+            (KeyCommand::Help, false),
+            (KeyCommand::Close, false),
+            (KeyCommand::Help, true),
+            (KeyCommand::Close, false),
         ] {
             assert_eq!(screen.follow(command, &inputs), Effect::Nothing);
             assert_eq!(screen.help, help, "{command:?}");
@@ -199,11 +199,11 @@ mod tests {
             (Scroll::First, 12),
         ];
         for (scroll, back) in steps {
-            screen.follow(Command::Scroll(scroll), &inputs);
+            screen.follow(KeyCommand::Scroll(scroll), &inputs);
             assert_eq!(screen.back, back, "{scroll:?}");
         }
         screen.log.most_back = 3; // the terminal has grown
-        screen.follow(Command::Scroll(Scroll::Down), &inputs);
+        screen.follow(KeyCommand::Scroll(Scroll::Down), &inputs);
         assert_eq!(screen.back, 2);
     }
 }

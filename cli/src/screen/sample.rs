@@ -1,8 +1,8 @@
 //! Cars in situations that the tests draw.
 
-use adsdv_can::bus::Trouble;
+use adsdv_can::bus::Disturbance;
 use adsdv_can::car::{Action, Car, Condition, Missing, missing};
-use adsdv_can::status::{Cycles, Happening, Status, What};
+use adsdv_can::status::{Cycles, Happening, HappeningKind, Status};
 use adsdv_spec::messages::{
     AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
     MissionStatus, MotorSpeedMax, ShutdownCause, SteerAngle, WheelSpeed,
@@ -15,16 +15,16 @@ fn outputs(state: AsState) -> Outputs {
     Outputs { state, faults: Faults::NONE, shutdown_cause: ShutdownCause::NoShutdown, ..outputs }
 }
 
-fn happenings(all: impl IntoIterator<Item = (u64, What)>) -> impl Iterator<Item = Happening> {
+fn happenings(all: impl IntoIterator<Item = (u64, HappeningKind)>) -> impl Iterator<Item = Happening> {
     all.into_iter().map(|(time_ms, what)| Happening { time_ms, what })
 }
 
-fn did(what: &str) -> What {
-    What::Did(what.to_owned())
+fn did(what: &str) -> HappeningKind {
+    HappeningKind::Did(what.to_owned())
 }
 
-fn changed(from: Option<AsState>, to: Option<AsState>, section: &'static str, why: &str) -> What {
-    What::State { from, to, section, why: why.to_owned() }
+fn changed(from: Option<AsState>, to: Option<AsState>, section: &'static str, why: &str) -> HappeningKind {
+    HappeningKind::State { from, to, section, why: why.to_owned() }
 }
 
 fn condition(atom: Atom, value: bool, action: Option<Action>) -> Condition {
@@ -111,7 +111,7 @@ pub(super) fn driving() -> Status {
         happened: happenings([
             (10, changed(None, off, "", "")),
             (1_000, did("tsms on")),
-            (1_020, What::AiHeard),
+            (1_020, HappeningKind::AiHeard),
             (1_500, did("ami TRACK_DRIVE")),
             (2_000, did("ebs ARMED")),
             (2_500, did("asms on")),
@@ -140,7 +140,7 @@ pub(super) fn driving() -> Status {
 /// The worst has happened, all at once.
 pub(super) fn emergency() -> Status {
     let mut status = driving();
-    status.trouble = Some(Trouble::Down);
+    status.trouble = Some(Disturbance::Down);
     status.inputs.sdc.remote_estop = true;
     status.inputs.reports.hvil_open = true;
     status.inputs.reports.batt_soc_low = true;
@@ -167,11 +167,11 @@ pub(super) fn emergency() -> Status {
     status.happened.extend(happenings([
         (25_000, did("remote_estop on")),
         (25_010, changed(driving, emergency, "3.7", "SDC open")),
-        (25_020, What::Refused("513h: STEER_REQUEST cannot be 24.1 deg (raw 241), allowed: -24.0 to 24.0 deg in steps of 0.1 (raw -240 to 240)".to_owned())),
-        (25_030, What::OtherVcu("somebody else sends 520h, which is the VCU's".to_owned())),
-        (25_100, What::AiSilent),
-        (25_400, What::Late(2)),
-        (25_600, What::Trouble(Trouble::Down)),
+        (25_020, HappeningKind::Refused("513h: STEER_REQUEST cannot be 24.1 deg (raw 241), allowed: -24.0 to 24.0 deg in steps of 0.1 (raw -240 to 240)".to_owned())),
+        (25_030, HappeningKind::OtherVcu("somebody else sends 520h, which is the VCU's".to_owned())),
+        (25_100, HappeningKind::AiSilent),
+        (25_400, HappeningKind::Late(2)),
+        (25_600, HappeningKind::Disturbance(Disturbance::Down)),
     ]));
     status
 }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use adsdv_can::ai::Ai;
-use adsdv_can::bus::{Bus, Event, Listen, Received, Trouble};
+use adsdv_can::bus::{Bus, Disturbance, Event, Listen, Received};
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario};
 use adsdv_can::status::Status;
@@ -71,7 +71,7 @@ impl Listen for Simulated {
 }
 
 impl Bus for Simulated {
-    fn send(&mut self, frame: &Frame) -> Result<(), Trouble> {
-        self.ai.receive(frame).map_err(|error| Trouble::Other(error.to_string()))
+    fn send(&mut self, frame: &Frame) -> Result<(), Disturbance> {
+        self.ai.receive(frame).map_err(|error| Disturbance::Other(error.to_string()))
     }
 }

@@ -6,7 +6,7 @@ use std::{fs, io};
 
 use adsdv_model::Run;
 use adsdv_oracle::candump;
-use adsdv_oracle::judge::{Options, Report};
+use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_spec::{Choice, Choices, Readings};
 
@@ -62,7 +62,7 @@ pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Opti
 /// How a counterexample's log is judged.
 pub(super) fn options(pins: &[Choice]) -> LogOptions {
     let readings = pins.iter().copied().fold(Choices::ALL, Choices::pin);
-    LogOptions { judge: Options { readings, ..Options::default() }, interface: None }
+    LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::default() }, interface: None }
 }
 
 /// The defaults of the questions that were answered otherwise.

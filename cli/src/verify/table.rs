@@ -11,7 +11,7 @@ use super::counterexample::{self, Failure};
 use super::outcome::{Checked, Claim, Explored, Outcome};
 use crate::layout::{counted, wrapped};
 use crate::report::style::{self, Styled};
-use crate::report::{self, Subject};
+use crate::report::{self, JudgedLog};
 
 /// For a counterexample that the judge of logs lets pass.
 const UNCERTAIN: &str = "The property fails all the same: a log is sampled and silent about the shutdown circuit, and what \
@@ -64,7 +64,7 @@ fn model_table(out: &mut String, model: &Explored, width: usize) -> fmt::Result 
         "  {}, {}, {depth} deep, {}, {rate:.1} million steps/s: {complete}\n",
         counted(*states, "state"),
         counted(*transitions, "step"),
-        Seconds(*time),
+        Elapsed(*time),
     )?;
     writeln!(
         out,
@@ -80,7 +80,7 @@ fn model_table(out: &mut String, model: &Explored, width: usize) -> fmt::Result 
             "  {:<NAME$} {:<RESULT$} {states:>9} {:>8}  ",
             result.name,
             Styled(style, text),
-            Seconds(*time).to_string(),
+            Elapsed(*time).to_string(),
         )?;
         let indent = 2 + NAME + 1 + RESULT + 1 + 9 + 1 + 8 + 2;
         let mut lines = String::new();
@@ -143,7 +143,7 @@ fn failed(out: &mut String, outcome: &Outcome, failure: &Failure, width: usize) 
     }
     writeln!(out, " {}", quoted(&log))?;
     let options = counterexample::options(pins);
-    out.push_str(&report::text(&Subject { name: &log, options: &options, pins }, report, width));
+    out.push_str(&report::text(&JudgedLog { name: &log, options: &options, pins }, report, width));
     if report.verdict() == Verdict::Conforms {
         writeln!(out)?;
         wrapped(out, UNCERTAIN.split(' '), 2, width);
@@ -181,9 +181,9 @@ fn quoted(path: &str) -> String {
 }
 
 /// A duration in seconds.
-struct Seconds(Duration);
+struct Elapsed(Duration);
 
-impl fmt::Display for Seconds {
+impl fmt::Display for Elapsed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:.2} s", self.0.as_secs_f64())
     }

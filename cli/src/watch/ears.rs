@@ -19,7 +19,7 @@ const BATCH: usize = 4096;
 
 /// What was heard.
 #[derive(Debug)]
-pub(super) struct Heard {
+pub(super) struct Arrival {
     pub(super) event: Event,
     /// How many frames had been dropped by then.
     pub(super) dropped: u64,
@@ -30,7 +30,7 @@ pub(super) struct Heard {
 /// The thread, and what it has heard.
 #[derive(Debug)]
 pub(super) struct Ears {
-    heard: Receiver<Heard>,
+    heard: Receiver<Arrival>,
     stop: Arc<AtomicBool>,
     thread: JoinHandle<()>,
 }
@@ -46,7 +46,7 @@ impl Ears {
     }
 
     /// What has been heard: waits for the first, but not for long.
-    pub(super) fn take(&self) -> Vec<Heard> {
+    pub(super) fn take(&self) -> Vec<Arrival> {
         match self.heard.recv_timeout(SILENCE) {
             Ok(first) => std::iter::once(first).chain(self.heard.try_iter()).take(BATCH).collect(),
             Err(RecvTimeoutError::Timeout) => Vec::new(),
@@ -59,7 +59,7 @@ impl Ears {
     }
 
     /// Stops listening, and hands out what is left.
-    pub(super) fn finish(self) -> Vec<Heard> {
+    pub(super) fn finish(self) -> Vec<Arrival> {
         self.stop.store(true, Ordering::Release);
         // The thread may wait for room.
         let mut rest = Vec::new();
@@ -71,7 +71,7 @@ impl Ears {
     }
 }
 
-fn listen(mut bus: impl Listen, tell: &SyncSender<Heard>, stop: &AtomicBool) {
+fn listen(mut bus: impl Listen, tell: &SyncSender<Arrival>, stop: &AtomicBool) {
     // Once told to stop, what is there already is still taken, but no longer than this.
     let mut last = None;
     loop {
@@ -87,7 +87,7 @@ fn listen(mut bus: impl Listen, tell: &SyncSender<Heard>, stop: &AtomicBool) {
             return;
         }
         let now_ns = if nothing { asked } else { now_ns() };
-        let heard = Heard { event, dropped: bus.dropped(), now_ns };
+        let heard = Arrival { event, dropped: bus.dropped(), now_ns };
         // What was taken from the bus is told, however late it is.
         if tell.send(heard).is_err() || last.is_some_and(|last| Instant::now() >= last) {
             return;

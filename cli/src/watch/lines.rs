@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Write as _};
 use std::path::Path;
 
-use adsdv_can::bus::Trouble;
+use adsdv_can::bus::Disturbance;
 use adsdv_can::live::Traffic;
 use adsdv_oracle::judge::{Finding, Transition};
 use clap::ColorChoice;
@@ -50,7 +50,7 @@ impl Lines {
     }
 
     /// What happened to the bus, at a time since the first frame.
-    pub(super) fn trouble(&mut self, t_ns: i64, trouble: &Trouble) {
+    pub(super) fn trouble(&mut self, t_ns: i64, trouble: &Disturbance) {
         self.print(&format!("{:>10} s  {}\n", Seconds(t_ns), Styled(style::BAD, trouble)));
     }
 

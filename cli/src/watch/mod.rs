@@ -19,20 +19,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use adsdv_can::bus::{Event, Listen};
 use adsdv_can::live::Watch;
 use adsdv_can::socket;
-use adsdv_oracle::judge::{Options, Report};
+use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogError, LogOptions};
 
 use crate::args::WatchArgs;
 use crate::error::Error;
-use crate::report::{self, Subject};
+use crate::report::{self, JudgedLog};
 use crate::status::Status;
 use crate::{interrupt, json, output, pins};
-use ears::{Ears, Heard};
+use ears::{Arrival, Ears};
 use lines::Lines;
 use record::Recorder;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
-    let judge = Options {
+    let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: pins::possible(&args.readings)?,
@@ -65,11 +65,11 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         (None, Some(verdict)) => Ok(verdict.into()),
         (Some(last), _) => {
             for error in &errors {
-                error.tell();
+                error.print();
             }
             Err(last)
         }
-        (None, None) => Ok(Status::Trouble),
+        (None, None) => Ok(Status::NoAnswer),
     }
 }
 
@@ -100,18 +100,18 @@ fn watch(
         if let Some(recorder) = &mut watched.recorder {
             recorder.flush_now_and_then();
         }
-        watched.tell_news();
+        watched.print_news();
     }
     // What the kernel had when it was told to stop is of the run as well.
     ears.finish().into_iter().for_each(|heard| watched.hear(heard));
-    watched.tell_news();
+    watched.print_news();
     Ok(watched)
 }
 
 impl Watched {
-    fn hear(&mut self, heard: Heard) {
+    fn hear(&mut self, heard: Arrival) {
         let Self { name, watch, recorder, lines } = self;
-        let Heard { event, dropped, now_ns } = heard;
+        let Arrival { event, dropped, now_ns } = heard;
         if let Some(lost) = watch.dropped(dropped)
             && let Some(recorder) = recorder
         {
@@ -125,7 +125,7 @@ impl Watched {
                 }
             }
             Event::Nothing => watch.silence(now_ns),
-            Event::Trouble(trouble) => {
+            Event::Disturbance(trouble) => {
                 watch.trouble(now_ns, &trouble);
                 lines.trouble(watch.since_first(now_ns), &trouble);
             }
@@ -136,7 +136,7 @@ impl Watched {
         }
     }
 
-    fn tell_news(&mut self) {
+    fn print_news(&mut self) {
         let news = self.watch.news();
         self.lines.news(news);
     }
@@ -151,7 +151,7 @@ fn summarize(
     if args.json {
         return output::plain(&json::watched(report, bus));
     }
-    let subject = Subject { name: &args.interface, options, pins: &args.readings };
+    let subject = JudgedLog { name: &args.interface, options, pins: &args.readings };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),

@@ -81,7 +81,7 @@ impl<W: Write> Recorder<W> {
 
     fn fail(&mut self, error: io::Error) {
         // The end of the command tells it again; now it can still be mended.
-        Error::record(&self.path, &error).tell();
+        Error::record(&self.path, &error).print();
         self.failed = Some(error);
     }
 }

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use adsdv_can::bus::{Event, Listen, Received, Trouble};
+use adsdv_can::bus::{Disturbance, Event, Listen, Received};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_oracle::log::LogOptions;
 use clap::Parser as _;
@@ -57,7 +57,7 @@ fn watched(events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
 }
 
 #[test]
-fn every_frame_is_judged_however_fast_they_come_and_though_it_is_told_to_stop() {
+fn every_frame_before_the_stop_is_judged_however_fast_they_come() {
     let watched = watched((0..100_000).map(frame), 0);
     assert_eq!(watched.watch.traffic().frames, 100_000);
     let report = watched.watch.finish().expect("frames");
@@ -66,7 +66,7 @@ fn every_frame_is_judged_however_fast_they_come_and_though_it_is_told_to_stop() 
 
 #[test]
 fn trouble_and_dropped_frames_are_in_the_end() {
-    let events = [frame(0), Event::Trouble(Trouble::Down), Event::Up, frame(10)];
+    let events = [frame(0), Event::Disturbance(Disturbance::Down), Event::Up, frame(10)];
     let traffic = watched(events, 12).watch.traffic();
     assert_eq!((traffic.frames, traffic.troubles, traffic.dropped), (2, 1, 12));
     let text = lines::traffic(traffic, 10_000_000, Some("run.log"));
@@ -78,8 +78,13 @@ fn trouble_and_dropped_frames_are_in_the_end() {
 
 #[test]
 fn the_json_of_a_live_bus_keeps_to_its_schema() {
-    let events =
-        [frame(0), Event::Trouble(Trouble::Down), Event::Up, Event::Trouble(Trouble::Gone), frame(10)];
+    let events = [
+        frame(0),
+        Event::Disturbance(Disturbance::Down),
+        Event::Up,
+        Event::Disturbance(Disturbance::Gone),
+        frame(10),
+    ];
     let watch = watched(events, 12).watch;
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
     let report = watch.finish().expect("frames");
@@ -153,7 +158,7 @@ impl Listen for HeldUp {
 }
 
 #[test]
-fn silence_is_told_for_the_time_before_the_waiting() {
+fn silence_is_reported_for_the_time_before_the_waiting() {
     let asked = Arc::new(Mutex::new(Vec::new()));
     let ears = Ears::start(HeldUp(Arc::clone(&asked))).expect("a thread");
     let heard = std::iter::repeat_with(|| ears.take()).flatten().take(3).collect::<Vec<_>>();
@@ -184,7 +189,7 @@ impl Listen for Endless {
 }
 
 #[test]
-fn what_was_taken_from_a_bus_without_end_is_told() {
+fn what_was_taken_from_a_bus_without_end_is_reported() {
     let taken = Arc::new(Mutex::new(0));
     let heard = Ears::start(Endless(Arc::clone(&taken))).expect("a thread").finish();
     assert_eq!(heard.len(), *taken.lock().unwrap_or_else(PoisonError::into_inner));

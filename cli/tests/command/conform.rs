@@ -63,14 +63,14 @@ fn the_reference_conforms() {
 }
 
 #[test]
-fn a_broken_row_is_told_with_its_guard_and_a_timeline() {
+fn a_broken_row_is_reported_with_its_guard_and_a_timeline() {
     let (status, text) = text(&["--runs", "50"], "mutant", &["--mutation", "3.7 term 1: dropped"]);
     assert_eq!(status, Some(1), "{text}");
     compare_text("conform-broken-row.txt", &text);
 }
 
 #[test]
-fn mixed_readings_are_told() {
+fn mixed_readings_are_reported() {
     let mixing = ["--reading", "fault-trigger=edge", "--mutation", "3.7 term 3: in every reading"];
     let (status, text) = text(&["--runs", "50"], "mutant", &mixing);
     assert_eq!(status, Some(1), "{text}");
@@ -87,7 +87,7 @@ fn few_outputs_that_are_late_at_a_fixed_cycle() {
 }
 
 #[test]
-fn json_keeps_to_its_schema_and_says_what_the_text_says() {
+fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     let good = report(&[], "adapter", &[]);
     assert_eq!(
         (&good["failures"], &good["latency"], &good["cycle_ms"]),
@@ -261,7 +261,7 @@ fn a_command_that_is_stopped_leaves_no_program_behind() {
 
 /// What was not run, or told nothing, is not counted as if it had been.
 #[test]
-fn a_requirement_is_told_with_how_many_of_its_tests_checked_it() {
+fn a_requirement_is_printed_with_how_many_of_its_tests_checked_it() {
     let options = ["--cycle-ms", "50", "--runs", "0"];
     let report = report(&options, "adapter", &[]);
     let partly: Vec<_> = report["requirements"]

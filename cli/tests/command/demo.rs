@@ -116,7 +116,7 @@ fn a_scenario_from_standard_input() {
 }
 
 #[test]
-fn a_scenario_with_mistakes_tells_all_of_them() {
+fn every_mistake_of_a_scenario_is_reported() {
     let bad = temporary("demo-bad.txt", b"0 asms up\n\n1 horn\nAS_READY +1 end\n");
     let log = place("demo-bad.log");
     let outcome = run(&["demo", "--scenario", text(&bad), "--log", text(&log)]);
@@ -159,7 +159,7 @@ fn a_scenario_that_cannot_be_read() {
 }
 
 #[test]
-fn a_scenario_that_waits_for_ever_is_told_with_its_line() {
+fn a_scenario_that_waits_for_ever_is_reported_with_its_line() {
     let waits = temporary("demo-waits.txt", b"0 asms on, tsms on, ami SKIDPAD\nAS_READY +1 end\n");
     let log = place("demo-waits.log");
     let outcome = run(&["demo", "--scenario", text(&waits), "--log", text(&log)]);
@@ -181,7 +181,7 @@ fn a_scenario_that_waits_for_ever_is_told_with_its_line() {
 }
 
 #[test]
-fn a_scenario_that_does_nothing_says_so() {
+fn a_scenario_that_does_nothing_is_reported() {
     let idle = temporary("demo-idle.txt", b"1 end\n");
     let demo = run(&["demo", "--scenario", text(&idle)]);
     assert_eq!(demo.status, Some(0), "{}", demo.stderr);

@@ -77,7 +77,7 @@ fn text<'a>(value: &'a Value, key: &str) -> &'a str {
 }
 
 #[test]
-fn states_and_actions_are_told_in_words_and_drawn() {
+fn states_and_actions_are_put_into_words_and_drawn() {
     let explorer = Explorer::start(&[]);
     assert!(explorer.address.starts_with("127.0.0.1:"), "{}", explorer.address);
     assert!(explorer.get("/").contains("<html"), "a page");

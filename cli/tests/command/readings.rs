@@ -62,7 +62,7 @@ fn the_list_has_every_choice_and_marks_the_defaults() {
 }
 
 #[test]
-fn the_list_for_programs_says_the_same() {
+fn the_list_for_programs_has_the_same_readings() {
     let list: serde_json::Value = serde_json::from_str(&run(&["readings", "--json"]).stdout).expect("JSON");
     let list = list.as_array().expect("an array");
     assert_eq!(list.len(), Reading::ALL.len());

@@ -80,7 +80,7 @@ fn lines_fit_into_100_columns() {
 }
 
 #[test]
-fn a_short_log_tells_what_it_does_not_show() {
+fn check_reports_what_a_short_log_does_not_show() {
     let log = b"(1.0) can0 520#0000010000000000\n";
     let report = check_input(&[], log);
     for line in [

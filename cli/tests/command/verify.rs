@@ -243,7 +243,7 @@ fn stripped(colored: &str) -> String {
 }
 
 #[test]
-fn json_keeps_to_its_schema_and_says_what_the_text_says() {
+fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     let logs = folder("verify-json");
     let options = ["--reading", "fault-trigger=edge", "--logs", "verify-json", "--json", "--color", "always"];
     let printed = verify(temporary(), &options);

@@ -122,7 +122,7 @@ fn the_adapter_waits_for_the_rest_of_a_line() {
 
 /// What is wrong with a request is said, and is no answer.
 #[test]
-fn the_adapter_says_what_is_wrong() {
+fn the_adapter_reports_what_is_wrong() {
     let Some(cc) = compiler(C) else { return };
     let program = built(&cc, C, &adapter(), Linked::Statically);
     for (line, expected) in [

@@ -51,7 +51,7 @@ fn given<T: AnyBits>(bytes: &mut Bytes<'_>) -> T {
 }
 
 /// A call did what it says, or told what is wrong with what it was given.
-fn told(status: adsdv_status, error: &adsdv_error) {
+fn reported(status: adsdv_status, error: &adsdv_error) {
     match status {
         ADSDV_OK => assert_eq!(error.status, ADSDV_OK as i32, "an error was written without one"),
         ADSDV_INTERNAL | ADSDV_BAD_POINTER => panic!("{status:?}: {:?}", error.text),
@@ -68,7 +68,7 @@ fn told(status: adsdv_status, error: &adsdv_error) {
 fn call(call: impl FnOnce(*mut adsdv_error) -> adsdv_status) -> adsdv_status {
     let mut error = adsdv_error::default();
     let status = call(&raw mut error);
-    told(status, &error);
+    reported(status, &error);
     status
 }
 

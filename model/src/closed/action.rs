@@ -6,7 +6,7 @@ use adsdv_spec::messages::AmiState;
 
 /// One change. It displays in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Action {
+pub enum ClosedAction {
     /// A cycle of the VCU ends: it takes in what it has received and sees, and sends.
     VcuCycle,
     /// The AI Computer runs its cycle on what it has heard, and sends.
@@ -44,7 +44,7 @@ pub enum Act {
     Go(bool),
 }
 
-impl fmt::Display for Action {
+impl fmt::Display for ClosedAction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::VcuCycle => f.write_str("VCU: cycle"),

@@ -12,7 +12,7 @@ use adsdv_spec::{AiMessages, Atom, Interface, VcuMessages};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct AiComputer {
     /// What it has heard of the VCU.
-    pub heard: Heard,
+    pub heard: FromVcu,
     /// The HANDSHAKE bit that it sends.
     pub handshake: bool,
     /// How far it has come.
@@ -21,7 +21,7 @@ pub struct AiComputer {
 
 /// What the AI Computer keeps of the VCU's frames: all that its program looks at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Heard {
+pub struct FromVcu {
     /// HANDSHAKE of 520h.
     pub handshake: bool,
     /// AS_STATE of 520h.
@@ -86,7 +86,7 @@ pub(super) fn frames(messages: &AiMessages) -> [Frame; 5] {
     [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()]
 }
 
-impl Heard {
+impl FromVcu {
     /// What is known after one more frame; one that does not decode changes nothing.
     #[must_use]
     pub fn with(self, frame: &Frame) -> Self {
@@ -208,7 +208,7 @@ mod tests {
         Vcu2AiWheelSpeeds, WheelSpeed,
     };
 
-    use super::{AiComputer, AiMessages, Conduct, Heard, Stage};
+    use super::{AiComputer, AiMessages, Conduct, FromVcu, Stage};
 
     fn wheels(rpm: i32) -> Vcu2AiWheelSpeeds {
         Vcu2AiWheelSpeeds { rl_wheel_speed: WheelSpeed::clamped(rpm), ..Vcu2AiWheelSpeeds::default() }
@@ -220,7 +220,7 @@ mod tests {
         let brake =
             Vcu2AiBrake { hyd_press_f_req: on, hyd_press_r_req: on, ..Vcu2AiBrake::default() }.encode();
         let rest = wheels(9).encode();
-        let before = Heard::default().with(&rest).with(&brake);
+        let before = FromVcu::default().with(&rest).with(&brake);
         assert!(!before.has_stopped(), "the wheels may have turned since");
         assert!(before.with(&rest).has_stopped());
         assert!(!before.with(&wheels(10).encode()).has_stopped(), "exactly 10 rpm is not at rest (D-24)");
@@ -241,7 +241,7 @@ mod tests {
             for handshake in [false, true] {
                 let status = Vcu2AiStatus { as_state, handshake, ..Vcu2AiStatus::default() };
                 let mut ai =
-                    AiComputer { heard: Heard::default().with(&status.encode()), ..AiComputer::default() };
+                    AiComputer { heard: FromVcu::default().with(&status.encode()), ..AiComputer::default() };
                 for _ in 0..8 {
                     ai = ai.cycle(Conduct::Reference);
                     let messages = ai.messages();
@@ -291,7 +291,7 @@ mod tests {
     #[test]
     fn it_drives_only_after_it_has_asked_for_forward() {
         let driving = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() };
-        let ai = AiComputer { heard: Heard::default().with(&driving.encode()), ..AiComputer::default() };
+        let ai = AiComputer { heard: FromVcu::default().with(&driving.encode()), ..AiComputer::default() };
         let started = ai.cycle(Conduct::Reference);
         assert_eq!(started.stage, Stage::Started);
         assert_eq!(started.messages().drive_f.front_axle_trq_request, AxleTorqueRequest::MIN);

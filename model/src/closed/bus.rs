@@ -9,20 +9,20 @@ const MESSAGES: usize = 5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Bus {
     /// Frames of the VCU.
-    pub to_ai: Line,
+    pub to_ai: WaitingFrames,
     /// Frames of the AI Computer.
-    pub to_vcu: Line,
+    pub to_vcu: WaitingFrames,
 }
 
 /// The frames of one sender that wait on the bus: one for each identifier, the lowest first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Line {
+pub struct WaitingFrames {
     waiting: [Option<Frame>; MESSAGES],
     /// Frames have been waiting since before the VCU's last step.
     old: bool,
 }
 
-impl Line {
+impl WaitingFrames {
     /// Sends frames, one for each identifier: they replace those that wait. Frames without news are left out.
     pub(super) fn send(&mut self, frames: &[Frame; MESSAGES], is_news: impl Fn(&Frame) -> bool) {
         for (place, frame) in self.waiting.iter_mut().zip(frames) {
@@ -66,7 +66,7 @@ impl Line {
 
 #[cfg(test)]
 mod tests {
-    use super::{Frame, Line, MESSAGES};
+    use super::{Frame, MESSAGES, WaitingFrames};
 
     fn frames(byte: u8) -> [Frame; MESSAGES] {
         [0x520, 0x521, 0x522, 0x524, 0x525].map(|id| Frame::new(id, &[byte]).expect("a frame"))
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn the_lowest_identifier_arrives_first_and_newer_frames_replace_older_ones() {
-        let mut line = Line::default();
+        let mut line = WaitingFrames::default();
         line.send(&frames(1), |frame| frame.id != 0x521);
         assert_eq!(line.next().map(|frame| frame.id), Some(0x520));
         line.send(&frames(2), |frame| frame.id == 0x524);
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn what_waits_when_a_cycle_ends_has_to_arrive_before_the_next_one_does() {
-        let mut line = Line::default();
+        let mut line = WaitingFrames::default();
         line.a_cycle_ends();
         line.send(&frames(1), |frame| frame.id == 0x520);
         assert!(!line.is_overdue(), "it was sent in this cycle");

@@ -78,12 +78,12 @@ use stateright::{Model, Path, Property};
 /// Whether a property is to hold always, in the end, or once.
 pub use stateright::Expectation;
 
-pub use action::{Act, Action};
+pub use action::{Act, ClosedAction};
 pub use ai::{AiComputer, Conduct, Stage};
-pub use bus::{Bus, Line};
+pub use bus::{Bus, WaitingFrames};
 pub use operator::{Operator, Switches};
-pub use properties::{CLOSED_PROPERTIES, ClosedProperty, EXHAUSTIVE, Exploration, Found};
-pub use state::{Mission, Motion, Rank, State, Wheels};
+pub use properties::{CLOSED_PROPERTIES, ClosedExploration, ClosedProperty, EXHAUSTIVE, Found};
+pub use state::{ClosedState, Mission, Motion, Rank, Wheels};
 
 /// For how many steps of the VCU a well-behaved operator may put an act off.
 pub const DAWDLE_CYCLES: u16 = 2;
@@ -109,7 +109,7 @@ pub struct Closed {
     pub faults: bool,
     /// How the AI Computer behaves.
     pub conduct: Conduct,
-    /// Whether [`Action::TimePasses`] is offered: for people, who do not want to click through 500 cycles.
+    /// Whether [`ClosedAction::TimePasses`] is offered: for people, who do not want to click through 500 cycles.
     pub skips_time: bool,
     /// How many states an exploration has looked at.
     looked_at: Arc<AtomicUsize>,
@@ -156,9 +156,9 @@ impl Closed {
     }
 
     /// What the VCU sees in each of its cycles along a run.
-    pub fn inputs(run: &Path<State, Action>) -> Vec<Inputs> {
+    pub fn inputs(run: &Path<ClosedState, ClosedAction>) -> Vec<Inputs> {
         let run = run.clone().into_vec();
-        let cycles = run.iter().filter(|(_, action)| *action == Some(Action::VcuCycle));
+        let cycles = run.iter().filter(|(_, action)| *action == Some(ClosedAction::VcuCycle));
         cycles.map(|(state, _)| state.inputs()).collect()
     }
 
@@ -174,19 +174,19 @@ impl Closed {
     /// Whether an emergency has brought the run to its end: the vehicle cannot be driven before a power cycle (ETO-3), of
     /// which the model has none, and what else a reading may allow after it changes nothing that the properties look at.
     /// People may still want to look around then.
-    fn is_shut_down(&self, state: &State) -> bool {
+    fn is_shut_down(&self, state: &ClosedState) -> bool {
         state.control.shutdown_cause != ShutdownCause::NoShutdown && !self.skips_time
     }
 
     /// Whether nothing more can come of the run.
-    fn is_over(&self, state: &State) -> bool {
+    fn is_over(&self, state: &ClosedState) -> bool {
         let off = state.control.state == AsState::Off;
         //= ETO-4
         state.mission == Mission::Over || off && self.is_shut_down(state)
     }
 
     /// What the VCU does in its next cycle.
-    fn step(&self, state: &State) -> (Control, Outputs, Inputs) {
+    fn step(&self, state: &ClosedState) -> (Control, Outputs, Inputs) {
         let inputs = state.inputs();
         let cycle = u32::from(self.timing.cycle_ms);
         let (control, outputs) = self.machine.step(&state.control, &inputs, cycle);
@@ -194,7 +194,7 @@ impl Closed {
     }
 
     /// Whether the AI Computer has answered what the VCU says: its HANDSHAKE bit, or, while the handshake rests, all.
-    fn answered(&self, state: &State) -> bool {
+    fn answered(&self, state: &ClosedState) -> bool {
         let handshake = state.control.handshake;
         if handshake.active {
             state.received.status.handshake == handshake.bit
@@ -204,19 +204,19 @@ impl Closed {
     }
 
     /// Whether the AI Computer's next cycle changes anything.
-    fn ai_has_news(&self, state: &State) -> bool {
+    fn ai_has_news(&self, state: &ClosedState) -> bool {
         state.ai.cycle(self.conduct) != state.ai
     }
 
     /// Whether the VCU's cycle may end now, with all others as late as they are.
-    fn may_step(&self, state: &State) -> bool {
+    fn may_step(&self, state: &ClosedState) -> bool {
         let in_time = self.conduct == Conduct::Mute
             || self.answered(state)
             || u16::from(state.late_cycles) < self.response_cycles();
         in_time && !state.bus.to_ai.is_overdue() && !state.bus.to_vcu.is_overdue() && self.has_patience(state)
     }
 
-    fn vcu_cycle(&self, state: &mut State) {
+    fn vcu_cycle(&self, state: &mut ClosedState) {
         let answered = self.answered(state);
         let (control, outputs, inputs) = self.step(state);
         let edge = control.handshake.bit != state.control.handshake.bit;
@@ -250,21 +250,21 @@ impl Closed {
     }
 
     /// The state after an action, where that is possible.
-    fn after(&self, before: &State, action: Action) -> Option<State> {
+    fn after(&self, before: &ClosedState, action: ClosedAction) -> Option<ClosedState> {
         let mut state = before.clone();
         match action {
-            Action::VcuCycle => self.vcu_cycle(&mut state),
-            Action::AiCycle => {
+            ClosedAction::VcuCycle => self.vcu_cycle(&mut state),
+            ClosedAction::AiCycle => {
                 state.ai = state.ai.cycle(self.conduct);
                 ai_sends(&mut state);
             }
-            Action::FrameToAi => state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?),
-            Action::FrameToVcu => state.received = with(&state.received, &state.bus.to_vcu.next()?),
-            Action::AiDecidesToStop => {
+            ClosedAction::FrameToAi => state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?),
+            ClosedAction::FrameToVcu => state.received = with(&state.received, &state.bus.to_vcu.next()?),
+            ClosedAction::AiDecidesToStop => {
                 state.ai.stage = Stage::Braking;
                 ai_sends(&mut state);
             }
-            Action::Operator(act) => {
+            ClosedAction::Operator(act) => {
                 state.switches.turn(act);
                 match self.operator {
                     Operator::WellBehaved => {
@@ -274,20 +274,20 @@ impl Closed {
                     Operator::Any => state.acted = !self.skips_time,
                 }
             }
-            Action::RemoteEstop(pressed) => {
+            ClosedAction::RemoteEstop(pressed) => {
                 state.remote_estop = pressed;
                 state.acted = !self.skips_time;
             }
-            Action::Faster => state.motion.wheels = state.motion.wheels.faster()?,
-            Action::Slower => state.motion.wheels = state.motion.wheels.slower()?,
-            Action::TimePasses => (state, _) = self.time_passes(before),
+            ClosedAction::Faster => state.motion.wheels = state.motion.wheels.faster()?,
+            ClosedAction::Slower => state.motion.wheels = state.motion.wheels.slower()?,
+            ClosedAction::TimePasses => (state, _) = self.time_passes(before),
         }
         self.count_patience(before, action, &mut state);
         Some(state)
     }
 }
 
-fn ai_sends(state: &mut State) {
+fn ai_sends(state: &mut ClosedState) {
     let received = state.received;
     state.bus.to_vcu.send(&ai::frames(&state.ai.messages()), |frame| with(&received, frame) != received);
 }
@@ -306,69 +306,70 @@ const fn scaled(timing: Timing) -> Timing {
 }
 
 impl Model for Closed {
-    type State = State;
-    type Action = Action;
+    type State = ClosedState;
+    type Action = ClosedAction;
 
-    fn init_states(&self) -> Vec<State> {
+    fn init_states(&self) -> Vec<ClosedState> {
         // The "Go" switch may be found on (DRV-13).
-        let found = |go| State { switches: Switches { go, ..Switches::default() }, ..State::default() };
+        let found =
+            |go| ClosedState { switches: Switches { go, ..Switches::default() }, ..ClosedState::default() };
         match self.operator {
             Operator::WellBehaved => vec![found(false), found(true)],
             Operator::Any => vec![found(false)],
         }
     }
 
-    fn actions(&self, state: &State, actions: &mut Vec<Action>) {
+    fn actions(&self, state: &ClosedState, actions: &mut Vec<ClosedAction>) {
         if self.is_over(state) {
             return;
         }
         if self.skips_time {
-            actions.push(Action::TimePasses);
+            actions.push(ClosedAction::TimePasses);
         }
         self.acts(state, actions);
         if state.acted {
             // What comes before the VCU's cycle could as well have come before the act, which only the VCU sees.
             if self.may_step(state) {
-                actions.push(Action::VcuCycle);
+                actions.push(ClosedAction::VcuCycle);
             }
             return;
         }
         if state.ai.may_decide_to_stop() {
-            actions.push(Action::AiDecidesToStop);
+            actions.push(ClosedAction::AiDecidesToStop);
         }
         if state.motion.driven && state.motion.wheels.faster().is_some() {
-            actions.push(Action::Faster);
+            actions.push(ClosedAction::Faster);
         }
         if state.motion.must_slow_down() {
-            actions.push(Action::Slower);
+            actions.push(ClosedAction::Slower);
         }
         if !state.bus.to_ai.is_empty() {
-            actions.push(Action::FrameToAi);
+            actions.push(ClosedAction::FrameToAi);
         }
         if self.ai_has_news(state) {
-            actions.push(Action::AiCycle);
+            actions.push(ClosedAction::AiCycle);
         }
         if !state.bus.to_vcu.is_empty() {
-            actions.push(Action::FrameToVcu);
+            actions.push(ClosedAction::FrameToVcu);
         }
         if self.may_step(state) {
-            actions.push(Action::VcuCycle);
+            actions.push(ClosedAction::VcuCycle);
         }
     }
 
-    fn next_state(&self, last_state: &State, action: Action) -> Option<State> {
+    fn next_state(&self, last_state: &ClosedState, action: ClosedAction) -> Option<ClosedState> {
         self.after(last_state, action)
     }
 
-    fn format_action(&self, action: &Action) -> String {
+    fn format_action(&self, action: &ClosedAction) -> String {
         action.to_string()
     }
 
-    fn format_step(&self, last_state: &State, action: Action) -> Option<String> {
+    fn format_step(&self, last_state: &ClosedState, action: ClosedAction) -> Option<String> {
         self.after(last_state, action).map(|state| words::step(self, last_state, action, &state))
     }
 
-    fn as_svg(&self, path: Path<State, Action>) -> Option<String> {
+    fn as_svg(&self, path: Path<ClosedState, ClosedAction>) -> Option<String> {
         Some(svg::draw(&sequence::of(self, &path.into_vec())))
     }
 

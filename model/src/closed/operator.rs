@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{AmiState, AsState};
 
-use super::{Act, Action, Closed, DAWDLE_CYCLES, Mission, State};
+use super::{Act, Closed, ClosedAction, ClosedState, DAWDLE_CYCLES, Mission};
 
 /// Who moves the switches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,25 +48,25 @@ const MISSION: AmiState = AmiState::TrackDrive;
 
 impl Closed {
     /// What the operator may do now.
-    pub(super) fn acts(&self, state: &State, actions: &mut Vec<Action>) {
+    pub(super) fn acts(&self, state: &ClosedState, actions: &mut Vec<ClosedAction>) {
         match self.operator {
             Operator::Any if !state.acted && self.may_step(state) || self.skips_time => {
                 let read =
                     |act: &Act| !self.is_shut_down(state) || matches!(act, Act::Tsms(_) | Act::Asms(_));
-                actions.extend(all(state.switches).filter(read).map(Action::Operator));
+                actions.extend(all(state.switches).filter(read).map(ClosedAction::Operator));
                 if self.faults {
-                    actions.push(Action::RemoteEstop(!state.remote_estop));
+                    actions.push(ClosedAction::RemoteEstop(!state.remote_estop));
                 }
             }
             Operator::WellBehaved if state.rested => self.procedure(state, |act| {
-                actions.push(Action::Operator(act));
+                actions.push(ClosedAction::Operator(act));
             }),
             Operator::Any | Operator::WellBehaved => {}
         }
     }
 
     /// The next steps of the procedure. The operator sees the ASSI, and has a stopwatch.
-    fn procedure(&self, state: &State, mut act: impl FnMut(Act)) {
+    fn procedure(&self, state: &ClosedState, mut act: impl FnMut(Act)) {
         let Switches { asms, tsms, ami, ebs_armed, go } = state.switches;
         match (state.control.state, state.mission) {
             (AsState::Off, Mission::Ahead) => {
@@ -90,12 +90,12 @@ impl Closed {
     }
 
     /// Whether AS_READY has lasted for the minimum dwell of the document.
-    pub(super) fn dwell_is_over(&self, state: &State) -> bool {
+    pub(super) fn dwell_is_over(&self, state: &ClosedState) -> bool {
         state.control.state == AsState::Ready && state.control.in_state_ms >= self.timing.ready_dwell_ms
     }
 
     /// Whether time may go on: not for long when somebody is to act, and not for ever when nobody does.
-    pub(super) fn has_patience(&self, state: &State) -> bool {
+    pub(super) fn has_patience(&self, state: &ClosedState) -> bool {
         if self.operator == Operator::Any {
             return true;
         }

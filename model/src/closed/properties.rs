@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use adsdv_spec::messages::{AsState, ShutdownCause};
 use stateright::{Checker, Expectation, HasDiscoveries, Model, Path, Property};
 
-use super::{Action, Closed, Mission, Operator, State, Wheels};
+use super::{Closed, ClosedAction, ClosedState, Mission, Operator, Wheels};
 
 /// A property of the closed model.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub struct ClosedProperty {
     pub operators: &'static [Operator],
     /// Whether it is to hold always, in the end, or once.
     pub expectation: Expectation,
-    condition: fn(&Closed, &State) -> bool,
+    condition: fn(&Closed, &ClosedState) -> bool,
 }
 
 const BOTH: &[Operator] = &[Operator::WellBehaved, Operator::Any];
@@ -162,7 +162,7 @@ pub(super) fn of(model: &Closed) -> Vec<Property<Closed>> {
 
 /// What an exploration of the closed model found.
 #[derive(Debug)]
-pub struct Exploration {
+pub struct ClosedExploration {
     /// What was found of each property, in the order of [`CLOSED_PROPERTIES`].
     pub results: Vec<Found>,
     /// How many different states there are.
@@ -185,14 +185,14 @@ pub struct Found {
     /// Whether it holds.
     pub holds: bool,
     /// A run that shows why it fails, or, for something that is to be possible, that it is.
-    pub run: Option<Path<State, Action>>,
+    pub run: Option<Path<ClosedState, ClosedAction>>,
 }
 
 impl Closed {
     /// A shortest run that shows that a property fails, or, for something that is to be possible, that it is.
     ///
     /// It explores only until it has one; `None` after a complete exploration, or if the operator has no such property.
-    pub fn run_for(self, name: &str) -> Option<Path<State, Action>> {
+    pub fn run_for(self, name: &str) -> Option<Path<ClosedState, ClosedAction>> {
         let property = properties_of(self.operator).find(|property| property.name == name)?;
         self.checker()
             .finish_when(HasDiscoveries::AnyOf(BTreeSet::from([property.name])))
@@ -205,7 +205,7 @@ impl Closed {
     ///
     /// The exploration is complete: it ends when there is no state left that was not looked at. Runs are shortest ones
     /// when there is one thread.
-    pub fn explore(self, threads: usize) -> Exploration {
+    pub fn explore(self, threads: usize) -> ClosedExploration {
         let operator = self.operator;
         let begin = Instant::now();
         let looked_at = Arc::<AtomicUsize>::default();
@@ -225,7 +225,7 @@ impl Closed {
                 Found { property, holds, run }
             })
             .collect();
-        Exploration {
+        ClosedExploration {
             results,
             states: checker.unique_state_count(),
             transitions: checker.state_count(),

@@ -4,7 +4,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Control, Inputs, Machine};
 use stateright::Path;
 
-use super::{Action, Closed, State};
+use super::{Closed, ClosedAction, ClosedState};
 
 impl Closed {
     /// What the VCU sees in each of its cycles along a run, with the timers of another machine: where a state lasts for its
@@ -12,7 +12,7 @@ impl Closed {
     ///
     /// The cycles that this takes come where no edge of the handshake is unanswered, are answered at once, and are even in
     /// number, so that the handshake is where it was: after them the run goes on as it did.
-    pub fn inputs_for(&self, machine: &Machine, run: &Path<State, Action>) -> Vec<Inputs> {
+    pub fn inputs_for(&self, machine: &Machine, run: &Path<ClosedState, ClosedAction>) -> Vec<Inputs> {
         let cycle = u32::from(self.timing.cycle_ms);
         let mut control = Control::INITIAL;
         let mut seen: Vec<Inputs> = Vec::new();
@@ -36,11 +36,11 @@ impl Closed {
     }
 
     /// For each cycle of the VCU, for how many cycles more a state has to last from there on that lasts for its time.
-    fn waits(&self, machine: &Machine, run: &Path<State, Action>) -> Vec<u16> {
+    fn waits(&self, machine: &Machine, run: &Path<ClosedState, ClosedAction>) -> Vec<u16> {
         let run = run.clone().into_vec();
         let before: Vec<Control> = run
             .iter()
-            .filter(|(_, action)| *action == Some(Action::VcuCycle))
+            .filter(|(_, action)| *action == Some(ClosedAction::VcuCycle))
             .map(|(state, _)| state.control)
             .collect();
         let mut waits = vec![0; before.len()];
@@ -74,7 +74,7 @@ mod tests {
     use adsdv_spec::{Interface, Machine, Readings};
     use stateright::Path;
 
-    use super::{Action, AsState, Closed, Control};
+    use super::{AsState, Closed, ClosedAction, Control};
     use crate::closed::{DWELL_CYCLES, Operator};
 
     /// The dwell is waited for in the cycle after AS_READY is entered, and only if the run lasts as long.
@@ -88,11 +88,11 @@ mod tests {
         let begin = states.first().expect("it begins").clone();
         let short =
             states.iter().position(|state| state.control.in_state_ms == 30).expect("it is ready so long");
-        let actions: Vec<Action> = mission.clone().into_actions().into_iter().take(short).collect();
+        let actions: Vec<ClosedAction> = mission.clone().into_actions().into_iter().take(short).collect();
         let left = Path::from_actions(&model, begin, &actions).expect("a run");
         for (run, wait) in [(mission, missing + missing % 2), (left, 0)] {
             let steps = run.clone().into_vec().into_iter();
-            let cycles = steps.filter(|(_, action)| *action == Some(Action::VcuCycle));
+            let cycles = steps.filter(|(_, action)| *action == Some(ClosedAction::VcuCycle));
             let states: Vec<AsState> = cycles.map(|(state, _)| state.control.state).collect();
             let entered = states.iter().position(|state| *state == AsState::Ready).expect("it is ready");
             let mut waits = vec![0; states.len()];

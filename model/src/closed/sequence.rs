@@ -3,7 +3,7 @@
 use adsdv_spec::messages::AsState;
 
 use super::words::meaning;
-use super::{Action, Closed, State};
+use super::{Closed, ClosedAction, ClosedState};
 
 /// Who takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub(super) struct Sequence {
 }
 
 /// The events of a run.
-pub(super) fn of(model: &Closed, run: &[(State, Option<Action>)]) -> Sequence {
+pub(super) fn of(model: &Closed, run: &[(ClosedState, Option<ClosedAction>)]) -> Sequence {
     let first = run.first().map_or(AsState::default(), |(state, _)| state.control.state);
     let mut events = Vec::new();
     for pair in run.windows(2) {
@@ -46,30 +46,37 @@ pub(super) fn of(model: &Closed, run: &[(State, Option<Action>)]) -> Sequence {
 }
 
 /// What an action is.
-pub(super) fn event(model: &Closed, before: &State, action: Action, after: &State) -> Event {
+pub(super) fn event(
+    model: &Closed,
+    before: &ClosedState,
+    action: ClosedAction,
+    after: &ClosedState,
+) -> Event {
     let one = |from, to, words: String| Event { from, to, words: vec![words], enters: None, ms: 0 };
     match action {
-        Action::VcuCycle => vcu_cycle(model, before, after),
-        Action::AiCycle => ai_cycle(before, after),
-        Action::FrameToAi => arrival(Party::Vcu, Party::Ai, before.bus.to_ai.frames().next()),
-        Action::FrameToVcu => arrival(Party::Ai, Party::Vcu, before.bus.to_vcu.frames().next()),
-        Action::AiDecidesToStop => {
+        ClosedAction::VcuCycle => vcu_cycle(model, before, after),
+        ClosedAction::AiCycle => ai_cycle(before, after),
+        ClosedAction::FrameToAi => arrival(Party::Vcu, Party::Ai, before.bus.to_ai.frames().next()),
+        ClosedAction::FrameToVcu => arrival(Party::Ai, Party::Vcu, before.bus.to_vcu.frames().next()),
+        ClosedAction::AiDecidesToStop => {
             let Event { mut words, .. } = ai_cycle(before, after);
             words.insert(0, "mission completed".to_owned());
             Event { from: Party::Ai, to: Party::Ai, words, enters: None, ms: 0 }
         }
-        Action::Operator(act) => one(Party::Operator, Party::Vcu, act.to_string()),
-        Action::RemoteEstop(pressed) => {
+        ClosedAction::Operator(act) => one(Party::Operator, Party::Vcu, act.to_string()),
+        ClosedAction::RemoteEstop(pressed) => {
             let words = if pressed { "remote E-stop pressed" } else { "remote E-stop released" };
             one(Party::Operator, Party::Vcu, words.to_owned())
         }
-        Action::Faster | Action::Slower => one(Party::Vehicle, Party::Vcu, after.motion.wheels.to_string()),
-        Action::TimePasses => {
+        ClosedAction::Faster | ClosedAction::Slower => {
+            one(Party::Vehicle, Party::Vcu, after.motion.wheels.to_string())
+        }
+        ClosedAction::TimePasses => {
             let (_, cycles) = model.time_passes(before);
             let ms = cycles * u32::from(model.timing.cycle_ms);
             let mut words = vec![format!("{ms} ms pass")];
             if after.ai.stage != before.ai.stage {
-                words.push(format!("AI: {}", said(after)));
+                words.push(format!("AI: {}", in_words(after)));
             }
             let enters = enters(before, after);
             if enters.is_some() {
@@ -80,7 +87,7 @@ pub(super) fn event(model: &Closed, before: &State, action: Action, after: &Stat
     }
 }
 
-fn vcu_cycle(model: &Closed, before: &State, after: &State) -> Event {
+fn vcu_cycle(model: &Closed, before: &ClosedState, after: &ClosedState) -> Event {
     let (_, outputs, _) = model.step(before);
     let ms = u32::from(model.timing.cycle_ms);
     let mut words = vec![format!("cycle of {ms} ms")];
@@ -91,12 +98,12 @@ fn vcu_cycle(model: &Closed, before: &State, after: &State) -> Event {
     Event { from: Party::Vcu, to: Party::Vcu, words, enters, ms }
 }
 
-fn enters(before: &State, after: &State) -> Option<AsState> {
+fn enters(before: &ClosedState, after: &ClosedState) -> Option<AsState> {
     Some(after.control.state).filter(|&state| state != before.control.state)
 }
 
 /// What the AI Computer asks for.
-fn said(state: &State) -> String {
+fn in_words(state: &ClosedState) -> String {
     let messages = state.ai.messages();
     let mut words = format!("{}, {}", messages.status.mission_status, messages.status.direction_request);
     if messages.drive_f.front_axle_trq_request.raw() > 0 {
@@ -108,17 +115,17 @@ fn said(state: &State) -> String {
     words
 }
 
-fn change(before: &State, after: &State, section: Option<&str>) -> String {
+fn change(before: &ClosedState, after: &ClosedState, section: Option<&str>) -> String {
     let arrow = format!("{} to {}", before.control.state, after.control.state);
     section.map_or(arrow.clone(), |section| format!("{arrow} ({section})"))
 }
 
-fn ai_cycle(before: &State, after: &State) -> Event {
+fn ai_cycle(before: &ClosedState, after: &ClosedState) -> Event {
     let ids: Vec<String> = after.bus.to_vcu.frames().map(|frame| format!("{:03X}h", frame.id)).collect();
     let mut words =
         vec![if ids.is_empty() { "cycle".to_owned() } else { format!("sends {}", ids.join(", ")) }];
     if before.ai.stage != after.ai.stage {
-        words.push(said(after));
+        words.push(in_words(after));
     }
     Event { from: Party::Ai, to: Party::Ai, words, enters: None, ms: 0 }
 }

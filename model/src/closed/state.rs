@@ -5,15 +5,15 @@ use std::hash::{Hash, Hasher};
 use adsdv_spec::messages::{AsState, EbsState, Vcu2AiWheelSpeeds, WheelSpeed};
 use adsdv_spec::{AiMessages, Control, Inputs, Interface, ShutdownCircuit, Vehicle};
 
-use super::ai::Heard;
-use super::{Action, AiComputer, Bus, Closed, Operator, Switches};
+use super::ai::FromVcu;
+use super::{AiComputer, Bus, Closed, ClosedAction, Operator, Switches};
 
 /// The state of the VCU, the AI Computer, the bus, the operator and the vehicle.
 ///
 /// It debugs in words, for the Explorer. Two states are the same where those that wait for frames will make the same of
 /// them, whatever else these say.
 #[derive(Clone, Default)]
-pub struct State {
+pub struct ClosedState {
     /// What the VCU remembers.
     pub control: Control,
     /// What the VCU has received last.
@@ -42,7 +42,7 @@ pub struct State {
     pub patience: u16,
 }
 
-impl State {
+impl ClosedState {
     /// What the VCU sees.
     pub(super) fn inputs(&self) -> Inputs {
         let switches = self.switches;
@@ -75,22 +75,22 @@ impl State {
         let Self { late_cycles, acted, mission, acts, rested, patience, .. } = *self;
         // Of frames to the AI Computer only what it keeps matters; those to the VCU say nothing else.
         let heard =
-            bus.to_ai.each().map(|frame| frame.map(|frame| (frame.id, Heard::default().with(&frame))));
+            bus.to_ai.each().map(|frame| frame.map(|frame| (frame.id, FromVcu::default().with(&frame))));
         let old = bus.to_ai.is_overdue();
         let parties = (control, received, ai, switches, motion, remote_estop);
         (parties, heard, old, bus.to_vcu, (late_cycles, acted, mission, acts, rested, patience))
     }
 }
 
-impl PartialEq for State {
+impl PartialEq for ClosedState {
     fn eq(&self, other: &Self) -> bool {
         self.key() == other.key()
     }
 }
 
-impl Eq for State {}
+impl Eq for ClosedState {}
 
-impl Hash for State {
+impl Hash for ClosedState {
     fn hash<H: Hasher>(&self, hasher: &mut H) {
         self.key().hash(hasher);
     }
@@ -187,11 +187,11 @@ pub struct Rank {
 
 impl Closed {
     /// The rank of a state.
-    pub fn rank(&self, state: &State) -> Rank {
+    pub fn rank(&self, state: &ClosedState) -> Rank {
         Rank { progress: self.progress(state), patience: state.patience, talk: -self.talk_ahead(state) }
     }
 
-    fn progress(&self, state: &State) -> u16 {
+    fn progress(&self, state: &ClosedState) -> u16 {
         let wheels = state.motion.wheels as u16;
         let (figure, vehicle) = match (state.mission, state.control.state) {
             (Mission::Over, _) => (5, 4),
@@ -205,18 +205,18 @@ impl Closed {
 
     /// How many frames can still arrive, and cycles of the AI Computer follow, until the VCU steps. A frame that arrives
     /// costs more than the cycle that it can set off, and that more than all the frames that it can send.
-    fn talk_ahead(&self, state: &State) -> i16 {
-        let sum = |line: &super::Line, each: i16| line.frames().map(|_| each).sum::<i16>();
+    fn talk_ahead(&self, state: &ClosedState) -> i16 {
+        let sum = |line: &super::WaitingFrames, each: i16| line.frames().map(|_| each).sum::<i16>();
         sum(&state.bus.to_ai, 7) + if self.ai_has_news(state) { 6 } else { 0 } + sum(&state.bus.to_vcu, 1)
     }
 
-    pub(super) fn count_patience(&self, before: &State, action: Action, state: &mut State) {
+    pub(super) fn count_patience(&self, before: &ClosedState, action: ClosedAction, state: &mut ClosedState) {
         if self.operator == Operator::Any {
             return;
         }
         if self.progress(before) != self.progress(state) {
             state.patience = 0;
-        } else if action == Action::VcuCycle {
+        } else if action == ClosedAction::VcuCycle {
             state.patience = state.patience.saturating_add(1);
         }
     }
@@ -236,7 +236,7 @@ mod tests {
             (Wheels::Moving, false, true),
         ] {
             let motion = Motion { wheels, ..Motion::default() };
-            let state = State { motion, ..State::default() };
+            let state = ClosedState { motion, ..ClosedState::default() };
             let atoms = state.inputs().observe(&Interface::V3_0.thresholds).atoms();
             assert_eq!((atoms.has(Atom::AtRest), atoms.has(Atom::Moving)), (at_rest, moving), "{wheels:?}");
         }

@@ -248,34 +248,34 @@ mod tests {
     use stateright::{Model, Path};
 
     use super::super::sequence::{self, Event, Party, Sequence};
-    use super::super::{Act, Action, Closed};
+    use super::super::{Act, Closed, ClosedAction};
     use super::{LINE, draw, wrapped};
 
     /// A mission up to an emergency while driving.
-    const RUN: [Action; 20] = [
-        Action::Operator(Act::Mission(AmiState::TrackDrive)),
-        Action::Operator(Act::Tsms(true)),
-        Action::Operator(Act::Asms(true)),
-        Action::Operator(Act::EbsArmed(true)),
-        Action::VcuCycle,
-        Action::FrameToAi,
-        Action::AiCycle,
-        Action::FrameToVcu,
-        Action::VcuCycle,
-        Action::TimePasses,
-        Action::Operator(Act::Go(true)),
-        Action::VcuCycle,
-        Action::FrameToAi,
-        Action::AiCycle,
-        Action::FrameToVcu,
-        Action::TimePasses,
-        Action::Faster,
-        Action::RemoteEstop(true),
-        Action::VcuCycle,
-        Action::FrameToAi,
+    const RUN: [ClosedAction; 20] = [
+        ClosedAction::Operator(Act::Mission(AmiState::TrackDrive)),
+        ClosedAction::Operator(Act::Tsms(true)),
+        ClosedAction::Operator(Act::Asms(true)),
+        ClosedAction::Operator(Act::EbsArmed(true)),
+        ClosedAction::VcuCycle,
+        ClosedAction::FrameToAi,
+        ClosedAction::AiCycle,
+        ClosedAction::FrameToVcu,
+        ClosedAction::VcuCycle,
+        ClosedAction::TimePasses,
+        ClosedAction::Operator(Act::Go(true)),
+        ClosedAction::VcuCycle,
+        ClosedAction::FrameToAi,
+        ClosedAction::AiCycle,
+        ClosedAction::FrameToVcu,
+        ClosedAction::TimePasses,
+        ClosedAction::Faster,
+        ClosedAction::RemoteEstop(true),
+        ClosedAction::VcuCycle,
+        ClosedAction::FrameToAi,
     ];
 
-    fn path(model: &Closed) -> Path<super::super::State, Action> {
+    fn path(model: &Closed) -> Path<super::super::ClosedState, ClosedAction> {
         let first = model.init_states().remove(0);
         Path::from_actions(model, first, &RUN).expect("each action is possible")
     }
@@ -386,7 +386,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_is_told_in_words() {
+    fn a_step_is_put_into_words() {
         let model = Closed::explorer(Machine::REFERENCE);
         let run = path(&model).into_vec();
         let told: Vec<String> =
@@ -412,8 +412,8 @@ mod tests {
         let run = path(&model).into_vec();
         let passed: Vec<u32> = run
             .windows(2)
-            .filter(|pair| pair[0].1 == Some(Action::TimePasses))
-            .map(|pair| sequence::event(&model, &pair[0].0, Action::TimePasses, &pair[1].0).ms)
+            .filter(|pair| pair[0].1 == Some(ClosedAction::TimePasses))
+            .map(|pair| sequence::event(&model, &pair[0].0, ClosedAction::TimePasses, &pair[1].0).ms)
             .collect();
         assert_eq!(passed, [5000, 10], "to the end of the dwell, and until the AI Computer drives");
     }

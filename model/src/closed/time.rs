@@ -1,6 +1,6 @@
 //! Time passes: many cycles at once, for people.
 
-use super::{Action, Closed, State};
+use super::{Closed, ClosedAction, ClosedState};
 
 impl Closed {
     /// The state after the cycles in which nothing but timers and the handshake changes, with prompt answers, and how many
@@ -8,7 +8,7 @@ impl Closed {
     ///
     /// It ends with the first cycle that changes something else or in which a timer elapses; where no timer runs, after
     /// two answers' time.
-    pub(super) fn time_passes(&self, state: &State) -> (State, u32) {
+    pub(super) fn time_passes(&self, state: &ClosedState) -> (ClosedState, u32) {
         let cycle = u32::from(self.timing.cycle_ms).max(1);
         let timing = &self.machine.interface().timing;
         let longest = timing.in_state_limit(state.control.state).saturating_sub(state.control.in_state_ms);
@@ -19,18 +19,18 @@ impl Closed {
             if self.gist(&now) != before || !self.may_step(&now) {
                 return (now, passed);
             }
-            let Some(next) = self.after(&now, Action::VcuCycle) else { return (now, passed) };
+            let Some(next) = self.after(&now, ClosedAction::VcuCycle) else { return (now, passed) };
             now = self.settled(next);
         }
         (now, most)
     }
 
     /// The state when all that is on its way has arrived and is answered.
-    fn settled(&self, mut state: State) -> State {
-        let talk = [Action::FrameToAi, Action::AiCycle, Action::FrameToVcu];
-        let enabled = |state: &State, action| match action {
-            Action::FrameToAi => !state.bus.to_ai.is_empty(),
-            Action::AiCycle => self.ai_has_news(state),
+    fn settled(&self, mut state: ClosedState) -> ClosedState {
+        let talk = [ClosedAction::FrameToAi, ClosedAction::AiCycle, ClosedAction::FrameToVcu];
+        let enabled = |state: &ClosedState, action| match action {
+            ClosedAction::FrameToAi => !state.bus.to_ai.is_empty(),
+            ClosedAction::AiCycle => self.ai_has_news(state),
             _ => !state.bus.to_vcu.is_empty(),
         };
         while let Some(next) = talk
@@ -44,7 +44,7 @@ impl Closed {
     }
 
     /// What is worth stopping for: all but the handshake and the time that a timer has left.
-    fn gist(&self, state: &State) -> State {
+    fn gist(&self, state: &ClosedState) -> ClosedState {
         let timing = &self.machine.interface().timing;
         let mut gist = state.clone();
         let limit = timing.in_state_limit(gist.control.state);

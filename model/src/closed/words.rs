@@ -6,7 +6,7 @@ use adsdv_spec::messages::{AmiState, AnyMessage, BrakePressure, Frame, ShutdownC
 use adsdv_spec::{Atom, Timing};
 
 use super::action::on_off;
-use super::{Action, Closed, Line, State, Wheels};
+use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels};
 
 /// A frame as `candump` writes it, and what it says.
 pub(super) fn frame(frame: &Frame) -> String {
@@ -63,7 +63,7 @@ impl fmt::Display for Wheels {
 /// The names of the lines that a state is told in.
 const WIDTH: usize = 13;
 
-impl State {
+impl ClosedState {
     /// The state, a line for each party: its name, and how it is.
     fn lines(&self, timing: Option<&Timing>) -> [(&'static str, String); 8] {
         [
@@ -154,12 +154,12 @@ impl State {
     }
 }
 
-fn waiting(line: &Line) -> String {
+fn waiting(line: &WaitingFrames) -> String {
     let frames: Vec<String> = line.frames().map(frame).collect();
     if frames.is_empty() { "nothing new".to_owned() } else { frames.join("; ") }
 }
 
-impl fmt::Debug for State {
+impl fmt::Debug for ClosedState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, (name, words)) in self.lines(None).iter().enumerate() {
             let end = if i == 0 { "" } else { "\n" };
@@ -170,7 +170,12 @@ impl fmt::Debug for State {
 }
 
 /// What a step did: what happened, and then the state, with a mark at each line that is new.
-pub(super) fn step(model: &Closed, before: &State, action: Action, after: &State) -> String {
+pub(super) fn step(
+    model: &Closed,
+    before: &ClosedState,
+    action: ClosedAction,
+    after: &ClosedState,
+) -> String {
     let timing = Some(&model.machine.interface().timing);
     let mut lines =
         vec![super::sequence::event(model, before, action, after).words.join(", "), String::new()];
@@ -192,7 +197,7 @@ mod tests {
 
     #[test]
     fn a_state_is_a_line_for_each_thing() {
-        let state = State::default();
+        let state = ClosedState::default();
         let text = format!("{state:?}");
         let expected = state.lines(None);
         assert!(expected.len() > 3);

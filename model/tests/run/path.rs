@@ -2,7 +2,7 @@
 
 use adsdv_model::{Action, Run};
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{Finding, Options, Party, Report, Severity};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Severity};
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Interface, Machine, Observation, Readings};
@@ -115,7 +115,7 @@ pub(crate) fn judged(run: &Run, readings: Readings) -> Report {
     for (t_ns, frame) in run.frames() {
         write_frame(&mut log, t_ns, "vcan0", frame.id.into(), frame.data()).expect("memory takes it all");
     }
-    let judge = Options { readings: readings.choices(), ..Options::default() };
+    let judge = JudgeOptions { readings: readings.choices(), ..JudgeOptions::default() };
     let options = LogOptions { judge, interface: None };
     judge_log(log.as_slice(), &options, |_| {}).expect("what was written is read")
 }

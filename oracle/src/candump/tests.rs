@@ -6,13 +6,13 @@ use super::*;
 
 /// What stays of an entry when the reader moves on.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Seen {
+enum Kept {
     Frame { line: u64, time_ns: i64, interface: String, kind: FrameKind, id: u32, data: Vec<u8> },
     Dropped { line: u64, interface: String, count: u64, total: u64 },
     Broken(LineError),
 }
 
-impl Seen {
+impl Kept {
     fn line(&self) -> u64 {
         match self {
             Self::Frame { line, .. } | Self::Dropped { line, .. } => *line,
@@ -21,12 +21,12 @@ impl Seen {
     }
 }
 
-fn read_all(source: impl Read) -> (Vec<Seen>, Option<ReadError>) {
+fn read_all(source: impl Read) -> (Vec<Kept>, Option<ReadError>) {
     let mut reader = Reader::new(source);
     let mut seen = Vec::new();
     loop {
         match reader.next_record() {
-            Ok(Some(Entry::Frame(record))) => seen.push(Seen::Frame {
+            Ok(Some(Entry::Frame(record))) => seen.push(Kept::Frame {
                 line: record.line,
                 time_ns: record.time_ns,
                 interface: record.interface.to_owned(),
@@ -35,25 +35,25 @@ fn read_all(source: impl Read) -> (Vec<Seen>, Option<ReadError>) {
                 data: record.data.to_vec(),
             }),
             Ok(Some(Entry::Dropped(Dropped { line, interface, count, total }))) => {
-                seen.push(Seen::Dropped { line, interface: interface.to_owned(), count, total });
+                seen.push(Kept::Dropped { line, interface: interface.to_owned(), count, total });
             }
-            Ok(Some(Entry::Broken(error))) => seen.push(Seen::Broken(error)),
+            Ok(Some(Entry::Broken(error))) => seen.push(Kept::Broken(error)),
             Ok(None) => return (seen, None),
             Err(error) => return (seen, Some(error)),
         }
     }
 }
 
-fn read(text: &[u8]) -> Vec<Seen> {
+fn read(text: &[u8]) -> Vec<Kept> {
     let (seen, error) = read_all(text);
     assert!(error.is_none());
     seen
 }
 
 /// `Ok` with its line number for each line that was read, `Err` for each broken one.
-fn outline(seen: &[Seen]) -> Vec<Result<u64, u64>> {
+fn outline(seen: &[Kept]) -> Vec<Result<u64, u64>> {
     seen.iter()
-        .map(|entry| if matches!(entry, Seen::Broken(_)) { Err(entry.line()) } else { Ok(entry.line()) })
+        .map(|entry| if matches!(entry, Kept::Broken(_)) { Err(entry.line()) } else { Ok(entry.line()) })
         .collect()
 }
 
@@ -115,7 +115,7 @@ fn recorded_logs_are_read_to_the_last_line() {
         // Written again they are the same log, byte for byte.
         let mut again = Vec::new();
         for entry in &seen {
-            let Seen::Frame { time_ns, interface, id, data, .. } = entry else {
+            let Kept::Frame { time_ns, interface, id, data, .. } = entry else {
                 panic!("{name}: {entry:?}");
             };
             write_frame(&mut again, *time_ns, interface, *id, data).expect("writing to memory");
@@ -177,7 +177,7 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
     let seen: Vec<_> = read(log)
         .into_iter()
         .map(|entry| match entry {
-            Seen::Frame { interface, kind, .. } => (interface, kind),
+            Kept::Frame { interface, kind, .. } => (interface, kind),
             other => panic!("{other:?}"),
         })
         .collect();
@@ -191,7 +191,7 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
 }
 
 #[test]
-fn a_broken_line_says_where_what_and_why_and_costs_only_itself() {
+fn a_broken_line_is_reported_with_where_what_and_why_and_costs_only_itself() {
     let broken: [(&[u8], &str); 6] = [
         (
             b"vcan0  520   [8]  00 00",
@@ -218,7 +218,7 @@ fn a_broken_line_says_where_what_and_why_and_costs_only_itself() {
     for (line, message) in broken {
         let seen = read(&[GOOD, line, GOOD].join(&b'\n'));
         assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)]);
-        let Seen::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+        let Kept::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
         assert_eq!(error.to_string(), message);
     }
 }
@@ -231,7 +231,7 @@ fn an_endless_line_is_one_broken_line() {
         let trickled = read_all(Trickle(&log, Random(len as u64))).0;
         for seen in [read(&log), trickled] {
             assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)], "{len}");
-            let Seen::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+            let Kept::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
             assert_eq!(error.expected.contains("8192"), len > MAX_LINE, "{len}: {error}");
             assert_eq!(error.found.to_string(), r#""777777777777777777777777"..."#);
         }
@@ -275,7 +275,7 @@ fn lost_frames_are_read_as_they_are_written() -> io::Result<()> {
     log.extend(b"DROPCOUNT: dropped 3 CAN fr");
     let seen = read(&log);
     assert_eq!(outline(&seen), [Ok(1), Ok(2), Ok(3), Ok(4), Err(5)]);
-    let dropped = |line, count, total| Seen::Dropped { line, interface: "vcan0".to_owned(), count, total };
+    let dropped = |line, count, total| Kept::Dropped { line, interface: "vcan0".to_owned(), count, total };
     assert_eq!(seen[1..4], [dropped(2, 1, 1), dropped(3, 3, 4), dropped(4, 0xFFFF_FFFF, u64::MAX >> 1)]);
     let mut nothing = Vec::new();
     let refused = write_dropped(&mut nothing, &Dropped { line: 0, interface: "can 0", count: 1, total: 1 });
@@ -321,8 +321,8 @@ fn rubbish_never_panics_and_never_hides_a_line() {
         let seen = read(&log);
         assert!(seen.is_sorted_by(|one, next| one.line() < next.line()));
         let frames = seen.iter().filter_map(|entry| match entry {
-            Seen::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
-            Seen::Dropped { .. } | Seen::Broken(_) => None,
+            Kept::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
+            Kept::Dropped { .. } | Kept::Broken(_) => None,
         });
         // Rubbish may happen to be a frame; every frame that was written has to be there.
         let frames: Vec<_> =
@@ -358,13 +358,13 @@ fn what_is_written_is_read_back() {
         let mut log = Vec::new();
         write_frame(&mut log, time_ns, interface, id, &data).expect("a valid frame");
         let kind = if id > 0x7FF { FrameKind::Extended } else { FrameKind::Standard };
-        let expected = Seen::Frame { line: 1, time_ns, interface: interface.to_owned(), kind, id, data };
+        let expected = Kept::Frame { line: 1, time_ns, interface: interface.to_owned(), kind, id, data };
         assert_eq!(read(&log), [expected], "{}", log.escape_ascii());
     }
 }
 
 #[test]
-fn a_last_line_that_was_cut_off_is_told_from_one_that_was_not() {
+fn a_last_line_that_was_cut_off_is_not_taken_for_a_whole_one() {
     let mut reader = Reader::new(&b"(1.000000) can0 520#0011\n(1.010000) can0 520#00"[..]);
     let mut terminated = Vec::new();
     while let Ok(Some(Entry::Frame(record))) = reader.next_record() {

@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn some_requirements_say_something_of_one_state_only() {
+    fn some_requirements_are_about_one_state_only() {
         for (id, key, only) in [
             ("D-42", "hyd_press_f", AsState::Off),
             ("DRV-2", "direction", AsState::Ready),

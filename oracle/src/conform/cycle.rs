@@ -68,7 +68,7 @@ mod tests {
     use crate::suite::{Scenario, Step};
 
     #[test]
-    fn a_time_of_too_many_cycles_is_not_told() {
+    fn a_time_of_too_many_cycles_is_left_out() {
         let told = |dt_ms| {
             let scenario = Scenario { steps: vec![Step { dt_ms, inputs: Inputs::default() }] };
             in_cycles(&Machine::REFERENCE, &scenario, 1).map(|scenario| scenario.steps.len())

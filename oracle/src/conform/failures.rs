@@ -6,12 +6,12 @@ use adsdv_spec::{Choice, Machine};
 
 use super::blame::{Blame, Wrong};
 use super::broken::Break;
-use super::options::{Phase, Progress};
+use super::options::{ConformProgress, Phase};
+use super::program_error::ProgramError;
 use super::report::Failure;
 use super::run::Run;
 use super::shrink::{Failing, Shrink};
 use super::suite::Suite;
-use super::trouble::Trouble;
 use super::vcu::Reply;
 use crate::suite::{Scenario, Test};
 
@@ -46,7 +46,7 @@ impl Run<'_> {
         tests: &[Test],
         suite: &Suite,
         blame: &Blame<'_>,
-    ) -> Result<Failures, Trouble> {
+    ) -> Result<Failures, ProgramError> {
         let machine = Machine::new(self.options.interface, suite.judged_by());
         let failed: Vec<(usize, &Test, &Scenario, &Option<Vec<Choice>>)> = suite
             .failed
@@ -119,7 +119,7 @@ impl Run<'_> {
         let all = groups.len();
         let mut told = Vec::with_capacity(all);
         for (done, failure) in groups.into_iter().enumerate() {
-            self.tell(Progress { phase: Phase::Shrinking, done, all });
+            self.report(ConformProgress { phase: Phase::Shrinking, done, all });
             let share = share(self.shrinking, done, all);
             told.push(self.shortest(failure, &machine, suite.late, share)?);
         }
@@ -133,7 +133,7 @@ impl Run<'_> {
         machine: &Machine,
         late: usize,
         time: Duration,
-    ) -> Result<Failure, Trouble> {
+    ) -> Result<Failure, ProgramError> {
         let Some(found) = failure.found.clone() else { return Ok(failure) };
         let start = Instant::now();
         let mut shrink = Shrink {

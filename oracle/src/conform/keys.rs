@@ -25,11 +25,11 @@ impl Keys {
     }
 
     /// Those that an answer tells of.
-    pub(super) fn told(reply: &Reply) -> Self {
+    pub(super) fn given(reply: &Reply) -> Self {
         match reply {
-            Reply::Answer(answer) => {
-                Self(answer.told().enumerate().fold(0, |bits, (place, told)| bits | u64::from(told) << place))
-            }
+            Reply::Answer(answer) => Self(
+                answer.given().enumerate().fold(0, |bits, (place, given)| bits | u64::from(given) << place),
+            ),
             Reply::Nothing => Self::NONE,
         }
     }
@@ -84,6 +84,6 @@ mod tests {
         assert!(Keys::of(&["no such key"]).is_empty() && Keys::ALL.and(both) == both);
         assert_eq!(Keys::of(&["steer"]).or(Keys::of(&["as_state"])), both);
         let reply = Reply::Answer(r#"{"as_state":1,"steer":null}"#.parse().unwrap());
-        assert_eq!((Keys::told(&reply), Keys::told(&Reply::Nothing)), (both, Keys::NONE));
+        assert_eq!((Keys::given(&reply), Keys::given(&Reply::Nothing)), (both, Keys::NONE));
     }
 }

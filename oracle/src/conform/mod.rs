@@ -6,7 +6,7 @@
 //! random --+         and is answered    none explains them: Break, the row of Figure 2, and a shorter scenario
 //! ```
 //!
-//! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`Trouble`] (`trouble.rs`), never in
+//! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`ProgramError`] (`trouble.rs`), never in
 //!   waiting for ever; `lines.rs` reads its lines, `stderr.rs` its last words;
 //! - `vcu.rs`: what is asked, be it that program or a machine in this process;
 //! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
@@ -23,16 +23,16 @@
 //!   the random scenarios; `options.rs` says how, and `report.rs` what came of it.
 //!
 //! ```
-//! use adsdv_oracle::conform::{InProcess, Options, conform};
+//! use adsdv_oracle::conform::{InProcess, ConformOptions, conform};
 //! use adsdv_oracle::suite;
 //! use adsdv_spec::{Choice, Interface, Machine, Readings};
 //!
 //! // A program that takes a rising edge of "Go" for enough conforms: the document can be read so.
 //! let vcu = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::GoEdgeEnough));
 //! let tests = suite::generate(&Interface::V3_0);
-//! let report = conform(&mut InProcess(vcu), &tests, &Options::default(), &mut |_| {})?;
+//! let report = conform(&mut InProcess(vcu), &tests, &ConformOptions::default(), &mut |_| {})?;
 //! assert!(report.conforms() && report.readings.is(Choice::GoEdgeEnough));
-//! # Ok::<(), adsdv_oracle::conform::Trouble>(())
+//! # Ok::<(), adsdv_oracle::conform::ProgramError>(())
 //! ```
 
 mod about;
@@ -46,6 +46,7 @@ mod keys;
 mod lines;
 mod options;
 mod program;
+mod program_error;
 mod random;
 mod report;
 mod requirements;
@@ -55,7 +56,6 @@ mod set;
 mod shrink;
 mod stderr;
 mod suite;
-mod trouble;
 mod vcu;
 mod verdict;
 mod walker;
@@ -64,11 +64,11 @@ pub use broken::{Break, Row, Why};
 #[cfg(unix)]
 pub use child::stop_programs;
 pub use lines::{LineBuffer, TooLong};
-pub use options::{Options, Phase, Progress};
+pub use options::{ConformOptions, ConformProgress, Phase};
 pub use program::Program;
-pub use report::{Failure, Moment, Report};
+pub use program_error::{Place, ProgramError, ProgramErrorKind, Work};
+pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
 pub use run::conform;
-pub use trouble::{Place, Trouble, What, Work};
 pub use vcu::{InProcess, Reply, Vcu};
 pub use verdict::{Follows, Side};

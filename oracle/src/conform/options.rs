@@ -6,7 +6,7 @@ use adsdv_spec::{Choices, Interface};
 
 /// How a program is judged.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct ConformOptions {
     /// The version of the document.
     pub interface: Interface,
     /// The choices of readings that are allowed for.
@@ -23,7 +23,7 @@ pub struct Options {
     pub shrinking: Duration,
 }
 
-impl Default for Options {
+impl Default for ConformOptions {
     fn default() -> Self {
         Self {
             interface: Interface::V3_0,
@@ -39,7 +39,7 @@ impl Default for Options {
 
 /// How far it is.
 #[derive(Clone, Copy, Debug)]
-pub struct Progress {
+pub struct ConformProgress {
     /// What is being done.
     pub phase: Phase,
     /// How much of it is done.

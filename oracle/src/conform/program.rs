@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 use super::child::Process;
 use super::lines::{LineBuffer, Lines, Missing};
+use super::program_error::{Place, ProgramError, ProgramErrorKind, excerpt};
 use super::stderr::LastWords;
-use super::trouble::{Place, Trouble, What, excerpt};
 use super::vcu::{Reply, Vcu};
 use crate::protocol::Request;
 use crate::suite::Scenario;
@@ -42,10 +42,10 @@ impl Program {
         args: &[OsString],
         timeout: Duration,
         late: bool,
-    ) -> Result<Self, Trouble> {
+    ) -> Result<Self, ProgramError> {
         let started = Process::start(program, args);
         let (process, (mut stdin, stdout, stderr)) =
-            started.map_err(|error| Trouble::new(What::NoStart(error)))?;
+            started.map_err(|error| ProgramError::new(ProgramErrorKind::NoStart(error)))?;
         let (requests, to_write) = channel::<Vec<u8>>();
         // It ends with the requests, or with the program, which nobody writes to any more.
         thread::spawn(move || to_write.iter().try_for_each(|lines| stdin.write_all(&lines)));
@@ -60,10 +60,14 @@ impl Program {
     }
 
     /// How long it may take for the next answer; an error if the time for all of them is over.
-    fn patience(&self) -> Result<Duration, What> {
+    fn patience(&self) -> Result<Duration, ProgramErrorKind> {
         let Some((start, limit)) = self.limit else { return Ok(self.timeout) };
         let left = limit.saturating_sub(start.elapsed());
-        if left.is_zero() { Err(What::OutOfTime(limit, None)) } else { Ok(left.min(self.timeout)) }
+        if left.is_zero() {
+            Err(ProgramErrorKind::OutOfTime(limit, None))
+        } else {
+            Ok(left.min(self.timeout))
+        }
     }
 
     /// Writes all lines of a scenario; how many.
@@ -80,26 +84,28 @@ impl Program {
     }
 
     /// The next line.
-    fn line(&mut self) -> Result<&[u8], What> {
+    fn line(&mut self) -> Result<&[u8], ProgramErrorKind> {
         let patience = self.patience()?;
         let process = &mut self.process;
         match self.lines.next(patience, || process.ended().is_some()) {
             Ok(line) => Ok(self.lines.get(line)),
             // It is not the answer that is late.
             Err(Missing::Late) if patience < self.timeout => {
-                Err(What::OutOfTime(self.limit.map_or(patience, |(_, limit)| limit), None))
+                Err(ProgramErrorKind::OutOfTime(self.limit.map_or(patience, |(_, limit)| limit), None))
             }
-            Err(Missing::Late) => Err(What::Late(self.timeout, excerpt(self.lines.rest()))),
-            Err(Missing::TooLong) => Err(What::TooLong(LineBuffer::LONGEST, excerpt(self.lines.rest()))),
+            Err(Missing::Late) => Err(ProgramErrorKind::Late(self.timeout, excerpt(self.lines.rest()))),
+            Err(Missing::TooLong) => {
+                Err(ProgramErrorKind::TooLong(LineBuffer::LONGEST, excerpt(self.lines.rest())))
+            }
             Err(Missing::End) => Err(self.gone()),
         }
     }
 
     /// What it is that has no more lines. A program that has just closed its output may be about to end.
-    fn gone(&mut self) -> What {
+    fn gone(&mut self) -> ProgramErrorKind {
         match self.wait(Duration::from_millis(200)) {
-            Some(ended) => What::Ended(ended.how),
-            None => What::Closed,
+            Some(ended) => ProgramErrorKind::Ended(ended.how),
+            None => ProgramErrorKind::Closed,
         }
     }
 
@@ -116,10 +122,10 @@ impl Program {
     }
 
     /// What is wrong with the answer to a step of a scenario, or with that to the reset before it.
-    fn trouble(&self, what: What, name: &str, scenario: &Scenario, step: usize) -> Trouble {
+    fn trouble(&self, what: ProgramErrorKind, name: &str, scenario: &Scenario, step: usize) -> ProgramError {
         let sent = scenario.requests().nth(step).as_ref().map(Request::to_string).unwrap_or_default();
         let place = Some(Box::new(Place { scenario: name.to_owned(), step, sent }));
-        Trouble { place, what, stderr: self.last_words.lines() }
+        ProgramError { place, what, stderr: self.last_words.lines() }
     }
 }
 
@@ -128,7 +134,7 @@ impl Vcu for Program {
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ProgramError> {
         let mut to_send = scenarios.iter();
         let mut in_flight = 0;
         let mut replies = Vec::new();
@@ -153,7 +159,7 @@ impl Vcu for Program {
     }
 
     /// Ends its input, and gives it a moment to end. One that does not is killed; that is no trouble, but worth a note.
-    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+    fn end(&mut self) -> Result<Vec<String>, ProgramError> {
         self.requests = None;
         let start = Instant::now();
         let process = &mut self.process;
@@ -163,8 +169,8 @@ impl Vcu for Program {
             Err(_) => self.lines.rest(),
         };
         if !unasked.trim_ascii().is_empty() {
-            let what = What::TooMany(excerpt(unasked));
-            return Err(Trouble { place: None, what, stderr: self.last_words.lines() });
+            let what = ProgramErrorKind::TooMany(excerpt(unasked));
+            return Err(ProgramError { place: None, what, stderr: self.last_words.lines() });
         }
         Ok(match self.wait(FAREWELL.saturating_sub(start.elapsed())) {
             Some(ended) if ended.well => Vec::new(),

@@ -6,13 +6,13 @@ use super::blame::{Blame, Wrong};
 use super::broken::Break;
 use super::explain::Explain;
 use super::failures::{Failures, TOLD, share};
-use super::options::{Phase, Progress};
+use super::options::{ConformProgress, Phase};
+use super::program_error::ProgramError;
 use super::report::Failure;
 use super::rng::Rng;
 use super::run::Run;
 use super::shrink::with_tail;
 use super::suite::Suite;
-use super::trouble::Trouble;
 use super::vcu::Reply;
 use super::walker::Walker;
 use crate::suite::Scenario;
@@ -22,7 +22,7 @@ const BATCH: u32 = 64;
 
 /// What random scenarios showed.
 #[derive(Debug)]
-pub(super) struct Random {
+pub(super) struct RandomRuns {
     /// The combinations that are still possible.
     pub(super) readings: Vec<Readings>,
     /// Each thing that is wrong and that the suite has not found, shortened.
@@ -51,12 +51,12 @@ impl Run<'_> {
         suite: &Suite,
         known: &Failures,
         blame: &Blame<'_>,
-    ) -> Result<Random, Trouble> {
+    ) -> Result<RandomRuns, ProgramError> {
         let options = self.options;
         let known: Vec<&Break> =
             known.told.iter().chain(&known.more).filter_map(|failure| failure.found.as_ref()).collect();
         let mut explain = Explain::new(&options.interface, suite.readings.clone());
-        let mut random = Random {
+        let mut random = RandomRuns {
             readings: suite.readings.clone(),
             failures: Vec::new(),
             more: Vec::new(),
@@ -81,7 +81,7 @@ impl Run<'_> {
                 scenarios.iter().map(|(name, scenario)| (name.as_str(), scenario)).collect();
             let mut alive = explain.all();
             let mut new: Vec<New> = Vec::new();
-            let Random { failures, more, failed, broken, .. } = &mut random;
+            let RandomRuns { failures, more, failed, broken, .. } = &mut random;
             let told = failures.iter().filter_map(|failure| failure.found.as_ref()).chain(more.iter());
             let told: Vec<&Break> = known.iter().copied().chain(told).collect();
             self.ask(&named, Phase::Random, run as usize, options.runs as usize, &mut |place, replies| {
@@ -129,7 +129,7 @@ impl Run<'_> {
                     replies,
                     found: Some(found),
                 };
-                self.tell(Progress {
+                self.report(ConformProgress {
                     phase: Phase::Shrinking,
                     done: run as usize,
                     all: options.runs as usize,

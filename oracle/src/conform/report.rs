@@ -11,7 +11,7 @@ use crate::suite::{Scenario, Step};
 
 /// Whether a program conforms, and all that is known of why and how.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub struct ConformReport {
     /// How many tests of the suite were run.
     pub tests: usize,
     /// How many of them failed.
@@ -44,7 +44,7 @@ pub struct Report {
     pub notes: Vec<String>,
 }
 
-impl Report {
+impl ConformReport {
     /// Whether one combination of readings explains everything.
     pub fn conforms(&self) -> bool {
         self.failures.is_empty()
@@ -76,7 +76,7 @@ pub struct Failure {
 
 /// Steps of a failing scenario that are alike, or one step.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moment {
+pub struct Stretch {
     /// The first of them, from 1.
     pub first: usize,
     /// The last of them.
@@ -95,11 +95,11 @@ pub struct Moment {
 
 impl Failure {
     /// The scenario as what changed, step by step, up to the first wrong answer.
-    pub fn timeline(&self) -> Vec<Moment> {
+    pub fn timeline(&self) -> Vec<Stretch> {
         let usual = Step { dt_ms: 0, inputs: adsdv_spec::Inputs::default() };
         let late = self.found.as_ref().map_or(0, |found| found.step - found.about.min(found.step));
         let last = self.found.as_ref().map(|found| found.step);
-        let mut moments: Vec<Moment> = Vec::new();
+        let mut moments: Vec<Stretch> = Vec::new();
         let mut time_ms = 0;
         let (mut before, mut handshake_only) = (&usual, 0);
         for (place, (step, reply)) in self.steps().zip(&self.replies).enumerate() {
@@ -133,7 +133,7 @@ impl Failure {
                 {
                     (moment.last, moment.time_ms) = (place + 1, time_ms);
                 }
-                _ => moments.push(Moment {
+                _ => moments.push(Stretch {
                     first: place + 1,
                     last: place + 1,
                     time_ms,

@@ -7,11 +7,11 @@ use adsdv_spec::Machine;
 use super::blame::Blame;
 use super::failures::Failures;
 use super::keys::Keys;
-use super::options::{Options, Phase, Progress};
-use super::report::{Failure, Report};
+use super::options::{ConformOptions, ConformProgress, Phase};
+use super::program_error::{ProgramError, Work};
+use super::report::{ConformReport, Failure};
 use super::requirements;
 use super::suite::Suite;
-use super::trouble::{Trouble, Work};
 use super::vcu::{Reply, Vcu};
 use super::verdict;
 use crate::protocol::SHOWN;
@@ -21,10 +21,10 @@ use crate::suite::{Scenario, Test, about_the_vcu};
 pub fn conform(
     vcu: &mut dyn Vcu,
     tests: &[Test],
-    options: &Options,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Report, Trouble> {
-    let at = Progress { phase: Phase::Suite, done: 0, all: tests.len() };
+    options: &ConformOptions,
+    progress: &mut dyn FnMut(ConformProgress),
+) -> Result<ConformReport, ProgramError> {
+    let at = ConformProgress { phase: Phase::Suite, done: 0, all: tests.len() };
     let shrinking = options.shrinking;
     let mut run = Run { vcu, options, progress, at, steps: 0, suite_steps: 0, shown: Keys::NONE, shrinking };
     let judged = run.judge(tests);
@@ -36,10 +36,10 @@ pub fn conform(
 /// What goes on, and what it has come to.
 pub(super) struct Run<'a> {
     pub(super) vcu: &'a mut dyn Vcu,
-    pub(super) options: &'a Options,
-    progress: &'a mut dyn FnMut(Progress),
+    pub(super) options: &'a ConformOptions,
+    progress: &'a mut dyn FnMut(ConformProgress),
     /// How far it is.
-    at: Progress,
+    at: ConformProgress,
     /// The steps that the program has made.
     pub(super) steps: u64,
     /// Those of the whole suite.
@@ -51,7 +51,7 @@ pub(super) struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn judge(&mut self, tests: &[Test]) -> Result<Report, Trouble> {
+    fn judge(&mut self, tests: &[Test]) -> Result<ConformReport, ProgramError> {
         let options = self.options;
         let suite = self.suite(tests, options.latency)?;
         let mut notes = self.later(tests, &suite)?;
@@ -69,7 +69,7 @@ impl Run<'_> {
         let failures: Vec<Failure> = told.into_iter().chain(in_random.failures).collect();
         let Suite { failed, late, not_told, asked, shown, .. } = suite;
         let ran = requirements::ran(tests, asked.into_iter().zip(shown), broken);
-        Ok(Report {
+        Ok(ConformReport {
             tests: tests.len() - not_told.len(),
             failed_tests: failed.len(),
             runs: options.runs,
@@ -96,20 +96,20 @@ impl Run<'_> {
         before: usize,
         all: usize,
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ProgramError> {
         let Self { vcu, progress, at, steps, shown, .. } = self;
-        *at = Progress { phase, done: before, all };
+        *at = ConformProgress { phase, done: before, all };
         vcu.ask(named, &mut |place, replies| {
             *steps += replies.len() as u64;
-            *shown = replies.iter().fold(*shown, |shown, reply| shown.or(Keys::told(reply)));
+            *shown = replies.iter().fold(*shown, |shown, reply| shown.or(Keys::given(reply)));
             answered(place, replies);
-            *at = Progress { phase, done: before + place + 1, all };
+            *at = ConformProgress { phase, done: before + place + 1, all };
             progress(*at);
         })
     }
 
     /// Tells how far it is.
-    pub(super) fn tell(&mut self, at: Progress) {
+    pub(super) fn report(&mut self, at: ConformProgress) {
         self.at = at;
         (self.progress)(at);
     }

@@ -5,7 +5,7 @@ use std::time::Instant;
 use adsdv_spec::{Inputs, Machine};
 
 use super::broken::Break;
-use super::trouble::Trouble;
+use super::program_error::ProgramError;
 use super::vcu::{Reply, Vcu};
 use crate::protocol::{INPUTS, InputField};
 use crate::suite::{Scenario, Step};
@@ -44,7 +44,7 @@ impl Shrink<'_> {
         &mut self,
         scenario: Scenario,
         as_this: Option<&Break>,
-    ) -> Result<Option<Failing>, Trouble> {
+    ) -> Result<Option<Failing>, ProgramError> {
         let asked = with_tail(&scenario, self.late);
         let mut answers = Vec::new();
         self.vcu.ask(&[("a shorter scenario", &asked)], &mut |_, replies| answers = replies.to_vec())?;
@@ -58,7 +58,7 @@ impl Shrink<'_> {
     }
 
     /// Shortens a failing scenario until nothing can be left out any more, or the time is over.
-    pub(super) fn shortest(&mut self, mut best: Failing) -> Result<Failing, Trouble> {
+    pub(super) fn shortest(&mut self, mut best: Failing) -> Result<Failing, ProgramError> {
         loop {
             let before = size(&best.scenario);
             self.fewer_steps(&mut best)?;
@@ -78,7 +78,7 @@ impl Shrink<'_> {
     }
 
     /// Takes a scenario instead of the best if it is simpler and fails in the same way.
-    fn accept(&mut self, best: &mut Failing, steps: Vec<Step>) -> Result<bool, Trouble> {
+    fn accept(&mut self, best: &mut Failing, steps: Vec<Step>) -> Result<bool, ProgramError> {
         let scenario = Scenario { steps };
         if self.is_late() || size(&scenario) >= size(&best.scenario) {
             return Ok(false);
@@ -92,7 +92,7 @@ impl Shrink<'_> {
     }
 
     /// Without some steps, many at first; the time of what is left out passes before the next step, or not at all.
-    fn fewer_steps(&mut self, best: &mut Failing) -> Result<(), Trouble> {
+    fn fewer_steps(&mut self, best: &mut Failing) -> Result<(), ProgramError> {
         let mut width = best.scenario.steps.len();
         while width > 0 {
             let mut start = 0;
@@ -121,7 +121,7 @@ impl Shrink<'_> {
     }
 
     /// Each input at its default, in all steps or in one.
-    fn usual_inputs(&mut self, best: &mut Failing) -> Result<(), Trouble> {
+    fn usual_inputs(&mut self, best: &mut Failing) -> Result<(), ProgramError> {
         let usual = Inputs::default();
         for field in INPUTS {
             let default = (field.get)(&usual);
@@ -144,7 +144,7 @@ impl Shrink<'_> {
     }
 
     /// Each input that changes and stays so for some steps, as it was before.
-    fn fewer_changes(&mut self, best: &mut Failing) -> Result<(), Trouble> {
+    fn fewer_changes(&mut self, best: &mut Failing) -> Result<(), ProgramError> {
         for field in INPUTS {
             let mut place = 1;
             while let (Some(last), Some(step)) =
@@ -165,7 +165,7 @@ impl Shrink<'_> {
     }
 
     /// The least time before each step: none, or where it begins to matter.
-    fn less_time(&mut self, best: &mut Failing) -> Result<(), Trouble> {
+    fn less_time(&mut self, best: &mut Failing) -> Result<(), ProgramError> {
         let mut place = 0;
         while let Some(step) = best.scenario.steps.get(place) {
             let (mut too_little, mut enough) = (None, step.dt_ms);

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::trouble::excerpt;
+use super::program_error::excerpt;
 
 /// So much of the end is kept.
 const KEPT: usize = 4096;

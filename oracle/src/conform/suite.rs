@@ -6,10 +6,10 @@ use super::cycle::in_cycles;
 use super::explain::Explain;
 use super::keys::Keys;
 use super::options::Phase;
+use super::program_error::ProgramError;
 use super::run::Run;
 use super::set::Set;
 use super::shrink::with_tail;
-use super::trouble::Trouble;
 use super::vcu::Reply;
 use super::verdict;
 use crate::suite::{Scenario, Test};
@@ -60,7 +60,7 @@ impl Suite {
 
 impl Run<'_> {
     /// Whether most of the suite fails only because the outputs are later than is allowed for.
-    pub(super) fn later(&mut self, tests: &[Test], suite: &Suite) -> Result<Vec<String>, Trouble> {
+    pub(super) fn later(&mut self, tests: &[Test], suite: &Suite) -> Result<Vec<String>, ProgramError> {
         if suite.failed.len() * 2 <= tests.len() {
             return Ok(Vec::new());
         }
@@ -80,7 +80,7 @@ impl Run<'_> {
         Ok(fewer.then(note).into_iter().collect())
     }
 
-    pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, Trouble> {
+    pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, ProgramError> {
         let options = self.options;
         let explain = Explain::every(&options.interface, options.possible);
         let reference = Machine::new(options.interface, Readings::DEFAULT);
@@ -110,7 +110,7 @@ impl Run<'_> {
                     explained.push(Explained::of(&explain, scenario, replies, late));
                 }
                 // Of the first answers a late program need not show more than AS_OFF.
-                let told = replies.iter().skip(latency).map(Keys::told);
+                let told = replies.iter().skip(latency).map(Keys::given);
                 shown.push(told.fold(Keys::ALL, Keys::and));
             }
         })?;

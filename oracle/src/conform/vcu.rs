@@ -3,7 +3,7 @@
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{AsState, Machine};
 
-use super::trouble::{Trouble, What, excerpt};
+use super::program_error::{ProgramError, ProgramErrorKind, excerpt};
 use crate::protocol::{Answer, BadLine, Shown};
 use crate::suite::Scenario;
 
@@ -14,10 +14,10 @@ pub trait Vcu {
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble>;
+    ) -> Result<(), ProgramError>;
 
     /// Ends it, and says what is worth knowing about how that went.
-    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+    fn end(&mut self) -> Result<Vec<String>, ProgramError> {
         Ok(Vec::new())
     }
 }
@@ -36,13 +36,13 @@ impl Reply {
     /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.
     ///
     /// Errors: the line is no text, or says no outputs.
-    pub fn to_step(line: &[u8], late: bool) -> Result<Self, What> {
+    pub fn to_step(line: &[u8], late: bool) -> Result<Self, ProgramErrorKind> {
         let line = text(line)?;
         line.parse().map(Self::Answer).or_else(|why: BadLine| {
             if late && line.trim() == "{}" {
                 Ok(Self::Nothing)
             } else {
-                Err(What::NoAnswer(excerpt(line.as_bytes()), why))
+                Err(ProgramErrorKind::NoAnswer(excerpt(line.as_bytes()), why))
             }
         })
     }
@@ -50,12 +50,12 @@ impl Reply {
     /// Reads the answer to a reset.
     ///
     /// Errors: the line is no text, or another answer.
-    pub fn to_reset(line: &[u8]) -> Result<(), What> {
+    pub fn to_reset(line: &[u8]) -> Result<(), ProgramErrorKind> {
         let line = text(line)?;
         match Answer::is_reset(line) {
             Ok(true) => Ok(()),
-            Ok(false) => Err(What::NoReset(excerpt(line.as_bytes()), None)),
-            Err(why) => Err(What::NoReset(excerpt(line.as_bytes()), Some(why))),
+            Ok(false) => Err(ProgramErrorKind::NoReset(excerpt(line.as_bytes()), None)),
+            Err(why) => Err(ProgramErrorKind::NoReset(excerpt(line.as_bytes()), Some(why))),
         }
     }
 
@@ -97,8 +97,8 @@ impl Reply {
     }
 }
 
-fn text(line: &[u8]) -> Result<&str, What> {
-    std::str::from_utf8(line).map_err(|_| What::NotText(excerpt(line)))
+fn text(line: &[u8]) -> Result<&str, ProgramErrorKind> {
+    std::str::from_utf8(line).map_err(|_| ProgramErrorKind::NotText(excerpt(line)))
 }
 
 impl From<Shown> for Reply {
@@ -116,7 +116,7 @@ impl Vcu for InProcess {
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ProgramError> {
         let mut replies = Vec::new();
         for (place, (_, scenario)) in scenarios.iter().enumerate() {
             replies.clear();
@@ -137,13 +137,15 @@ mod tests {
         let step = |line: &[u8], late| Reply::to_step(line, late);
         assert_eq!(step(off, false).ok().and_then(|reply| reply.state()), Some(AsState::Off));
         assert!(matches!(step(b" {} \r", true), Ok(Reply::Nothing)));
-        assert!(matches!(step(b"{}", false), Err(What::NoAnswer(line, _)) if line == "{}"));
-        assert!(matches!(step(b"nonsense", true), Err(What::NoAnswer(line, _)) if line == "nonsense"));
-        assert!(matches!(step(&[0xFF], true), Err(What::NotText(_))));
+        assert!(matches!(step(b"{}", false), Err(ProgramErrorKind::NoAnswer(line, _)) if line == "{}"));
+        assert!(
+            matches!(step(b"nonsense", true), Err(ProgramErrorKind::NoAnswer(line, _)) if line == "nonsense")
+        );
+        assert!(matches!(step(&[0xFF], true), Err(ProgramErrorKind::NotText(_))));
         assert!(Reply::to_reset(b"{}").is_ok());
-        assert!(matches!(Reply::to_reset(off), Err(What::NoReset(_, None))));
-        assert!(matches!(Reply::to_reset(b"ready"), Err(What::NoReset(_, Some(_)))));
-        assert!(matches!(Reply::to_reset(&[0xFF]), Err(What::NotText(_))));
+        assert!(matches!(Reply::to_reset(off), Err(ProgramErrorKind::NoReset(_, None))));
+        assert!(matches!(Reply::to_reset(b"ready"), Err(ProgramErrorKind::NoReset(_, Some(_)))));
+        assert!(matches!(Reply::to_reset(&[0xFF]), Err(ProgramErrorKind::NotText(_))));
     }
 
     #[test]

@@ -212,7 +212,7 @@ mod tests {
     use fnv::FnvHasher;
 
     use super::*;
-    use crate::protocol::Told;
+    use crate::protocol::InputsAsJson;
 
     #[test]
     fn every_state_and_every_row_is_visited_often() {
@@ -274,7 +274,7 @@ mod tests {
                 let scenario = Walker::new(machine, cycle_ms, Rng::new(1, run)).scenario();
                 steps += scenario.steps.len();
                 for step in &scenario.steps {
-                    sum.write(format!("{} {}\n", step.dt_ms, Told(step.inputs)).as_bytes());
+                    sum.write(format!("{} {}\n", step.dt_ms, InputsAsJson(step.inputs)).as_bytes());
                 }
             }
             let _ = writeln!(told, "{cycle_ms:?}: {steps} steps, {:016X}", sum.finish());

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Truth};
 
-use super::events::{Pending, What, milliseconds};
+use super::events::{Pending, PendingKind, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::{AI_STATUS, Judge, STATUS, scope};
 
@@ -97,7 +97,7 @@ impl Judge {
         let limit = self.handshake_limit();
         if self.handshake.response().is_some_and(|response| response > limit) {
             // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
-            let told = self.vcu.tells_comms_lost();
+            let told = self.vcu.shows_comms_lost();
             self.report_ai_late(t, if told { Severity::Violation } else { Severity::Warning });
         }
         self.update_comms(t);
@@ -109,7 +109,7 @@ impl Judge {
             return;
         }
         let limit = i64::from(self.interface.timing.handshake_ms);
-        let told = self.vcu.tells_comms_lost();
+        let told = self.vcu.shows_comms_lost();
         let message = format!(
             "the AI Computer has not answered HANDSHAKE for {:.0} ms{}; expected an answer within {limit} ms",
             milliseconds(t - edge),
@@ -129,7 +129,7 @@ impl Judge {
     /// fault. Before the time is up, nobody can tell.
     pub(super) fn ai_was_silent(&mut self, t: i64) {
         let seen = self.ai_was_heard();
-        let told = self.vcu.tells_comms_lost();
+        let told = self.vcu.shows_comms_lost();
         let limit = self.handshake_limit();
         if seen && told && self.handshake.unanswered(t).is_some_and(|waited| waited >= limit) {
             let off = matches!(self.vcu.state, Some(AsState::Off) | None);
@@ -144,7 +144,12 @@ impl Judge {
                 let Some(&before) = self.ai.at_speed.get(index) else { continue };
                 let now = match self.does(fault) {
                     Truth::True if !before => {
-                        self.suspend(t, self.wait_for(AT_SPEED_ATOMS), self.known, What::AtSpeed(fault));
+                        self.suspend(
+                            t,
+                            self.wait_for(AT_SPEED_ATOMS),
+                            self.known,
+                            PendingKind::AtSpeed(fault),
+                        );
                         true
                     }
                     Truth::True => true,
@@ -185,7 +190,7 @@ impl Judge {
         if !shown {
             // What the VCU's state was then shows only in its next frame, if one comes before all is forgotten.
             let wait = now - t + self.window.max(self.cycle());
-            return self.suspend(t, wait, pending.before, What::AtSpeed(fault));
+            return self.suspend(t, wait, pending.before, PendingKind::AtSpeed(fault));
         }
         let around = self.throughout(t - self.window, t + self.window, now);
         let known = pending.before.set(Atom::Moving, around.of(Atom::Moving));

@@ -7,7 +7,7 @@
 use adsdv_spec::{AsState, Atom, Atoms, Truth};
 
 use super::Judge;
-use super::events::{Pending, What};
+use super::events::{Pending, PendingKind};
 use super::status::Timer;
 
 /// The changes that only count in `AS_DRIVING`.
@@ -19,7 +19,7 @@ impl Judge {
         let Some(state) = self.vcu.state.filter(|_| truth != Truth::False) else { return };
         self.change_passes(t, edge);
         let wait = self.wait_for(self.deciding(state));
-        self.suspend(t, wait, self.known.set(edge, truth), What::Change(edge));
+        self.suspend(t, wait, self.known.set(edge, truth), PendingKind::Change(edge));
     }
 
     /// If there was a change by `t`, the VCU has seen it after a window.

@@ -5,7 +5,7 @@ use adsdv_spec::{Atom, Atoms, Fault, Knowledge, Observation, Truth};
 use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::history::Moment;
-use super::transitions::Seen;
+use super::transitions::SeenChange;
 use super::{Judge, SILENCE_NS, STATUS, scope};
 
 /// Something that can only be judged once the window behind it has passed.
@@ -17,13 +17,13 @@ pub(super) struct Pending {
     pub(super) at: i64,
     /// What was known just before.
     pub(super) before: Knowledge,
-    pub(super) what: What,
+    pub(super) what: PendingKind,
 }
 
 #[derive(Clone, Debug)]
-pub(super) enum What {
+pub(super) enum PendingKind {
     /// A transition was seen.
-    Seen(Seen),
+    SeenChange(SeenChange),
     /// A fault flag was raised.
     Flag(Fault),
     /// The VCU's handshake bit changed without an answer.
@@ -254,19 +254,19 @@ impl Judge {
 
     fn settle(&mut self, pending: &Pending, now: i64) {
         match &pending.what {
-            What::Seen(seen) => self.judge_seen(pending, seen, now),
-            What::Flag(fault) => self.judge_flag(pending, *fault, now),
-            What::Edge(suspect) => self.judge_edge(pending.t, *suspect),
-            What::AtSpeed(fault) => self.judge_at_speed(pending, *fault, now),
-            What::Change(edge) => self.judge_change(pending, *edge, now),
+            PendingKind::SeenChange(seen) => self.judge_seen(pending, seen, now),
+            PendingKind::Flag(fault) => self.judge_flag(pending, *fault, now),
+            PendingKind::Edge(suspect) => self.judge_edge(pending.t, *suspect),
+            PendingKind::AtSpeed(fault) => self.judge_at_speed(pending, *fault, now),
+            PendingKind::Change(edge) => self.judge_change(pending, *edge, now),
         }
     }
 
-    pub(super) fn suspend(&mut self, t: i64, wait: i64, before: Knowledge, what: What) {
+    pub(super) fn suspend(&mut self, t: i64, wait: i64, before: Knowledge, what: PendingKind) {
         if self.pending.len() >= MAX_PENDING {
             // Far more than any bus does in a window: what comes too early to be judged is left open.
             let oldest = self.pending.swap_remove(0);
-            if let What::Seen(seen) = &oldest.what {
+            if let PendingKind::SeenChange(seen) = &oldest.what {
                 self.judge_seen(&oldest, seen, oldest.t);
             }
         }

@@ -4,7 +4,7 @@ use adsdv_spec::messages::{Message, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
 use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Term, Truth};
 
 use super::Judge;
-use super::events::{Pending, What, milliseconds};
+use super::events::{Pending, PendingKind, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::status::is_active;
@@ -65,7 +65,7 @@ impl Judge {
         let (shown, shown_before) = (Faults::shown_by(status), Faults::shown_by(previous));
         for fault in VISIBLE {
             if shown.has(fault) && !shown_before.has(fault) {
-                self.suspend(t, self.wait_for(super::ai::AT_SPEED_ATOMS), before, What::Flag(fault));
+                self.suspend(t, self.wait_for(super::ai::AT_SPEED_ATOMS), before, PendingKind::Flag(fault));
                 if fault == Fault::AiCommsFault {
                     self.ai_was_silent(t);
                 }
@@ -255,7 +255,7 @@ impl Judge {
         let limit = self.handshake_limit();
         let tsms = self.known.of(Atom::Tsms);
         let pinned = self.pinned(Reading::HandshakeActive);
-        let raised = self.vcu.tells_comms_lost() && is_active(self.vcu.state);
+        let raised = self.vcu.shows_comms_lost() && is_active(self.vcu.state);
         let truth = match (tsms, pinned) {
             _ if raised => Truth::True,
             (Truth::True, _) | (_, Some(Choice::HandshakeAlways)) => {

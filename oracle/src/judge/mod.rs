@@ -16,10 +16,10 @@
 //! Everything is online and in bounded memory: one frame after the other, as they come.
 //!
 //! ```
-//! use adsdv_oracle::judge::{Judge, Options, Verdict};
+//! use adsdv_oracle::judge::{Judge, JudgeOptions, Verdict};
 //! use adsdv_spec::{Control, Inputs, Machine};
 //!
-//! let mut judge = Judge::new(Options::default());
+//! let mut judge = Judge::new(JudgeOptions::default());
 //! let (mut control, inputs) = (Control::INITIAL, Inputs::default());
 //! for cycle in 0..100 {
 //!     let (next, outputs) = Machine::REFERENCE.step(&control, &inputs, 10);
@@ -56,7 +56,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
 
 pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
-pub use options::Options;
+pub use options::JudgeOptions;
 pub use response::{Meter, ResponseTimes};
 
 use events::Pending;
@@ -113,7 +113,7 @@ const AI_SCOPE: Atoms =
 /// The judge of one log, or of one live bus.
 #[derive(Debug)]
 pub struct Judge {
-    options: Options,
+    options: JudgeOptions,
     interface: Interface,
     variants: Variants,
     window: i64,
@@ -153,7 +153,7 @@ pub struct Judge {
 
 impl Judge {
     /// A judge of version 3.0 of the interface.
-    pub fn new(options: Options) -> Self {
+    pub fn new(options: JudgeOptions) -> Self {
         let interface = Interface::V3_0;
         let variants = Variants::new(&interface, options.readings);
         let window = i64::from(options.window_ms) * MS;

@@ -4,7 +4,7 @@ use adsdv_spec::Choices;
 
 /// How the judge looks at a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct JudgeOptions {
     /// The window W in milliseconds: how long after a cause its effect may be seen (VCU cycle plus bus delay).
     pub window_ms: u32,
     /// The deadline D in milliseconds: for how long a condition must hold before a missing effect is a violation.
@@ -13,7 +13,7 @@ pub struct Options {
     pub readings: Choices,
 }
 
-impl Default for Options {
+impl Default for JudgeOptions {
     fn default() -> Self {
         Self { window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
     }

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Choice, Faults, Knowledge, Reading, Truth};
 
-use super::events::What;
+use super::events::PendingKind;
 use super::flags::{CauseWatch, Sums};
 use super::{Judge, STATUS};
 
@@ -33,7 +33,7 @@ pub(super) struct VcuSide {
 
 impl VcuSide {
     /// Whether the VCU says that communication with the AI Computer is lost.
-    pub(super) fn tells_comms_lost(&self) -> bool {
+    pub(super) fn shows_comms_lost(&self) -> bool {
         self.status.is_some_and(|status| status.ai_comms_lost)
     }
 }
@@ -92,7 +92,7 @@ impl Judge {
         if let Some(suspect) = self.handshake.vcu(t, status.handshake)
             && status.ts_switch_status
         {
-            self.suspend(t, self.window, self.known, What::Edge(suspect));
+            self.suspend(t, self.window, self.known, PendingKind::Edge(suspect));
         }
         let before_flags = self.known;
         self.learn_status(t, status, readable, previous, new_state, gap);
@@ -245,7 +245,7 @@ impl Judge {
         self.ai.entered();
         if before.is_none() {
             // In which state the AI Computer did something before that, nobody has seen.
-            self.pending.retain(|pending| !matches!(pending.what, What::AtSpeed(_)));
+            self.pending.retain(|pending| !matches!(pending.what, PendingKind::AtSpeed(_)));
         }
         self.known = known;
         self.history.push(t, known, Some(state));

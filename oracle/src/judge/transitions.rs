@@ -3,14 +3,14 @@
 use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Term, Truth};
 
-use super::events::{Pending, What};
+use super::events::{Pending, PendingKind};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
 use super::variants::{Guard, Variant};
 use super::{Judge, LOG_STATUS, SILENCE_NS, scope};
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct SeenChange {
     pub(super) from: AsState,
     pub(super) to: AsState,
     /// When the VCU last showed the old state.
@@ -71,11 +71,11 @@ impl Judge {
         let gap = gap || t - before > usual + usual / 5;
         self.vcu.left = Some(super::status::Left { before, at: t, gap });
         let wait = self.wait_for(self.deciding(from));
-        self.suspend(t, wait, at_step, What::Seen(Seen { from, to, before, gap }));
+        self.suspend(t, wait, at_step, PendingKind::SeenChange(SeenChange { from, to, before, gap }));
     }
 
-    pub(super) fn judge_seen(&mut self, pending: &Pending, seen: &Seen, now: i64) {
-        let Seen { from, to, before, gap } = *seen;
+    pub(super) fn judge_seen(&mut self, pending: &Pending, seen: &SeenChange, now: i64) {
+        let SeenChange { from, to, before, gap } = *seen;
         let t = pending.t;
         let cycle = self.cycle();
         let start = before.min(t - self.window) - cycle;
@@ -106,7 +106,7 @@ impl Judge {
         }
         let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
         let decided = if justified == Truth::Unknown {
-            self.told_by_cause(from, to, window).or(decided)
+            self.reported_by_cause(from, to, window).or(decided)
         } else {
             decided
         };
@@ -133,13 +133,13 @@ impl Judge {
                 message,
             });
         }
-        let or = decided.map(|(term, _)| self.told_alike(from, to, &term, window)).unwrap_or_default();
+        let or = decided.map(|(term, _)| self.reported_alike(from, to, &term, window)).unwrap_or_default();
         self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, or });
     }
 
     /// Where the shutdown circuit decided: the alternatives that the VCU reports as the same fault (D-13), as far as they are
     /// possible.
-    fn told_alike(
+    fn reported_alike(
         &self,
         from: AsState,
         to: AsState,
@@ -159,7 +159,7 @@ impl Judge {
     }
 
     /// The alternative that the VCU itself gives as its reason, if that is possible.
-    fn told_by_cause(&self, from: AsState, to: AsState, window: Knowledge) -> Option<(Term, Knowledge)> {
+    fn reported_by_cause(&self, from: AsState, to: AsState, window: Knowledge) -> Option<(Term, Knowledge)> {
         let fault = Fault::of_cause(self.vcu.status?.shutdown_cause)?;
         let mut terms = self.variants.of(from).iter().flatten().filter(|g| g.to == to).flat_map(|g| &g.terms);
         let term = terms.find(|term| term.fault == Some(fault) && term.truth(window) != Truth::False)?;

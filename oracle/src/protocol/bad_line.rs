@@ -27,7 +27,7 @@ impl BadLine {
     }
 
     /// A value that a key cannot have.
-    pub(super) fn value(key: &str, found: &What<'_>, expected: impl fmt::Display) -> Self {
+    pub(super) fn value(key: &str, found: &Given<'_>, expected: impl fmt::Display) -> Self {
         Self(format!("{key:?} is {found}; expected {expected}"))
     }
 }
@@ -42,7 +42,7 @@ impl std::error::Error for BadLine {}
 
 /// A value of JSON, as far as the protocol has any.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum What<'a> {
+pub(super) enum Given<'a> {
     Null,
     Flag(bool),
     Number(i64),
@@ -51,7 +51,7 @@ pub(super) enum What<'a> {
     Other(&'static str),
 }
 
-impl fmt::Display for What<'_> {
+impl fmt::Display for Given<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Null => f.write_str("null"),
@@ -63,52 +63,52 @@ impl fmt::Display for What<'_> {
     }
 }
 
-impl<'de> Deserialize<'de> for What<'de> {
+impl<'de> Deserialize<'de> for Given<'de> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Any;
         impl<'de> Visitor<'de> for Any {
-            type Value = What<'de>;
+            type Value = Given<'de>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str("a value")
             }
 
-            fn visit_unit<E>(self) -> Result<What<'de>, E> {
-                Ok(What::Null)
+            fn visit_unit<E>(self) -> Result<Given<'de>, E> {
+                Ok(Given::Null)
             }
 
-            fn visit_bool<E>(self, flag: bool) -> Result<What<'de>, E> {
-                Ok(What::Flag(flag))
+            fn visit_bool<E>(self, flag: bool) -> Result<Given<'de>, E> {
+                Ok(Given::Flag(flag))
             }
 
-            fn visit_i64<E>(self, number: i64) -> Result<What<'de>, E> {
-                Ok(What::Number(number))
+            fn visit_i64<E>(self, number: i64) -> Result<Given<'de>, E> {
+                Ok(Given::Number(number))
             }
 
-            fn visit_u64<E>(self, number: u64) -> Result<What<'de>, E> {
-                Ok(i64::try_from(number).map_or(What::Other("a number that is too large"), What::Number))
+            fn visit_u64<E>(self, number: u64) -> Result<Given<'de>, E> {
+                Ok(i64::try_from(number).map_or(Given::Other("a number that is too large"), Given::Number))
             }
 
-            fn visit_f64<E>(self, _: f64) -> Result<What<'de>, E> {
-                Ok(What::Other("a number that is not whole"))
+            fn visit_f64<E>(self, _: f64) -> Result<Given<'de>, E> {
+                Ok(Given::Other("a number that is not whole"))
             }
 
-            fn visit_borrowed_str<E>(self, text: &'de str) -> Result<What<'de>, E> {
-                Ok(What::Text(Cow::Borrowed(text)))
+            fn visit_borrowed_str<E>(self, text: &'de str) -> Result<Given<'de>, E> {
+                Ok(Given::Text(Cow::Borrowed(text)))
             }
 
-            fn visit_str<E>(self, text: &str) -> Result<What<'de>, E> {
-                Ok(What::Text(Cow::Owned(text.to_owned())))
+            fn visit_str<E>(self, text: &str) -> Result<Given<'de>, E> {
+                Ok(Given::Text(Cow::Owned(text.to_owned())))
             }
 
-            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<What<'de>, A::Error> {
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<Given<'de>, A::Error> {
                 while list.next_element::<serde::de::IgnoredAny>()?.is_some() {}
-                Ok(What::Other("a list"))
+                Ok(Given::Other("a list"))
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<What<'de>, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Given<'de>, A::Error> {
                 while map.next_entry::<serde::de::IgnoredAny, serde::de::IgnoredAny>()?.is_some() {}
-                Ok(What::Other("an object"))
+                Ok(Given::Other("an object"))
             }
         }
         deserializer.deserialize_any(Any)
@@ -116,7 +116,7 @@ impl<'de> Deserialize<'de> for What<'de> {
 }
 
 /// A line as the keys and values of its object, in order.
-pub(super) struct Object<'a>(pub(super) Vec<(Cow<'a, str>, What<'a>)>);
+pub(super) struct Object<'a>(pub(super) Vec<(Cow<'a, str>, Given<'a>)>);
 
 impl<'a> Object<'a> {
     /// Takes a line apart.
@@ -139,7 +139,7 @@ impl<'de> Deserialize<'de> for Object<'de> {
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Object<'de>, A::Error> {
                 let mut entries = Vec::with_capacity(32);
-                while let Some(What::Text(key)) = map.next_key()? {
+                while let Some(Given::Text(key)) = map.next_key()? {
                     entries.push((key, map.next_value()?));
                 }
                 Ok(Object(entries))

@@ -4,7 +4,7 @@ use std::fmt;
 
 use adsdv_spec::messages::SignalValue;
 
-use super::bad_line::What;
+use super::bad_line::Given;
 
 /// The values of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,13 +35,13 @@ impl Domain {
     }
 
     /// The raw number of a value that was read; `None` if it is none of this field's.
-    pub(super) fn raw(self, read: &What<'_>) -> Option<i32> {
+    pub(super) fn raw(self, read: &Given<'_>) -> Option<i32> {
         let number = match (self, read) {
-            (Self::Flag, What::Flag(flag)) => Some(i64::from(*flag)),
-            (Self::Names(names), What::Text(text)) => {
+            (Self::Flag, Given::Flag(flag)) => Some(i64::from(*flag)),
+            (Self::Names(names), Given::Text(text)) => {
                 names.iter().find(|(_, name)| name == text).map(|&(raw, _)| raw.into())
             }
-            (_, What::Number(number)) => Some(*number),
+            (_, Given::Number(number)) => Some(*number),
             _ => None,
         };
         number.and_then(|raw| i32::try_from(raw).ok()).filter(|&raw| self.has(raw))

@@ -33,5 +33,5 @@ pub use answer::{Answer, Difference};
 pub use bad_line::BadLine;
 pub use field::{Domain, Value};
 pub use inputs::{INPUTS, InputField};
-pub use request::{Request, Told};
+pub use request::{InputsAsJson, Request};
 pub use shown::{SHOWN, Shown, ShownField};

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use adsdv_spec::Inputs;
 
-use super::bad_line::{BadLine, Object, What};
+use super::bad_line::{BadLine, Given, Object};
 use super::field::{Domain, Value};
 use super::inputs::{INPUTS, InputField};
 
@@ -27,7 +27,7 @@ impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self::Step { dt_ms, inputs } = self else { return f.write_str("{\"op\":\"reset\"}") };
         write!(f, "{{\"op\":\"step\",\"dt_ms\":{dt_ms}")?;
-        for (field, value) in told(inputs) {
+        for (field, value) in given(inputs) {
             write!(f, ",\"{}\":", field.key)?;
             value.write_json(f)?;
         }
@@ -36,7 +36,7 @@ impl fmt::Display for Request {
 }
 
 /// The inputs that are not at their defaults.
-fn told(inputs: &Inputs) -> impl Iterator<Item = (&'static InputField, Value)> {
+fn given(inputs: &Inputs) -> impl Iterator<Item = (&'static InputField, Value)> {
     let usual = Inputs::default();
     INPUTS.iter().filter_map(move |field| {
         let raw = (field.get)(inputs);
@@ -47,12 +47,12 @@ fn told(inputs: &Inputs) -> impl Iterator<Item = (&'static InputField, Value)> {
 
 /// Inputs as a JSON object of their own, with the keys of a step. It displays as that, and is read from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Told(pub Inputs);
+pub struct InputsAsJson(pub Inputs);
 
-impl fmt::Display for Told {
+impl fmt::Display for InputsAsJson {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("{")?;
-        for (place, (field, value)) in told(&self.0).enumerate() {
+        for (place, (field, value)) in given(&self.0).enumerate() {
             write!(f, "{}\"{}\":", if place == 0 { "" } else { "," }, field.key)?;
             value.write_json(f)?;
         }
@@ -60,7 +60,7 @@ impl fmt::Display for Told {
     }
 }
 
-impl FromStr for Told {
+impl FromStr for InputsAsJson {
     type Err = BadLine;
 
     fn from_str(object: &str) -> Result<Self, BadLine> {
@@ -89,11 +89,11 @@ impl FromStr for Request {
             }
             given.push(key);
             match (key.as_ref(), found) {
-                ("op", What::Text(text)) if matches!(text.as_ref(), "reset" | "step") => {
+                ("op", Given::Text(text)) if matches!(text.as_ref(), "reset" | "step") => {
                     op = Some(text.as_ref());
                 }
                 ("op", _) => return Err(BadLine::value(key, found, "\"reset\" or \"step\"")),
-                ("dt_ms", What::Number(number)) if u32::try_from(*number).is_ok() => {
+                ("dt_ms", Given::Number(number)) if u32::try_from(*number).is_ok() => {
                     dt_ms = u32::try_from(*number).ok();
                 }
                 ("dt_ms", _) => {
@@ -114,7 +114,7 @@ impl FromStr for Request {
     }
 }
 
-fn set_input(inputs: &mut Inputs, key: &str, found: &What<'_>) -> Result<(), BadLine> {
+fn set_input(inputs: &mut Inputs, key: &str, found: &Given<'_>) -> Result<(), BadLine> {
     let Some(field) = INPUTS.iter().find(|field| field.key == key) else {
         return Err(BadLine::unknown(key, ["op", "dt_ms"].into_iter().chain(INPUTS.iter().map(|f| f.key))));
     };

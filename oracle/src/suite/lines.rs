@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
 use super::{Kind, Scenario, Step, Test, untested};
-use crate::protocol::{Answer, BadLine, Told};
+use crate::protocol::{Answer, BadLine, InputsAsJson};
 
 impl Test {
     /// The test as a line, without the end of the line; what is expected is what the machine shows.
@@ -33,7 +33,7 @@ impl Test {
         let shown = self.scenario.shown(machine);
         for (place, (step, expected)) in self.scenario.steps.iter().zip(shown).enumerate() {
             let comma = if place == 0 { "" } else { "," };
-            let inputs = Told(step.inputs);
+            let inputs = InputsAsJson(step.inputs);
             let _ = write!(
                 line,
                 "{comma}{{\"dt_ms\":{},\"inputs\":{inputs},\"expected\":{expected}}}",
@@ -264,7 +264,7 @@ fn read_line(
     let mut answers = Vec::new();
     for (number, step) in (1..).zip(&line.steps) {
         let at = |error: BadLine| format!("step {number}: {error}");
-        let Told(inputs) = step.inputs.get().parse().map_err(at)?;
+        let InputsAsJson(inputs) = step.inputs.get().parse().map_err(at)?;
         scenario.steps.push(Step { dt_ms: step.dt_ms, inputs });
         answers.push(step.expected.get().parse::<Answer>().map_err(at)?);
     }

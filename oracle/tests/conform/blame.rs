@@ -1,6 +1,6 @@
 //! Which requirements a program breaks: those about what is wrong, and no others.
 
-use adsdv_oracle::conform::{Options, Outcome, Report, conform};
+use adsdv_oracle::conform::{ConformOptions, ConformReport, Outcome, conform};
 use adsdv_oracle::suite::{Kind, Test};
 use adsdv_spec::{Choice, Inputs, Interface, Machine, Mutation, Readings};
 use serde_json::json;
@@ -8,7 +8,11 @@ use serde_json::json;
 use crate::erring::{Erring, Outputs};
 use crate::programs::{TIMEOUT, example, machine, suite_only, tests};
 
-fn tampered(tests: &[Test], options: &Options, tampers: fn(usize, &Inputs, &mut Outputs)) -> Report {
+fn tampered(
+    tests: &[Test],
+    options: &ConformOptions,
+    tampers: fn(usize, &Inputs, &mut Outputs),
+) -> ConformReport {
     let mut vcu = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
     conform(&mut vcu, tests, options, &mut |_| {}).expect("it answers")
 }
@@ -19,11 +23,11 @@ fn flip(outputs: &mut Outputs, key: &str) {
 }
 
 /// The requirements with an outcome.
-fn of(report: &Report, outcome: Outcome) -> Vec<&str> {
+fn of(report: &ConformReport, outcome: Outcome) -> Vec<&str> {
     report.requirements.iter().filter(|one| one.outcome == outcome).map(|one| one.id.as_str()).collect()
 }
 
-fn failed(report: &Report) -> Vec<&str> {
+fn failed(report: &ConformReport) -> Vec<&str> {
     of(report, Outcome::Fail)
 }
 
@@ -101,13 +105,13 @@ fn a_random_scenario_breaks_the_row_that_it_finds_or_the_output() {
             outputs.insert("front_axle_trq".to_owned(), json!(7));
         }
     };
-    let report = tampered(&rows, &Options { runs: 200, ..Options::default() }, torque);
+    let report = tampered(&rows, &ConformOptions { runs: 200, ..ConformOptions::default() }, torque);
     assert_eq!((report.failed_tests, failed(&report)), (0, vec!["D-21"]));
     let output = report.requirements.iter().find(|one| one.id == "D-21").expect("it is there");
     assert!(output.tests == 0 && output.failed[0].starts_with("random scenario "), "{output:?}");
 
     // AS_READY is entered once only.
-    let options = Options { runs: 200, ..Options::default() };
+    let options = ConformOptions { runs: 200, ..ConformOptions::default() };
     let report = example("mutant", &["--once"], &options, TIMEOUT).expect("it answers");
     assert_eq!(report.failed_tests, 0);
     let mut broken: Vec<&str> = failed(&report);
@@ -156,7 +160,7 @@ fn a_requirement_about_several_outputs_asks_for_all_of_them() {
 /// No program is told that it does not conform without a requirement that it breaks.
 #[test]
 fn whatever_is_wrong_breaks_something() {
-    let options = Options { runs: 60, ..Options::default() };
+    let options = ConformOptions { runs: 60, ..ConformOptions::default() };
     for field in &adsdv_oracle::protocol::SHOWN {
         let report = example("mutant", &["--lie", field.key], &options, TIMEOUT).expect("it answers");
         let broken = failed(&report);
@@ -169,8 +173,8 @@ fn whatever_is_wrong_breaks_something() {
 }
 
 #[test]
-fn more_that_is_wrong_than_is_told_is_counted() {
-    let options = Options { runs: 50, ..Options::default() };
+fn more_failures_than_are_printed_are_counted() {
+    let options = ConformOptions { runs: 50, ..ConformOptions::default() };
     let report = example("mutant", &["--scramble"], &options, TIMEOUT).expect("it answers");
     let random = report.failures.iter().filter(|one| one.name.starts_with("random scenario")).count();
     assert!(report.failures.len() - random == 20 && random <= 20, "{random}");

@@ -1,6 +1,6 @@
 //! Programs that err: machines in this process with another hand on their outputs.
 
-use adsdv_oracle::conform::{Reply, Trouble, Vcu};
+use adsdv_oracle::conform::{ProgramError, Reply, Vcu};
 use adsdv_oracle::protocol::Answer;
 use adsdv_oracle::suite::Scenario;
 use adsdv_spec::{Inputs, Machine};
@@ -53,7 +53,7 @@ impl Vcu for Erring {
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ProgramError> {
         for (place, (_, scenario)) in scenarios.iter().enumerate() {
             answered(place, &self.replies(scenario));
             self.for_scenarios = self.for_scenarios.saturating_sub(1);
@@ -61,7 +61,7 @@ impl Vcu for Erring {
         Ok(())
     }
 
-    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+    fn end(&mut self) -> Result<Vec<String>, ProgramError> {
         Ok(vec!["it has ended".to_owned()])
     }
 }

@@ -1,12 +1,12 @@
 //! Programs whose outputs are late, and programs that step at a fixed cycle.
 
-use adsdv_oracle::conform::{Options, Report};
+use adsdv_oracle::conform::{ConformOptions, ConformReport};
 use adsdv_spec::Machine;
 
 use crate::programs::{TIMEOUT, example, machine};
 
-fn late(args: &[&str], latency: usize) -> Report {
-    let options = Options { latency, runs: 100, ..Options::default() };
+fn late(args: &[&str], latency: usize) -> ConformReport {
+    let options = ConformOptions { latency, runs: 100, ..ConformOptions::default() };
     example("mutant", args, &options, TIMEOUT).expect("it answers")
 }
 
@@ -48,7 +48,7 @@ fn at_a_fixed_cycle_every_step_takes_it() {
             &mut self,
             scenarios: &[(&str, &adsdv_oracle::suite::Scenario)],
             answered: &mut dyn FnMut(usize, &[adsdv_oracle::conform::Reply]),
-        ) -> Result<(), adsdv_oracle::conform::Trouble> {
+        ) -> Result<(), adsdv_oracle::conform::ProgramError> {
             let times = scenarios.iter().flat_map(|(_, scenario)| &scenario.steps).map(|step| step.dt_ms);
             assert!(times.into_iter().all(|dt_ms| dt_ms == self.1));
             self.0.ask(scenarios, answered)
@@ -56,7 +56,7 @@ fn at_a_fixed_cycle_every_step_takes_it() {
     }
     let tests = crate::programs::tests();
     for (cycle_ms, at_most) in [(10, 0), (50, 20)] {
-        let options = Options { cycle_ms: Some(cycle_ms), runs: 20, ..Options::default() };
+        let options = ConformOptions { cycle_ms: Some(cycle_ms), runs: 20, ..ConformOptions::default() };
         let mut vcu = OneCycle(adsdv_oracle::conform::InProcess(Machine::REFERENCE), cycle_ms);
         let report =
             adsdv_oracle::conform::conform(&mut vcu, tests, &options, &mut |_| {}).expect("it answers");
@@ -73,7 +73,7 @@ fn a_mutant_at_a_fixed_cycle_fails_in_its_row() {
     let mutation = adsdv_spec::Mutation::all(&adsdv_spec::Interface::V3_0)
         .find(|one| one.to_string() == "3.7 term 1: dropped");
     let mutant = mutation.expect("a mutation").apply(&adsdv_spec::Interface::V3_0);
-    let options = Options { cycle_ms: Some(100), runs: 0, ..Options::default() };
+    let options = ConformOptions { cycle_ms: Some(100), runs: 0, ..ConformOptions::default() };
     let report = machine(&Machine::new(mutant, adsdv_spec::Readings::DEFAULT), &options);
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();
     assert!(!rows.is_empty() && rows.iter().all(|row| row.section == "3.7"), "{rows:?}");

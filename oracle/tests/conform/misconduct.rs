@@ -5,15 +5,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use adsdv_oracle::conform::{Options, Program, Report, Trouble, Vcu as _, conform};
+use adsdv_oracle::conform::{ConformOptions, ConformReport, Program, ProgramError, Vcu as _, conform};
 
 use crate::programs::{TIMEOUT, example, path, tests};
 
 /// How long a program that hangs is waited for in these tests.
 const SHORT: Duration = Duration::from_millis(500);
 
-fn misbehave(args: &[&str], timeout: Duration) -> Result<Report, Trouble> {
-    example("mutant", args, &Options { runs: 0, ..Options::default() }, timeout)
+fn misbehave(args: &[&str], timeout: Duration) -> Result<ConformReport, ProgramError> {
+    example("mutant", args, &ConformOptions { runs: 0, ..ConformOptions::default() }, timeout)
 }
 
 /// The text of the error and its hint.
@@ -22,7 +22,7 @@ fn trouble(args: &[&str], timeout: Duration) -> String {
     format!("{trouble}\nhint: {}", trouble.hint())
 }
 
-fn says(args: &[&str], expected: &[&str]) {
+fn reports(args: &[&str], expected: &[&str]) {
     let start = Instant::now();
     let said = trouble(args, SHORT);
     for part in expected {
@@ -58,7 +58,7 @@ fn programs_that_cannot_be_started() {
 
 #[test]
 fn programs_that_end_early() {
-    says(
+    reports(
         &["--exit-at", "2"],
         &[
             "the program ended early (exit status 3); expected an answer",
@@ -67,28 +67,28 @@ fn programs_that_end_early() {
             "\n  stderr    first words\n  stderr    the battery is empty\\u{1b}[2J\n",
         ],
     );
-    says(
+    reports(
         &["--crash-at", "2"],
         &["the program ended early (signal 6)", "3.1, the reset", r#"{"op":"reset"}"#],
     );
-    says(&["--leave"], &["the program ended early (exit status 0)", "3.1, the reset"]);
-    says(&["--no-such-option"], &["ended early (exit status 1)", "what is --no-such-option?"]);
+    reports(&["--leave"], &["the program ended early (exit status 0)", "3.1, the reset"]);
+    reports(&["--no-such-option"], &["ended early (exit status 1)", "what is --no-such-option?"]);
 }
 
 #[test]
 fn programs_that_do_not_answer() {
-    says(
+    reports(
         &["--hang-at", "2"],
         &["no answer within 0.5 s", "3.1, step 1", FIRST_STEP, "hint: answer every line"],
     );
-    says(&["--no-read"], &["no answer within 0.5 s", "3.1, the reset"]);
-    says(&["--stall-at", "2"], &["no end of the line within 0.5 s", "received  {\"as_state\":"]);
+    reports(&["--no-read"], &["no answer within 0.5 s", "3.1, the reset"]);
+    reports(&["--stall-at", "2"], &["no end of the line within 0.5 s", "received  {\"as_state\":"]);
 }
 
 /// One that answers, and takes its time for each answer, ends as well.
 #[test]
 fn programs_that_are_slow() {
-    let slow = |options: &Options, ms: &str, limit: Duration| {
+    let slow = |options: &ConformOptions, ms: &str, limit: Duration| {
         let args: Vec<OsString> = ["--slow", ms].map(OsString::from).into();
         let start = Instant::now();
         let program = Program::start(&path("mutant").into_os_string(), &args, TIMEOUT, false);
@@ -98,7 +98,7 @@ fn programs_that_are_slow() {
         judged.map_err(|trouble| format!("{trouble}\nhint: {}", trouble.hint()))
     };
     let steps: usize = tests().iter().map(|test| test.scenario.steps.len()).sum();
-    let said = slow(&Options::default(), "150", Duration::from_secs(1)).expect_err("it is slow");
+    let said = slow(&ConformOptions::default(), "150", Duration::from_secs(1)).expect_err("it is slow");
     let told = |part: &str| assert!(said.contains(part), "{part:?} is missing: {said}");
     told("not done within the time limit of 1 s: ");
     told(&format!(" of {} tests (", tests().len()));
@@ -107,14 +107,14 @@ fn programs_that_are_slow() {
     told("\nhint: raise --time-limit");
 
     // It is fast, and asked for very much.
-    let endless = Options { runs: u32::MAX, ..Options::default() };
+    let endless = ConformOptions { runs: u32::MAX, ..ConformOptions::default() };
     let said = slow(&endless, "0", Duration::from_secs(4)).expect_err("that is too much");
     assert!(said.contains("all tests and ") && said.contains(" of 4294967295 random scenarios ("), "{said}");
 }
 
 #[test]
 fn programs_that_answer_something_else() {
-    says(
+    reports(
         &["--garbage-at", "2"],
         &[
             "not the answer to a step: \"engine started\"",
@@ -125,41 +125,41 @@ fn programs_that_answer_something_else() {
             "standard error",
         ],
     );
-    says(
+    reports(
         &["--garbage-at", "1"],
         &["not the answer to a reset: ", "3.1, the reset", "received  engine started"],
     );
-    says(&["--list-at", "2"], &["not the answer to a step: ", "received  [1, 2]"]);
-    says(
+    reports(&["--list-at", "2"], &["not the answer to a step: ", "received  [1, 2]"]);
+    reports(
         &["--unknown-at", "2"],
         &["there is no key \"speed\"; expected one of as_state", "received  {\"as_state\""],
     );
-    says(
+    reports(
         &["--value-at", "2"],
         &["\"as_state\" is \"AS_PARKED\"; expected one of \"AS_OFF\" (1), \"AS_READY\" (2), "],
     );
-    says(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
-    says(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);
-    says(&["--long-at", "2"], &["a line of more than 65536 bytes", "received  xxxx", "end every answer"]);
-    says(&["--latency", "1"], &["there is no \"as_state\"", "received  {}", "--latency"]);
-    says(&["--reset", "ok"], &["not the answer to a reset: ", "received  ok", "answer a reset with {}"]);
-    says(&["--reset", r#"{"as_state":1}"#], &["not the answer to a reset: outputs; expected {}"]);
+    reports(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
+    reports(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);
+    reports(&["--long-at", "2"], &["a line of more than 65536 bytes", "received  xxxx", "end every answer"]);
+    reports(&["--latency", "1"], &["there is no \"as_state\"", "received  {}", "--latency"]);
+    reports(&["--reset", "ok"], &["not the answer to a reset: ", "received  ok", "answer a reset with {}"]);
+    reports(&["--reset", r#"{"as_state":1}"#], &["not the answer to a reset: outputs; expected {}"]);
 }
 
 #[test]
 fn programs_that_answer_too_much_or_too_little() {
-    says(&["--chatty-at", "2"], &["not the answer to a reset: outputs", "answered twice"]);
+    reports(&["--chatty-at", "2"], &["not the answer to a reset: outputs", "answered twice"]);
     let lines: usize = crate::programs::tests().iter().map(|test| test.scenario.steps.len() + 1).sum();
-    says(
+    reports(
         &["--chatty-at", &lines.to_string()],
         &["an answer too many; expected nothing after the last", "received  {"],
     );
-    says(&["--skip-at", &lines.to_string()], &["no answer within 0.5 s"]);
-    says(
+    reports(&["--skip-at", &lines.to_string()], &["no answer within 0.5 s"]);
+    reports(
         &["--skip-at", "2"],
         &["not the answer to a step: ", "received  {}", "a line before it was not answered"],
     );
-    says(&["--skip-at", "3"], &["not the answer to a reset: outputs", "received  {\"as_state\""]);
+    reports(&["--skip-at", "3"], &["not the answer to a reset: outputs", "received  {\"as_state\""]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Every mutation of the specification fails, with the row that is broken and a short scenario.
 
-use adsdv_oracle::conform::{Failure, Options, Outcome, Report, Why};
+use adsdv_oracle::conform::{ConformOptions, ConformReport, Failure, Outcome, Why};
 use adsdv_oracle::suite;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
@@ -8,21 +8,21 @@ use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
 use crate::programs::{TIMEOUT, example, machine, suite_only, tests};
 
 /// Judged by the default readings only: some mutations are another reading of the document.
-fn by_default() -> Options {
-    Options { possible: Readings::DEFAULT.choices(), ..suite_only() }
+fn by_default() -> ConformOptions {
+    ConformOptions { possible: Readings::DEFAULT.choices(), ..suite_only() }
 }
 
 fn mutated(mutation: &Mutation) -> Machine {
     Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT)
 }
 
-fn named(name: &str) -> Report {
+fn named(name: &str) -> ConformReport {
     let mutation = Mutation::all(&Interface::V3_0).find(|one| one.to_string() == name);
     machine(&mutated(&mutation.expect(name)), &by_default())
 }
 
 /// The failures, with the section of the row and the number of steps.
-fn found(report: &Report) -> Vec<(&str, usize)> {
+fn found(report: &ConformReport) -> Vec<(&str, usize)> {
     let one = |failure: &'_ Failure| {
         failure.found.as_ref().and_then(|found| found.why.row()).map(|row| row.section)
     };
@@ -120,7 +120,7 @@ fn a_shortest_scenario_has_nothing_that_it_does_not_need() {
 }
 
 #[test]
-fn what_is_wrong_is_told_by_the_row_and_its_guard() {
+fn a_failure_names_the_row_and_its_guard() {
     let why = |mutation: &str| {
         let report = named(mutation);
         report.failures.first().and_then(|failure| failure.found.as_ref()).map(|found| found.why.to_string())
@@ -154,7 +154,7 @@ fn through_the_pipe_it_is_the_same() {
     assert_eq!(found(&here), found(&there));
     assert_eq!(here.requirements, there.requirements);
     assert_eq!(here.failures[0].scenario, there.failures[0].scenario);
-    let adapter = example("adapter", &[], &Options::default(), TIMEOUT).expect("it answers");
+    let adapter = example("adapter", &[], &ConformOptions::default(), TIMEOUT).expect("it answers");
     assert!(adapter.conforms() && adapter.notes.is_empty(), "{:?}", adapter.notes);
     assert!(adapter.follows.iter().all(|follows| follows.possible.len() == 1));
     let edge = example("mutant", &["--reading", "go-edge=edge"], &suite_only(), TIMEOUT).expect("it answers");

@@ -6,7 +6,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{InProcess, Options, Program, Report, Trouble, conform};
+use adsdv_oracle::conform::{ConformOptions, ConformReport, InProcess, Program, ProgramError, conform};
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Interface, Machine};
 
@@ -19,12 +19,12 @@ pub(crate) fn tests() -> &'static [Test] {
 }
 
 /// Only the suite.
-pub(crate) fn suite_only() -> Options {
-    Options { runs: 0, ..Options::default() }
+pub(crate) fn suite_only() -> ConformOptions {
+    ConformOptions { runs: 0, ..ConformOptions::default() }
 }
 
 /// A machine in this process, judged.
-pub(crate) fn machine(machine: &Machine, options: &Options) -> Report {
+pub(crate) fn machine(machine: &Machine, options: &ConformOptions) -> ConformReport {
     conform(&mut InProcess(*machine), tests(), options, &mut |_| {}).expect("a machine is never in trouble")
 }
 
@@ -32,9 +32,9 @@ pub(crate) fn machine(machine: &Machine, options: &Options) -> Report {
 pub(crate) fn example(
     name: &str,
     args: &[&str],
-    options: &Options,
+    options: &ConformOptions,
     timeout: Duration,
-) -> Result<Report, Trouble> {
+) -> Result<ConformReport, ProgramError> {
     let args: Vec<OsString> = args.iter().map(OsString::from).collect();
     let mut program = Program::start(&path(name).into_os_string(), &args, timeout, options.latency > 0)?;
     conform(&mut program, tests(), options, &mut |_| {})

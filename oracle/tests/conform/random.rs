@@ -1,13 +1,15 @@
 //! Random scenarios find what the suite does not, and are the same for the same seed.
 
-use adsdv_oracle::conform::{InProcess, Options, Outcome, Phase, Progress, Report, conform};
+use adsdv_oracle::conform::{
+    ConformOptions, ConformProgress, ConformReport, InProcess, Outcome, Phase, conform,
+};
 use adsdv_spec::Machine;
 
 use crate::programs::{TIMEOUT, example, tests};
 
-fn once(seed: u64, runs: u32) -> Report {
+fn once(seed: u64, runs: u32) -> ConformReport {
     // It enters AS_READY only once after each reset, which no test of the suite asks for twice.
-    let options = Options { seed, runs, ..Options::default() };
+    let options = ConformOptions { seed, runs, ..ConformOptions::default() };
     example("mutant", &["--once"], &options, TIMEOUT).expect("it answers")
 }
 
@@ -33,7 +35,7 @@ fn what_the_suite_does_not_find_is_found_and_shortened() {
 #[test]
 fn the_same_seed_is_the_same_run() {
     let scenarios =
-        |report: &Report| report.failures.iter().map(|one| one.scenario.clone()).collect::<Vec<_>>();
+        |report: &ConformReport| report.failures.iter().map(|one| one.scenario.clone()).collect::<Vec<_>>();
     let (first, second, other) = (once(5, 100), once(5, 100), once(6, 100));
     assert_eq!((first.failed_runs, first.steps), (second.failed_runs, second.steps));
     assert_eq!(scenarios(&first), scenarios(&second));
@@ -42,9 +44,9 @@ fn the_same_seed_is_the_same_run() {
 }
 
 #[test]
-fn what_is_wrong_once_and_right_when_asked_again_is_told_as_that() {
+fn a_failure_that_does_not_repeat_is_reported_as_that() {
     // A program that lies is found out even if it does not repeat the lie. The first line is a reset.
-    let options = Options { runs: 0, ..Options::default() };
+    let options = ConformOptions { runs: 0, ..ConformOptions::default() };
     let report = example("mutant", &["--lie-at", "2"], &options, TIMEOUT).expect("it answers");
     let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
     assert!(failure.found.is_none() && !report.conforms());
@@ -54,9 +56,9 @@ fn what_is_wrong_once_and_right_when_asked_again_is_told_as_that() {
 #[test]
 fn as_many_scenarios_are_tried_as_were_asked_for() {
     for runs in [0, 1, 63, 64, 65, 200] {
-        let options = Options { runs, ..Options::default() };
+        let options = ConformOptions { runs, ..ConformOptions::default() };
         let mut answered = 0;
-        let mut progress = |at: Progress| answered += u32::from(at.phase == Phase::Random);
+        let mut progress = |at: ConformProgress| answered += u32::from(at.phase == Phase::Random);
         let report = conform(&mut InProcess(Machine::REFERENCE), tests(), &options, &mut progress);
         assert!(report.expect("it answers").conforms());
         assert_eq!(answered, runs);

@@ -1,6 +1,6 @@
 //! Which readings a program follows is told, and which it mixes.
 
-use adsdv_oracle::conform::{Follows, Options, Outcome, Report};
+use adsdv_oracle::conform::{ConformOptions, ConformReport, Follows, Outcome};
 use adsdv_spec::{Choice, Choices, Interface, Machine, Mutation, Reading, Readings};
 
 use crate::programs::{machine, suite_only};
@@ -15,13 +15,13 @@ fn mutant(mutation: &str, choices: &[Choice]) -> Machine {
     Machine::new(named.expect(mutation).apply(&Interface::V3_0), with(choices).readings())
 }
 
-fn of(report: &Report, reading: Reading) -> &Follows {
+fn of(report: &ConformReport, reading: Reading) -> &Follows {
     report.follows.iter().find(|follows| follows.reading == reading).expect("every reading is told of")
 }
 
 #[test]
 fn the_reference_conforms_and_follows_every_default() {
-    let report = machine(&Machine::REFERENCE, &Options::default());
+    let report = machine(&Machine::REFERENCE, &ConformOptions::default());
     assert!(report.conforms() && report.failed_tests == 0 && report.failed_runs == 0);
     assert_eq!(report.follows.len(), Reading::ALL.len());
     for Follows { reading, possible, mixes } in &report.follows {
@@ -55,7 +55,7 @@ fn combinations_of_choices_conform_and_are_recognised() {
 }
 
 #[test]
-fn what_a_program_cannot_show_cannot_be_told() {
+fn readings_that_a_program_cannot_show_stay_open() {
     // Nothing but the state tells nothing of GO_SIGNAL.
     let report =
         crate::programs::example("mutant", &["--only", "as_state"], &suite_only(), crate::programs::TIMEOUT);
@@ -77,7 +77,7 @@ fn what_a_program_cannot_show_cannot_be_told() {
 }
 
 #[test]
-fn a_program_that_mixes_readings_is_told_which() {
+fn mixed_readings_are_named() {
     // FINISHED as a level, and NEUTRAL not at all: what is wrong with the one is no reason to trust the other.
     let report = machine(&mutant("3.7 term 5: dropped", &[]), &suite_only());
     assert!(!report.conforms());
@@ -120,7 +120,7 @@ fn a_program_that_mixes_readings_is_told_which() {
 
 #[test]
 fn a_pinned_reading_is_the_only_one() {
-    let pinned = |choice| Options { possible: Choices::ALL.pin(choice), ..suite_only() };
+    let pinned = |choice| ConformOptions { possible: Choices::ALL.pin(choice), ..suite_only() };
     assert!(machine(&with(&[Choice::FaultEdge]), &pinned(Choice::FaultEdge)).conforms());
     let report = machine(&with(&[Choice::FaultEdge]), &pinned(Choice::FaultLevel));
     assert!(!report.conforms());

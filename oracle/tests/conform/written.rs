@@ -8,7 +8,8 @@ use std::io;
 use std::time::Duration;
 
 use adsdv_oracle::conform::{
-    Failure, Options, Outcome, Phase, Place, Progress, Report, Trouble, What, Work, conform,
+    ConformOptions, ConformProgress, ConformReport, Failure, Outcome, Phase, Place, ProgramError,
+    ProgramErrorKind, Work, conform,
 };
 use adsdv_oracle::protocol::{Answer, SHOWN, Value};
 use adsdv_spec::{Choice, Choices, Inputs, Interface, Machine, Mutation, Reading, Readings};
@@ -19,30 +20,30 @@ use crate::erring::{Erring, Outputs};
 use crate::programs::tests;
 
 /// As many random scenarios as show most, and all the time that it takes.
-fn usual() -> Options {
-    Options { runs: 20, shrinking: Duration::from_secs(1 << 20), ..Options::default() }
+fn usual() -> ConformOptions {
+    ConformOptions { runs: 20, shrinking: Duration::from_secs(1 << 20), ..ConformOptions::default() }
 }
 
 /// Judged by the default readings, which is much faster.
-fn by_default() -> Options {
-    Options { possible: Readings::DEFAULT.choices(), ..usual() }
+fn by_default() -> ConformOptions {
+    ConformOptions { possible: Readings::DEFAULT.choices(), ..usual() }
 }
 
-fn name(name: &str, mut program: Erring, options: &Options) -> String {
+fn name(name: &str, mut program: Erring, options: &ConformOptions) -> String {
     // For each phase how often it was told how much was done, and all of it together.
     let mut phases = [(0_usize, 0_usize); 3];
-    let mut progress = |now: Progress| {
+    let mut progress = |now: ConformProgress| {
         assert!(now.done <= now.all, "{now:?}");
         let (count, done) = &mut phases[now.phase as usize];
         *count += 1;
         *done += now.done;
     };
     let report = conform(&mut program, tests(), options, &mut progress).expect("it answers");
-    format!("================ {name}\n{}told how far it is: {phases:?}\n\n", told(&report))
+    format!("================ {name}\n{}told how far it is: {phases:?}\n\n", printed(&report))
 }
 
-fn told(report: &Report) -> String {
-    let Report { tests, failed_tests, runs, failed_runs, steps, late, readings, .. } = report;
+fn printed(report: &ConformReport) -> String {
+    let ConformReport { tests, failed_tests, runs, failed_runs, steps, late, readings, .. } = report;
     let mut text = format!(
         "{failed_tests} of {tests} tests and {failed_runs} of {runs} runs failed, {steps} steps, {late} late, readings \
          [{readings}], about the VCU {}, conforms: {}\n",
@@ -145,7 +146,7 @@ fn mutants() -> String {
         let late = if place % 4 == 3 { 2 } else { 0 };
         let machine = Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT);
         let program = Erring { late, nothing: place % 8 == 3, ..Erring::new(&machine) };
-        let options = Options { cycle_ms, latency: late, ..by_default() };
+        let options = ConformOptions { cycle_ms, latency: late, ..by_default() };
         text += &name(&format!("{mutation}, cycle {cycle_ms:?}, {late} late"), program, &options);
     }
     text
@@ -169,7 +170,7 @@ fn readings() -> String {
     };
     let mute = Erring { tampers: mute, ..Erring::new(&Machine::REFERENCE) };
     text += &name("shows no GO_SIGNAL, so that one question stays open", mute, &usual());
-    let pinned = Options { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
+    let pinned = ConformOptions { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
     let edge = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
     text += &name("another reading than the one that is pinned", Erring::new(&edge), &pinned);
     let (_, tampers) = TAMPERINGS[6];
@@ -260,9 +261,13 @@ fn tampered() -> String {
     }
     let (_, tampers) = TAMPERINGS[9];
     let program = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
-    text += &name("so much is wrong that not all is told", program, &Options { runs: 200, ..by_default() });
+    text += &name(
+        "so much is wrong that not all is told",
+        program,
+        &ConformOptions { runs: 200, ..by_default() },
+    );
     let (_, tampers) = TAMPERINGS[2];
-    let no_time = Options { shrinking: Duration::ZERO, ..by_default() };
+    let no_time = ConformOptions { shrinking: Duration::ZERO, ..by_default() };
     text += &name(
         "no time to shorten anything",
         Erring { tampers, ..Erring::new(&Machine::REFERENCE) },
@@ -283,74 +288,74 @@ fn tampered() -> String {
     text += &name(
         "late by one step more than is allowed",
         late(2, false),
-        &Options { latency: 1, ..by_default() },
+        &ConformOptions { latency: 1, ..by_default() },
     );
-    text += &name("late by less", late(1, true), &Options { latency: 3, ..by_default() });
+    text += &name("late by less", late(1, true), &ConformOptions { latency: 3, ..by_default() });
     let steers = Erring { tampers: |_, _, outputs| steers(outputs), ..late(1, false) };
-    text += &name("late and wrong", steers, &Options { latency: 1, ..by_default() });
+    text += &name("late and wrong", steers, &ConformOptions { latency: 1, ..by_default() });
     text
 }
 
 #[test]
-fn what_is_said_of_mutants() {
+fn the_report_on_mutants_is_as_written() {
     expect_file!["written/mutants.txt"].assert_eq(&mutants());
 }
 
 #[test]
-fn what_is_said_of_readings() {
+fn the_report_on_readings_is_as_written() {
     expect_file!["written/readings.txt"].assert_eq(&readings());
 }
 
 #[test]
-fn what_is_said_of_wrong_outputs() {
+fn the_report_on_wrong_outputs_is_as_written() {
     expect_file!["written/outputs.txt"].assert_eq(&tampered());
 }
 
 /// Everything that can be wrong with a program, before the first line and at a step.
-fn troubles() -> Vec<Trouble> {
+fn troubles() -> Vec<ProgramError> {
     let line = || "{\"as_state\":7}".to_owned();
     let bad = || line().parse::<Answer>().expect_err("no such state");
     let limit = Duration::from_millis(2500);
     let work = |phase| {
-        let at = Progress { phase, done: 3, all: 10 };
+        let at = ConformProgress { phase, done: 3, all: 10 };
         Some(Work { at, steps: 1234, suite_steps: 5678, runs: 300 })
     };
-    let start = |kind: io::ErrorKind| What::NoStart(kind.into());
+    let start = |kind: io::ErrorKind| ProgramErrorKind::NoStart(kind.into());
     let whats = [
         start(io::ErrorKind::NotFound),
         start(io::ErrorKind::PermissionDenied),
         start(io::ErrorKind::OutOfMemory),
-        What::Ended("exit status: 3".to_owned()),
-        What::Closed,
-        What::Late(limit, String::new()),
-        What::Late(limit, "{\"as_st".to_owned()),
-        What::OutOfTime(limit, None),
-        What::OutOfTime(limit, work(Phase::Suite)),
-        What::OutOfTime(limit, work(Phase::Random)),
-        What::OutOfTime(limit, work(Phase::Shrinking)),
-        What::TooLong(65_536, "xxxx".to_owned()),
-        What::NotText("\u{fffd}".to_owned()),
-        What::NoAnswer(line(), bad()),
-        What::NoAnswer(" {} ".to_owned(), bad()),
-        What::NoReset("ready".to_owned(), Some(bad())),
-        What::NoReset(line(), None),
-        What::TooMany(line()),
+        ProgramErrorKind::Ended("exit status: 3".to_owned()),
+        ProgramErrorKind::Closed,
+        ProgramErrorKind::Late(limit, String::new()),
+        ProgramErrorKind::Late(limit, "{\"as_st".to_owned()),
+        ProgramErrorKind::OutOfTime(limit, None),
+        ProgramErrorKind::OutOfTime(limit, work(Phase::Suite)),
+        ProgramErrorKind::OutOfTime(limit, work(Phase::Random)),
+        ProgramErrorKind::OutOfTime(limit, work(Phase::Shrinking)),
+        ProgramErrorKind::TooLong(65_536, "xxxx".to_owned()),
+        ProgramErrorKind::NotText("\u{fffd}".to_owned()),
+        ProgramErrorKind::NoAnswer(line(), bad()),
+        ProgramErrorKind::NoAnswer(" {} ".to_owned(), bad()),
+        ProgramErrorKind::NoReset("ready".to_owned(), Some(bad())),
+        ProgramErrorKind::NoReset(line(), None),
+        ProgramErrorKind::TooMany(line()),
     ];
     let place = |step| Place { scenario: "3.1".to_owned(), step, sent: "{\"op\":\"reset\"}".to_owned() };
     let mut step = 0;
     let troubles = whats.into_iter().map(|what| {
         step += 1;
         let stderr = (0..step % 3).map(|line| format!("last words {line}")).collect();
-        Trouble { place: (step % 4 > 0).then(|| Box::new(place(step % 4 - 1))), what, stderr }
+        ProgramError { place: (step % 4 > 0).then(|| Box::new(place(step % 4 - 1))), what, stderr }
     });
     troubles.collect()
 }
 
 #[test]
-fn what_is_said_of_trouble() {
+fn the_report_on_program_errors_is_as_written() {
     let text = troubles().iter().fold(String::new(), |mut text, trouble| {
         let _ = writeln!(text, "{trouble}\n= {}\n", trouble.hint());
         text
     });
-    expect_file!["written/trouble.txt"].assert_eq(&text);
+    expect_file!["written/program_errors.txt"].assert_eq(&text);
 }

@@ -1,7 +1,7 @@
 //! Logs as they are read: what is said of each kind of line, of one that fails while it is read, and of one in which no time
 //! passes.
 
-mod said;
+mod reports;
 
 use std::error::Error as _;
 use std::io::{self, Read};
@@ -53,7 +53,7 @@ fn what_came_before_a_failure_is_judged() {
 }
 
 #[test]
-fn a_log_in_which_no_time_passes_says_so() {
+fn a_log_in_which_no_time_passes_is_reported() {
     let log = |frames: usize, last: &str| format!("(1.000000) {FRAME}").repeat(frames) + last;
     for (log, says) in [
         (log(100, ""), None),
@@ -85,7 +85,7 @@ fn heard(judge: &mut LogJudge, ms: i64, state: u8) {
 }
 
 #[test]
-fn a_live_bus_tells_news_as_time_passes() {
+fn the_judge_of_a_live_bus_reports_news_as_time_passes() {
     let mut judge = LogJudge::new(LogOptions::default());
     // Before the first frame there is nothing to wait for.
     judge.time_passes(5_000_000_000);

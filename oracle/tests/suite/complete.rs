@@ -110,7 +110,7 @@ fn every_condition_is_shown_to_matter_on_its_own() {
 }
 
 #[test]
-fn every_fault_is_a_cause_and_every_other_choice_is_told_apart() {
+fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
     let machine = Machine::REFERENCE;
     let causes: HashSet<_> = tests()
         .iter()

@@ -35,7 +35,7 @@ fn without_expected() -> String {
 }
 
 #[test]
-fn bad_lines_are_told_and_lose_nothing_else() {
+fn bad_lines_are_reported_and_lose_nothing_else() {
     let good = tests();
     let line = |test: &Test| test.to_line(&Machine::REFERENCE);
     for (bad, found, expected) in [
@@ -113,7 +113,7 @@ fn a_test_of_ones_own_is_read() {
 
 /// Names are looked up, not compared one by one: a suite of many tests is read in time that grows with its length.
 #[test]
-fn a_name_is_told_however_far_away_the_other_one_is() {
+fn a_repeated_name_is_reported_however_far_away_the_other_one_is() {
     let line = tests()[1].to_line(&Machine::REFERENCE);
     let named = |number: u32| line.replacen("\"3.1-but-asms\"", &format!("\"{number}\""), 1) + "\n";
     let text: String = (0..2000).chain([0]).map(named).collect();
@@ -153,7 +153,7 @@ fn a_line_that_is_too_long_costs_itself_alone() {
 }
 
 #[test]
-fn of_many_bad_lines_the_first_are_told_and_the_others_counted() {
+fn of_many_bad_lines_the_first_are_reported_and_the_others_counted() {
     for (lines, more) in [(suite::MAX_BAD, 0), (suite::MAX_BAD + 2, 2)] {
         let read = suite::read("x\n".repeat(lines).as_bytes(), &Machine::REFERENCE).unwrap();
         assert_eq!((read.bad.len(), read.more_bad), (suite::MAX_BAD, more));
@@ -183,7 +183,7 @@ impl io::Read for Fitful<'_> {
 }
 
 #[test]
-fn an_interrupted_read_goes_on_and_a_failed_one_is_told() {
+fn an_interrupted_read_goes_on_and_a_failed_one_is_reported() {
     let tests = &tests()[..2];
     let text: String = tests.iter().map(|test| test.to_line(&Machine::REFERENCE) + "\n").collect();
     let read = |fails| {

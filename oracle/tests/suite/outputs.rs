@@ -163,31 +163,31 @@ fn fails(test: &Test, field: &ShownField, wrong: Wrong) -> bool {
 }
 
 /// The ways to be wrong that no test of some tests tells, though it names a requirement about the output.
-fn untold(tests: &[Test]) -> Vec<(&'static str, Wrong)> {
+fn not_found(tests: &[Test]) -> Vec<(&'static str, Wrong)> {
     static FIELDS: [ShownField; SHOWN.len()] = SHOWN;
     let ways = FIELDS.iter().flat_map(|field| Wrong::all(field).into_iter().map(move |wrong| (field, wrong)));
-    let untold = ways.filter(|(field, wrong)| {
+    let not_found = ways.filter(|(field, wrong)| {
         let about = requirements(field.key);
         let about = |test: &&Test| test.requirements.iter().any(|id| about.contains(&id.as_str()));
         !tests.iter().filter(about).any(|test| fails(test, field, *wrong))
     });
-    untold.map(|(field, wrong)| (field.key, wrong)).collect()
+    not_found.map(|(field, wrong)| (field.key, wrong)).collect()
 }
 
 #[test]
 fn whatever_is_shown_wrong_fails_a_test_of_a_requirement_about_it() {
-    let untold = untold(&tests());
-    assert!(untold.is_empty(), "{untold:#?}");
+    let not_found = not_found(&tests());
+    assert!(not_found.is_empty(), "{not_found:#?}");
 }
 
 /// The tests of what is shown are needed for that: without them much is not told.
 #[test]
-fn without_the_tests_of_outputs_what_is_shown_wrong_is_not_told() {
+fn without_the_tests_of_outputs_wrong_outputs_are_not_found() {
     let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != Kind::Output).collect();
-    let untold = untold(&less);
+    let not_found = not_found(&less);
     for key in ["front_axle_trq", "steer", "hyd_press_r", "ami_state", "as_switch_status", "shutdown_request"]
     {
-        assert!(untold.iter().any(|(other, _)| *other == key), "{key}");
+        assert!(not_found.iter().any(|(other, _)| *other == key), "{key}");
     }
 }
 

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use adsdv_oracle::protocol::Told;
+use adsdv_oracle::protocol::InputsAsJson;
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Inputs, Machine};
 use expect_test::expect_file;
@@ -24,7 +24,7 @@ fn written(test: &Test) -> String {
     let states = scenario.run(&Machine::REFERENCE).map(|(control, _)| control.state);
     for (step, state) in scenario.steps.iter().zip(states) {
         let inputs =
-            if step.inputs == before { "the same".to_owned() } else { Told(step.inputs).to_string() };
+            if step.inputs == before { "the same".to_owned() } else { InputsAsJson(step.inputs).to_string() };
         let _ = writeln!(written, "  {} ms, {inputs} -> {state}", step.dt_ms);
         before = step.inputs;
     }

@@ -47,8 +47,8 @@ fn only_if(step: &Step, to: AsState, condition: bool) {
 
 impl Step {
     /// The step as the document's words see it.
-    fn words(&self) -> words::Step<'_> {
-        words::Step::of(&self.before, &self.inputs, self.dt_ms, Readings::DEFAULT)
+    fn words(&self) -> words::StepInWords<'_> {
+        words::StepInWords::of(&self.before, &self.inputs, self.dt_ms, Readings::DEFAULT)
     }
 
     /// How long the state before the step has lasted when the step is made, in milliseconds, as far as it was counted.

@@ -43,7 +43,7 @@ fn theorem(id: u16, signal: &str) -> &'static str {
         (0x520, _) => "status_520h_shows_the_switches_and_the_states",
         (0x521..=0x523, _) => "feedback_of_drive_and_steering",
         (0x524..=0x526, _) => "feedback_of_brakes_and_wheels",
-        (0x500, _) => "log_500h_says_the_same_in_coarser_steps",
+        (0x500, _) => "log_500h_has_the_same_in_coarser_steps",
         (0x502, _) => "log_502h_shows_the_states_again",
         _ => panic!("{signal} is not the VCU's"),
     }
@@ -134,22 +134,18 @@ fn of_messages() -> Vec<Mutant> {
             let speeds = &mut messages.wheel_speeds;
             std::mem::swap(&mut speeds.fl_wheel_speed, &mut speeds.fr_wheel_speed);
         }),
-        of("log_500h_says_the_same_in_coarser_steps", "angles are rounded down", |messages, _, inputs| {
+        of("log_500h_has_the_same_in_coarser_steps", "angles are rounded down", |messages, _, inputs| {
             let half = inputs.vehicle.steer_angle.raw().div_euclid(5);
             messages.log_dynamics.steer_actual = LogSteerAngle::clamped(half);
         }),
-        of("log_500h_says_the_same_in_coarser_steps", "braking is rounded up", |messages, _, inputs| {
+        of("log_500h_has_the_same_in_coarser_steps", "braking is rounded up", |messages, _, inputs| {
             let sum = inputs.vehicle.hyd_press_f.raw() + inputs.vehicle.hyd_press_r.raw();
             messages.log_dynamics.brake_actual = LogBrake::clamped((sum + 3) / 4);
         }),
-        of(
-            "log_500h_says_the_same_in_coarser_steps",
-            "torque in percent of 195 Nm",
-            |messages, _, inputs| {
-                let sum = inputs.vehicle.front_axle_trq.raw() + inputs.vehicle.rear_axle_trq.raw();
-                messages.log_dynamics.drive_trq_actual = LogDriveTorque::clamped(sum * 10 / 195);
-            },
-        ),
+        of("log_500h_has_the_same_in_coarser_steps", "torque in percent of 195 Nm", |messages, _, inputs| {
+            let sum = inputs.vehicle.front_axle_trq.raw() + inputs.vehicle.rear_axle_trq.raw();
+            messages.log_dynamics.drive_trq_actual = LogDriveTorque::clamped(sum * 10 / 195);
+        }),
         of(log, "the EBS as it reports itself", |messages, _, inputs| {
             messages.log_status.state_ebs = inputs.ebs;
         }),

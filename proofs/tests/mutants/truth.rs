@@ -8,7 +8,7 @@ use crate::Mutant;
 pub(crate) fn mutants() -> Vec<Mutant> {
     vec![
         Mutant::new("a_term_is_called_what_it_is", "what is not known to fail holds", Hopes),
-        Mutant::new("unknown_is_said_only_where_both_are_possible", "nothing is ever called false", Doubts),
+        Mutant::new("unknown_comes_only_where_both_are_possible", "nothing is ever called false", Doubts),
         Mutant::new("claims_are_joined_soundly", "an unknown does not count", Joins),
         Mutant::new("knowledge_is_what_was_learnt", "what is learnt to be off is forgotten", LearnsOn),
         Mutant::new("one_condition_is_set_and_the_others_stay", "what is unknown again is off", SetsOff),

@@ -10,7 +10,7 @@ use crate::{Interface, Machine};
 
 /// An arrow that the readings of a machine have.
 #[derive(Clone, Copy)]
-pub(super) struct Arrow<'a> {
+pub(super) struct ShownArrow<'a> {
     machine: &'a Machine,
     pub(super) row: &'a Row,
     /// The first alternative of the guard.
@@ -18,15 +18,15 @@ pub(super) struct Arrow<'a> {
 }
 
 /// The arrows of a machine, those of one state in the order in which they are evaluated.
-pub(super) fn arrows(machine: &Machine) -> impl Iterator<Item = Arrow<'_>> {
+pub(super) fn arrows(machine: &Machine) -> impl Iterator<Item = ShownArrow<'_>> {
     AsState::ALL.into_iter().flat_map(|state| machine.arrows(state)).filter_map(move |first| {
         let row = first.row(&machine.interface().table)?;
-        let arrow = Arrow { machine, row, first };
+        let arrow = ShownArrow { machine, row, first };
         (arrow.alternatives().next() == Some(first)).then_some(arrow)
     })
 }
 
-impl<'a> Arrow<'a> {
+impl<'a> ShownArrow<'a> {
     /// The alternatives of the guard that the machine evaluates.
     fn alternatives(self) -> impl Iterator<Item = Taken> {
         self.machine.arrows(self.row.from).filter(move |taken| taken.row == self.first.row)
@@ -45,9 +45,9 @@ impl<'a> Arrow<'a> {
     }
 }
 
-/// Displays the guard of an arrow; see [`Arrow::guard`].
+/// Displays the guard of an arrow; see [`ShownArrow::guard`].
 pub(super) struct Guard<'a> {
-    arrow: Arrow<'a>,
+    arrow: ShownArrow<'a>,
     wrap: usize,
 }
 
@@ -75,7 +75,7 @@ impl fmt::Display for Guard<'_> {
 
 /// Displays the label of an arrow in a diagram: its section, then its guard.
 pub(super) struct Label<'a> {
-    pub(super) arrow: Arrow<'a>,
+    pub(super) arrow: ShownArrow<'a>,
     pub(super) wrap: usize,
 }
 

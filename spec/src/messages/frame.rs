@@ -18,7 +18,7 @@ use super::bits::FRAME_BYTES;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "Parts"))]
+#[cfg_attr(feature = "serde", serde(try_from = "FrameParts"))]
 pub struct Frame {
     /// The identifier.
     pub id: u16,
@@ -67,17 +67,17 @@ impl fmt::Display for Frame {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(rename = "Frame", deny_unknown_fields)]
-struct Parts {
+struct FrameParts {
     id: u16,
     len: u8,
     data: [u8; FRAME_BYTES],
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Parts> for Frame {
+impl TryFrom<FrameParts> for Frame {
     type Error = &'static str;
 
-    fn try_from(Parts { id, len, data }: Parts) -> Result<Self, Self::Error> {
+    fn try_from(FrameParts { id, len, data }: FrameParts) -> Result<Self, Self::Error> {
         let frame = Self { id, len, data };
         if frame.is_valid() {
             return Ok(frame);

@@ -94,7 +94,7 @@ fn whatever_opens_the_shutdown_circuit_stops_the_vehicle() {
 
 //= MSG-50, MSG-64, D-9, D-40, DTE-1, FTE-1
 #[test]
-fn a_fault_stops_the_vehicle_and_is_told_by_its_flag_and_its_number_alone() {
+fn a_fault_stops_the_vehicle_and_is_shown_by_its_flag_and_its_number_alone() {
     for state in ACTIVE {
         let (_, none) = from(state, |_| {});
         assert!(!none.fault_status && none.shutdown_cause == ShutdownCause::NoShutdown);
@@ -146,7 +146,7 @@ fn what_the_ai_computer_must_not_do_at_speed() {
 /// A switch that is off has no number of its own.
 //= D-13, DTE-2, DTE-3
 #[test]
-fn a_switch_off_in_as_driving_is_told_as_an_open_circuit() {
+fn a_switch_off_in_as_driving_is_shown_as_an_open_circuit() {
     let off: [Cause; 2] = [|i| i.go = false, |i| i.asms = false];
     for cause in off {
         let (after, status) = from(AsState::Driving, cause);

@@ -63,7 +63,7 @@ fn in_state(state: AsState, inputs: &Inputs) -> Outputs {
 
 //= SM-1
 #[test]
-fn a_step_tells_the_arrow_and_the_alternative_that_it_took() {
+fn a_step_returns_the_arrow_and_the_alternative_that_it_took() {
     let vcu = Machine::REFERENCE;
     let inputs = Inputs { go: false, ..busy() };
     let (_, outputs) = vcu.step(&Control { state: AsState::Driving, ..Control::INITIAL }, &inputs, 10);
@@ -226,7 +226,7 @@ fn requests_are_returned_and_measurements_passed_on() {
 
 //= MSG-42 to MSG-49, RDY-6, D-37, D-38
 #[test]
-fn the_status_tells_switches_states_and_signals() {
+fn the_status_shows_switches_states_and_signals() {
     let inputs = busy();
     for state in AsState::ALL {
         let status = in_state(state, &inputs).messages(&inputs).status;
@@ -295,7 +295,7 @@ fn a_warning_is_summed_up() {
 
 //= MSG-29 to MSG-33, D-47 to D-50
 #[test]
-fn the_logger_is_told_of_the_dynamics() {
+fn the_vcu_sends_the_dynamics_to_the_logger() {
     let inputs = busy();
     let log = in_state(AsState::Driving, &inputs).messages(&inputs).log_dynamics;
     let raw = |log: Vcu2LogDynamics1| {
@@ -324,7 +324,7 @@ fn the_logger_is_told_of_the_dynamics() {
 
 //= MSG-34 to MSG-40, D-28, D-29
 #[test]
-fn the_logger_is_told_of_the_status() {
+fn the_vcu_sends_the_status_to_the_logger() {
     let inputs = busy();
     for state in AsState::ALL {
         let braking = state == AsState::EmergencyBrake;

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use adsdv_spec::{Choice, Choices, Reading, Readings};
 
 #[test]
-fn readings_are_told_by_what_is_not_the_default() {
+fn readings_print_what_is_not_the_default() {
     assert_eq!(Readings::DEFAULT.to_string(), "");
     let readings = Readings::DEFAULT.with(Choice::FaultEdge).with(Choice::GoEdgeEnough);
     let told = readings.to_string();

@@ -280,7 +280,7 @@ fn a_frame_is_one_that_can_be_on_the_bus() {
 }
 
 #[test]
-fn inputs_say_only_what_differs_from_the_default() {
+fn inputs_list_only_what_differs_from_the_default() {
     let mut expected = Inputs::default();
     expected.ai.status.mission_status = MissionStatus::Selected;
     let given = json!({"ai": {"status": {"mission_status": "SELECTED"}}});

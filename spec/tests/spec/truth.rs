@@ -15,7 +15,7 @@ fn outcomes(truth: Truth) -> Vec<bool> {
 }
 
 /// What can be said when all of these are possible.
-fn said(outcomes: impl Iterator<Item = bool>) -> Truth {
+fn claimed(outcomes: impl Iterator<Item = bool>) -> Truth {
     let all: Vec<_> = outcomes.collect();
     match (all.contains(&true), all.contains(&false)) {
         (true, false) => Truth::True,
@@ -30,15 +30,15 @@ fn and_or_and_agree_are_what_holds_however_the_unseen_is() {
         for b in ALL {
             let pairs =
                 || outcomes(a).into_iter().flat_map(move |a| outcomes(b).into_iter().map(move |b| (a, b)));
-            assert_eq!(a.and(b), said(pairs().map(|(a, b)| a && b)), "{a} and {b}");
-            assert_eq!(a.or(b), said(pairs().map(|(a, b)| a || b)), "{a} or {b}");
-            assert_eq!(a.agree(b), said(outcomes(a).into_iter().chain(outcomes(b))), "{a} or else {b}");
+            assert_eq!(a.and(b), claimed(pairs().map(|(a, b)| a && b)), "{a} and {b}");
+            assert_eq!(a.or(b), claimed(pairs().map(|(a, b)| a || b)), "{a} or {b}");
+            assert_eq!(a.agree(b), claimed(outcomes(a).into_iter().chain(outcomes(b))), "{a} or else {b}");
         }
     }
 }
 
 #[test]
-fn a_truth_is_told_by_its_name() {
+fn a_truth_prints_its_name() {
     assert_eq!(ALL.map(|truth| truth.to_string()), ["false", "unknown", "true"]);
     assert_eq!(format!("{:>8}", Truth::True), "    true");
     assert_eq!((Truth::from(true), Truth::from(false)), (Truth::True, Truth::False));
@@ -89,7 +89,7 @@ fn a_term_holds_as_far_as_is_known() {
         let holds = |atoms: &Atoms| term.conditions().all(|(atom, on)| atoms.has(atom) == on);
         assert!(term.conditions().count() > 0);
         for (known, ways) in knowledge() {
-            assert_eq!(term.truth(known), said(ways.iter().map(holds)), "{term:?}, {known:?}");
+            assert_eq!(term.truth(known), claimed(ways.iter().map(holds)), "{term:?}, {known:?}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The car and the small AI Computer, and what watches a bus: any frames at any times, any switches.
 
 use adsdv_can::ai::{Ai, Plan};
-use adsdv_can::bus::{Received, Trouble};
+use adsdv_can::bus::{Disturbance, Received};
 use adsdv_can::car::{Action, Car, Switch, missing_for};
 use adsdv_can::live::Watch;
 use adsdv_oracle::candump::FrameKind;
@@ -135,7 +135,7 @@ fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
     match bytes.below(7) {
         0 => watch.silence(time_ns),
         1 => {
-            let troubles = [Trouble::Down, Trouble::Gone, Trouble::BusOff, Trouble::Full];
+            let troubles = [Disturbance::Down, Disturbance::Gone, Disturbance::BusOff, Disturbance::Full];
             watch.trouble(time_ns, &troubles[usize::from(bytes.any::<u8>()) % troubles.len()]);
         }
         2 => watch.up(time_ns),

@@ -3,7 +3,9 @@
 use std::sync::LazyLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{InProcess, Options, Outcome, Reply, Report, Trouble, Vcu, What, conform};
+use adsdv_oracle::conform::{
+    ConformOptions, ConformReport, InProcess, Outcome, ProgramError, ProgramErrorKind, Reply, Vcu, conform,
+};
 use adsdv_oracle::protocol::{Answer, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::{Control, Interface, Machine, Mutation, Readings};
@@ -32,7 +34,7 @@ pub fn body(bytes: &[u8]) {
         places.dedup();
         places.iter().filter_map(|&place| TESTS.get(usize::try_from(place).ok()?)).cloned().collect()
     };
-    let options = Options {
+    let options = ConformOptions {
         latency: usize::try_from(bytes.pick(&[0, 0, 0, 1])).unwrap_or(0),
         cycle_ms: bytes.pick(&[None, None, None, Some(10)]),
         seed: bytes.any(),
@@ -40,7 +42,7 @@ pub fn body(bytes: &[u8]) {
         // As a rule nothing is made shorter: how far that goes depends on the clock.
         shrinking: Duration::from_millis(if bytes.one_in(8) { 50 } else { 0 }),
         possible: if bytes.one_in(4) { readings.choices() } else { adsdv_spec::Choices::ALL },
-        ..Options::default()
+        ..ConformOptions::default()
     };
     if honest {
         right(readings, &tests, &options);
@@ -54,13 +56,13 @@ pub fn body(bytes: &[u8]) {
         let mut liar = Liar { machine, late, bytes, steps: 0 };
         match conform(&mut liar, &tests, &options, &mut |_| {}) {
             Ok(report) => sound(&report, &tests, &options),
-            Err(trouble) => told(&trouble),
+            Err(trouble) => readable(&trouble),
         }
     }
 }
 
 /// The reference under any readings conforms, whatever it is asked, and the judge finds out nothing else of it.
-fn right(readings: Readings, tests: &[Test], options: &Options) {
+fn right(readings: Readings, tests: &[Test], options: &ConformOptions) {
     let mut vcu = InProcess(Machine::new(Interface::V3_0, readings));
     let report = conform(&mut vcu, tests, options, &mut |_| {}).expect("it answers");
     assert!(report.conforms(), "{readings}: {:#?}", report.failures);
@@ -70,7 +72,7 @@ fn right(readings: Readings, tests: &[Test], options: &Options) {
 }
 
 /// What holds of each report.
-fn sound(report: &Report, tests: &[Test], options: &Options) {
+fn sound(report: &ConformReport, tests: &[Test], options: &ConformOptions) {
     assert_eq!(report.tests + report.not_told.len(), tests.len());
     assert!(report.failed_tests <= report.tests && report.failed_runs <= report.runs);
     assert_eq!(report.runs, options.runs);
@@ -95,7 +97,7 @@ fn sound(report: &Report, tests: &[Test], options: &Options) {
     assert!(report.not_shown.iter().all(|key| SHOWN.iter().any(|field| field.key == *key)));
 }
 
-fn told(trouble: &Trouble) {
+fn readable(trouble: &ProgramError) {
     let text = trouble.to_string();
     assert!(!text.is_empty() && !trouble.hint().is_empty());
     assert!(text.lines().all(|line| !line.contains(|c: char| c.is_control())), "{text:?}");
@@ -110,18 +112,18 @@ struct Liar<'a> {
 }
 
 impl Liar<'_> {
-    fn reply(&mut self, right: Shown) -> Result<Reply, Trouble> {
+    fn reply(&mut self, right: Shown) -> Result<Reply, ProgramError> {
         self.steps += 1;
-        let gone = |what| Err(Trouble { place: None, what, stderr: vec!["gone".to_owned()] });
+        let gone = |what| Err(ProgramError { place: None, what, stderr: vec!["gone".to_owned()] });
         if self.steps > STEPS {
-            return gone(What::Closed);
+            return gone(ProgramErrorKind::Closed);
         }
         if !self.bytes.are_left() || !self.bytes.one_in(16) {
             return Ok(right.into());
         }
         match self.bytes.below(8) {
             0 => Ok(Reply::Nothing),
-            1 => gone(What::Ended("exit status 3".to_owned())),
+            1 => gone(ProgramErrorKind::Ended("exit status 3".to_owned())),
             2 | 3 => Ok(Reply::Answer(self.partly(&right))),
             _ => Ok(Reply::Answer(self.lie(&right))),
         }
@@ -184,7 +186,7 @@ impl Vcu for Liar<'_> {
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), ProgramError> {
         for (place, (_, scenario)) in scenarios.iter().enumerate() {
             let machine = self.machine;
             let shown: Vec<Shown> = scenario.shown(&machine).collect();
@@ -201,9 +203,13 @@ impl Vcu for Liar<'_> {
         Ok(())
     }
 
-    fn end(&mut self) -> Result<Vec<String>, Trouble> {
+    fn end(&mut self) -> Result<Vec<String>, ProgramError> {
         if self.bytes.one_in(16) {
-            return Err(Trouble { place: None, what: What::TooMany("{}".to_owned()), stderr: Vec::new() });
+            return Err(ProgramError {
+                place: None,
+                what: ProgramErrorKind::TooMany("{}".to_owned()),
+                stderr: Vec::new(),
+            });
         }
         Ok(Vec::new())
     }

@@ -1,7 +1,7 @@
 //! The judge of logs, on any bytes as text, and on frames at any time, with silences and losses.
 
 use adsdv_oracle::candump::{Direction, Dropped, FrameKind, Record, write_dropped, write_record};
-use adsdv_oracle::judge::{Finding, Options, Report, Rule, Severity, Verdict};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{LogJudge, LogOptions, judge_log};
 use adsdv_spec::messages::{AnyMessage, Frame, MESSAGES};
 
@@ -38,22 +38,22 @@ fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
     let (window_ms, deadline_ms) = match below(8) {
         0 => (bytes.any(), bytes.any()),
         1 => (below(200), below(200)),
-        _ => (Options::default().window_ms, Options::default().deadline_ms),
+        _ => (JudgeOptions::default().window_ms, JudgeOptions::default().deadline_ms),
     };
     let interface = bytes.one_in(8).then(|| bytes.pick(&INTERFACES).to_owned());
-    let options = LogOptions { judge: Options { window_ms, deadline_ms, readings }, interface };
+    let options = LogOptions { judge: JudgeOptions { window_ms, deadline_ms, readings }, interface };
     (options, bytes.one_in(2))
 }
 
 fn any_text(log: &[u8], options: &LogOptions) {
     match judge_log(log, options, |_| {}) {
         Ok(report) => sound(&report),
-        Err(error) => told(&error),
+        Err(error) => printed(&error),
     }
 }
 
 /// What is told is text for a terminal.
-fn told(text: &impl ToString) {
+fn printed(text: &impl ToString) {
     let text = text.to_string();
     assert!(!text.is_empty() && !text.contains(|c: char| c.is_control()), "{text:?}");
 }
@@ -66,19 +66,19 @@ fn sound(report: &Report) {
     for transition in &report.transitions {
         assert!((0..=ends).contains(&transition.t_ns), "{transition:?}, and the log ends at {ends}");
         assert_ne!(transition.from, transition.to);
-        told(&transition.section);
+        printed(&transition.section);
     }
     for finding in &report.findings {
         assert!((0..=ends).contains(&finding.t_ns), "{finding:?}, and the log ends at {ends}");
-        told(&finding.message);
-        told(&finding.section);
+        printed(&finding.message);
+        printed(&finding.section);
     }
     let violates = report.findings.iter().any(|finding| finding.severity == Severity::Violation);
     assert_eq!(report.verdict() == Verdict::Violates, violates);
 }
 
 /// What is written for a log and told to a judge at once.
-struct Told {
+struct LiveLog {
     judge: LogJudge,
     log: Vec<u8>,
     /// Whether the log has all that the judge was told.
@@ -86,7 +86,7 @@ struct Told {
     news: (usize, Vec<Finding>),
 }
 
-impl Told {
+impl LiveLog {
     fn frame(&mut self, record: &Record<'_>) {
         self.complete &= write_record(&mut self.log, record).is_ok();
         self.judge.frame(record);
@@ -102,7 +102,7 @@ impl Told {
 
 fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
     let judge = LogJudge::new(options.clone());
-    let mut all = Told { judge, log: Vec::new(), complete: true, news: (0, Vec::new()) };
+    let mut all = LiveLog { judge, log: Vec::new(), complete: true, news: (0, Vec::new()) };
     let mut time_ns: i64 = 1_000_000_000;
     let mut fed = 0;
     let mut data = [[0; 8]; MESSAGES.len()];
@@ -178,8 +178,8 @@ fn any_frame(bytes: &mut Bytes<'_>, said: &mut [[u8; 8]; MESSAGES.len()]) -> (u3
     (def.id.into(), *last, def.len.into())
 }
 
-fn finish(all: Told, fed: u64, options: &LogOptions) {
-    let Told { judge, log, complete, news } = all;
+fn finish(all: LiveLog, fed: u64, options: &LogOptions) {
+    let LiveLog { judge, log, complete, news } = all;
     let lines = log.split_inclusive(|&byte| byte == b'\n').count() as u64;
     let live = judge.finish(lines);
     match &live {
@@ -198,7 +198,7 @@ fn finish(all: Told, fed: u64, options: &LogOptions) {
                 );
             }
         }
-        Err(error) => told(error),
+        Err(error) => printed(error),
     }
     if complete {
         let read = judge_log(log.as_slice(), options, |_| {});

@@ -1,7 +1,7 @@
 //! The judge never contradicts the reference: of a log that `step` itself produced, under any readings, nothing is said against
 //! the VCU; and against the AI Computer only what it did.
 
-use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::{AsState, Atom, Atoms, Choices, Interface, Machine, Row};
 
 use super::Bytes;
@@ -33,7 +33,7 @@ pub fn body(bytes: &[u8]) {
     }
     let did = happens(&mut world, &mut bytes);
     let log = world.disturbed(seed, jitter_ms.cast_signed() * MS, loss);
-    let report = judge(&log, Options { readings: choices, ..Options::default() });
+    let report = judge(&log, JudgeOptions { readings: choices, ..JudgeOptions::default() });
     let wrong = contradictions(&report, did);
     assert!(
         wrong.is_empty(),

@@ -3,8 +3,8 @@
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
-use adsdv_oracle::conform::{LineBuffer, Place, Reply, TooLong, Trouble, What};
-use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, Request, SHOWN, Shown, Told};
+use adsdv_oracle::conform::{LineBuffer, Place, ProgramError, ProgramErrorKind, Reply, TooLong};
+use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, InputsAsJson, Request, SHOWN, Shown};
 use adsdv_spec::{Control, Inputs, Interface, Machine};
 
 use super::Bytes;
@@ -64,9 +64,9 @@ fn of_a_program(written: &[u8]) {
 
 /// An answer to a step, to a reset, or neither.
 fn answered(line: &[u8]) {
-    let told = |what: What| {
+    let given = |what: ProgramErrorKind| {
         let place = Place { scenario: "any".to_owned(), step: 1, sent: "{}".to_owned() };
-        let trouble = Trouble { place: Some(Box::new(place)), what, stderr: Vec::new() };
+        let trouble = ProgramError { place: Some(Box::new(place)), what, stderr: Vec::new() };
         for text in [trouble.to_string(), trouble.hint().to_string()] {
             assert!(!text.contains(|c: char| c.is_control() && c != '\n'), "{text:?}");
         }
@@ -77,13 +77,13 @@ fn answered(line: &[u8]) {
     }
     let reset = Reply::to_reset(line);
     assert!(reset.is_err() || !matches!(late, Ok(Reply::Answer(_))));
-    late.err().into_iter().chain(reset.err()).for_each(told);
+    late.err().into_iter().chain(reset.err()).for_each(given);
 }
 
 /// A line is each of the sorts or not, and what is one is written as it was read.
 fn line(line: &str) {
     same_again::<Request>(line);
-    same_again::<Told>(line);
+    same_again::<InputsAsJson>(line);
     match line.parse::<Answer>() {
         Ok(answer) => {
             assert!(answer.has("as_state") && answer.keys().count() <= SHOWN.len());
@@ -96,15 +96,15 @@ fn line(line: &str) {
             // What is an answer to a step is none to a reset.
             assert_eq!(Answer::is_reset(line), Ok(false));
         }
-        Err(error) => told(&error),
+        Err(error) => given(&error),
     }
     if let Err(error) = Answer::is_reset(line) {
-        told(&error);
+        given(&error);
     }
 }
 
 /// What is wrong is told in one line.
-fn told(error: &BadLine) {
+fn given(error: &BadLine) {
     let text = error.to_string();
     assert!(!text.is_empty() && !text.contains(|c: char| c.is_control()), "{text:?}");
 }
@@ -116,7 +116,7 @@ fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &st
             assert!(!written.contains('\n'));
             assert_eq!(written.parse(), Ok(read), "{written}");
         }
-        Err(error) => told(&error),
+        Err(error) => given(&error),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What fuzzers begin with: the inputs of `fuzz/corpus` and the words of `fuzz/dictionaries`, made from what the project has.
 //!
-//! `cargo run -p adsdv-tests --bin seeds` writes them, and a test tells when they have to be written again.
+//! `cargo run -p adsdv-tests --bin seeds` writes them, and a test fails when they have to be written again.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use adsdv_can::car::{Action, Switch};
 use adsdv_can::scenario::{self, Scenario};
 use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
-use adsdv_oracle::protocol::{INPUTS, Request, SHOWN, Shown, Told};
+use adsdv_oracle::protocol::{INPUTS, InputsAsJson, Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
@@ -277,7 +277,7 @@ fn line(test: &Test) -> String {
 fn exchange(test: &Test) -> Vec<String> {
     let shown = test.scenario.shown(&Machine::REFERENCE).map(|shown: Shown| shown.to_string());
     let asked = test.scenario.requests().map(|request: Request| request.to_string());
-    let told = test.scenario.steps.last().map(|step| Told(step.inputs).to_string());
+    let told = test.scenario.steps.last().map(|step| InputsAsJson(step.inputs).to_string());
     shown.take(2).chain(asked.take(3)).chain(told).collect()
 }
 

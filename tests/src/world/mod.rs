@@ -14,7 +14,7 @@ mod random;
 mod recording;
 mod routes;
 
-use adsdv_oracle::judge::{Options, Report};
+use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_spec::messages::{Message, Vcu2AiStatus};
 use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
 
@@ -43,8 +43,8 @@ pub struct World {
     pub ai_sends: bool,
     /// Whether the AI Computer answers the handshake.
     pub ai_answers: bool,
-    /// Changes each message of 520h before it is sent: for a VCU that tells something else than it does.
-    pub tells: fn(&mut Vcu2AiStatus),
+    /// Changes each message of 520h before it is sent: for a VCU that shows something else than it does.
+    pub shows: fn(&mut Vcu2AiStatus),
     /// The time.
     pub t: i64,
     /// When the EBS last changed.
@@ -63,7 +63,7 @@ impl World {
             ai: AiMessages::default(),
             ai_sends: true,
             ai_answers: true,
-            tells: |_| {},
+            shows: |_| {},
             t: 0,
             ebs_changed: 0,
             log: Vec::new(),
@@ -85,7 +85,7 @@ impl World {
         let (control, outputs) = self.vcu.step(&self.control, &self.inputs, CYCLE_MS.into());
         self.control = control;
         let mut messages = outputs.messages(&self.inputs);
-        (self.tells)(&mut messages.status);
+        (self.shows)(&mut messages.status);
         let slow = self.t % LOG_STATUS_CYCLE == 0;
         for (place, frame) in (0..).zip(messages.frames()) {
             if slow || frame.id != adsdv_spec::messages::Vcu2LogStatus::ID {
@@ -116,7 +116,7 @@ impl World {
     }
 
     /// What the judge says of the recording.
-    pub fn judge(&self, options: Options) -> Report {
+    pub fn judge(&self, options: JudgeOptions) -> Report {
         judge(&self.log, options)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use adsdv_oracle::judge::{Judge, Options, Report, Severity};
+use adsdv_oracle::judge::{Judge, JudgeOptions, Report, Severity};
 use adsdv_spec::messages::{Frame, MessageDef, Node, message_by_id};
 
 use super::random::Random;
@@ -61,7 +61,7 @@ impl World {
 }
 
 /// What the judge says of a recording.
-pub fn judge(log: &[Recorded], options: Options) -> Report {
+pub fn judge(log: &[Recorded], options: JudgeOptions) -> Report {
     let mut judge = Judge::new(options);
     let origin = log.first().map_or(0, |first| first.t);
     for recorded in log {

@@ -1,12 +1,12 @@
 //! The AI Computer's conduct in AS_DRIVING and AS_READY.
 
-use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus, Node};
 use adsdv_spec::{Atom, Choice};
 use adsdv_tests::world::{MS, World, judge};
 
 use crate::check::{blames, is_reported, is_silent, pinned};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// AS_DRIVING at speed, and the AI Computer does something.
 fn at_speed(vcu: fn(&mut World), does: fn(&mut World)) -> World {
@@ -22,10 +22,10 @@ fn at_speed(vcu: fn(&mut World), does: fn(&mut World)) -> World {
 fn violates_at_speed(does: fn(&mut World), rule: Rule) {
     let expected = [(rule, "3.7")];
     let world = at_speed(|_| {}, does);
-    is_silent(&world, Options::default(), rule.id());
+    is_silent(&world, JudgeOptions::default(), rule.id());
     // A VCU leaves AS_DRIVING at once. Only one that stays shows for sure, under jitter, that it had not left before.
     let stays = at_speed(World::hold_state, does);
-    for options in [Options::default(), pinned(Choice::FaultLevel), pinned(Choice::FaultEdge)] {
+    for options in [JudgeOptions::default(), pinned(Choice::FaultLevel), pinned(Choice::FaultEdge)] {
         assert_eq!(blames(&judge(&world.log, options), Party::Ai), expected);
         is_reported(&stays, options, Party::Ai, &expected, rule.id());
     }
@@ -55,15 +55,15 @@ fn finished_at_speed_while_the_vcu_is_not_seen() {
         let away = since..since + ms * MS;
         world.log.retain(|recorded| recorded.sender() == Some(Node::Ai) || !away.contains(&recorded.t));
         let name = format!("FINISHED at speed, VCU not seen for {ms} ms");
-        is_as_written(&name, &world.log, Options::default());
-        let found = blames(&judge(&world.log, Options::default()), Party::Ai);
+        is_as_written(&name, &world.log, JudgeOptions::default());
+        let found = blames(&judge(&world.log, JudgeOptions::default()), Party::Ai);
         let expected = [(Rule::FinishedMoving, "3.7")];
         assert_eq!(found, expected[usize::from(!seen)..], "{name}");
     }
 }
 
 /// How much the one finding of a rule weighs; `None` if there is none.
-fn weight(world: &World, rule: Rule, options: Options) -> Option<Severity> {
+fn weight(world: &World, rule: Rule, options: JudgeOptions) -> Option<Severity> {
     let report = judge(&world.log, options);
     let weights: Vec<Severity> =
         report.findings.iter().filter(|f| f.rule == rule).map(|f| f.severity).collect();
@@ -72,7 +72,7 @@ fn weight(world: &World, rule: Rule, options: Options) -> Option<Severity> {
 }
 
 fn violates_as_a_level_only(world: &World, rule: Rule) {
-    assert_eq!(weight(world, rule, Options::default()), Some(Severity::Warning));
+    assert_eq!(weight(world, rule, JudgeOptions::default()), Some(Severity::Warning));
     assert_eq!(weight(world, rule, pinned(Choice::FaultLevel)), Some(Severity::Violation));
     assert_eq!(weight(world, rule, pinned(Choice::FaultEdge)), None);
 }
@@ -86,7 +86,7 @@ fn finished_that_does_not_follow_on_running() {
     };
     let world = at_speed(|_| {}, does);
     violates_as_a_level_only(&world, Rule::FinishedMoving);
-    is_silent(&world, Options::default(), "FINISHED from SELECTED");
+    is_silent(&world, JudgeOptions::default(), "FINISHED from SELECTED");
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn neutral_from_before_the_vehicle_moved() {
     world.wait(500);
     assert_eq!(world.control.state, AsState::Driving);
     violates_as_a_level_only(&world, Rule::NeutralMoving);
-    is_silent(&world, Options::default(), "NEUTRAL all the time");
+    is_silent(&world, JudgeOptions::default(), "NEUTRAL all the time");
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn finished_and_neutral_at_rest_are_fine() {
     world.finished();
     world.ai.status.direction_request = DirectionRequest::Neutral;
     world.wait(500);
-    is_reported(&world, Options::default(), Party::Ai, &[], "at rest");
+    is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "at rest");
 }
 
 //= DRV-5 to DRV-8
@@ -120,10 +120,18 @@ fn requests_that_hold_the_vehicle_in_ready() {
         world.ready();
         world.set(atom, false);
         world.wait(4000);
-        assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), None, "not before the dwell is over");
+        assert_eq!(
+            weight(&world, Rule::ReadyHeld, JudgeOptions::default()),
+            None,
+            "not before the dwell is over"
+        );
         world.wait(2000);
-        assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), Some(Severity::Warning), "{atom}");
-        is_silent(&world, Options::default(), atom.id());
+        assert_eq!(
+            weight(&world, Rule::ReadyHeld, JudgeOptions::default()),
+            Some(Severity::Warning),
+            "{atom}"
+        );
+        is_silent(&world, JudgeOptions::default(), atom.id());
     }
 }
 
@@ -133,10 +141,10 @@ fn a_request_for_a_moment_holds_no_vehicle() {
     let mut world = World::reference();
     world.dwelt();
     world.set(Atom::FrontTorqueZero, false);
-    world.wait(i64::from(Options::default().deadline_ms) - 20);
+    world.wait(i64::from(JudgeOptions::default().deadline_ms) - 20);
     world.set(Atom::FrontTorqueZero, true);
     world.wait(500);
-    assert_eq!(weight(&world, Rule::ReadyHeld, Options::default()), None);
+    assert_eq!(weight(&world, Rule::ReadyHeld, JudgeOptions::default()), None);
 }
 
 #[test]
@@ -155,8 +163,8 @@ fn requests_hold_the_vehicle_once_in_each_ready() {
         world.inputs.asms = true;
         world.wait(200);
     }
-    is_silent(&world, Options::default(), "held in two AS_READY");
-    let report = judge(&world.log, Options::default());
+    is_silent(&world, JudgeOptions::default(), "held in two AS_READY");
+    let report = judge(&world.log, JudgeOptions::default());
     let held = report.findings.iter().filter(|finding| finding.rule == Rule::ReadyHeld);
     assert_eq!(held.count(), 2, "{:#?}", report.findings);
 }
@@ -170,8 +178,8 @@ fn an_ai_computer_that_was_never_heard_is_not_blamed() {
     world.inputs.tsms = true;
     world.wait(1000);
     assert!(world.control.handshake.is_lost(adsdv_spec::Interface::V3_0.timing.handshake_ms), "it is missed");
-    is_reported(&world, Options::default(), Party::Ai, &[], "never heard");
-    is_silent(&world, Options::default(), "never heard");
-    let report = judge(&world.log, Options::default());
+    is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "never heard");
+    is_silent(&world, JudgeOptions::default(), "never heard");
+    let report = judge(&world.log, JudgeOptions::default());
     assert!(!report.findings.iter().any(|finding| finding.party == Party::Ai), "{:#?}", report.findings);
 }

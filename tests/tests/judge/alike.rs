@@ -1,6 +1,6 @@
 //! Reasons of an emergency that the VCU reports alike, so that a log cannot tell which it was (D-13).
 
-use adsdv_oracle::judge::{Options, Transition};
+use adsdv_oracle::judge::{JudgeOptions, Transition};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Truth};
 use adsdv_tests::world::World;
@@ -14,7 +14,7 @@ fn brake(happens: Happens) -> Transition {
     world.driving();
     happens(&mut world);
     world.wait(500);
-    let report = world.judge(Options::default());
+    let report = world.judge(JudgeOptions::default());
     let to_brake = |transition: &Transition| transition.to == AsState::EmergencyBrake;
     report.transitions.into_iter().find(to_brake).expect("it brakes")
 }
@@ -25,7 +25,7 @@ fn alternatives(transition: &Transition) -> Vec<Atom> {
 }
 
 #[test]
-fn go_off_and_an_open_circuit_are_told_together() {
+fn go_off_and_an_open_circuit_are_reported_together() {
     let cases: [(Happens, Atom); 3] = [
         (|world| world.inputs.go = false, Atom::GoOn),
         (|world| world.inputs.asms = false, Atom::Asms),
@@ -39,7 +39,7 @@ fn go_off_and_an_open_circuit_are_told_together() {
 }
 
 #[test]
-fn what_has_a_cause_of_its_own_is_told_alone() {
+fn what_has_a_cause_of_its_own_is_reported_alone() {
     let transition = brake(|world| world.inputs.sdc.bms_fault = true);
     assert_eq!(alternatives(&transition), [Atom::SdcOpen]);
     assert!(transition.or.is_empty());

@@ -1,20 +1,20 @@
-//! Whatever may come: a VCU that errs, that does what it is told or tells what is not so, an AI Computer and an operator who do
+//! Whatever may come: a VCU that errs, that does what it is told or shows what is not so, an AI Computer and an operator who do
 //! anything, and a recorder that pauses, is set back, has a coarse clock, loses frames and cuts some off.
 //!
 //! What is said of it need not be right, since nobody could know: it is written down, so that it does not change by itself.
 
 use std::sync::LazyLock;
 
-use adsdv_oracle::judge::Options;
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::messages::{
     Ai2VcuStatus, Frame, MESSAGES, Message, MessageDef, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus,
 };
 use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings};
 
-use crate::said::{Event, is_as_written, what_happens_is_as_written};
+use crate::reports::{Event, is_as_written, what_happens_is_as_written};
 
-/// A VCU that tells something else than it does.
+/// A VCU that shows something else than it does.
 const LIES: [fn(&mut Vcu2AiStatus); 8] = [
     |_| {},
     |status| status.shutdown_cause = ShutdownCause::NoShutdown,
@@ -79,8 +79,8 @@ fn any_run(random: &mut Random) -> World {
             0 => world.force(random.pick(&AsState::ALL)),
             1 => world.hold_state(),
             2 | 3 => world.vcu = honest,
-            4 => world.tells = random.pick(&LIES),
-            5 => world.tells = LIES[0],
+            4 => world.shows = random.pick(&LIES),
+            5 => world.shows = LIES[0],
             _ => {}
         }
         let ms = random.pick(&[10, 10, 20, 50, 100, 300]);
@@ -177,17 +177,17 @@ fn damage(random: &mut Random, log: &mut Vec<Recorded>, place: usize) {
     }
 }
 
-fn any_options(random: &mut Random, world: &World) -> Options {
+fn any_options(random: &mut Random, world: &World) -> JudgeOptions {
     let (window_ms, deadline_ms) = random.pick(&[(30, 50), (30, 50), (0, 0), (5, 20), (100, 200)]);
     let readings = if random.one_in(3) { world.vcu.readings().choices() } else { Choices::ALL };
-    Options { window_ms, deadline_ms, readings }
+    JudgeOptions { window_ms, deadline_ms, readings }
 }
 
 /// How many runs each test has.
 const RUNS: u64 = 300;
 
 /// The recording of this number, how it is judged, and what chance comes to next.
-fn anything(seed: u64) -> (Vec<Recorded>, Options, Random) {
+fn anything(seed: u64) -> (Vec<Recorded>, JudgeOptions, Random) {
     let mut random = Random(seed);
     let world = any_run(&mut random);
     let log = any_recording(&mut random, &world);
@@ -203,23 +203,23 @@ fn is_written(seeds: std::ops::Range<u64>) {
 }
 
 #[test]
-fn what_is_said_of_anything_is_as_written() {
+fn the_reports_on_anything_are_as_written() {
     is_written(0..RUNS);
 }
 
 #[test]
-fn what_is_said_of_anything_else_is_as_written() {
+fn the_reports_on_anything_else_are_as_written() {
     is_written(RUNS..2 * RUNS);
 }
 
 #[test]
-fn what_is_said_of_anything_more_is_as_written() {
+fn the_reports_on_anything_more_are_as_written() {
     is_written(3 * RUNS..4 * RUNS);
 }
 
 /// On a live bus time passes without frames, and the reader may be too slow.
 #[test]
-fn what_is_said_while_anything_goes_on_is_as_written() {
+fn the_reports_while_anything_goes_on_are_as_written() {
     for seed in 2 * RUNS..3 * RUNS {
         let (log, options, mut random) = anything(seed);
         let origin = log.first().map_or(0, |first| first.t);

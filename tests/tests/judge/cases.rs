@@ -1,6 +1,6 @@
 //! The cases: every literal of every term of every row of Figure 2, and the world in which it is put to the test.
 
-use adsdv_oracle::judge::Options;
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::messages::Vcu2LogStatus;
 use adsdv_spec::{Atom, Atoms, Choice, Choices, FIGURE_2, Interface, Machine, Readings, Row, Term};
 use adsdv_tests::world::World;
@@ -43,7 +43,7 @@ impl Case {
     }
 
     /// The judge, told these choices and nothing else.
-    pub(crate) fn options(&self) -> Options {
+    pub(crate) fn options(&self) -> JudgeOptions {
         all_pinned(self.choices().fold(Choices::NONE, Choices::pin))
     }
 

@@ -1,6 +1,6 @@
 //! `SHUTDOWN_CAUSE`: with its flag, with its shutdown, and for good.
 
-use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::Choice;
 use adsdv_spec::messages::{AsState, Message, MissionStatus, ShutdownCause, Vcu2AiStatus};
 use adsdv_tests::world::{World, judge};
@@ -8,22 +8,22 @@ use adsdv_tests::world::{World, judge};
 use crate::check::{Blame, is_reported, is_silent, pinned};
 
 fn expect(world: &World, expected: &[Blame], name: &str) {
-    is_reported(world, Options::default(), Party::Vcu, expected, name);
+    is_reported(world, JudgeOptions::default(), Party::Vcu, expected, name);
 }
 
-/// AS_DRIVING, then an emergency of which the VCU tells this.
-fn emergency(tells: fn(&mut Vcu2AiStatus)) -> World {
+/// AS_DRIVING, then an emergency of which the VCU shows this.
+fn emergency(shows: fn(&mut Vcu2AiStatus)) -> World {
     let mut world = World::reference();
     world.stopped();
     world.inputs.sdc.remote_estop = true;
-    world.tells = tells;
+    world.shows = shows;
     world.wait(500);
     world
 }
 
 #[test]
 fn an_emergency_as_it_should_be() {
-    is_silent(&emergency(|_| {}), Options::default(), "an emergency");
+    is_silent(&emergency(|_| {}), JudgeOptions::default(), "an emergency");
 }
 
 #[test]
@@ -36,10 +36,10 @@ fn a_cause_without_its_flag() {
 fn a_cause_while_driving_goes_on() {
     let mut world = World::reference();
     // A flag that was there before AS_READY is no reason to leave AS_DRIVING.
-    world.tells = |status| (status.ebs_fault, status.fault_status) = (true, true);
+    world.shows = |status| (status.ebs_fault, status.fault_status) = (true, true);
     world.stopped();
-    is_silent(&world, Options::default(), "a flag from before");
-    world.tells = |status| {
+    is_silent(&world, JudgeOptions::default(), "a flag from before");
+    world.shows = |status| {
         (status.ebs_fault, status.fault_status) = (true, true);
         status.shutdown_cause = ShutdownCause::EbsFault;
     };
@@ -48,11 +48,11 @@ fn a_cause_while_driving_goes_on() {
 }
 
 /// FINISHED at speed, which a VCU with this reading answers with EMERGENCY_BRAKE.
-fn finished_at_speed(go_signal: Choice, tells: fn(&mut Vcu2AiStatus)) -> World {
+fn finished_at_speed(go_signal: Choice, shows: fn(&mut Vcu2AiStatus)) -> World {
     let mut world = World::with_reading(go_signal);
     world.driving();
     world.ai.status.mission_status = MissionStatus::Finished;
-    world.tells = tells;
+    world.shows = shows;
     world.wait(500);
     world
 }
@@ -77,8 +77,8 @@ fn a_cause_that_changes() {
     let mut world = emergency(|_| {});
     world.inputs.reports.ebs_fault = true;
     world.wait(500);
-    is_silent(&world, Options::default(), "a second fault");
-    world.tells = |status| status.shutdown_cause = ShutdownCause::EbsFault;
+    is_silent(&world, JudgeOptions::default(), "a second fault");
+    world.shows = |status| status.shutdown_cause = ShutdownCause::EbsFault;
     world.wait(500);
     expect(&world, &[(Rule::CauseChanged, "2.2")], "a second cause");
 }
@@ -98,7 +98,7 @@ fn an_undefined_cause_hides_nothing_else() {
         recorded.frame.data = signal.put(recorded.frame.data, undefined);
     }
     expect(&world, &[(Rule::Value, "2.2")], "cause 11");
-    let report = judge(&world.log, Options::default());
+    let report = judge(&world.log, JudgeOptions::default());
     let last = report.transitions.last().expect("the transition is listed");
     assert_eq!((last.t_ns, last.to), (stopped, AsState::EmergencyBrake));
     assert!(report.findings.iter().any(|f| f.rule == Rule::Value && f.message.contains("SHUTDOWN_CAUSE")));

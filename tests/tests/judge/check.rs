@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 
-use adsdv_oracle::judge::{Finding, Options, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::{Choice, Choices};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
 
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// A violation, as far as it is the same in every recording of the same run.
 pub(crate) type Blame = (Rule, &'static str);
@@ -30,13 +30,13 @@ pub(crate) fn recordings_of_a_kind() -> u64 {
 }
 
 /// The judge, told that the VCU follows this choice.
-pub(crate) fn pinned(choice: Choice) -> Options {
+pub(crate) fn pinned(choice: Choice) -> JudgeOptions {
     all_pinned(Choices::NONE.with(choice))
 }
 
 /// The judge, told that the VCU follows these choices.
-pub(crate) fn all_pinned(choices: Choices) -> Options {
-    Options { readings: choices.iter().fold(Choices::ALL, Choices::pin), ..Options::default() }
+pub(crate) fn all_pinned(choices: Choices) -> JudgeOptions {
+    JudgeOptions { readings: choices.iter().fold(Choices::ALL, Choices::pin), ..JudgeOptions::default() }
 }
 
 /// The violations of one party.
@@ -58,7 +58,7 @@ pub(crate) fn only(report: &Report) -> Finding {
 }
 
 /// Nothing is said against the VCU, however the recorder works.
-pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
+pub(crate) fn is_silent(world: &World, options: JudgeOptions, name: &str) {
     is_as_written(name, &world.log, options);
     for (how, log) in recordings(world) {
         let report = judge(&log, options);
@@ -67,7 +67,13 @@ pub(crate) fn is_silent(world: &World, options: Options, name: &str) {
 }
 
 /// Exactly these violations are reported, also under jitter; where frames are lost, no other, and mostly these.
-pub(crate) fn is_reported(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) {
+pub(crate) fn is_reported(
+    world: &World,
+    options: JudgeOptions,
+    party: Party,
+    expected: &[Blame],
+    name: &str,
+) {
     let missed = missed_in(world, options, party, expected, name);
     // Of a few recordings, each may have lost the very frame.
     let seeds = recordings_of_a_kind();
@@ -80,7 +86,7 @@ pub(crate) fn is_reported(world: &World, options: Options, party: Party, expecte
 /// The same for what shows for a moment only, so that a recording that loses frames may not show it.
 pub(crate) fn is_reported_if_seen(
     world: &World,
-    options: Options,
+    options: JudgeOptions,
     party: Party,
     expected: &[Blame],
     name: &str,
@@ -89,7 +95,7 @@ pub(crate) fn is_reported_if_seen(
 }
 
 /// In how many recordings that lose frames it is not reported. In all others it must be, and nothing else in any.
-fn missed_in(world: &World, options: Options, party: Party, expected: &[Blame], name: &str) -> u64 {
+fn missed_in(world: &World, options: JudgeOptions, party: Party, expected: &[Blame], name: &str) -> u64 {
     is_as_written(name, &world.log, options);
     let mut missed = 0;
     for (how, log) in recordings(world) {

@@ -1,13 +1,13 @@
 //! No false alarm: what the reference VCU does is never called a violation of the VCU, whatever the AI Computer and the
 //! operator do, under any readings, however the recorder jitters and whatever frames it loses.
 
-use adsdv_oracle::judge::{Options, Party};
+use adsdv_oracle::judge::{JudgeOptions, Party};
 use adsdv_proofs::seed::seed;
 use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Readings};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings, judge, violations};
 
 use crate::check::{USUAL, by, recordings_of_a_kind};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// A run of `cycles` with random changes, biased so that every state is reached.
 fn random_run(random: &mut Random, interface: &Interface, cycles: u32) -> World {
@@ -32,7 +32,7 @@ struct Recording {
     /// For people.
     name: String,
     log: Vec<Recorded>,
-    options: Options,
+    options: JudgeOptions,
 }
 
 impl Recording {
@@ -50,7 +50,7 @@ impl Recording {
             world.vcu.readings(),
             if pinned { ", pinned" } else { "" },
         );
-        Self { name, log, options: Options { readings, ..Options::default() } }
+        Self { name, log, options: JudgeOptions { readings, ..JudgeOptions::default() } }
     }
 }
 
@@ -79,7 +79,7 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
 
 /// Of VCUs that do something else than the document says.
 #[test]
-fn what_is_said_of_mutants_is_as_written() {
+fn the_reports_on_mutants_are_as_written() {
     for (seed, mutation) in (0..).zip(Mutation::all(&Interface::V3_0).step_by(3)) {
         let (jitter_ms, loss) = [(0, 0), (5, 0), (0, 20), (15, 10)][usize::try_from(seed % 4).unwrap_or(0)];
         let Recording { name, log, options } =
@@ -87,7 +87,7 @@ fn what_is_said_of_mutants_is_as_written() {
         is_as_written(&format!("{mutation}: {name}"), &log, options);
         // What is reported then need not be so, but it may not change by itself.
         let (window_ms, deadline_ms) = [(0, 0), (5, 20), (100, 200)][usize::try_from(seed % 3).unwrap_or(0)];
-        let options = Options { window_ms, deadline_ms, ..options };
+        let options = JudgeOptions { window_ms, deadline_ms, ..options };
         is_as_written(&format!("{mutation}: {name}, W {window_ms} ms, D {deadline_ms} ms"), &log, options);
     }
 }

@@ -1,6 +1,6 @@
 //! Changes, where the change counts and not the value: what is only so at the change is never due later.
 
-use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::messages::{
     Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, Node, SteerAngle,
 };
@@ -8,7 +8,7 @@ use adsdv_spec::{Choice, Readings};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{all_pinned, by, is_reported, is_silent, pinned};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// What the AI Computer changes to, of which section 4 says that the change counts.
 const CHANGES: [fn(&mut World); 2] = [
@@ -28,7 +28,8 @@ fn moves_on(mut world: World, name: &str) {
     world.wheels(200);
     world.wait(500);
     assert_eq!(world.control.state, AsState::Driving, "{name}");
-    for options in [Options::default(), pinned(Choice::FaultEdge), all_pinned(world.vcu.readings().choices())]
+    for options in
+        [JudgeOptions::default(), pinned(Choice::FaultEdge), all_pinned(world.vcu.readings().choices())]
     {
         is_silent(&world, options, name);
     }
@@ -99,7 +100,7 @@ fn goes_on_driving(mut world: World, name: &str) {
     world.wait(500);
     assert_eq!(world.control.state, AsState::Driving);
     is_silent(&world, pinned(Choice::FaultEdge), name);
-    is_silent(&world, Options::default(), name);
+    is_silent(&world, JudgeOptions::default(), name);
 }
 
 #[test]
@@ -167,7 +168,7 @@ fn a_change_at_speed_that_is_passed_over_is_reported_also_after_a_stop() {
         world.wheels(NEITHER_RPM);
         world.wait(500);
         is_reported(&world, pinned(Choice::FaultEdge), Party::Vcu, &[(Rule::Due, "3.7")], "passed over");
-        is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.7")], "passed over");
+        is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.7")], "passed over");
     }
 }
 
@@ -183,7 +184,7 @@ fn go_while_a_condition_fails_is_not_due_when_it_holds_again() {
     world.inputs.vehicle.steer_angle = SteerAngle::clamped(0);
     world.wait(500);
     assert_eq!(world.control.state, AsState::Ready);
-    for options in [Options::default(), pinned(Choice::GoRaw), all_pinned(readings.choices())] {
+    for options in [JudgeOptions::default(), pinned(Choice::GoRaw), all_pinned(readings.choices())] {
         is_silent(&world, options, "Go with the wheels turned");
     }
 }

@@ -1,71 +1,71 @@
-//! Fault flags, the flags that sum them up, and 502h: what 520h tells against what is so.
+//! Fault flags, the flags that sum them up, and 502h: what 520h shows against what is so.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::Atom;
 use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus, Vcu2LogStatus};
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{Blame, blames, is_reported, is_reported_if_seen, is_silent};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
-/// AS_DRIVING at rest, and the VCU tells something from then on.
-fn tells(tells: fn(&mut Vcu2AiStatus)) -> World {
+/// AS_DRIVING at rest, and the VCU shows something from then on.
+fn shows(shows: fn(&mut Vcu2AiStatus)) -> World {
     let mut world = World::reference();
     world.stopped();
-    is_silent(&world, Options::default(), "before");
-    world.tells = tells;
+    is_silent(&world, JudgeOptions::default(), "before");
+    world.shows = shows;
     world.wait(300);
     world
 }
 
 fn expect(world: &World, expected: &[Blame], name: &str) {
-    is_reported(world, Options::default(), Party::Vcu, expected, name);
+    is_reported(world, JudgeOptions::default(), Party::Vcu, expected, name);
 }
 
 #[test]
 fn an_emergency_stop_that_nobody_asked_for() {
-    let world = tells(|status| status.ai_estop_request = true);
+    let world = shows(|status| status.ai_estop_request = true);
     expect(&world, &[(Rule::FlagUnfounded, "2.2")], "AI_ESTOP_REQUEST");
 }
 
 #[test]
 fn a_mission_status_fault_at_rest() {
-    let world = tells(|status| (status.mission_status_fault, status.fault_status) = (true, true));
+    let world = shows(|status| (status.mission_status_fault, status.fault_status) = (true, true));
     expect(&world, &[(Rule::FlagUnfounded, "4")], "MISSION_STATUS_FAULT");
 }
 
 #[test]
 fn an_autonomous_braking_fault_at_rest() {
-    let world = tells(|status| (status.autonomous_braking_fault, status.fault_status) = (true, true));
+    let world = shows(|status| (status.autonomous_braking_fault, status.fault_status) = (true, true));
     expect(&world, &[(Rule::FlagUnfounded, "4")], "AUTONOMOUS_BRAKING_FAULT");
 }
 
 #[test]
 fn a_fault_that_fault_status_does_not_sum_up() {
-    let world = |tells: fn(&mut Vcu2AiStatus)| {
+    let world = |shows: fn(&mut Vcu2AiStatus)| {
         let mut world = World::reference();
         world.stopped();
         world.inputs.reports.hvil_short = true;
-        world.tells = tells;
+        world.shows = shows;
         world.wait(500);
         world
     };
     expect(&world(|status| status.fault_status = false), &[(Rule::StatusSum, "2.2")], "FAULT_STATUS");
-    is_silent(&world(|_| {}), Options::default(), "FAULT_STATUS");
+    is_silent(&world(|_| {}), JudgeOptions::default(), "FAULT_STATUS");
 }
 
 #[test]
 fn a_warning_that_warning_status_does_not_sum_up() {
-    let world = |tells: fn(&mut Vcu2AiStatus)| {
+    let world = |shows: fn(&mut Vcu2AiStatus)| {
         let mut world = World::reference();
         world.stopped();
         world.inputs.reports.batt_soc_low = true;
-        world.tells = tells;
+        world.shows = shows;
         world.wait(500);
         world
     };
     expect(&world(|status| status.warning_status = false), &[(Rule::StatusSum, "2.2")], "WARNING_STATUS");
-    is_silent(&world(|_| {}), Options::default(), "WARNING_STATUS");
+    is_silent(&world(|_| {}), JudgeOptions::default(), "WARNING_STATUS");
 }
 
 /// The AI Computer asks for an emergency stop, and nothing follows.
@@ -73,7 +73,7 @@ fn ignored_emergency_stop() -> World {
     let mut world = World::reference();
     world.stopped();
     world.hold_state();
-    world.tells = |status| status.ai_estop_request = false;
+    world.shows = |status| status.ai_estop_request = false;
     world.set(Atom::AiEstop, true);
     world.wait(500);
     world
@@ -84,7 +84,7 @@ fn an_emergency_stop_that_is_ignored() {
     let world = ignored_emergency_stop();
     // Neither the flag nor the state follows.
     let both = [(Rule::FlagMissing, "2.2"), (Rule::Due, "3.7")];
-    let mut found = blames(&judge(&world.log, Options::default()), Party::Vcu);
+    let mut found = blames(&judge(&world.log, JudgeOptions::default()), Party::Vcu);
     found.sort_unstable_by_key(|&(rule, _)| rule != Rule::FlagMissing);
     assert_eq!(found, both);
 }
@@ -94,7 +94,7 @@ fn an_emergency_stop_that_is_ignored() {
 fn an_emergency_stop_that_is_ignored_for_the_deadline() {
     let world = ignored_emergency_stop();
     // The AI Computer asks half a cycle before the VCU's next frame.
-    let options = Options { deadline_ms: 45, ..Options::default() };
+    let options = JudgeOptions { deadline_ms: 45, ..JudgeOptions::default() };
     is_as_written("AI_ESTOP_REQUEST ignored", &world.log, options);
     let report = judge(&world.log, options);
     let missing = report.findings.iter().find(|finding| finding.rule == Rule::FlagMissing);
@@ -108,10 +108,10 @@ fn the_logger_shows_another_state() {
     world.stopped();
     let since = world.t;
     world.wait(1000);
-    is_silent(&world, Options::default(), "the same state");
+    is_silent(&world, JudgeOptions::default(), "the same state");
     world.falsify(Vcu2LogStatus::DEF, "State_ASSI", since, AsState::Ready as i32);
     let expected = [(Rule::AssiDiffers, Vcu2LogStatus::DEF.section)];
-    is_reported_if_seen(&world, Options::default(), Party::Vcu, &expected, "State_ASSI");
+    is_reported_if_seen(&world, JudgeOptions::default(), Party::Vcu, &expected, "State_ASSI");
 }
 
 #[test]
@@ -127,5 +127,5 @@ fn a_state_that_lasts_for_a_step_is_what_the_logger_shows() {
         world.wait(90);
         assert_eq!(world.control.state, AsState::Ready);
     }
-    is_silent(&world, Options::default(), "AS_OFF in the steps that 502h shows");
+    is_silent(&world, JudgeOptions::default(), "AS_OFF in the steps that 502h shows");
 }

@@ -1,12 +1,12 @@
 //! The "Go" edge of section 3.2, item 3.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::Choice;
 use adsdv_spec::messages::AsState;
 use adsdv_tests::world::World;
 
 use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// AS_READY with the dwell over, "Go" having been on since before; `GO_SIGNAL` is the switch.
 fn go_since_before() -> World {
@@ -24,13 +24,19 @@ fn go_since_before() -> World {
 #[test]
 fn driving_needs_a_new_edge() {
     let mut world = go_since_before();
-    is_silent(&world, Options::default(), "the reference waits for an edge");
+    is_silent(&world, JudgeOptions::default(), "the reference waits for an edge");
     world.force(AsState::Driving);
     world.wait(300);
-    let report = world.judge(Options::default());
+    let report = world.judge(JudgeOptions::default());
     assert!(only(&report).message.contains("no accepted"), "it names the edge");
     // The whole stay in AS_READY must be without a gap, lest there was an edge in it.
-    is_reported_if_seen(&world, Options::default(), Party::Vcu, &[(Rule::Unjustified, "3.2")], "no edge");
+    is_reported_if_seen(
+        &world,
+        JudgeOptions::default(),
+        Party::Vcu,
+        &[(Rule::Unjustified, "3.2")],
+        "no edge",
+    );
 }
 
 /// AS_READY with all conditions, then an edge of "Go".
@@ -47,10 +53,16 @@ fn edge(vcu: impl Fn(&mut World)) -> World {
 #[test]
 fn an_edge_that_the_vcu_loses_is_reported() {
     let world = edge(World::hold_state);
-    is_reported_if_seen(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.2")], "the edge is lost");
+    is_reported_if_seen(
+        &world,
+        JudgeOptions::default(),
+        Party::Vcu,
+        &[(Rule::Due, "3.2")],
+        "the edge is lost",
+    );
     let world = edge(|_| {});
     assert_eq!(world.control.state, AsState::Driving);
-    is_silent(&world, Options::default(), "the edge is taken");
+    is_silent(&world, JudgeOptions::default(), "the edge is taken");
 }
 
 //= DRV-11, D-6, SM-2
@@ -61,12 +73,12 @@ fn an_edge_before_the_dwell_is_over_does_not_count() {
     world.inputs.go = true;
     world.wait(6000);
     assert_eq!(world.control.state, AsState::Ready);
-    is_silent(&world, Options::default(), "the edge came early");
+    is_silent(&world, JudgeOptions::default(), "the edge came early");
     world.force(AsState::Driving);
     world.wait(300);
     is_reported_if_seen(
         &world,
-        Options::default(),
+        JudgeOptions::default(),
         Party::Vcu,
         &[(Rule::Unjustified, "3.2")],
         "the edge came early",
@@ -81,7 +93,7 @@ fn driving_ends_with_go() {
     world.hold_state();
     world.inputs.go = false;
     world.wait(500);
-    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.7")], "Go is off");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.7")], "Go is off");
 }
 
 /// The VCU shows "Go" before it acts on it: that it shows more in between takes nothing back.

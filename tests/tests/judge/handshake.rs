@@ -1,6 +1,6 @@
 //! The handshake: 50 ms, for both sides.
 
-use adsdv_oracle::judge::{Meter, Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Meter, Party, Rule};
 use adsdv_spec::Choice;
 use adsdv_spec::messages::{AnyMessage, AsState, Node};
 use adsdv_tests::world::{MS, Recorded, World, judge};
@@ -24,8 +24,8 @@ fn unanswered(ms: i64, vcu: impl Fn(&mut World)) -> World {
 fn an_answer_after_20_ms_is_in_time() {
     let world = unanswered(20, |_| {});
     assert_eq!(world.control.state, AsState::Driving);
-    is_silent(&world, Options::default(), "answered after 20 ms");
-    is_reported(&world, Options::default(), Party::Ai, &[], "answered after 20 ms");
+    is_silent(&world, JudgeOptions::default(), "answered after 20 ms");
+    is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "answered after 20 ms");
 }
 
 //= HS-9, HS-10
@@ -33,10 +33,10 @@ fn an_answer_after_20_ms_is_in_time() {
 fn an_answer_after_100_ms_is_late() {
     let world = unanswered(100, |_| {});
     assert_eq!(world.control.state, AsState::EmergencyBrake);
-    is_silent(&world, Options::default(), "answered after 100 ms");
+    is_silent(&world, JudgeOptions::default(), "answered after 100 ms");
     is_reported(
         &world,
-        Options::default(),
+        JudgeOptions::default(),
         Party::Ai,
         &[(Rule::HandshakeLate, "2.4")],
         "answered after 100 ms",
@@ -60,15 +60,15 @@ fn an_answer_at_the_limit_is_in_time() {
     let mut log = world.log.clone();
     log[slow].t += 5 * MS;
     log.sort_by_key(|recorded| recorded.t);
-    let report = judge(&log, Options::default());
+    let report = judge(&log, JudgeOptions::default());
     assert_eq!(report.responses.max_ms(), Some(50.0));
     assert!(!report.findings.iter().any(|finding| finding.rule == Rule::HandshakeLate), "{report:#?}");
 }
 
-/// A VCU that never tells that communication is lost.
+/// A VCU that never shows that communication is lost.
 fn never_raises(world: &mut World) {
     world.hold_state();
-    world.tells = |status| {
+    world.shows = |status| {
         status.ai_comms_lost = false;
         status.fault_status = false;
     };
@@ -79,14 +79,14 @@ fn comms_lost_is_due() {
     let world = unanswered(600, never_raises);
     is_reported_if_seen(
         &world,
-        Options::default(),
+        JudgeOptions::default(),
         Party::Vcu,
         &[(Rule::CommsLostDue, "2.4")],
         "AI_COMMS_LOST stays 0",
     );
     is_reported_if_seen(
         &world,
-        Options::default(),
+        JudgeOptions::default(),
         Party::Ai,
         &[(Rule::HandshakeLate, "2.4")],
         "AI_COMMS_LOST stays 0",
@@ -104,15 +104,15 @@ fn comms_lost_is_due_together_with_its_arrow() {
 fn comms_lost_without_reason() {
     let raises = |world: &mut World| {
         world.hold_state();
-        world.tells = |status| {
+        world.shows = |status| {
             status.ai_comms_lost = true;
             status.fault_status = true;
         };
     };
     let world = unanswered(20, raises);
     let expected = [(Rule::FlagUnfounded, "2.4")];
-    is_reported(&world, Options::default(), Party::Vcu, &expected, "AI_COMMS_LOST though answered");
-    is_reported(&world, Options::default(), Party::Ai, &[], "AI_COMMS_LOST though answered");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected, "AI_COMMS_LOST though answered");
+    is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "AI_COMMS_LOST though answered");
 }
 
 /// In AS_OFF, too, once the AI Computer was there; and in every other state also where it never was.
@@ -127,11 +127,17 @@ fn comms_lost_is_due_where_the_ai_computer_may_be_missing() {
     world.wait(600);
     assert_eq!(world.control.state, AsState::Off);
     let due = [(Rule::CommsLostDue, "2.4")];
-    is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered in AS_OFF");
+    is_reported_if_seen(&world, JudgeOptions::default(), Party::Vcu, &due, "unanswered in AS_OFF");
 
     let mut world = unanswered(600, never_raises);
     world.log.retain(|recorded| recorded.sender() == Some(Node::Vcu));
-    is_reported_if_seen(&world, Options::default(), Party::Vcu, &due, "unanswered, and no AI Computer heard");
+    is_reported_if_seen(
+        &world,
+        JudgeOptions::default(),
+        Party::Vcu,
+        &due,
+        "unanswered, and no AI Computer heard",
+    );
 }
 
 /// While the tractive system is off nobody need answer, where the document is read so.
@@ -141,11 +147,11 @@ fn comms_lost_while_the_tractive_system_is_off() {
     world.wait(300);
     world.ai_answers = false;
     world.wait(300);
-    world.tells = |status| (status.ai_comms_lost, status.fault_status) = (true, true);
+    world.shows = |status| (status.ai_comms_lost, status.fault_status) = (true, true);
     world.wait(300);
     let unfounded = [(Rule::FlagUnfounded, "2.4")];
     is_reported(&world, pinned(Choice::HandshakeTsms), Party::Vcu, &unfounded, "raised while TSMS is off");
-    is_silent(&world, Options::default(), "raised while TSMS is off");
+    is_silent(&world, JudgeOptions::default(), "raised while TSMS is off");
     let report = judge(&world.log, pinned(Choice::HandshakeTsms));
     assert!(only(&report).message.contains("but TS master switch OFF"), "{:#?}", report.findings);
 }
@@ -155,12 +161,12 @@ fn a_bit_that_is_answered_changes() {
     let mut world = World::reference();
     world.driving();
     world.hold_state();
-    world.tells = |status| {
+    world.shows = |status| {
         (status.handshake, status.ai_comms_lost, status.fault_status) = (true, false, false);
     };
     world.wait(500);
     let expected = [(Rule::HandshakeEdge, "2.4")];
-    is_reported(&world, Options::default(), Party::Vcu, &expected, "HANDSHAKE is stuck");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected, "HANDSHAKE is stuck");
 }
 
 #[test]
@@ -169,13 +175,13 @@ fn an_ai_computer_that_answers_in_time_is_never_blamed() {
     let claims: [fn(&mut adsdv_spec::messages::Vcu2AiStatus); 2] =
         [|status| status.ai_comms_lost = status.handshake, |status| status.ai_comms_lost = true];
     for ms in [0, 10, 20, 30] {
-        for tells in claims {
+        for shows in claims {
             let world = unanswered(ms, |world| {
                 world.hold_state();
-                world.tells = tells;
+                world.shows = shows;
             });
             for window_ms in [1, 10, 30, 45, 60, 200] {
-                let options = Options { window_ms, ..Options::default() };
+                let options = JudgeOptions { window_ms, ..JudgeOptions::default() };
                 is_reported(&world, options, Party::Ai, &[], "answered in time");
             }
         }

@@ -1,12 +1,12 @@
 //! What can be wrong with the log itself.
 
-use adsdv_oracle::judge::{Options, Party, Report, Rule, Severity, Verdict};
+use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity, Verdict};
 use adsdv_proofs::seed::seed;
 use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, Vcu2AiSteer, message_by_id};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::{by, is_reported};
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// A run through every state, which conforms.
 fn run() -> World {
@@ -31,8 +31,8 @@ fn only_of(log: &[Recorded], node: Node) -> Vec<Recorded> {
 fn one_side_alone_conforms() {
     for node in [Node::Ai, Node::Vcu] {
         let log = only_of(&run().log, node);
-        is_as_written(&format!("{node} only"), &log, Options::default());
-        let report = judge(&log, Options::default());
+        is_as_written(&format!("{node} only"), &log, JudgeOptions::default());
+        let report = judge(&log, JudgeOptions::default());
         assert_eq!(report.verdict(), Verdict::Conforms, "{node} only: {:#?}", violations(&report));
         assert_eq!(notes(&report, Rule::OneSided), 1, "{node} only");
     }
@@ -50,7 +50,7 @@ fn a_log_that_begins_or_ends_anywhere_conforms() {
             let (one, other) = (random.below(end).cast_signed(), random.below(end).cast_signed());
             let within = one.min(other)..=one.max(other);
             let log: Vec<Recorded> = world.log.iter().copied().filter(|r| within.contains(&r.t)).collect();
-            let report = judge(&log, Options::default());
+            let report = judge(&log, JudgeOptions::default());
             let violations = violations(&report);
             assert_eq!(report.verdict(), Verdict::Conforms, "seed {seed}, cut {cut}: {violations:#?}");
         }
@@ -68,8 +68,8 @@ fn a_transition_at_the_beginning_of_a_log_blames_nobody() {
     for (before, expected) in [(10, false), (300, true)] {
         let mut log = world.log.clone();
         log.retain(|recorded| recorded.t >= forced - before * MS);
-        is_as_written(&format!("{before} ms before a transition"), &log, Options::default());
-        let report = judge(&log, Options::default());
+        is_as_written(&format!("{before} ms before a transition"), &log, JudgeOptions::default());
+        let report = judge(&log, JudgeOptions::default());
         let found = by(&report, Party::Vcu).iter().any(|finding| finding.rule == Rule::Unjustified);
         assert_eq!(found, expected, "{before} ms before");
     }
@@ -79,8 +79,8 @@ fn a_transition_at_the_beginning_of_a_log_blames_nobody() {
 fn a_log_that_runs_backwards_blames_nobody() {
     let mut log = run().log;
     log.reverse();
-    is_as_written("backwards", &log, Options::default());
-    let report = judge(&log, Options::default());
+    is_as_written("backwards", &log, JudgeOptions::default());
+    let report = judge(&log, JudgeOptions::default());
     assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
     assert_eq!(report.frames, u64::try_from(log.len()).expect("a short log"), "all are counted");
     assert!(notes(&report, Rule::TimeBackwards) > 0);
@@ -99,7 +99,7 @@ fn states_that_changed_places_blame_nobody() {
     for pair in changes {
         let mut log = world.log.clone();
         log.swap(pair[0], pair[1]);
-        let report = judge(&log, Options::default());
+        let report = judge(&log, JudgeOptions::default());
         assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
         count += 1;
     }
@@ -113,8 +113,8 @@ fn a_coarse_clock_blames_nobody_and_loses_nothing() {
     for recorded in &mut log {
         recorded.t -= recorded.t.rem_euclid(20 * MS);
     }
-    is_as_written("times in steps of 20 ms", &log, Options::default());
-    let report = judge(&log, Options::default());
+    is_as_written("times in steps of 20 ms", &log, JudgeOptions::default());
+    let report = judge(&log, JudgeOptions::default());
     assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
     let states: Vec<AsState> = report.transitions.iter().map(|transition| transition.to).collect();
     assert_eq!(states, [AsState::Ready, AsState::Driving, AsState::Finished, AsState::Off]);
@@ -131,7 +131,13 @@ fn an_ai_computer_that_leaves_cycles_out_excuses_no_vcu() {
     let mut random = Random(1);
     let is_ai = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai);
     world.log.retain(|recorded| !is_ai(recorded.frame.id) || !random.one_in(3));
-    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.4")], "the AI leaves cycles out");
+    is_reported(
+        &world,
+        JudgeOptions::default(),
+        Party::Vcu,
+        &[(Rule::Due, "3.4")],
+        "the AI leaves cycles out",
+    );
 }
 
 /// The run with each frame of one message made this long.
@@ -141,8 +147,8 @@ fn resized(world: &World, id: u16, len: usize) -> Report {
         recorded.frame.len = u8::try_from(len).expect("a frame is short");
         recorded.frame.data[len..].fill(0);
     }
-    is_as_written(&format!("{id:03X}h with {len} bytes"), &log, Options::default());
-    judge(&log, Options::default())
+    is_as_written(&format!("{id:03X}h with {len} bytes"), &log, JudgeOptions::default());
+    judge(&log, JudgeOptions::default())
 }
 
 #[test]
@@ -169,7 +175,7 @@ fn frames_that_become_too_short_are_reported_then() {
     frame.len = u8::try_from(Vcu2AiSteer::DEF.bytes_needed() - 1).expect("a frame is short");
     let end = usize::from(frame.len);
     assert!(frame.data[end..].iter().all(|&byte| byte == 0), "nothing is lost");
-    let report = judge(&log, Options::default());
+    let report = judge(&log, JudgeOptions::default());
     let found: Vec<(Rule, i64)> = by(&report, Party::Vcu).iter().map(|one| (one.rule, one.t_ns)).collect();
     assert_eq!(found, [(Rule::TooShort, t)], "{:#?}", violations(&report));
 }
@@ -199,8 +205,8 @@ fn set_back(ms: i64) -> Report {
     for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= since) {
         recorded.t -= ms * MS;
     }
-    is_as_written(&format!("set back by {ms} ms"), &world.log, Options::default());
-    world.judge(Options::default())
+    is_as_written(&format!("set back by {ms} ms"), &world.log, JudgeOptions::default());
+    world.judge(JudgeOptions::default())
 }
 
 #[test]
@@ -225,8 +231,8 @@ fn a_vcu_that_comes_back_in_off_is_a_note() {
     let later = vcu.log.iter().map(|recorded| Recorded { t: recorded.t + offset, ..*recorded });
     world.log.extend(later);
 
-    is_as_written("a VCU that comes back", &world.log, Options::default());
-    let report = judge(&world.log, Options::default());
+    is_as_written("a VCU that comes back", &world.log, JudgeOptions::default());
+    let report = judge(&world.log, JudgeOptions::default());
     assert!(by(&report, Party::Vcu).is_empty(), "{:#?}", violations(&report));
     assert_eq!(notes(&report, Rule::Gap), 1);
     assert!(report.transitions.iter().all(|transition| transition.to != AsState::Off));

@@ -4,15 +4,15 @@
 //! beside it a conforming log of which nothing is said. Both also with 5 ms of jitter, and with frames lost. [`cases`] lists the
 //! literals of Figure 2 from the table itself, so that a new row is tested at once.
 //!
-//! [`conforming`] is what the reference VCU does whatever happens, and [`anything`] what any VCU does; [`said`] holds what is
+//! [`conforming`] is what the reference VCU does whatever happens, and [`anything`] what any VCU does; [`reports`] holds what is
 //! said of all of these to the letter, and [`online`] is the judge while the bus goes on.
 
 mod alike;
 mod anything;
 mod conforming;
 mod online;
+mod reports;
 mod response;
-mod said;
 
 mod cases;
 mod check;

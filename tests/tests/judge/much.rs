@@ -1,6 +1,6 @@
 //! What is told once, and what is only counted because there is too much of it.
 
-use adsdv_oracle::judge::{Finding, Judge, Options, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::is_reserved;
 use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
 use adsdv_tests::world::MS;
@@ -11,9 +11,9 @@ fn of(report: &Report, rule: Rule) -> Vec<&Finding> {
 
 //= ID-1, ID-2
 #[test]
-fn each_reserved_identifier_is_told_once_for_each_who_sends_it() {
+fn each_reserved_identifier_is_reported_once_for_each_sender() {
     let reserved: Vec<u16> = (0..0x800).filter(|&id| is_reserved(id)).take(2).collect();
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     for t in 0..3 {
         for &id in &reserved {
             judge.frame(t * MS, id.into(), &[]);
@@ -28,8 +28,8 @@ fn each_reserved_identifier_is_told_once_for_each_who_sends_it() {
 }
 
 #[test]
-fn a_message_of_the_vcu_that_the_ai_computer_sends_is_told_once() {
-    let mut judge = Judge::new(Options::default());
+fn a_message_of_the_vcu_that_the_ai_computer_sends_is_reported_once() {
+    let mut judge = Judge::new(JudgeOptions::default());
     for t in 0..3 {
         judge.sent_by_ai(t * MS, Vcu2AiStatus::ID.into());
     }
@@ -40,7 +40,7 @@ fn a_message_of_the_vcu_that_the_ai_computer_sends_is_told_once() {
 
 /// Transitions without end, one with each frame.
 fn transitions(count: usize) -> Report {
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     for (place, t) in (0..=count).zip(0..) {
         let as_state = if place % 2 == 0 { AsState::Off } else { AsState::Finished };
         let frame = Vcu2AiStatus { as_state, ..Vcu2AiStatus::default() }.encode();
@@ -68,7 +68,7 @@ fn transitions_are_listed_to_a_bound() {
 #[test]
 fn news_that_nobody_asks_for_are_kept_to_a_bound() {
     const LISTED: usize = 200;
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     for second in 0..1000 {
         judge.other_frame(second * 1000 * MS);
         judge.report(Severity::Violation, Party::Vcu, "2", Rule::Value, "again".to_owned());

@@ -1,6 +1,6 @@
 //! Transitions for which Figure 2 has no arrow.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 use adsdv_spec::{Atom, FIGURE_2, Truth};
 use adsdv_tests::world::{World, judge};
@@ -35,13 +35,13 @@ fn every_arrow_that_does_not_exist_is_reported() {
         settle(&mut world, to);
         world.wait(300);
 
-        let report = judge(&world.log, Options::default());
+        let report = judge(&world.log, JudgeOptions::default());
         let finding = only(&report);
         is_at(&finding, forced, 10);
         assert!(finding.message.starts_with(&name), "{name}: {}", finding.message);
         let last = report.transitions.last().expect("the transition is listed");
         assert_eq!((last.from, last.to, last.justified), (from, to, Truth::False));
-        is_reported(&world, Options::default(), Party::Vcu, &[(Rule::NoArrow, "Figure 2")], &name);
+        is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::NoArrow, "Figure 2")], &name);
     }
 }
 
@@ -57,10 +57,10 @@ fn a_state_that_only_a_lost_frame_shows_is_an_arrow_between() {
     world.inputs.sdc.remote_estop = true;
     world.wait(300);
     assert_eq!(world.control.state, AsState::EmergencyBrake);
-    is_silent(&world, Options::default(), "AS_READY for a step");
+    is_silent(&world, JudgeOptions::default(), "AS_READY for a step");
     world.log.retain(|recorded| recorded.frame.id != Vcu2AiStatus::ID || recorded.t != ready);
-    is_silent(&world, Options::default(), "AS_READY in a frame that is lost");
-    let report = judge(&world.log, Options::default());
+    is_silent(&world, JudgeOptions::default(), "AS_READY in a frame that is lost");
+    let report = judge(&world.log, JudgeOptions::default());
     let [only] = &report.transitions[..] else { panic!("{:#?}", report.transitions) };
     assert_eq!((only.from, only.to, only.justified), (AsState::Off, AsState::EmergencyBrake, Truth::Unknown));
 }

@@ -1,6 +1,6 @@
-//! The judge while the bus goes on: what it knows, what it tells, and what it makes of silence and of losses.
+//! The judge while the bus goes on: what it knows, what it shows, and what it makes of silence and of losses.
 
-use adsdv_oracle::judge::{Finding, Judge, Options, Party, Rule, Severity};
+use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
 use adsdv_spec::{Atom, Knowledge, Truth};
 use adsdv_tests::world::{MS, World};
@@ -9,7 +9,7 @@ use adsdv_tests::world::{MS, World};
 fn driving() -> (Judge, i64, World) {
     let mut world = World::reference();
     world.driving();
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     let origin = world.log[0].t;
     let mut last = 0;
     for recorded in &world.log {
@@ -46,7 +46,7 @@ fn a_silent_vcu_is_known_no_more() {
         judge.time_passes(last + ms * MS);
         judge.state().is_none()
     });
-    assert_eq!(silent, Some(i64::from(Options::default().window_ms) + 1));
+    assert_eq!(silent, Some(i64::from(JudgeOptions::default().window_ms) + 1));
     assert_eq!(judge.known().of(Atom::Asms), Truth::Unknown);
     judge.time_passes(last);
     let report = judge.finish();
@@ -75,11 +75,11 @@ fn a_status_that_is_too_short_shows_no_state() {
 }
 
 #[test]
-fn time_that_is_told_changes_nothing_while_frames_come() {
+fn passing_time_changes_nothing_while_frames_come() {
     let mut world = World::reference();
     world.finished();
-    let plain = world.judge(Options::default());
-    let mut judge = Judge::new(Options::default());
+    let plain = world.judge(JudgeOptions::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     let origin = world.log[0].t;
     for recorded in &world.log {
         let t = recorded.t - origin;
@@ -99,7 +99,7 @@ fn a_frame_that_is_not_judged_counts_and_takes_its_time() {
     let report = judge.finish();
     assert_eq!((report.frames, report.duration_ns), (world.log.len() as u64 + 1, last + 3 * MS));
 
-    let mut first = Judge::new(Options::default());
+    let mut first = Judge::new(JudgeOptions::default());
     assert_eq!(first.other_frame(7 * MS), 0, "the first frame is where time begins");
     assert_eq!(first.other_frame(9 * MS), 2 * MS);
 }
@@ -118,7 +118,7 @@ fn what_is_taken_is_not_in_the_report() {
 }
 
 #[test]
-fn what_was_lost_is_told_and_nothing_is_known_behind_it() {
+fn losses_are_reported_and_nothing_is_known_behind_them() {
     let (mut judge, last, mut world) = driving();
     judge.lost(0);
     assert_eq!(judge.known().of(Atom::Asms), Truth::True);
@@ -139,7 +139,7 @@ fn what_was_lost_is_told_and_nothing_is_known_behind_it() {
 }
 
 #[test]
-fn losses_one_after_the_other_are_told_as_one() {
+fn losses_one_after_the_other_are_reported_as_one() {
     let (mut judge, last, mut world) = driving();
     for place in 1..=3 {
         judge.lost(1);
@@ -158,11 +158,11 @@ fn losses_one_after_the_other_are_told_as_one() {
 
 /// What is wrong behind a loss is told again, once for all losses that follow one another.
 #[test]
-fn what_is_still_wrong_behind_losses_is_told_again_once() {
+fn what_is_still_wrong_behind_losses_is_reported_again_once() {
     let mut world = World::reference();
     world.wait(1000);
     let signal = Vcu2AiStatus::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     for (place, recorded) in world.log.iter_mut().enumerate() {
         if recorded.frame.id == Vcu2AiStatus::ID {
             recorded.frame.data = signal.put(recorded.frame.data, signal.max + 1);
@@ -181,14 +181,14 @@ fn time_begins_with_the_first_frame() {
     let later = 7000 * MS;
     let mut world = World::reference();
     world.wait(1000);
-    let mut judge = Judge::new(Options::default());
+    let mut judge = Judge::new(JudgeOptions::default());
     judge.time_passes(500 * MS);
     let mut last = 0;
     for recorded in &world.log {
         last = recorded.t + later;
         judge.frame(last, recorded.frame.id.into(), recorded.frame.data());
     }
-    let window = i64::from(Options::default().window_ms) * MS;
+    let window = i64::from(JudgeOptions::default().window_ms) * MS;
     judge.time_passes(last + window - MS);
     assert_eq!(judge.state(), Some(AsState::Off));
     judge.time_passes(last + window + 5 * MS);
@@ -197,7 +197,7 @@ fn time_begins_with_the_first_frame() {
 }
 
 #[test]
-fn losses_without_end_are_told_every_ten_seconds() {
+fn losses_without_end_are_reported_every_ten_seconds() {
     let (mut judge, last, _) = driving();
     for place in 1..=2500 {
         judge.lost(1);

@@ -1,6 +1,6 @@
 //! Two arrows open at once, and the wrong one taken: a violation where the reading is pinned, and only there.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{PRIORITIES, Priority};
 use adsdv_spec::{Atom, Choice, FIGURE_2};
@@ -17,9 +17,9 @@ fn brake_first(priority: Priority) -> Choice {
 }
 
 /// With the reading of `ai-estop` under which a request is an emergency in every state.
-fn told(choice: Choice) -> Options {
+fn pinned_to(choice: Choice) -> JudgeOptions {
     let options = pinned(choice);
-    Options { readings: options.readings.pin(Choice::EstopEveryState), ..options }
+    JudgeOptions { readings: options.readings.pin(Choice::EstopEveryState), ..options }
 }
 
 fn section(from: AsState, to: AsState) -> &'static str {
@@ -58,9 +58,9 @@ fn the_emergency_is_passed_over() {
     each(|priority, emergency, name| {
         let world = both_open(priority, emergency, priority.first);
         let expected = [(Rule::Unjustified, section(priority.from, priority.first))];
-        is_reported(&world, told(brake_first(priority)), Party::Vcu, &expected, name);
-        is_silent(&world, told(priority.choice), name);
-        is_silent(&world, Options::default(), name);
+        is_reported(&world, pinned_to(brake_first(priority)), Party::Vcu, &expected, name);
+        is_silent(&world, pinned_to(priority.choice), name);
+        is_silent(&world, JudgeOptions::default(), name);
     });
 }
 
@@ -70,10 +70,10 @@ fn the_emergency_overtakes() {
         let world = both_open(priority, emergency, AsState::EmergencyBrake);
         let expected = [(Rule::Unjustified, section(priority.from, AsState::EmergencyBrake))];
         // Under jitter a frame may be missing that showed the other state, from which the emergency leads here.
-        let report = judge(&world.log, told(priority.choice));
+        let report = judge(&world.log, pinned_to(priority.choice));
         assert_eq!(blames(&report, Party::Vcu), expected, "{name}");
-        is_silent(&world, told(brake_first(priority)), name);
-        is_silent(&world, Options::default(), name);
+        is_silent(&world, pinned_to(brake_first(priority)), name);
+        is_silent(&world, JudgeOptions::default(), name);
     });
 }
 
@@ -91,5 +91,5 @@ fn finished_with_the_master_switch_off() {
     world.wait(300);
     let expected = [(Rule::Unjustified, "3.3")];
     is_reported(&world, pinned(Choice::DrivingBrakeFirst), Party::Vcu, &expected, "ASMS off");
-    is_silent(&world, Options::default(), "ASMS off");
+    is_silent(&world, JudgeOptions::default(), "ASMS off");
 }

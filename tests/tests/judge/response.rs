@@ -1,6 +1,6 @@
 //! How fast the AI Computer answers, as the judge measures it on the handshake.
 
-use adsdv_oracle::judge::{Options, ResponseTimes};
+use adsdv_oracle::judge::{JudgeOptions, ResponseTimes};
 use adsdv_tests::world::{MS, World};
 
 //= HS-11
@@ -10,7 +10,7 @@ fn the_response_time_of_the_ai_computer_is_measured() {
     let mut world = World::reference();
     world.ready();
     world.wait(1000);
-    let prompt = world.judge(Options::default()).responses;
+    let prompt = world.judge(JudgeOptions::default()).responses;
     assert!(prompt.count() > 50, "{}", prompt.count());
     let half_a_cycle = Some(5.0);
     assert_eq!(
@@ -23,7 +23,7 @@ fn the_response_time_of_the_ai_computer_is_measured() {
     world.wait(20);
     world.ai_answers = true;
     world.wait(1000);
-    let slow = world.judge(Options::default()).responses;
+    let slow = world.judge(JudgeOptions::default()).responses;
     assert_eq!(
         (slow.min_ms(), slow.quantile_ms(0.5), slow.max_ms()),
         (half_a_cycle, half_a_cycle, Some(25.0))

@@ -1,6 +1,6 @@
 //! The thresholds: wheel speeds, steer angle, torque and steer requests, each just below, at and just above.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::Choice;
 use adsdv_spec::messages::{
     AsState, AxleTorqueRequest, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds, WheelSpeed,
@@ -75,7 +75,7 @@ fn finished_is_wrong_unless_every_wheel_is_slow() {
             world.wait(100);
             is_reported(
                 &world,
-                Options::default(),
+                JudgeOptions::default(),
                 Party::Vcu,
                 blames,
                 &format!("wheel {wheel} at {rpm} rpm"),
@@ -103,7 +103,7 @@ fn the_wheels_are_straight_below_five_degrees() {
         for angle in [tenths, -tenths].map(SteerAngle::clamped) {
             let world = driven_off(|world| world.inputs.vehicle.steer_angle = angle);
             let expected: &[Blame] = if straight { &[] } else { &[(Rule::Unjustified, "3.2")] };
-            is_reported(&world, Options::default(), Party::Vcu, expected, &format!("{angle:?}"));
+            is_reported(&world, JudgeOptions::default(), Party::Vcu, expected, &format!("{angle:?}"));
 
             let mut world = World::reference();
             world.dwelt();
@@ -112,7 +112,7 @@ fn the_wheels_are_straight_below_five_degrees() {
             world.inputs.go = true;
             world.wait(300);
             assert_eq!(world.control.state == AsState::Driving, straight, "{angle:?}");
-            is_silent(&world, Options::default(), &format!("{angle:?}"));
+            is_silent(&world, JudgeOptions::default(), &format!("{angle:?}"));
         }
     }
 }
@@ -129,7 +129,7 @@ fn the_least_request_is_not_zero() {
     ];
     for (name, change) in changes {
         let world = driven_off(change);
-        is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Unjustified, "3.2")], name);
+        is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Unjustified, "3.2")], name);
     }
-    is_silent(&driven_off(|_| {}), Options::default(), "no request");
+    is_silent(&driven_off(|_| {}), JudgeOptions::default(), "no request");
 }

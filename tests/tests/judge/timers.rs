@@ -1,6 +1,6 @@
 //! The dwell of AS_READY and the EBS timer: left too early, and in time.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::Interface;
 use adsdv_spec::messages::AsState;
 use adsdv_tests::world::{MS, World};
@@ -34,7 +34,7 @@ fn ready_lasts_five_seconds() {
         world.force(AsState::Driving);
         world.wait(300);
         let name = format!("AS_READY left {early} ms early");
-        is_reported(&world, Options::default(), Party::Vcu, &expected(in_time, "3.2"), &name);
+        is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected(in_time, "3.2"), &name);
     }
 }
 
@@ -53,7 +53,7 @@ fn emergency_brake_lasts_fifteen_seconds() {
         world.force(AsState::Off);
         world.wait(300);
         let name = format!("EMERGENCY_BRAKE left {early} ms early");
-        is_reported(&world, Options::default(), Party::Vcu, &expected(in_time, "3.9"), &name);
+        is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected(in_time, "3.9"), &name);
     }
 }
 
@@ -67,7 +67,7 @@ fn emergency_brake_ends_when_the_timer_does() {
     world.inputs.asms = false;
     world.hold_state();
     world.wait(i64::from(Interface::V3_0.timing.ebs_timer_ms));
-    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
 }
 
 /// A recorder whose clock is set forward makes a timer look longer than it was.
@@ -90,13 +90,13 @@ fn a_clock_that_is_set_forward_makes_no_timer_longer() {
         if hold {
             is_reported(
                 &world,
-                Options::default(),
+                JudgeOptions::default(),
                 Party::Vcu,
                 &[(Rule::Due, "3.9")],
                 "set forward, and held",
             );
         } else {
-            is_silent(&world, Options::default(), "set forward");
+            is_silent(&world, JudgeOptions::default(), "set forward");
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Every signal whose bits can hold a value that is not allowed.
 
-use adsdv_oracle::judge::{Options, Party, Rule, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, MESSAGES, Message, Node, SignalDef, Vcu2AiDriveF,
     message_by_id,
 };
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
-use crate::said::is_as_written;
+use crate::reports::is_as_written;
 
 /// The largest value that the bits can hold and that is not allowed.
 fn refused(signal: &SignalDef) -> Option<i32> {
@@ -26,7 +26,7 @@ fn each_is_reported_once_with_its_name() {
     let dynamics = Ai2LogDynamics2::default().encode();
     world.log.extend((0..world.t / (100 * MS)).map(|n| Recorded { t: n * 100 * MS, frame: dynamics }));
     world.log.sort_by_key(|recorded| recorded.t);
-    assert_eq!(judge(&world.log, Options::default()).findings, []);
+    assert_eq!(judge(&world.log, JudgeOptions::default()).findings, []);
 
     let mut count = 0;
     for message in MESSAGES {
@@ -39,7 +39,7 @@ fn each_is_reported_once_with_its_name() {
                     recorded.frame.data = signal.put(recorded.frame.data, raw);
                 }
             }
-            let report = judge(&log, Options::default());
+            let report = judge(&log, JudgeOptions::default());
             let name = format!("{} {} = {raw}", message.name, signal.name);
             // Of 502h, the start value of the CAN database is a note.
             let (rule, severity) = if raw == 0 {
@@ -60,7 +60,7 @@ fn each_is_reported_once_with_its_name() {
 
 /// Behind a step back of time it is another recording: what is wrong there as well is told again.
 #[test]
-fn what_is_still_wrong_in_another_recording_is_told_again() {
+fn what_is_still_wrong_in_another_recording_is_reported_again() {
     let mut world = World::reference();
     world.wait(2000);
     let signal = Ai2VcuStatus::DEF.signals.iter().find(|signal| refused(signal).is_some());
@@ -70,7 +70,7 @@ fn what_is_still_wrong_in_another_recording_is_told_again() {
         recorded.frame.data = signal.put(recorded.frame.data, raw);
     }
     let wrong = |log: &[Recorded]| {
-        let findings = judge(log, Options::default()).findings;
+        let findings = judge(log, JudgeOptions::default()).findings;
         findings.iter().filter(|finding| finding.rule == Rule::Value).count()
     };
     assert_eq!(wrong(&world.log), 1);
@@ -79,9 +79,9 @@ fn what_is_still_wrong_in_another_recording_is_told_again() {
     assert_eq!(wrong(&world.log), 2);
 }
 
-/// A VCU that tells requests back tells also those that are out of range: they are the AI Computer's.
+/// A VCU that shows requests back tells also those that are out of range: they are the AI Computer's.
 #[test]
-fn a_request_out_of_range_is_not_the_vcus_when_it_tells_it_back() {
+fn the_vcu_is_not_blamed_for_returning_a_request_out_of_range() {
     let mut world = World::reference();
     world.driving();
     let refuse = |log: &mut [Recorded], id, name: &str| {
@@ -89,7 +89,7 @@ fn a_request_out_of_range_is_not_the_vcus_when_it_tells_it_back() {
         let is_it = |signal: &&SignalDef| signal.name.contains(name) && refused(signal).is_some();
         let signal = message.signals.iter().find(is_it).expect("a signal that does not allow every value");
         let raw = refused(signal).expect("a value");
-        // The VCU tells back what it has received.
+        // The VCU shows back what it has received.
         let since = if message.sender == Node::Vcu { 500 * MS } else { 0 };
         for recorded in log.iter_mut().filter(|one| one.frame.id == id && one.t >= since) {
             recorded.frame.data = signal.put(recorded.frame.data, raw);
@@ -102,8 +102,8 @@ fn a_request_out_of_range_is_not_the_vcus_when_it_tells_it_back() {
     for (name, log, weighs) in
         [("a request", &echo, Severity::Violation), ("a request that is told back", &both, Severity::Note)]
     {
-        is_as_written(name, log, Options::default());
-        let findings = judge(log, Options::default()).findings;
+        is_as_written(name, log, JudgeOptions::default());
+        let findings = judge(log, JudgeOptions::default()).findings;
         let of_the_vcu: Vec<Severity> =
             findings.iter().filter(|one| one.party == Party::Vcu).map(|one| one.severity).collect();
         assert_eq!(of_the_vcu, [weighs], "{name}: {findings:#?}");

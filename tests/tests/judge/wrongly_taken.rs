@@ -1,6 +1,6 @@
 //! A transition that is taken though one literal of the guard is false.
 
-use adsdv_oracle::judge::{Options, Party, Rule};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::{AsState, EbsState, Message, Vcu2LogStatus};
 use adsdv_spec::{Atom, Row, Truth};
 use adsdv_tests::world::{MS, World, judge};
@@ -116,7 +116,7 @@ fn an_ebs_that_is_triggered_is_not_armed() {
     assert_eq!(world.control.state, AsState::Off);
     world.force(AsState::Ready);
     world.wait(500);
-    is_reported(&world, Options::default(), Party::Vcu, &[(Rule::Unjustified, "3.1")], "EBS TRIGGERED");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Unjustified, "3.1")], "EBS TRIGGERED");
 }
 
 /// In EMERGENCY_BRAKE 502h shows TRIGGERED whatever the EBS itself reports: an EBS that became ARMED since the sample before may
@@ -138,7 +138,7 @@ fn an_ebs_that_emergency_brake_hides_blames_nobody() {
     world.inputs.sdc.remote_estop = true;
     world.wait(500);
     assert_eq!(world.control.state, AsState::EmergencyBrake);
-    is_silent(&world, Options::default(), "ARMED between two samples");
+    is_silent(&world, JudgeOptions::default(), "ARMED between two samples");
 }
 
 /// 502h comes every 100 ms: where two samples differ, the EBS may have changed at any time in between.
@@ -151,7 +151,7 @@ fn an_ebs_that_changes_between_two_samples_is_not_known_there() {
     world.wait(20);
     assert_eq!(world.control.state, AsState::Ready);
     let justified = |world: &World| {
-        let transitions = judge(&world.log, Options::default()).transitions;
+        let transitions = judge(&world.log, JudgeOptions::default()).transitions;
         transitions.first().expect("AS_OFF -> AS_READY").justified
     };
     let mut armed = world.clone();
@@ -172,7 +172,7 @@ fn an_ebs_that_cannot_be_read_is_not_known() {
     world.wait(500);
     assert_eq!(world.control.state, AsState::Ready);
     world.falsify(Vcu2LogStatus::DEF, "State_EBS", 0, 0);
-    is_silent(&world, Options::default(), "an EBS that cannot be read");
+    is_silent(&world, JudgeOptions::default(), "an EBS that cannot be read");
 }
 
 /// What cannot be read of 502h besides says nothing of the EBS.
@@ -187,5 +187,5 @@ fn an_ebs_is_read_whatever_else_cannot_be() {
     world.wait(500);
     world.falsify(Vcu2LogStatus::DEF, "State_ASSI", 0, 0);
     let expected = [(Rule::Unjustified, "3.1")];
-    is_reported(&world, Options::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
+    is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
 }

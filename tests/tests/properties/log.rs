@@ -2,7 +2,7 @@
 //! of the frames, of the log that is written of them, and piece by piece while they come.
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{Judge, Options, Party, Report, Severity};
+use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Report, Severity};
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_spec::messages::{AmiState, EbsState, MissionStatus};
 use adsdv_spec::{AsState, Control, Inputs, Readings};
@@ -75,7 +75,7 @@ fn wait(world: &mut World, ms: u32, dark: &mut bool, changes: &mut Vec<Change>) 
     }
 }
 
-fn told(report: &Report) -> String {
+fn printed(report: &Report) -> String {
     let Report { frames, duration_ns, transitions, findings, responses } = report;
     let responses = (responses.count(), responses.min_ms(), responses.max_ms());
     format!("{frames} {duration_ns} {transitions:?} {findings:?} {responses:?}")
@@ -97,7 +97,7 @@ fn recordings(says: impl Fn(&Run, &World, &[Change]) -> Result<(), String>) {
 
 /// Whatever the readings are, none is known to the judge.
 fn does_not_blame_the_vcu(world: &World) -> Result<(), String> {
-    let report = world.judge(Options::default());
+    let report = world.judge(JudgeOptions::default());
     let blamed = |severity, party| severity == Severity::Violation && party == Party::Vcu;
     match report.findings.iter().find(|finding| blamed(finding.severity, finding.party)) {
         None => Ok(()),
@@ -138,7 +138,7 @@ fn a_handshake_that_was_lost_long_ago_is_no_reason_to_blame_the_vcu() {
 #[test]
 fn the_timeline_is_that_of_the_run() {
     recordings(|_, world, changes| {
-        let report = world.judge(Options::default());
+        let report = world.judge(JudgeOptions::default());
         let seen: Vec<Change> =
             report.transitions.iter().map(|change| (change.t_ns, change.from, change.to)).collect();
         // The first frame is that of the first step.
@@ -158,7 +158,7 @@ fn a_log_that_is_written_is_judged_alike() {
         }
         let read =
             judge_log(text.as_slice(), &LogOptions::default(), |_| {}).map_err(|error| error.to_string())?;
-        let (read, seen) = (told(&read), told(&judge(&world.log, Options::default())));
+        let (read, seen) = (printed(&read), printed(&judge(&world.log, JudgeOptions::default())));
         if read == seen { Ok(()) } else { Err(format!("read: {read}\nseen: {seen}")) }
     });
 }
@@ -166,7 +166,7 @@ fn a_log_that_is_written_is_judged_alike() {
 #[test]
 fn what_is_news_comes_once() {
     recordings(|run, world, _| {
-        let mut judge = Judge::new(Options::default());
+        let mut judge = Judge::new(JudgeOptions::default());
         let origin = world.log.first().map_or(0, |first| first.t);
         let (mut transitions, mut findings) = (Vec::new(), Vec::new());
         let mut ask = |judge: &mut Judge| {

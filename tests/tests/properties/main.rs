@@ -5,7 +5,7 @@
 //! - `run`: a run takes place, step by step, for properties to see.
 //! - `timeline`: a run is told as a scenario that `adsdv demo --scenario` and `adsdv vcu --scenario` read, with what the AI
 //!   Computer, the vehicle and the state machine do as comments in between.
-//! - `holds`: proptest tries a property, and tells what breaks it.
+//! - `holds`: proptest tries a property, and shows what breaks it.
 //! - `runs`: what holds at every moment of every run: `second_opinion`, `clocks`, `power` and `handshake`.
 //! - `recovery`: what can be done after any run.
 //! - `time`: looking more often changes nothing.

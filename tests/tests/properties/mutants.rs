@@ -58,7 +58,7 @@ fn mutant(mutation: &Mutation, run: &Run) -> Machine {
     Machine::new(mutation.apply(&Interface::V3_0), run.readings)
 }
 
-/// The run, as it tells most of a mutation: with readings under which it matters, and with short steps only where times count.
+/// The run, as it shows most of a mutation: with readings under which it matters, and with short steps only where times count.
 fn telling(run: &Run, mutation: &Mutation) -> Run {
     let mut run = run.clone();
     if let Change::Time(..) = mutation.change {

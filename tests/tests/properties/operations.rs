@@ -100,7 +100,7 @@ pub(crate) struct Run {
     pub(crate) operations: Vec<Operation>,
 }
 
-/// Briefly, for the file of what has failed; the timeline tells it to people.
+/// Briefly, for the file of what has failed; the timeline shows it to people.
 impl fmt::Debug for Run {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { readings, cycle_ms, operations } = self;

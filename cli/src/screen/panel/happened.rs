@@ -1,8 +1,8 @@
 //! What happened, the latest at the bottom, and what the scenario does next.
 
-use adsdv_can::bus::Trouble;
+use adsdv_can::bus::Disturbance;
 use adsdv_can::socket::RECEIVE_BUFFER;
-use adsdv_can::status::{Happening, Status, What};
+use adsdv_can::status::{Happening, HappeningKind, Status};
 use adsdv_spec::messages::AsState;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
@@ -46,7 +46,7 @@ pub(in crate::screen) fn lines(
     back: usize,
 ) -> (Vec<Line<'static>>, Room) {
     let mut lines: Vec<Line<'static>> =
-        status.happened.iter().flat_map(|happening| told(happening, theme, width)).collect();
+        status.happened.iter().flat_map(|happening| in_words(happening, theme, width)).collect();
     let room = Room { seen: height, most_back: lines.len().saturating_sub(height) };
     let end = lines.len().saturating_sub(back.min(room.most_back));
     lines.truncate(end);
@@ -55,7 +55,7 @@ pub(in crate::screen) fn lines(
 }
 
 /// A happening, on as many lines as it takes.
-fn told(happening: &Happening, theme: Theme, width: usize) -> Vec<Line<'static>> {
+fn in_words(happening: &Happening, theme: Theme, width: usize) -> Vec<Line<'static>> {
     let mut text = String::new();
     wrapped(&mut text, words(&happening.what).split_whitespace(), 0, width.saturating_sub(TIME));
     let time = i64::try_from(happening.time_ms).unwrap_or(i64::MAX).saturating_mul(1_000_000);
@@ -70,24 +70,24 @@ fn told(happening: &Happening, theme: Theme, width: usize) -> Vec<Line<'static>>
 }
 
 /// What happened, in words.
-pub(crate) fn words(what: &What) -> String {
+pub(crate) fn words(what: &HappeningKind) -> String {
     match what {
-        What::State { from, to, section, why } => {
+        HappeningKind::State { from, to, section, why } => {
             let name = |state: &Option<AsState>| state.map_or("no power", AsState::name);
             let section = if section.is_empty() { String::new() } else { format!(" ({section})") };
             let why = if why.is_empty() { String::new() } else { format!(": {why}") };
             format!("{} -> {}{section}{why}", name(from), name(to))
         }
-        What::Did(action) => format!("operator: {action}"),
-        What::Refused(why) => format!("frame refused: {why}"),
-        What::OtherVcu(what) | What::OtherAi(what) => what.clone(),
-        What::ErrorFrame(what) => format!("error frame: {what}"),
-        What::Trouble(Trouble::Full) => {
-            format!("{}; a longer queue: ip link set IFACE txqueuelen 1000", Trouble::Full)
+        HappeningKind::Did(action) => format!("operator: {action}"),
+        HappeningKind::Refused(why) => format!("frame refused: {why}"),
+        HappeningKind::OtherVcu(what) | HappeningKind::OtherAi(what) => what.clone(),
+        HappeningKind::ErrorFrame(what) => format!("error frame: {what}"),
+        HappeningKind::Disturbance(Disturbance::Full) => {
+            format!("{}; a longer queue: ip link set IFACE txqueuelen 1000", Disturbance::Full)
         }
-        What::Trouble(trouble) => trouble.to_string(),
-        What::Up => "the bus is there again".to_owned(),
-        What::Dropped { frames, small_buffer } => {
+        HappeningKind::Disturbance(trouble) => trouble.to_string(),
+        HappeningKind::Up => "the bus is there again".to_owned(),
+        HappeningKind::Dropped { frames, small_buffer } => {
             let mut lost = format!("{} lost, not taken in time", counted(*frames, "frame"));
             if *small_buffer {
                 lost += "; for more room: sysctl -w net.core.rmem_max=";
@@ -95,25 +95,27 @@ pub(crate) fn words(what: &What) -> String {
             }
             lost
         }
-        What::Late(cycles) => format!("late: {} left out", counted(*cycles, "cycle")),
-        What::AiHeard => "the AI Computer is heard".to_owned(),
-        What::AiSilent => "the AI Computer has fallen silent".to_owned(),
+        HappeningKind::Late(cycles) => format!("late: {} left out", counted(*cycles, "cycle")),
+        HappeningKind::AiHeard => "the AI Computer is heard".to_owned(),
+        HappeningKind::AiSilent => "the AI Computer has fallen silent".to_owned(),
     }
 }
 
-fn style(what: &What, theme: Theme) -> Style {
+fn style(what: &HappeningKind, theme: Theme) -> Style {
     match what {
-        What::State { to: Some(AsState::EmergencyBrake), .. } | What::Trouble(_) => theme.bad(),
-        What::State { .. } => STRONG,
-        What::Did(_) => Style::new(),
-        What::Up | What::AiHeard => theme.good(),
-        What::Refused(_)
-        | What::OtherVcu(_)
-        | What::OtherAi(_)
-        | What::ErrorFrame(_)
-        | What::Dropped { .. }
-        | What::Late(_)
-        | What::AiSilent => theme.care(),
+        HappeningKind::State { to: Some(AsState::EmergencyBrake), .. } | HappeningKind::Disturbance(_) => {
+            theme.bad()
+        }
+        HappeningKind::State { .. } => STRONG,
+        HappeningKind::Did(_) => Style::new(),
+        HappeningKind::Up | HappeningKind::AiHeard => theme.good(),
+        HappeningKind::Refused(_)
+        | HappeningKind::OtherVcu(_)
+        | HappeningKind::OtherAi(_)
+        | HappeningKind::ErrorFrame(_)
+        | HappeningKind::Dropped { .. }
+        | HappeningKind::Late(_)
+        | HappeningKind::AiSilent => theme.care(),
     }
 }
 
@@ -125,7 +127,7 @@ fn to_u64(count: usize) -> u64 {
 mod tests {
     use super::*;
 
-    fn status(happened: impl IntoIterator<Item = What>) -> Status {
+    fn status(happened: impl IntoIterator<Item = HappeningKind>) -> Status {
         let happened = (0..).zip(happened).map(|(place, what)| Happening { time_ms: place * 1500, what });
         Status { happened: happened.collect(), ..Status::default() }
     }
@@ -137,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_latest_is_seen_and_the_rest_can_be_scrolled_to() {
-        let status = status((0..5).map(|place| What::Did(format!("action {place}"))));
+        let status = status((0..5).map(|place| HappeningKind::Did(format!("action {place}"))));
         let (latest, room) = seen(&status, 2, 0);
         assert_eq!(latest, ["   4.500 s operator: action 3", "   6.000 s operator: action 4"]);
         assert_eq!(room, Room { seen: 2, most_back: 3 });
@@ -150,7 +152,7 @@ mod tests {
     #[test]
     fn what_is_long_is_wrapped() {
         let why = "0x513 cannot be 24.1 deg (raw 241), allowed: -24.0 to 24.0 deg";
-        let (lines, _) = seen(&status([What::Refused(why.to_owned())]), 9, 0);
+        let (lines, _) = seen(&status([HappeningKind::Refused(why.to_owned())]), 9, 0);
         assert!(lines.len() > 2 && lines.iter().all(|line| line.chars().count() <= 40), "{lines:#?}");
         let text: Vec<&str> = lines.iter().flat_map(|line| line.split_whitespace()).skip(2).collect();
         assert_eq!(text.join(" "), format!("frame refused: {why}"));
@@ -158,27 +160,28 @@ mod tests {
 
     #[test]
     fn each_happening_has_its_words() {
-        let state = |from, to, section, why: &str| What::State { from, to, section, why: why.to_owned() };
+        let state =
+            |from, to, section, why: &str| HappeningKind::State { from, to, section, why: why.to_owned() };
         let (off, ready) = (Some(AsState::Off), Some(AsState::Ready));
         for (what, expected) in [
             (state(None, off, "", ""), "no power -> AS_OFF"),
             (state(off, ready, "3.1", "SDC closed"), "AS_OFF -> AS_READY (3.1): SDC closed"),
             (state(ready, None, "", ""), "AS_READY -> no power"),
-            (What::Did("asms on".to_owned()), "operator: asms on"),
-            (What::OtherVcu("somebody else sends 520h".to_owned()), "somebody else sends 520h"),
-            (What::ErrorFrame("bus-off".to_owned()), "error frame: bus-off"),
-            (What::Trouble(Trouble::Down), "the interface is down"),
+            (HappeningKind::Did("asms on".to_owned()), "operator: asms on"),
+            (HappeningKind::OtherVcu("somebody else sends 520h".to_owned()), "somebody else sends 520h"),
+            (HappeningKind::ErrorFrame("bus-off".to_owned()), "error frame: bus-off"),
+            (HappeningKind::Disturbance(Disturbance::Down), "the interface is down"),
             (
-                What::Trouble(Trouble::Full),
+                HappeningKind::Disturbance(Disturbance::Full),
                 "the bus does not take frames: the queue is full; a longer queue: ip link set IFACE txqueuelen 1000",
             ),
-            (What::Up, "the bus is there again"),
-            (What::Dropped { frames: 1, small_buffer: false }, "1 frame lost, not taken in time"),
+            (HappeningKind::Up, "the bus is there again"),
+            (HappeningKind::Dropped { frames: 1, small_buffer: false }, "1 frame lost, not taken in time"),
             (
-                What::Dropped { frames: 7, small_buffer: true },
+                HappeningKind::Dropped { frames: 7, small_buffer: true },
                 "7 frames lost, not taken in time; for more room: sysctl -w net.core.rmem_max=8388608",
             ),
-            (What::Late(1), "late: 1 cycle left out"),
+            (HappeningKind::Late(1), "late: 1 cycle left out"),
         ] {
             assert_eq!(words(&what), expected);
         }

@@ -5,7 +5,7 @@ use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
 use std::process::Stdio;
 
-use super::{Outcome, adsdv, calm, check, judged, lines, refused, reported, rubbish, told};
+use super::{Outcome, adsdv, calm, check, explained, judged, lines, refused, reported, rubbish};
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, file, outcome};
 
 /// The frames of the recorded mission.
@@ -107,7 +107,7 @@ pub(super) fn a_log_that_fails_while_it_is_read() {
         let Outcome { status, stdout, stderr } = check_failing(option, &lines(read));
         assert_eq!(status, Some(2), "{stderr}");
         let error = format!("standard input: cannot read on after line {read}: ");
-        told(&stderr, &error, "copy the log to another disk");
+        explained(&stderr, &error, "copy the log to another disk");
         match (option, read) {
             (_, 0) => assert_eq!(stdout, ""),
             ("--json", _) => {

@@ -65,12 +65,12 @@ fn calm(outcome: Outcome) -> Outcome {
 fn refused(outcome: &Outcome, error: &str, hint: &str) {
     let Outcome { status, stdout, stderr } = outcome;
     assert_eq!((*status, stdout.as_str()), (Some(2), ""), "{stderr}");
-    told(stderr, error, hint);
+    explained(stderr, error, hint);
 }
 
 /// The first line says what is wrong, the last what to do.
 #[track_caller]
-fn told(stderr: &str, error: &str, hint: &str) {
+fn explained(stderr: &str, error: &str, hint: &str) {
     let first = stderr.lines().next().unwrap_or_default();
     assert!(first.starts_with("adsdv: ") && first.contains(error), "{error:?} is not in {stderr}");
     let last = stderr.lines().last().unwrap_or_default();

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::readme::may_end_with;
-use super::{Outcome, adsdv, calm, folder_with, lines, refused, reported, run, text, told};
+use super::{Outcome, adsdv, calm, explained, folder_with, lines, refused, reported, run, text};
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, outcome};
 use crate::screen::{self, SCREEN, Terminal};
 
@@ -180,7 +180,7 @@ pub(super) fn a_full_disk_for_counterexamples() {
         ["verify", "--model", "open", "--vectors", "read", "--reading", "fault-trigger=edge", "--logs"];
     let outcome = run(&[&asked[..], &[text(&folder)]].concat());
     assert_eq!(outcome.status, Some(2), "{}", outcome.stderr);
-    told(
+    explained(
         &outcome.stderr,
         "counterexample-driving-neutral.log: cannot write counterexamples: ",
         "free some space",
@@ -207,7 +207,7 @@ impl Drop for Running {
 
 /// The Explorer serves, whether or not anybody could be told where.
 #[test]
-pub(super) fn an_explorer_that_cannot_tell_its_address() {
+pub(super) fn an_explorer_that_cannot_print_its_address() {
     let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
     let mut command = adsdv(&["explore", "--port", "0"]);
     let mut explorer = Running(command.stdout(full).stderr(Stdio::piped()).spawn().expect("it starts"));

@@ -37,13 +37,13 @@ const ROWS: &[Row] = &[
         "a missing file",
         "the folder of `demo --log`, `verify --logs`, `watch --log`",
         tests![given::a_missing_folder_for_what_is_written],
-        &["a_log_that_cannot_be_made_is_told"],
+        &["a_log_that_cannot_be_made_is_reported"],
     ),
     (
         "a directory",
         "`check`, `conform`, `demo`, `vcu`, `watch --log`",
         tests![given::a_directory],
-        &["a_log_that_cannot_be_made_is_told"],
+        &["a_log_that_cannot_be_made_is_reported"],
     ),
     (
         "an empty file",
@@ -90,14 +90,19 @@ const ROWS: &[Row] = &[
         "an interface that vanishes",
         "`ai`, `vcu`",
         &[],
-        &["an_interface_that_vanishes_is_told_and_waited_for"],
+        &["an_interface_that_vanishes_is_reported_and_waited_for"],
     ),
-    ("an interface that vanishes", "`watch`", &[], &["an_interface_that_vanishes_is_told_and_waited_for"]),
+    (
+        "an interface that vanishes",
+        "`watch`",
+        &[],
+        &["an_interface_that_vanishes_is_reported_and_waited_for"],
+    ),
     (
         "an interface that vanishes",
         "`ai`, `vcu`, `watch`, which find none",
         tests![bus::an_interface_that_is_not_there],
-        &["what_cannot_be_opened_is_told"],
+        &["what_cannot_be_opened_is_reported"],
     ),
     (
         "a closed pipe",
@@ -121,13 +126,13 @@ const ROWS: &[Row] = &[
         "a full disk",
         "all but `explore`, for what they print",
         tests![output::no_command_is_left_out, output::a_full_disk, output::a_full_disk_for_errors],
-        &["a_full_disk_for_what_is_printed_is_told"],
+        &["a_full_disk_for_what_is_printed_is_reported"],
     ),
     ("a full disk", "`demo --log`", tests![output::a_full_disk_for_the_log_of_a_demo], &[]),
     ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
-    ("a full disk", "`watch --log`", &[], &["a_full_disk_is_told_and_watching_goes_on"]),
-    ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_tell_its_address], &[]),
-    ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_tell_its_address], &[]),
+    ("a full disk", "`watch --log`", &[], &["a_full_disk_is_reported_and_watching_goes_on"]),
+    ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
+    ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
 ];
 
 /// The rows of the table: the condition, the commands, what happens and the exit status.

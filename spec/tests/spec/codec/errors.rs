@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn errors_say_what_was_given_and_what_is_allowed() {
+fn errors_print_what_was_given_and_what_is_allowed() {
     let error = |text: &str| {
         let frame = frame(text);
         AnyMessage::decode(frame.id, frame.data()).expect_err(text).to_string()

@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn citations_alone_tell_the_same() {
+    fn citations_alone_find_the_same() {
         let requirements = Requirements::parse(SMALL).expect("well written");
         let cited = requirements.list("HS-4, HS-6, DRV-10").expect("they are there");
         let of = |kinds: &[Kind], requirement| {

@@ -1,7 +1,7 @@
 //! What a citation stands for.
 
+use crate::mistake::Mistake;
 use crate::scan::Form;
-use crate::trouble::Trouble;
 
 /// What a requirement needs one of each of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,8 +45,8 @@ impl Kind {
     }
 }
 
-/// What a citation of this form stands for in a file; `in_tests` tells whether it is in its module of unit tests.
-pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Trouble> {
+/// What a citation of this form stands for in a file; `in_tests` says whether it is in its module of unit tests.
+pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Mistake> {
     let mut folders = path.split('/');
     match (folders.next(), folders.next(), form) {
         (_, Some("tests"), Form::Comment) => Ok(Kind::Test),
@@ -56,7 +56,7 @@ pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Trouble
             let only_tests = path.ends_with("/tests.rs");
             Ok(if in_tests || only_tests { Kind::Test } else { Kind::Implementation })
         }
-        _ => Err(Trouble::new(
+        _ => Err(Mistake::new(
             format!("{} does not count here", form.name()),
             "//= in src of spec, oracle, can, cli or model, or in tests of any crate; `/// Requirements:` in src \
              of proofs; `requirements: &[..]` in src of model or proofs",

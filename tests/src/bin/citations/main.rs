@@ -13,10 +13,10 @@
 mod annotate;
 mod gate;
 mod kind;
+mod mistake;
 mod requirements;
 mod scan;
 mod sources;
-mod trouble;
 
 use std::io;
 use std::path::Path;
@@ -24,10 +24,10 @@ use std::process::ExitCode;
 
 use annotate::{Citation, annotations};
 use gate::Verdict;
+use mistake::Mistake;
 use requirements::Requirements;
 use scan::Written;
 use sources::Source;
-use trouble::Trouble;
 
 const USAGE: &str = "\
 Usage: citations write | check | count
@@ -80,16 +80,16 @@ fn write() -> io::Result<ExitCode> {
 fn check() -> io::Result<ExitCode> {
     let verdict = Verdict::of_report(&sources::read(Path::new(REPORT))?, &requirements()?)
         .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, format!("{REPORT}: {error}")))?;
-    Ok(told(&verdict))
+    Ok(printed(&verdict))
 }
 
 fn count() -> io::Result<ExitCode> {
     let requirements = requirements()?;
     let Some(citations) = all_cited(&requirements)? else { return Ok(ExitCode::FAILURE) };
-    Ok(told(&Verdict::of_citations(&citations, &requirements)))
+    Ok(printed(&Verdict::of_citations(&citations, &requirements)))
 }
 
-fn told(verdict: &Verdict) -> ExitCode {
+fn printed(verdict: &Verdict) -> ExitCode {
     println!("{verdict}");
     if verdict.is_complete() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
@@ -113,7 +113,7 @@ fn all_cited(requirements: &Requirements) -> io::Result<Option<Vec<Citation<'_>>
 }
 
 /// The citations of one source, or all that is wrong with them.
-fn cited<'a>(source: &Source, requirements: &'a Requirements) -> Result<Vec<Citation<'a>>, Vec<Trouble>> {
+fn cited<'a>(source: &Source, requirements: &'a Requirements) -> Result<Vec<Citation<'a>>, Vec<Mistake>> {
     let mut troubles = Vec::new();
     let mut citations = Vec::new();
     for written in scan::citations(&source.text) {
@@ -130,8 +130,8 @@ fn meant<'a>(
     source: &Source,
     written: &Written,
     requirements: &'a Requirements,
-) -> Result<Vec<Citation<'a>>, Trouble> {
-    let here = |trouble: Trouble| trouble.in_line(written.line);
+) -> Result<Vec<Citation<'a>>, Mistake> {
+    let here = |trouble: Mistake| trouble.in_line(written.line);
     let kind = kind::of(&source.path, written.form, written.in_tests).map_err(here)?;
     let cited = requirements.list(&written.ids).map_err(here)?;
     let citation =
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_wrong_is_told_with_its_place() {
+    fn every_mistake_is_reported_with_its_place() {
         let wrong = cited_in("spec/src/a.rs", "//= HS-4\n//= HS-99\n\n//= HS-6 to HS-4\n");
         assert_eq!(
             wrong,

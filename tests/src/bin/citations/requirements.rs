@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::trouble::Trouble;
+use crate::mistake::Mistake;
 
 /// An identifier such as HS-4.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -48,7 +48,7 @@ pub(crate) struct Requirements {
 
 impl Requirements {
     /// Reads the file: list items that begin with an identifier in bold, under headings.
-    pub(crate) fn parse(text: &str) -> Result<Self, Trouble> {
+    pub(crate) fn parse(text: &str) -> Result<Self, Mistake> {
         let mut section = String::new();
         let mut by_id = BTreeMap::new();
         for (number, line) in (1..).zip(text.lines()) {
@@ -60,13 +60,13 @@ impl Requirements {
                 continue;
             };
             let Some(id) = Id::parse(id) else {
-                return Err(Trouble::new(format!("{id:?}"), "an identifier such as HS-4").in_line(number));
+                return Err(Mistake::new(format!("{id:?}"), "an identifier such as HS-4").in_line(number));
             };
             let in_force = ["MUST", "SHOULD", "MAY"].iter().any(|keyword| sentence.contains(keyword));
             let requirement =
                 Requirement { id: id.clone(), section: section.clone(), line: line.to_owned(), in_force };
             if by_id.insert(id.clone(), requirement).is_some() {
-                return Err(Trouble::new(format!("{id} again"), "each identifier once").in_line(number));
+                return Err(Mistake::new(format!("{id} again"), "each identifier once").in_line(number));
             }
         }
         Ok(Self { by_id })
@@ -79,12 +79,12 @@ impl Requirements {
 
     /// The requirements of a list such as `MSG-16 to MSG-19, HS-4`: each at most once. A range leaves out what was
     /// withdrawn.
-    pub(crate) fn list(&self, ids: &str) -> Result<Vec<&Requirement>, Trouble> {
+    pub(crate) fn list(&self, ids: &str) -> Result<Vec<&Requirement>, Mistake> {
         let mut cited: Vec<&Requirement> = Vec::new();
         for item in ids.split(',').map(str::trim) {
             for requirement in self.item(item)? {
                 if cited.contains(&requirement) {
-                    return Err(Trouble::new(
+                    return Err(Mistake::new(
                         format!("{} twice", requirement.id),
                         "each identifier of a list once",
                     ));
@@ -95,24 +95,24 @@ impl Requirements {
         Ok(cited)
     }
 
-    fn item(&self, item: &str) -> Result<Vec<&Requirement>, Trouble> {
+    fn item(&self, item: &str) -> Result<Vec<&Requirement>, Mistake> {
         let Some((first, last)) = item.split_once(" to ") else {
             let requirement = self.get(item)?;
             return if requirement.in_force {
                 Ok(vec![requirement])
             } else {
-                Err(Trouble::new(format!("{item:?} is withdrawn"), "a requirement that is in force"))
+                Err(Mistake::new(format!("{item:?} is withdrawn"), "a requirement that is in force"))
             };
         };
         let (first, last) = (&self.get(first)?.id, &self.get(last)?.id);
         if first.prefix != last.prefix {
-            return Err(Trouble::new(
+            return Err(Mistake::new(
                 format!("{item:?} runs from one prefix to another"),
                 "a range within one prefix, such as MSG-16 to MSG-19",
             ));
         }
         if first >= last {
-            return Err(Trouble::new(format!("{item:?} runs backwards"), format!("{last} to {first}")));
+            return Err(Mistake::new(format!("{item:?} runs backwards"), format!("{last} to {first}")));
         }
         Ok(self
             .by_id
@@ -122,15 +122,15 @@ impl Requirements {
             .collect())
     }
 
-    fn get(&self, id: &str) -> Result<&Requirement, Trouble> {
+    fn get(&self, id: &str) -> Result<&Requirement, Mistake> {
         let Some(parsed) = Id::parse(id) else {
-            return Err(Trouble::new(
+            return Err(Mistake::new(
                 format!("{id:?}"),
                 "identifiers alone, as in `HS-4, HS-6` or `MSG-16 to MSG-19`",
             ));
         };
         self.by_id.get(&parsed).ok_or_else(|| {
-            Trouble::new(
+            Mistake::new(
                 format!("{id:?} is no requirement"),
                 "an identifier of spec/REQUIREMENTS.md, such as HS-4",
             )

@@ -4,7 +4,7 @@
 //! - in a doc comment, `/// Requirements: HS-4, HS-6.`, over as many lines as it takes to the full stop;
 //! - in data, `requirements: &["HS-4", "HS-6"]`, over as many lines as it takes.
 
-use crate::trouble::Trouble;
+use crate::mistake::Mistake;
 
 /// How a citation is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,10 +37,10 @@ pub(crate) struct Written {
 }
 
 /// Every citation of a source, in order.
-pub(crate) fn citations(text: &str) -> Vec<Result<Written, Trouble>> {
+pub(crate) fn citations(text: &str) -> Vec<Result<Written, Mistake>> {
     let lines: Vec<&str> = text.lines().collect();
     let mut in_tests = false;
-    let mut found: Vec<Result<Written, Trouble>> = Vec::new();
+    let mut found: Vec<Result<Written, Mistake>> = Vec::new();
     for (at, line) in lines.iter().enumerate() {
         let rest = lines.get(at + 1..).unwrap_or_default();
         in_tests |= line.trim() == "#[cfg(test)]" && rest.first().is_some_and(|next| is_module(next));
@@ -62,7 +62,7 @@ fn is_module(line: &str) -> bool {
 }
 
 /// The citation that begins in a line: its form, and its list, for which the lines behind it may be needed.
-fn begins(line: &str, rest: &[&str]) -> Option<(Form, Result<String, Trouble>)> {
+fn begins(line: &str, rest: &[&str]) -> Option<(Form, Result<String, Mistake>)> {
     if let Some(ids) = line.trim_start().strip_prefix(DOC) {
         return Some((Form::Doc, doc(ids, rest)));
     }
@@ -79,13 +79,13 @@ const DOC: &str = "/// Requirements:";
 const COMMENT: &str = "//=";
 const DATA: &str = "requirements: &[";
 
-fn doc(first: &str, rest: &[&str]) -> Result<String, Trouble> {
+fn doc(first: &str, rest: &[&str]) -> Result<String, Mistake> {
     let mut ids = first.trim().to_owned();
     let mut rest = rest.iter();
     while !ids.ends_with('.') {
         let next = rest.next().and_then(|line| line.trim_start().strip_prefix("///"));
         let Some(next) = next.map(str::trim).filter(|next| !next.is_empty()) else {
-            return Err(Trouble::new(
+            return Err(Mistake::new(
                 format!("{ids:?} does not end"),
                 "a full stop behind the last identifier",
             ));
@@ -96,7 +96,7 @@ fn doc(first: &str, rest: &[&str]) -> Result<String, Trouble> {
     Ok(ids.trim().to_owned())
 }
 
-fn data(first: &str, rest: &[&str]) -> Result<String, Trouble> {
+fn data(first: &str, rest: &[&str]) -> Result<String, Mistake> {
     let mut text = first.to_owned();
     let mut rest = rest.iter();
     let list = loop {
@@ -105,7 +105,7 @@ fn data(first: &str, rest: &[&str]) -> Result<String, Trouble> {
         }
         match rest.next() {
             Some(line) => text.push_str(line),
-            None => return Err(Trouble::new("a list that does not end", "`]` behind the last identifier")),
+            None => return Err(Mistake::new("a list that does not end", "`]` behind the last identifier")),
         }
     };
     let quoted: Option<Vec<&str>> = list
@@ -115,7 +115,7 @@ fn data(first: &str, rest: &[&str]) -> Result<String, Trouble> {
         .map(|item| item.strip_prefix('"')?.strip_suffix('"'))
         .collect();
     let expected = "identifiers in quotes, as in `&[\"HS-4\", \"HS-6\"]`";
-    Ok(quoted.ok_or_else(|| Trouble::new(format!("[{}]", list.trim()), expected))?.join(", "))
+    Ok(quoted.ok_or_else(|| Mistake::new(format!("[{}]", list.trim()), expected))?.join(", "))
 }
 
 #[cfg(test)]

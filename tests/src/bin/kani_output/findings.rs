@@ -4,7 +4,7 @@ use std::fmt;
 
 use adsdv_proofs::theorems;
 
-use crate::read::{Case, Harness, Verdict};
+use crate::read::{Case, Harness, Outcome};
 
 /// How long a theorem may take, in seconds, and all of them, before that is worth a word. Nothing fails for it.
 const LONG: f64 = 60.0;
@@ -58,7 +58,7 @@ impl Findings {
     fn look_at(&mut self, harness: &Harness) {
         let Harness { name, verdict, seconds, cases } = harness;
         match verdict {
-            Verdict::Verified => {
+            Outcome::Verified => {
                 self.verified += 1;
                 if cases.is_empty() {
                     self.wrong.push(format!("{name}: has no case to be reached; expected a kani::cover!"));
@@ -68,9 +68,9 @@ impl Findings {
                     format!("{name}: never reached: {description}, at {place}")
                 }));
             }
-            Verdict::Refuted(checks) => self.wrong.push(format!("{name}: refuted: {}", checks.join("; "))),
-            Verdict::NoAnswer => self.wrong.push(format!("{name}: no answer: out of time or of memory")),
-            Verdict::Missing => self.wrong.push(format!("{name}: the output ends before the answer")),
+            Outcome::Refuted(checks) => self.wrong.push(format!("{name}: refuted: {}", checks.join("; "))),
+            Outcome::Undecided => self.wrong.push(format!("{name}: no answer: out of time or of memory")),
+            Outcome::Missing => self.wrong.push(format!("{name}: the output ends before the answer")),
         }
         let seconds = seconds.unwrap_or_default();
         self.seconds += seconds;
@@ -105,7 +105,7 @@ mod tests {
     use crate::read::harnesses;
     use crate::read::tests::{INLINED, NO_ANSWER, REFUTED, TERSE, UNREACHED, VERIFIED};
 
-    fn told(text: &str, expected: &[&str]) -> (bool, String) {
+    fn printed(text: &str, expected: &[&str]) -> (bool, String) {
         let expected: Vec<String> = expected.iter().map(|&name| name.to_owned()).collect();
         let findings = Findings::of(&harnesses(text), &expected);
         (findings.holds(), findings.to_string())
@@ -119,14 +119,14 @@ mod tests {
         let slow =
             "slow: codec::any::a_frame_is_read_as_the_message_of_its_identifier took 242 s, more than 60 s\n";
         let sum = "2 theorems verified in 245 s, every case reached\n";
-        assert_eq!(told(&all, &expected), (true, format!("{slow}{sum}")), "what is slow is no failure");
+        assert_eq!(printed(&all, &expected), (true, format!("{slow}{sum}")), "what is slow is no failure");
     }
 
     #[test]
     fn all_together_may_be_slow_and_that_is_no_failure() {
-        let (holds, told) = told(&INLINED.repeat(3), &[]);
+        let (holds, printed) = printed(&INLINED.repeat(3), &[]);
         assert!(holds);
-        assert!(told.contains("slow: all together took 726 s, more than 600 s\n"), "{told}");
+        assert!(printed.contains("slow: all together took 726 s, more than 600 s\n"), "{printed}");
     }
 
     #[test]
@@ -150,9 +150,9 @@ mod tests {
             ),
             ("Checking harness time::cut...\n", &[], &["time::cut: the output ends before the answer"]),
         ] {
-            let (holds, told) = told(text, expected);
-            assert!(!holds, "{told}");
-            let lines: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("wrong: ")).collect();
+            let (holds, printed) = printed(text, expected);
+            assert!(!holds, "{printed}");
+            let lines: Vec<&str> = printed.lines().filter_map(|line| line.strip_prefix("wrong: ")).collect();
             assert_eq!(lines, wrong);
         }
     }
@@ -160,8 +160,8 @@ mod tests {
     #[test]
     fn output_without_a_harness_is_wrong() {
         for text in [TERSE, "", "error: no such command: `kani`\n"] {
-            let (holds, told) = told(text, &[]);
-            assert!(!holds && told.contains("no harness was checked"), "{told}");
+            let (holds, printed) = printed(text, &[]);
+            assert!(!holds && printed.contains("no harness was checked"), "{printed}");
         }
     }
 

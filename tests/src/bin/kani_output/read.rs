@@ -1,4 +1,4 @@
-//! The text, as the harnesses that it tells of.
+//! The text, as the harnesses that it is about.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 pub(crate) struct Harness {
     /// Its name, such as `codec::ai::ai2vcu_brake_514h`.
     pub(crate) name: String,
-    pub(crate) verdict: Verdict,
+    pub(crate) verdict: Outcome,
     /// How long it took, where Kani says so.
     pub(crate) seconds: Option<f64>,
     /// Each interesting case, and whether it is reached.
@@ -16,7 +16,7 @@ pub(crate) struct Harness {
 
 /// What came out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Verdict {
+pub(crate) enum Outcome {
     /// Nothing: the run ended before.
     #[default]
     Missing,
@@ -25,7 +25,7 @@ pub(crate) enum Verdict {
     /// These checks failed.
     Refuted(Vec<String>),
     /// It failed without a check that does: out of time or of memory.
-    NoAnswer,
+    Undecided,
 }
 
 /// An interesting case. Several checks may be about one.
@@ -74,14 +74,14 @@ pub(crate) fn harnesses(text: &str) -> Vec<Harness> {
             *harness.cases.entry(case).or_default() |= status == "SATISFIED";
         } else if let Some(failed) = line.strip_prefix("Failed Checks: ") {
             match &mut harness.verdict {
-                Verdict::Refuted(checks) => checks.push(failed.to_owned()),
-                verdict => *verdict = Verdict::Refuted(vec![failed.to_owned()]),
+                Outcome::Refuted(checks) => checks.push(failed.to_owned()),
+                verdict => *verdict = Outcome::Refuted(vec![failed.to_owned()]),
             }
         } else if let Some(verdict) = line.strip_prefix("VERIFICATION:- ") {
             match (verdict, &harness.verdict) {
-                (verdict, _) if verdict.starts_with("SUCCESSFUL") => harness.verdict = Verdict::Verified,
-                (_, Verdict::Refuted(_)) => {}
-                _ => harness.verdict = Verdict::NoAnswer,
+                (verdict, _) if verdict.starts_with("SUCCESSFUL") => harness.verdict = Outcome::Verified,
+                (_, Outcome::Refuted(_)) => {}
+                _ => harness.verdict = Outcome::Undecided,
             }
         } else if let Some(time) = line.strip_prefix("Verification Time: ") {
             harness.seconds = time.trim_end_matches('s').parse().ok();
@@ -92,7 +92,7 @@ pub(crate) fn harnesses(text: &str) -> Vec<Harness> {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::{Case, Harness, Verdict, harnesses};
+    use super::{Case, Harness, Outcome, harnesses};
 
     /// As Kani 0.57 prints it: a condition of two parts, one of which cannot be on its own.
     pub(crate) const VERIFIED: &str = include_str!("recorded/verified.txt");
@@ -125,7 +125,7 @@ pub(crate) mod tests {
     fn a_case_of_several_checks_is_reached_if_one_of_them_is_satisfied() {
         let harness = only(VERIFIED);
         assert_eq!(harness.name, "codec::ai::ai2vcu_brake_514h");
-        assert_eq!(harness.verdict, Verdict::Verified);
+        assert_eq!(harness.verdict, Outcome::Verified);
         assert_eq!(harness.seconds, Some(2.667_361_3));
         let at = "in function codec::ai::ai2vcu_brake_514h";
         assert_eq!(
@@ -147,7 +147,7 @@ pub(crate) mod tests {
     #[test]
     fn a_case_is_not_reached_by_another_of_the_same_words() {
         let harness = only(UNREACHED);
-        assert_eq!(harness.verdict, Verdict::Verified);
+        assert_eq!(harness.verdict, Outcome::Verified);
         let reached: Vec<_> = cases(&harness).into_iter().map(|(_, what, reached)| (what, reached)).collect();
         assert_eq!(reached, [("lost", true), ("lost", false), ("never looked at", false)]);
     }
@@ -155,10 +155,10 @@ pub(crate) mod tests {
     #[test]
     fn what_fails_is_refuted_or_has_no_answer() {
         let refuted = only(REFUTED);
-        assert_eq!(refuted.verdict, Verdict::Refuted(vec!["\"the condition leads there\"".to_owned()]));
+        assert_eq!(refuted.verdict, Outcome::Refuted(vec!["\"the condition leads there\"".to_owned()]));
         let none = only(NO_ANSWER);
-        assert_eq!((none.verdict, none.seconds), (Verdict::NoAnswer, None));
-        assert_eq!(only("Checking harness time::cut_off...\nCheck 1: x").verdict, Verdict::Missing);
+        assert_eq!((none.verdict, none.seconds), (Outcome::Undecided, None));
+        assert_eq!(only("Checking harness time::cut_off...\nCheck 1: x").verdict, Outcome::Missing);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use adsdv_spec::{Atom, Thresholds};
 
 /// What it keeps of the VCU's frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Heard {
+pub(super) struct FromVcu {
     /// 520h has come.
     pub(super) vcu: bool,
     /// 520h.
@@ -24,7 +24,7 @@ pub(super) struct Heard {
     at_rest: bool,
 }
 
-impl Heard {
+impl FromVcu {
     /// Keeps what a frame says, and tells whether it was 520h. One that does not decode changes nothing.
     pub(super) fn frame(&mut self, frame: &Frame, thresholds: Thresholds) -> Result<bool, DecodeError> {
         if message_by_id(frame.id).is_none_or(|message| message.sender != Node::Vcu) {

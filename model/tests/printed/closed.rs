@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::hash::Hasher as _;
 
-use adsdv_model::closed::{Action, Closed, Conduct, Found, Operator, State};
+use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Conduct, Found, Operator};
 use adsdv_spec::{Interface, Machine, Readings, Timing};
 use expect_test::expect_file;
 use fnv::FnvHasher;
@@ -52,7 +52,7 @@ fn every_state_with_a_well_behaved_operator() {
 }
 
 /// All that can happen within some actions from a state: how many states, how many ways, and a sum of what is told of each.
-fn around(model: &Closed, begin: State, depth: usize) -> String {
+fn around(model: &Closed, begin: ClosedState, depth: usize) -> String {
     let mut sum = FnvHasher::default();
     let mut known = HashSet::from([begin.clone()]);
     let (mut now, mut ways) = (vec![begin], 0);
@@ -74,7 +74,7 @@ fn around(model: &Closed, begin: State, depth: usize) -> String {
     format!("{} states, {ways} ways, {:016X}", known.len(), sum.finish())
 }
 
-fn run(name: &'static str, operator: Operator) -> Path<State, Action> {
+fn run(name: &'static str, operator: Operator) -> Path<ClosedState, ClosedAction> {
     scaled(operator).run_for(name).expect("it is possible")
 }
 

@@ -1,4 +1,4 @@
-//! Everything that the judge says of the runs of these tests, as they are recorded exactly: `said.txt` has it to the letter.
+//! Everything that the judge says of the runs of these tests, as they are recorded exactly: `printed.txt` has it to the letter.
 //! A change of a text, of a time, or of when it is told shows as a change of that file.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test judge` writes it anew, from all of them: a filter would leave others out.
@@ -10,30 +10,30 @@ use std::path::Path;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::{env, fs};
 
-use adsdv_oracle::judge::{Finding, Judge, Options, Report, Severity, Transition};
+use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Report, Severity, Transition};
 use adsdv_spec::messages::Frame;
 use adsdv_spec::{Knowledge, Term, Truth};
 use adsdv_tests::world::Recorded;
 use fnv::FnvHasher;
 
 /// What is said of the runs of a name. Tests may give the same name to several.
-type Said = BTreeMap<String, BTreeSet<String>>;
+type Written = BTreeMap<String, BTreeSet<String>>;
 
 /// Between two texts of the file.
 const RULE: &str = "================";
 
-static EXPECTED: LazyLock<Said> = LazyLock::new(|| {
+static EXPECTED: LazyLock<Written> = LazyLock::new(|| {
     let file = fs::read_to_string(file()).unwrap_or_default();
-    let mut said = Said::new();
+    let mut printed = Written::new();
     for text in file.split(&format!("{RULE} ")).skip(1) {
         let (name, text) = text.split_once('\n').unwrap_or((text, ""));
-        said.entry(name.to_owned()).or_default().insert(text.trim_end().to_owned());
+        printed.entry(name.to_owned()).or_default().insert(text.trim_end().to_owned());
     }
-    said
+    printed
 });
 
 fn file() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/judge/said.txt")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/judge/reports.txt")
 }
 
 /// What happens to a judge; times in nanoseconds since the first frame.
@@ -46,7 +46,7 @@ pub(crate) enum Event {
 }
 
 /// The judge says of this run what the file says.
-pub(crate) fn is_as_written(name: &str, log: &[Recorded], options: Options) {
+pub(crate) fn is_as_written(name: &str, log: &[Recorded], options: JudgeOptions) {
     let origin = log.first().map_or(0, |first| first.t);
     let events: Vec<Event> =
         log.iter().map(|recorded| Event::Frame(recorded.t - origin, recorded.frame)).collect();
@@ -54,8 +54,8 @@ pub(crate) fn is_as_written(name: &str, log: &[Recorded], options: Options) {
 }
 
 /// The same of whatever happens to the judge.
-pub(crate) fn what_happens_is_as_written(name: &str, events: &[Event], options: Options) {
-    let text = said(events, options);
+pub(crate) fn what_happens_is_as_written(name: &str, events: &[Event], options: JudgeOptions) {
+    let text = printed(events, options);
     if env::var_os("UPDATE_EXPECT").is_some() {
         write(name, &text);
         return;
@@ -65,12 +65,12 @@ pub(crate) fn what_happens_is_as_written(name: &str, events: &[Event], options: 
         return;
     }
     let expected: Vec<&String> = expected.into_iter().flatten().collect();
-    panic!("{name}: said.txt has {expected:#?}, and the judge says\n{text}");
+    panic!("{name}: reports.txt has {expected:#?}, and the judge says\n{text}");
 }
 
 /// Writes the file from what all tests say, one after the other.
 fn write(name: &str, text: &str) {
-    static WRITTEN: Mutex<Said> = Mutex::new(Said::new());
+    static WRITTEN: Mutex<Written> = Mutex::new(Written::new());
     assert!(env::var_os("NEXTEST").is_none(), "cargo test writes it: nextest runs each test by itself");
     let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
     written.entry(name.to_owned()).or_default().insert(text.to_owned());
@@ -79,11 +79,11 @@ fn write(name: &str, text: &str) {
         let _ = writeln!(all, "{RULE} {name}\n{text}\n");
         all
     });
-    fs::write(file(), all).expect("said.txt can be written");
+    fs::write(file(), all).expect("reports.txt can be written");
 }
 
 /// The report, each line with the time at which it was news.
-fn said(events: &[Event], options: Options) -> String {
+fn printed(events: &[Event], options: JudgeOptions) -> String {
     let mut judge = Judge::new(options);
     let (mut news, mut now) = (Vec::new(), 0);
     for event in events {

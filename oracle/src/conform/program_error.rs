@@ -4,17 +4,17 @@ use std::fmt;
 use std::io;
 use std::time::Duration;
 
-use super::options::{Phase, Progress};
+use super::options::{ConformProgress, Phase};
 use crate::protocol::BadLine;
 
 /// A program that does not keep to the protocol, so that there is no verdict. It displays as what is wrong, in one line,
 /// and below that where, what was sent, what came, and what the program said on its standard error.
 #[derive(Debug)]
-pub struct Trouble {
+pub struct ProgramError {
     /// Where; `None` before the first line and after the last.
     pub place: Option<Box<Place>>,
     /// What is wrong.
-    pub what: What,
+    pub what: ProgramErrorKind,
     /// The last lines of the program's standard error.
     pub stderr: Vec<String>,
 }
@@ -34,7 +34,7 @@ pub struct Place {
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
     /// What was being done, and how much of it was done.
-    pub at: Progress,
+    pub at: ConformProgress,
     /// The steps that it had made.
     pub steps: u64,
     /// The steps of the whole suite.
@@ -45,7 +45,7 @@ pub struct Work {
 
 /// What is wrong. Lines of the program are as much of them as an error shows, without control characters.
 #[derive(Debug)]
-pub enum What {
+pub enum ProgramErrorKind {
     /// It cannot be started.
     NoStart(io::Error),
     /// It ended before it was asked everything.
@@ -68,14 +68,14 @@ pub enum What {
     TooMany(String),
 }
 
-impl Trouble {
-    pub(super) fn new(what: What) -> Self {
+impl ProgramError {
+    pub(super) fn new(what: ProgramErrorKind) -> Self {
         Self { place: None, what, stderr: Vec::new() }
     }
 
     /// The same with how far the program came, if that is what is wrong.
     pub(super) fn after(mut self, work: Work) -> Self {
-        if let What::OutOfTime(_, done) = &mut self.what {
+        if let ProgramErrorKind::OutOfTime(_, done) = &mut self.what {
             *done = Some(work);
         }
         self
@@ -84,7 +84,7 @@ impl Trouble {
     /// What to do, in one sentence.
     pub fn hint(&self) -> &'static str {
         match &self.what {
-            What::NoStart(error) => match error.kind() {
+            ProgramErrorKind::NoStart(error) => match error.kind() {
                 io::ErrorKind::NotFound => {
                     "check the path, and put what the program is started with before it, such as: adsdv conform -- python3 vcu.py"
                 }
@@ -93,40 +93,44 @@ impl Trouble {
                 }
                 _ => "start the program by hand, and type {\"op\":\"reset\"} to it",
             },
-            What::Ended(_) => {
+            ProgramErrorKind::Ended(_) => {
                 "the program has to go on until the end of its input; give it the line above by hand to see why it ended"
             }
-            What::Closed => {
+            ProgramErrorKind::Closed => {
                 "keep standard output open until the end of input, and write nothing but answers to it"
             }
-            What::Late(..) => {
+            ProgramErrorKind::Late(..) => {
                 "answer every line as soon as it is read, and flush standard output after each; for a slow program raise --timeout"
             }
-            What::OutOfTime(..) => {
+            ProgramErrorKind::OutOfTime(..) => {
                 "raise --time-limit, or ask for less: --runs 0 leaves the random scenarios out; and see what the program waits for between a line and its answer"
             }
-            What::TooLong(..) => "end every answer with a line break, and write one JSON object a line",
-            What::NotText(_) => {
+            ProgramErrorKind::TooLong(..) => {
+                "end every answer with a line break, and write one JSON object a line"
+            }
+            ProgramErrorKind::NotText(_) => {
                 "write answers in UTF-8, and nothing but answers; standard error is for everything else"
             }
-            What::NoAnswer(line, _) if line.trim() == "{}" => {
+            ProgramErrorKind::NoAnswer(line, _) if line.trim() == "{}" => {
                 "show at least as_state; {} here means that a line before it was not answered, or that the program is late: then say by how many steps with --latency"
             }
-            What::NoAnswer(..) => {
+            ProgramErrorKind::NoAnswer(..) => {
                 "answer a step with one JSON object, as oracle/PROTOCOL.md has it, and write everything else to standard error"
             }
-            What::NoReset(_, None) => {
+            ProgramErrorKind::NoReset(_, None) => {
                 "answer a reset with {}; outputs here mean that a line before it was answered twice, or that a reset was taken for a step"
             }
-            What::NoReset(_, Some(_)) => {
+            ProgramErrorKind::NoReset(_, Some(_)) => {
                 "answer a reset with {}, and write everything else to standard error"
             }
-            What::TooMany(_) => "answer every line once, and write everything else to standard error",
+            ProgramErrorKind::TooMany(_) => {
+                "answer every line once, and write everything else to standard error"
+            }
         }
     }
 }
 
-impl fmt::Display for Trouble {
+impl fmt::Display for ProgramError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { place, what, stderr } = self;
         write!(f, "{what}")?;
@@ -147,7 +151,7 @@ impl fmt::Display for Trouble {
     }
 }
 
-impl What {
+impl ProgramErrorKind {
     fn line(&self) -> Option<&String> {
         match self {
             Self::NotText(line)
@@ -163,7 +167,7 @@ impl What {
 
 impl fmt::Display for Work {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { at: Progress { phase, done, all }, steps, suite_steps, runs } = self;
+        let Self { at: ConformProgress { phase, done, all }, steps, suite_steps, runs } = self;
         match phase {
             Phase::Suite => write!(
                 f,
@@ -180,7 +184,7 @@ impl fmt::Display for Work {
     }
 }
 
-impl fmt::Display for What {
+impl fmt::Display for ProgramErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoStart(error) => write!(f, "cannot start the program: {error}"),
@@ -208,7 +212,7 @@ impl fmt::Display for What {
     }
 }
 
-impl std::error::Error for Trouble {}
+impl std::error::Error for ProgramError {}
 
 /// As much of the program's own text as an error shows, fit for a terminal.
 pub(super) fn excerpt(bytes: &[u8]) -> String {

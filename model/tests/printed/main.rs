@@ -2,7 +2,7 @@
 //! the Promela model, and what readings cost (`readings.rs`). A change of what they tell shows as a change of a file that people
 //! read. `closed.rs` and `open.rs` are the two models in numbers.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test told` writes the files anew.
+//! `UPDATE_EXPECT=1 cargo test -p adsdv-model --test printed` writes the files anew.
 
 #[path = "../chance/mod.rs"]
 mod chance;
@@ -13,9 +13,9 @@ mod readings;
 use std::fmt::Write as _;
 use std::hash::Hasher as _;
 
-use adsdv_model::closed::{Action, Closed, Expectation, Operator, State};
+use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Expectation, Operator};
 use adsdv_model::{
-    Line, Options, PROPERTIES, Promela, Report, Run, SHORT_TIMERS, Vectors, story, story_of, verify,
+    Options, PROPERTIES, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, story, story_of, verify,
 };
 use adsdv_spec::{Choices, Interface, Machine, Mutation, Readings};
 use expect_test::expect_file;
@@ -30,15 +30,15 @@ fn verified(machine: &Machine) -> Report {
 }
 
 /// The lines of a story, indented.
-fn lines(story: Vec<Line>) -> String {
-    story.into_iter().fold(String::new(), |mut all, Line { ms, text }| {
+fn lines(story: Vec<StoryLine>) -> String {
+    story.into_iter().fold(String::new(), |mut all, StoryLine { ms, text }| {
         let _ = writeln!(all, "  {ms:5} ms  {text}");
         all
     })
 }
 
 /// The shortest run to everything that is to be possible, and a short one to an emergency.
-fn closed_runs() -> Vec<(&'static str, Closed, Path<State, Action>)> {
+fn closed_runs() -> Vec<(&'static str, Closed, Path<ClosedState, ClosedAction>)> {
     const EMERGENCY: &str = "emergency-can-happen";
     let scaled = |operator| Closed::scaled(Interface::V3_0, Readings::DEFAULT, operator);
     let anybody = scaled(Operator::Any);

@@ -20,7 +20,7 @@ fn fails(name: &'static str, under: &[usize], undone_by: &[usize]) -> Cost {
     Cost { name, choices: choices(under), undone_by: choices(undone_by), run }
 }
 
-fn told(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String {
+fn printed(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String {
     let all = Sweep { combinations: 5, transitions: 7, complete, costs, closed }.to_string();
     // The introduction says the same each time.
     let begin = all.find("5 combinations").expect("so many were given");
@@ -45,10 +45,10 @@ fn what_the_readings_cost() {
     ];
     let alone = vec![fails("go-signal", &[1], &[]), fails("driving-due", &[3], &[])];
     let all = [
-        told(true, Vec::new(), Vec::new()),
-        told(true, alone, Vec::new()),
-        told(true, together, vec![closed]),
-        told(false, vec![fails("ready-asms", &[], &[])], Vec::new()),
+        printed(true, Vec::new(), Vec::new()),
+        printed(true, alone, Vec::new()),
+        printed(true, together, vec![closed]),
+        printed(false, vec![fails("ready-asms", &[], &[])], Vec::new()),
     ];
     expect_file!["readings.txt"].assert_eq(&all.join("\n================\n\n"));
 }

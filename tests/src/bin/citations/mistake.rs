@@ -4,14 +4,14 @@ use std::fmt;
 
 /// Something wrong in a line of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Trouble {
+pub(crate) struct Mistake {
     path: String,
     line: usize,
     given: String,
     expected: String,
 }
 
-impl Trouble {
+impl Mistake {
     /// What was given, and what is wrong with it; then what is expected instead.
     pub(crate) fn new(given: impl Into<String>, expected: impl Into<String>) -> Self {
         Self { path: String::new(), line: 0, given: given.into(), expected: expected.into() }
@@ -28,7 +28,7 @@ impl Trouble {
     }
 }
 
-impl fmt::Display for Trouble {
+impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, line, given, expected } = self;
         write!(f, "{path}:{line}: {given}; expected {expected}")

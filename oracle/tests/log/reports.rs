@@ -1,11 +1,11 @@
-//! What is said of logs, to the letter: `said.txt` has it.
+//! What is said of logs, to the letter: `reports.txt` has it.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test log` writes it anew.
 
 use std::fmt::Write as _;
 
 use adsdv_oracle::judge::Report;
-use adsdv_oracle::log::{LogOptions, Progress, judge_log};
+use adsdv_oracle::log::{LogOptions, LogProgress, judge_log};
 use expect_test::expect_file;
 
 /// A frame of 520h with this AS state.
@@ -102,7 +102,7 @@ fn logs() -> Vec<(&'static str, String)> {
     ]
 }
 
-fn told(report: &Report) -> String {
+fn printed(report: &Report) -> String {
     let mut text = format!(
         "{} frames in {} us, {}\n",
         report.frames,
@@ -122,23 +122,23 @@ fn told(report: &Report) -> String {
 }
 
 #[test]
-fn what_is_said_of_logs() {
+fn the_reports_on_logs_are_as_written() {
     let mut text = String::new();
     for (name, log) in logs() {
         for interface in [None, Some("can0"), Some("can1")] {
             let options = LogOptions { interface: interface.map(str::to_owned), ..LogOptions::default() };
             let said = match judge_log(log.as_bytes(), &options, |_| {}) {
-                Ok(report) => told(&report),
+                Ok(report) => printed(&report),
                 Err(error) => format!("{error}\n"),
             };
             let _ = writeln!(text, "================ {name}, on {}\n{said}", interface.unwrap_or("any"));
         }
     }
-    expect_file!["said.txt"].assert_eq(&text);
+    expect_file!["reports.txt"].assert_eq(&text);
 }
 
 #[test]
-fn progress_is_told_every_65536_lines() {
+fn progress_is_reported_every_65536_lines() {
     const LINES: usize = 1 << 16;
     for (lines, expected) in [
         (LINES - 1, vec![]),
@@ -147,9 +147,9 @@ fn progress_is_told_every_65536_lines() {
         (3 * LINES, vec![65_536, 131_072, 196_608]),
     ] {
         let log = status(1000, "can0", 1, "").repeat(lines);
-        let mut told = Vec::new();
-        let progress = |progress: Progress| told.push(progress.lines);
+        let mut printed = Vec::new();
+        let progress = |progress: LogProgress| printed.push(progress.lines);
         judge_log(log.as_bytes(), &LogOptions::default(), progress).expect("frames");
-        assert_eq!(told, expected);
+        assert_eq!(printed, expected);
     }
 }
