@@ -12,7 +12,7 @@ use adsdv_can::demo::LocalBus;
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario};
 use adsdv_can::status::Cycles;
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 
 /// For so long each of them runs.
 const TIME: Duration = Duration::from_secs(10);
@@ -27,7 +27,7 @@ fn print(name: &str, cycles: &Cycles) {
 
 /// Sleeps until each cycle, and does nothing else.
 fn bare() -> Cycles {
-    let mut clock = Clock::new(Instant::now(), Interface::V3_0.timing.cycle_ms.into());
+    let mut clock = Clock::new(Instant::now(), Edition::V3_0.rules.timing.cycle_ms.into());
     let end = Instant::now() + TIME;
     while clock.deadline() < end {
         thread::sleep(clock.deadline().saturating_duration_since(Instant::now()));

@@ -5,7 +5,7 @@ use adsdv_spec::messages::{
     AmiState, AsState, DirectionRequest, Frame, Message, MissionStatus, Node, SteerAngle, Vcu2AiBrake,
     Vcu2AiDriveF, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, WheelSpeed, message_by_id,
 };
-use adsdv_spec::{AiMessages, Interface};
+use adsdv_spec::{AiMessages, Edition};
 
 /// What the VCU says, returned requests and all.
 #[derive(Clone, Copy, Default)]
@@ -147,7 +147,7 @@ fn the_ai_computer_brakes_to_a_stop_and_sends_finished_only_then() {
         moving += 1;
         assert!(moving < 10_000);
     }
-    let limit = Interface::V3_0.thresholds.wheel_speed.raw();
+    let limit = Edition::V3_0.rules.thresholds.wheel_speed.raw();
     let brakes =
         |said: &AiMessages| said.brake.hyd_press_f_req.raw() > 0 && said.brake.hyd_press_r_req.raw() > 0;
     // Exactly the threshold is not at rest (D-24).

@@ -9,7 +9,7 @@ use adsdv_spec::messages::{
     BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax, SteerAngle, Vcu2AiStatus,
     Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
-use adsdv_spec::{Actuation, AiMessages, Choice, Interface, Machine, Readings};
+use adsdv_spec::{Actuation, AiMessages, Choice, Edition, Machine, Readings};
 
 fn act(car: &mut Car, actions: &[&str]) {
     for action in actions {
@@ -327,7 +327,7 @@ fn missing_lists_the_way_out_of_an_emergency_up_to_the_power_cycle() {
 #[test]
 fn the_way_out_is_that_of_the_reading() {
     let readings = Readings::DEFAULT.with(Choice::PowerCycleNotLatched);
-    let mut car = Car::new(Machine::new(Interface::V3_0, readings));
+    let mut car = Car::new(Machine::new(Edition::V3_0, readings));
     for action in ["ami SKIDPAD", "ebs ARMED", "tsms on", "asms on"] {
         act(&mut car, &[action]);
     }

@@ -2,7 +2,7 @@
 
 use adsdv_model::closed::Closed;
 use adsdv_model::serve;
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 
 use crate::args::ExploreArgs;
 use crate::error::Error;
@@ -10,7 +10,7 @@ use crate::status::Status;
 use crate::{output, pins};
 
 pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
     let told = |address| {
         // Nobody may be listening, or the address may not be written, and the Explorer is still there.
         if let Err(error) = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n")) {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use adsdv_model::Promela;
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
-use adsdv_spec::{Interface, Machine, Reading, Readings};
+use adsdv_spec::{Edition, Machine, Reading, Readings};
 
 use crate::args::{DiagramArgs, ExportArgs, Exported, Format, ReadingsArgs, SchemaArgs, WithJson};
 use crate::error::Error;
@@ -13,11 +13,11 @@ use crate::status::Status;
 use crate::{json, output, pins};
 
 pub(crate) fn dbc() -> Result<Status, Error> {
-    print(&Dbc(&Interface::V3_0).to_string())
+    print(&Dbc(&Edition::V3_0).to_string())
 }
 
 pub(crate) fn diagram(args: &DiagramArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
     print(&match args.format {
         Format::Mermaid => Mermaid(&machine).to_string(),
         Format::Dot => Dot(&machine).to_string(),
@@ -41,8 +41,8 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
 }
 
 pub(crate) fn export(args: &ExportArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
-    let (document, vectors) = (Interface::V3_0.timing, args.vectors.into());
+    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
+    let (document, vectors) = (Edition::V3_0.rules.timing, args.vectors.into());
     print(&match args.format {
         Exported::Promela => Promela { machine: &machine, document, vectors }.to_string(),
     })

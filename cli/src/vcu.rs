@@ -6,7 +6,7 @@ use adsdv_can::bus::Bus;
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{PATIENCE_MS, Player, Stuck};
 use adsdv_can::socket;
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 
 use crate::args::VcuArgs;
 use crate::error::Error;
@@ -14,7 +14,7 @@ use crate::status::Status;
 use crate::{demo, operate, pins, plain};
 
 pub(crate) fn run(args: &VcuArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Interface::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
     let scenario = args.scenario.as_deref().map(demo::read).transpose()?;
     let bus = socket::open(&args.interface)?;
     drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), args)

@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-use adsdv_spec::{Choice, Choices, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Choices, Edition, Machine, Readings};
 
 use crate::border::{Plain, answer, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
@@ -44,7 +44,7 @@ impl adsdv_machine {
         if let Some(machine) = kept::find(self) {
             return Ok(machine);
         }
-        Ok(room.insert(Machine::new(Interface::V3_0, self.read()?)))
+        Ok(room.insert(Machine::new(Edition::V3_0, self.read()?)))
     }
 }
 
@@ -53,7 +53,7 @@ impl adsdv_machine {
 mod kept {
     use std::sync::OnceLock;
 
-    use adsdv_spec::{Interface, Machine};
+    use adsdv_spec::{Edition, Machine};
 
     use super::adsdv_machine;
 
@@ -69,7 +69,7 @@ mod kept {
                 kept
             } else {
                 let readings = wanted.read().ok()?;
-                place.get_or_init(|| (wanted, Machine::new(Interface::V3_0, readings)))
+                place.get_or_init(|| (wanted, Machine::new(Edition::V3_0, readings)))
             };
             // Somebody else may have been quicker to take the place.
             if *kept == wanted {

@@ -2,12 +2,12 @@
 
 use core::ffi::c_char;
 
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 
 use crate::text;
 
 static LIBRARY: [c_char; 16] = text::known(env!("CARGO_PKG_VERSION"));
-static DOCUMENT: [c_char; 16] = text::known(Interface::V3_0.version);
+static DOCUMENT: [c_char; 16] = text::known(Edition::V3_0.version);
 
 /// The version of the library, such as "0.1.0". The text is the library's, and stays.
 #[unsafe(no_mangle)]

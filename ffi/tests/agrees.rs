@@ -11,7 +11,7 @@ use adsdv::{
     adsdv_outputs, adsdv_step,
 };
 use adsdv_oracle::protocol::{Domain, INPUTS, Shown};
-use adsdv_spec::{Choice, Control, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Control, Edition, Inputs, Machine, Readings};
 use common::{Run, fields, outcome, text};
 
 /// A step through the C interface.
@@ -95,7 +95,7 @@ fn every_reading_steps_alike() {
     // More than are kept ready, and each twice.
     for seed in [3, 4] {
         for &choice in Choice::ALL {
-            let vcu = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+            let vcu = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
             agrees(Some(&machine(&choice.to_string())), &vcu, seed, 3000);
         }
     }
@@ -134,7 +134,7 @@ fn threads_step_alike() {
         for seed in 10..14 {
             scope.spawn(move || {
                 for &choice in Choice::ALL.iter().rev() {
-                    let vcu = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+                    let vcu = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
                     agrees(Some(&machine(&choice.to_string())), &vcu, seed, 3000);
                 }
             });

@@ -5,7 +5,7 @@
 
 use adsdv_model::closed::{Closed, Operator};
 use adsdv_model::{Options, Vectors, explore, reachable};
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -40,7 +40,7 @@ fn open_every_vector(bencher: Bencher<'_, '_>, threads: usize) {
 fn plain(bencher: Bencher<'_, '_>) {
     bencher
         .counter(ItemsCount::new(steps(Vectors::Read)))
-        .bench(|| reachable(black_box(&Machine::REFERENCE), Interface::V3_0.timing, Vectors::Read));
+        .bench(|| reachable(black_box(&Machine::REFERENCE), Edition::V3_0.rules.timing, Vectors::Read));
 }
 
 /// The closed model with the real times and a well-behaved operator.

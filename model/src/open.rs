@@ -189,7 +189,7 @@ mod tests {
     use std::hash::{BuildHasher as _, BuildHasherDefault};
 
     use adsdv_spec::messages::{AsState, ShutdownCause};
-    use adsdv_spec::{Handshake, Interface, Readings};
+    use adsdv_spec::{Edition, Handshake, Readings};
     use fnv::FnvHasher;
 
     use super::*;
@@ -237,8 +237,8 @@ mod tests {
 
     #[test]
     fn each_way_out_of_a_state_leads_elsewhere() {
-        let interface = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
-        let machine = Machine::new(interface, Readings::DEFAULT);
+        let edition = Edition::V3_0.with_timing(SHORT_TIMERS);
+        let machine = Machine::new(edition, Readings::DEFAULT);
         let model = Open::new(machine, SHORT_TIMERS, Vectors::Few);
         for control in reachable(&machine, SHORT_TIMERS, Vectors::Few) {
             let state = State::new(control);

@@ -26,7 +26,7 @@ pub struct Part {
 impl Part {
     /// The part that a mutation drops; `None` if it does something else, or drops what the readings do not have.
     fn dropped(mutation: Mutation, machine: &Machine) -> Option<Self> {
-        let rows = machine.interface().table.rows();
+        let rows = machine.edition().rules.table.rows();
         match mutation.change {
             Change::RowDropped(row) => Some(Self { row: *rows.get(row)?, term: None, literal: None }),
             Change::Term(row, term, change) => {
@@ -79,15 +79,15 @@ struct Candidate {
 
 impl Parts {
     pub(crate) fn of(machine: &Machine) -> Self {
-        let interface = machine.interface();
+        let edition = machine.edition();
         let candidate = |mutation: Mutation| {
             Some(Candidate {
                 part: Part::dropped(mutation, machine)?,
-                without: Machine::new(mutation.apply(interface), machine.readings()),
+                without: Machine::new(mutation.apply(edition), machine.readings()),
                 decides: AtomicBool::new(false),
             })
         };
-        Self { all: Mutation::all(interface).filter_map(candidate).collect() }
+        Self { all: Mutation::all(edition).filter_map(candidate).collect() }
     }
 
     /// Finds out which parts decide a step out of a control state, of those that have decided none so far.

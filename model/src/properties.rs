@@ -440,7 +440,7 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::Misled,
         claim: Claim::Each {
             holds: |machine, step| {
-                let timing = &machine.interface().timing;
+                let timing = &machine.edition().rules.timing;
                 let limit = u32::from(timing.in_state_limit(step.before.state));
                 let stays = step.before.state == step.after().state;
                 step.after().is_consistent(timing, machine.readings())

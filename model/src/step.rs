@@ -4,11 +4,11 @@ use adsdv_spec::messages::{
     AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MotorSpeedMax, SteerAngle,
 };
 use adsdv_spec::{
-    Actuation, Atom, Atoms, Control, Inputs, Interface, Machine, Observation, Outputs, Reaction, Timing,
+    Actuation, Atom, Atoms, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction, Timing,
 };
 
 /// The reference VCU's cycle, which is the model's. That steps of any length are right is for the proofs.
-pub(crate) const CYCLE_MS: u32 = Interface::V3_0.timing.cycle_ms as u32;
+pub(crate) const CYCLE_MS: u32 = Edition::V3_0.rules.timing.cycle_ms as u32;
 
 /// A step: what was, what was seen, and what the VCU made of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,7 +152,7 @@ mod tests {
         let seen = Observation::new(Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::GoOn]), Faults::NONE);
         for state in AsState::ALL {
             let control = Control { state, ..Control::INITIAL };
-            let step = Step::of(&machine, &machine.interface().timing, control, seen);
+            let step = Step::of(&machine, &machine.edition().rules.timing, control, seen);
             assert_eq!(step.requests_reach(&machine), [state == AsState::Driving; 4], "{state}");
         }
     }

@@ -19,7 +19,7 @@ pub struct StoryLine {
 /// Tells the run of a machine along a path. A step that breaks the property tells what the property looks
 /// at, too.
 pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) -> Vec<StoryLine> {
-    let timing = &machine.interface().timing;
+    let timing = &machine.edition().rules.timing;
     let (mut control, mut ms, mut lines) = (Control::INITIAL, 0, Vec::new());
     for (place, action) in path.iter().enumerate() {
         ms += u64::from(CYCLE_MS);
@@ -65,7 +65,7 @@ pub fn story_of(run: &Run) -> Vec<StoryLine> {
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
 fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     let (before, after) = (step.before.state, step.after().state);
-    let table = &machine.interface().table;
+    let table = &machine.edition().rules.table;
     let taken = step.reaction.taken;
     let (row, term) = (taken.and_then(|taken| taken.row(table)), taken.and_then(|taken| taken.term(table)));
     let arrow = match row {

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use adsdv_spec::{AsState, Choice, Choices, Control, Interface, Machine, Reading, Readings, Timing};
+use adsdv_spec::{AsState, Choice, Choices, Control, Edition, Machine, Reading, Readings, Timing};
 
 use crate::action::Action;
 use crate::closed::{Closed, ClosedProperty, Operator};
@@ -16,7 +16,8 @@ use crate::verify::{Exploration, Options, explore_quietly, runs};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
-pub const SHORT_TIMERS: Timing = Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Interface::V3_0.timing };
+pub const SHORT_TIMERS: Timing =
+    Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Edition::V3_0.rules.timing };
 
 /// Choices that together fail something, which fewer of them do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,7 +35,7 @@ pub struct Cost {
 impl Cost {
     /// The machine that fails.
     pub fn machine(&self) -> Machine {
-        machine_with(&Interface::V3_0, self.choices)
+        machine_with(&Edition::V3_0, self.choices)
     }
 
     /// What the shortest run costs: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
@@ -51,8 +52,8 @@ impl Cost {
 }
 
 /// The machine with these choices, and the default for every other question.
-fn machine_with(interface: &Interface, choices: Choices) -> Machine {
-    Machine::new(*interface, choices.iter().fold(Readings::DEFAULT, Readings::with))
+fn machine_with(edition: &Edition, choices: Choices) -> Machine {
+    Machine::new(*edition, choices.iter().fold(Readings::DEFAULT, Readings::with))
 }
 
 /// What the readings cost.
@@ -84,7 +85,7 @@ pub struct ClosedCost {
 /// Checks version 3.0 of the interface under every combination of readings. `progress` is told how much is done, and of
 /// how much.
 pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
-    let interface = Interface::V3_0;
+    let edition = Edition::V3_0;
     let all = combinations();
     let models: Vec<(Choice, Operator)> = alone()
         .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
@@ -96,13 +97,13 @@ pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
     };
     let mut explored = explored(&all, threads, || done(1));
     for (choice, operator) in models {
-        explored.add_closed(&interface, choice, operator, threads);
+        explored.add_closed(&edition, choice, operator, threads);
         done(work.closed_each());
     }
     let Explored { transitions, complete, failing, closed } = explored;
     let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
     let mut costs = minimal(failing, &combinations);
-    add_runs(&mut costs, &interface);
+    add_runs(&mut costs, &edition);
     Sweep { combinations: all.len(), transitions, complete, costs, closed }
 }
 
@@ -148,14 +149,14 @@ impl Explored {
     }
 
     /// Explores the closed model of an operator under a choice and otherwise the default readings.
-    fn add_closed(&mut self, interface: &Interface, choice: Choice, operator: Operator, threads: usize) {
+    fn add_closed(&mut self, edition: &Edition, choice: Choice, operator: Operator, threads: usize) {
         let readings = Readings::DEFAULT.with(choice);
-        let model = Closed::scaled(*interface, readings, operator);
+        let model = Closed::scaled(*edition, readings, operator);
         let exploration = model.clone().explore(threads);
         self.transitions += exploration.transitions as u64;
         self.complete &= exploration.complete;
         for found in exploration.results.into_iter().filter(|found| !found.holds) {
-            let machine = Machine::new(*interface, readings);
+            let machine = Machine::new(*edition, readings);
             // Shortest runs come from one thread.
             let run = model.clone().run_for(found.property.name).or(found.run);
             let inputs = run.map_or_else(Vec::new, |run| model.inputs_for(&machine, &run));
@@ -170,7 +171,7 @@ impl Explored {
 
 /// Explores the open model under these combinations, with the short timers.
 fn explored(all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
-    let short = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+    let short = Edition::V3_0.with_timing(SHORT_TIMERS);
     let next = AtomicUsize::new(0);
     let explored = Mutex::new(Explored::NOTHING);
     thread::scope(|scope| {
@@ -190,9 +191,9 @@ fn explored(all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explore
 }
 
 /// Adds the shortest runs to the properties that fail. What is shown comes from the real timers.
-fn add_runs(costs: &mut [Cost], interface: &Interface) {
+fn add_runs(costs: &mut [Cost], edition: &Edition) {
     for choices in costs.iter().map(|cost| cost.choices).collect::<BTreeSet<_>>() {
-        let runs = runs(&machine_with(interface, choices), interface.timing);
+        let runs = runs(&machine_with(edition, choices), edition.rules.timing);
         for cost in costs.iter_mut().filter(|cost| cost.choices == choices) {
             cost.run = Property::find(cost.name).and_then(|_| runs.get(cost.name).cloned());
         }
@@ -326,7 +327,7 @@ mod tests {
     fn what_is_explored_adds_up() {
         let few: Vec<Readings> =
             combinations().into_iter().filter(|readings| others(*readings).iter().count() < 2).collect();
-        let (times, short) = (AtomicUsize::new(0), Interface { timing: SHORT_TIMERS, ..Interface::V3_0 });
+        let (times, short) = (AtomicUsize::new(0), Edition::V3_0.with_timing(SHORT_TIMERS));
         let found = explored(&few, 2, || {
             times.fetch_add(1, Ordering::Relaxed);
         });
@@ -358,16 +359,16 @@ mod tests {
     #[test]
     fn what_fails_in_a_closed_model_adds_up() {
         let (hasty, choice, operator) = (
-            Interface { timing: Timing { handshake_ms: 10, ..Interface::V3_0.timing }, ..Interface::V3_0 },
+            Edition::V3_0.with_timing(Timing { handshake_ms: 10, ..Edition::V3_0.rules.timing }),
             Choice::GoRaw,
             Operator::WellBehaved,
         );
-        let broken = |interface| {
-            let found = Closed::scaled(interface, Readings::DEFAULT.with(choice), operator).explore(1);
+        let broken = |edition| {
+            let found = Closed::scaled(edition, Readings::DEFAULT.with(choice), operator).explore(1);
             let broken = found.results.into_iter().filter(|found| !found.holds);
             (found.transitions as u64, broken.map(|found| found.property.name).collect::<Vec<_>>())
         };
-        let [(steps, names), (more, none)] = [hasty, Interface::V3_0].map(broken);
+        let [(steps, names), (more, none)] = [hasty, Edition::V3_0].map(broken);
         assert!(
             names.contains(&"conforming-ai-causes-no-emergency") && none.is_empty(),
             "{names:?}, {none:?}"
@@ -376,7 +377,7 @@ mod tests {
         all.add_closed(&hasty, choice, operator, 1);
         assert!(all.complete);
         all.complete = false;
-        all.add_closed(&Interface::V3_0, choice, operator, 1);
+        all.add_closed(&Edition::V3_0, choice, operator, 1);
         assert!(!all.complete, "one of them was not");
         assert_eq!(all.transitions, steps + more);
         assert_eq!(all.closed.iter().map(|cost| cost.property.name).collect::<Vec<_>>(), names);
@@ -388,7 +389,7 @@ mod tests {
     /// Of short timers, as the real ones take long.
     #[test]
     fn properties_get_their_shortest_runs_and_goals_none() {
-        let short = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+        let short = Edition::V3_0.with_timing(SHORT_TIMERS);
         let cost = |name, choice| Cost {
             name,
             choices: Choices::NONE.with(choice),
@@ -403,7 +404,7 @@ mod tests {
         ];
         add_runs(&mut costs, &short);
         for cost in costs {
-            let found = runs(&machine_with(&short, cost.choices), short.timing).remove(cost.name);
+            let found = runs(&machine_with(&short, cost.choices), short.rules.timing).remove(cost.name);
             assert_eq!(found.is_none(), cost.name == "driving-estop", "{}", cost.name);
             assert_eq!(cost.run, found.filter(|_| cost.name != "whole-mission"), "{}", cost.name);
         }
@@ -413,7 +414,7 @@ mod tests {
     fn what_fails_is_broken_or_missed() {
         let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
         let without_rows =
-            Interface { timing: SHORT_TIMERS, table: adsdv_spec::table::Table::new(&[]), ..Interface::V3_0 };
+            Edition::V3_0.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
         let found = explore_quietly(&Machine::new(without_rows, Readings::DEFAULT), &options);
         let names: Vec<&str> = failed(&found).collect();
         assert!(names.contains(&"whole-mission") && names.contains(&"ready-due"), "{names:?}");

@@ -9,7 +9,7 @@ use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use adsdv_spec::{AsState, Control, Interface, Machine, Observation, Timing};
+use adsdv_spec::{AsState, Control, Edition, Machine, Observation, Timing};
 use stateright::{Checker, HasDiscoveries, Model, Path};
 
 use crate::action::Action;
@@ -37,7 +37,7 @@ impl Default for Options {
         Self {
             vectors: Vectors::Every,
             threads: thread::available_parallelism().map_or(1, usize::from),
-            document: Interface::V3_0.timing,
+            document: Edition::V3_0.rules.timing,
         }
     }
 }
@@ -106,7 +106,7 @@ pub fn verify(machine: Machine, options: Options, progress: impl FnMut(Progress)
 pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Progress)) -> Exploration {
     /// Between two looks at how far it has come: short beside the shortest exploration.
     const PACE: Duration = Duration::from_millis(2);
-    let expected_depth = expected_depth(&machine.interface().timing);
+    let expected_depth = expected_depth(&machine.edition().rules.timing);
     let model = Open::new(machine, options.document, options.vectors).with_parts();
     to_the_end(model, options.threads, |depth, seen| {
         while let Some(depth) = depth() {
@@ -236,13 +236,13 @@ fn distance(a: Observation, b: Observation) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::{Atom, Atoms, Fault, Faults, Interface, Readings};
+    use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Readings};
 
     use super::*;
     use crate::sweep::SHORT_TIMERS;
 
     fn explored() -> Exploration {
-        let machine = Machine::new(Interface { timing: SHORT_TIMERS, ..Interface::V3_0 }, Readings::DEFAULT);
+        let machine = Machine::new(Edition::V3_0.with_timing(SHORT_TIMERS), Readings::DEFAULT);
         let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS };
         explore(machine, options, |progress| assert_eq!(progress.expected_depth, 16))
     }
@@ -273,7 +273,7 @@ mod tests {
     /// Who waits can ask until the last state has been seen.
     #[test]
     fn how_deep_it_is_can_be_asked_to_the_end() {
-        let machine = Machine::new(Interface { timing: SHORT_TIMERS, ..Interface::V3_0 }, Readings::DEFAULT);
+        let machine = Machine::new(Edition::V3_0.with_timing(SHORT_TIMERS), Readings::DEFAULT);
         let mut expanded = 0;
         let found = to_the_end(Open::new(machine, SHORT_TIMERS, Vectors::Few), 1, |depth, seen| {
             while depth().is_some() {
@@ -286,7 +286,7 @@ mod tests {
 
     #[test]
     fn the_timers_make_it_as_deep_as_it_is() {
-        assert_eq!(expected_depth(&Interface::V3_0.timing), 2000);
+        assert_eq!(expected_depth(&Edition::V3_0.rules.timing), 2000);
         let (expected, depth) = (expected_depth(&SHORT_TIMERS), explored().depth);
         assert!((expected..expected + 20).contains(&depth), "{depth}");
     }

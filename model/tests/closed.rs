@@ -3,13 +3,13 @@
 use adsdv_model::closed::{Closed, ClosedExploration, Conduct, Operator, Stage};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{Row, Table, Term};
-use adsdv_spec::{Atom, Fault, Interface, Machine, Readings};
+use adsdv_spec::{Atom, Edition, Fault, Machine, Readings};
 use stateright::Path;
 
-const V3_0: Interface = Interface::V3_0;
+const V3_0: Edition = Edition::V3_0;
 
-fn scaled(interface: &Interface, operator: Operator) -> Closed {
-    Closed::scaled(*interface, Readings::DEFAULT, operator)
+fn scaled(edition: &Edition, operator: Operator) -> Closed {
+    Closed::scaled(*edition, Readings::DEFAULT, operator)
 }
 
 #[track_caller]
@@ -46,8 +46,9 @@ fn the_number_of_threads_does_not_matter() {
 }
 
 /// The specification with one row changed.
-fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Interface {
+fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Edition {
     let rows: Vec<Row> = V3_0
+        .rules
         .table
         .rows()
         .iter()
@@ -60,11 +61,11 @@ fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Interface
             Row::new(row.from, row.to, row.section, &terms)
         })
         .collect();
-    Interface { table: Table::new(&rows), ..V3_0 }
+    V3_0.with_table(Table::new(&rows))
 }
 
 /// Without a condition in the terms that are reported as a fault.
-fn without(fault: Fault, atom: Atom) -> Interface {
+fn without(fault: Fault, atom: Atom) -> Edition {
     row(AsState::Driving, AsState::EmergencyBrake, |terms| {
         for term in terms.iter_mut().filter(|term| term.fault == Some(fault)) {
             term.on = term.on.without(atom);
@@ -72,19 +73,19 @@ fn without(fault: Fault, atom: Atom) -> Interface {
     })
 }
 
-fn dropped(from: AsState, to: AsState) -> Interface {
+fn dropped(from: AsState, to: AsState) -> Edition {
     row(from, to, Vec::clear)
 }
 
-fn handshake(handshake_ms: u16) -> Interface {
-    let mut interface = V3_0;
-    interface.timing.handshake_ms = handshake_ms;
-    interface
+fn handshake(handshake_ms: u16) -> Edition {
+    let mut edition = V3_0;
+    edition.rules.timing.handshake_ms = handshake_ms;
+    edition
 }
 
 /// The shortest run that violates a property.
-fn violates(interface: &Interface, operator: Operator, property: &'static str) -> bool {
-    scaled(interface, operator).run_for(property).is_some()
+fn violates(edition: &Edition, operator: Operator, property: &'static str) -> bool {
+    scaled(edition, operator).run_for(property).is_some()
 }
 
 use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
@@ -143,9 +144,9 @@ fn mutants_blame_a_conforming_ai() {
         ("7: NEUTRAL at rest", without(Fault::AutonomousBrakingFault, Atom::Moving)),
         ("8: FINISHED at rest", without(Fault::MissionStatusFault, Atom::Moving)),
     ];
-    for (mutant, interface) in mutants {
+    for (mutant, edition) in mutants {
         for operator in [WellBehaved, Any] {
-            assert!(violates(&interface, operator, name), "{mutant}, {operator:?}");
+            assert!(violates(&edition, operator, name), "{mutant}, {operator:?}");
         }
     }
 }
@@ -163,8 +164,7 @@ fn mutants_lose_a_conforming_ai() {
 
 #[test]
 fn what_is_possible_is_not_possible_anyway() {
-    let possible =
-        |interface: &Interface, operator, name| scaled(interface, operator).run_for(name).is_some();
+    let possible = |edition: &Edition, operator, name| scaled(edition, operator).run_for(name).is_some();
     for (from, to) in [(Off, Ready), (Ready, Driving), (Driving, Finished)] {
         assert!(
             !possible(&dropped(from, to), WellBehaved, "mission-can-be-finished"),

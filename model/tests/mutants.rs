@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, SHORT_TIMERS as SHORT, Vectors};
 use adsdv_spec::mutation::{Change, TermChange, Time};
-use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
-const SHORTENED: Interface = Interface { timing: SHORT, ..Interface::V3_0 };
+const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT);
 
 /// Mutants that no step of the model can show, each with the reason.
 const UNSEEN: &[(&str, &str)] = &[
@@ -21,9 +21,9 @@ const UNSEEN: &[(&str, &str)] = &[
     ("straight +1", "the model sees whether the wheels are straight, not their angle"),
 ];
 
-fn explore(interface: &Interface, readings: Readings) -> Exploration {
+fn explore(edition: &Edition, readings: Readings) -> Exploration {
     let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT };
-    let exploration = adsdv_model::explore(Machine::new(*interface, readings), options, |_| {});
+    let exploration = adsdv_model::explore(Machine::new(*edition, readings), options, |_| {});
     assert!(exploration.complete);
     exploration
 }
@@ -35,13 +35,13 @@ fn failed(exploration: &Exploration) -> BTreeSet<&'static str> {
 }
 
 /// Every mutant, with the readings under which it can matter.
-fn mutants() -> impl Iterator<Item = (String, Interface, Readings)> {
+fn mutants() -> impl Iterator<Item = (String, Edition, Readings)> {
     let by_one = Mutation::all(&SHORTENED).map(|mutation| {
         let readings = match mutation.change {
             Change::Term(row, term, change) => {
                 // A term that is there whatever the readings are is only seen where it would not be.
                 let everywhere = change == TermChange::InEveryReading;
-                let choices = SHORTENED.table.rows()[row].terms()[term].readings.iter();
+                let choices = SHORTENED.rules.table.rows()[row].terms()[term].readings.iter();
                 let choices = choices.map(|choice| if everywhere { other(choice) } else { choice });
                 choices.fold(Readings::DEFAULT, Readings::with)
             }
@@ -68,10 +68,10 @@ fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_somethin
     let mut fails: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     let mut unseen = Vec::new();
     let mut usual: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
-    for (name, interface, readings) in mutants() {
+    for (name, edition, readings) in mutants() {
         let usual =
             usual.entry(readings.to_string()).or_insert_with(|| failed(&explore(&SHORTENED, readings)));
-        let failed = failed(&explore(&interface, readings));
+        let failed = failed(&explore(&edition, readings));
         if failed == *usual {
             unseen.push(name);
         } else if readings == Readings::DEFAULT {
@@ -121,11 +121,11 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
         ("3.6: leads to AS_FINISHED", "figure-2-arrows"),
     ];
     for (mutant, property) in cases {
-        let Some((_, interface, readings)) = mutants().find(|(name, ..)| name == mutant) else {
+        let Some((_, edition, readings)) = mutants().find(|(name, ..)| name == mutant) else {
             panic!("there is no mutant {mutant}");
         };
         assert_eq!(readings, Readings::DEFAULT, "{mutant}");
-        let failed = failed(&explore(&interface, readings));
+        let failed = failed(&explore(&edition, readings));
         assert!(failed.contains(property), "{mutant} should fail {property}, and fails {failed:?}");
     }
 }
@@ -134,8 +134,8 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
 #[test]
 fn dead_parts_are_found() {
     use adsdv_spec::{Atom, Row, Table, Term};
-    let dead = |interface: &Interface| {
-        let report = explore(interface, Readings::DEFAULT);
+    let dead = |edition: &Edition| {
+        let report = explore(edition, Readings::DEFAULT);
         report
             .parts
             .iter()
@@ -144,13 +144,13 @@ fn dead_parts_are_found() {
             .collect::<Vec<_>>()
     };
     assert_eq!(dead(&SHORTENED), Vec::<String>::new());
-    let mut rows = SHORTENED.table.rows().to_vec();
+    let mut rows = SHORTENED.rules.table.rows().to_vec();
     let finished = rows.iter().position(|row| row.section == "3.3").unwrap();
     let row = rows[finished];
     let mut terms = row.terms().to_vec();
     terms.push(Term::on("3.3", &[Atom::MissionFinished, Atom::EbsTimerComplete]));
     rows[finished] = Row::new(row.from, row.to, row.section, &terms);
-    let dead = dead(&Interface { table: Table::new(&rows), ..SHORTENED });
+    let dead = dead(&SHORTENED.with_table(Table::new(&rows)));
     assert!(
         dead.contains(
             &"AS_DRIVING -> AS_FINISHED (3.3): EBS timer complete and MISSION_STATUS == FINISHED".to_owned()
@@ -162,7 +162,7 @@ fn dead_parts_are_found() {
 /// Also of the alternatives that only other readings have, none is dead, nor any of its conditions.
 #[test]
 fn every_alternative_decides_under_the_reading_that_has_it() {
-    for row in SHORTENED.table.rows() {
+    for row in SHORTENED.rules.table.rows() {
         for term in row.terms() {
             let readings = term.readings.iter().fold(Readings::DEFAULT, Readings::with);
             let parts = explore(&SHORTENED, readings).parts;

@@ -14,14 +14,14 @@ use adsdv_model::{GOALS, Options, PROPERTIES, Promela, Vectors, explore, reachab
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{
-    AsState, Atoms, Choice, Control, Fault, Faults, Handshake, Interface, Machine, Mutation, Observation,
+    AsState, Atoms, Choice, Control, Edition, Fault, Faults, Handshake, Machine, Mutation, Observation,
     Readings, Timing,
 };
 
 /// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
 /// while the real ones run can happen while these do.
-const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Interface::V3_0.timing };
-const SHORTENED: Interface = Interface { timing: SHORT, ..Interface::V3_0 };
+const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Edition::V3_0.rules.timing };
+const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT);
 
 /// A step of both.
 const CYCLE_MS: u32 = SHORT.cycle_ms as u32;
@@ -62,7 +62,7 @@ fn spin_finds_the_same_with_the_times_of_the_document() {
     check([Subject {
         name: "the reference with its own times".into(),
         machine: Machine::REFERENCE,
-        document: Interface::V3_0.timing,
+        document: Edition::V3_0.rules.timing,
         vectors: Vectors::Read,
     }]);
 }
@@ -146,7 +146,7 @@ impl Subject {
 
     /// Whether each step is compared by itself, which only so many allow.
     fn shows_steps(&self) -> bool {
-        self.vectors != Vectors::Every && self.machine.interface().timing.ebs_timer_ms < 100
+        self.vectors != Vectors::Every && self.machine.edition().rules.timing.ebs_timer_ms < 100
     }
 
     /// What Spin makes of one step is what the machine makes of it.

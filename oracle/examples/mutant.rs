@@ -17,7 +17,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use adsdv_oracle::protocol::{Request, SHOWN, Shown};
-use adsdv_spec::{AsState, Choice, Control, Interface, Machine, Mutation, Outputs, Readings};
+use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Mutation, Outputs, Readings};
 
 /// What the program was asked to do wrong.
 #[derive(Default)]
@@ -41,15 +41,15 @@ struct Wrong {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut wrong = Wrong::default();
-    let (mut interface, mut readings) = (Interface::V3_0, Readings::DEFAULT);
+    let (mut edition, mut readings) = (Edition::V3_0, Readings::DEFAULT);
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         let mut value = || args.next().ok_or(format!("{arg} needs a value"));
         match arg.as_str() {
             "--mutation" => {
                 let name = value()?;
-                let mutation = Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == name);
-                interface = mutation.ok_or(format!("no such mutation: {name}"))?.apply(&interface);
+                let mutation = Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == name);
+                edition = mutation.ok_or(format!("no such mutation: {name}"))?.apply(&edition);
             }
             "--reading" => readings = readings.with(value()?.parse::<Choice>()?),
             "--latency" => wrong.latency = value()?.parse()?,
@@ -72,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             other => return Err(format!("what is {other}?").into()),
         }
     }
-    speak(&Machine::new(interface, readings), wrong)
+    speak(&Machine::new(edition, readings), wrong)
 }
 
 fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {

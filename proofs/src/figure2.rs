@@ -36,7 +36,7 @@ fn taken_if_and_only_if(step: &Step, to: AsState, holds: bool) {
     kani::cover!(!holds, "the guard does not hold");
     assert!(taken == holds, "the arrow is taken if and only if its guard holds");
     let mut shown = false;
-    for (place, row) in (0u8..).zip(subject().machine().interface().table.rows()) {
+    for (place, row) in (0u8..).zip(subject().machine().edition().rules.table.rows()) {
         let arrow = row.from == step.before.state && row.to == to;
         shown |= arrow && step.outputs.taken.is_some_and(|taken| taken.row == place);
     }

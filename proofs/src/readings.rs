@@ -1,6 +1,6 @@
 //! The readings: under each choice that is not the default, a step is what the document says when it is read so.
 
-use adsdv_spec::{Choice, Control, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Control, Edition, Machine, Readings};
 
 use crate::prelude::*;
 use crate::words::{self, Verdict};
@@ -14,7 +14,7 @@ macro_rules! by_the_words {
             #[cfg_attr(kani, kani::proof, kani::unwind(12))]
             pub fn $name() {
                 const READINGS: Readings = Readings::DEFAULT.with(Choice::$choice);
-                const MACHINE: Machine = Machine::new(Interface::V3_0, READINGS);
+                const MACHINE: Machine = Machine::new(Edition::V3_0, READINGS);
                 step_by_the_words(&MACHINE);
             }
         )+
@@ -28,7 +28,7 @@ macro_rules! by_the_words {
 }
 
 fn step_by_the_words(machine: &Machine) {
-    let (timing, readings) = (machine.interface().timing, machine.readings());
+    let (timing, readings) = (machine.edition().rules.timing, machine.readings());
     let before = kani::any_where(|control: &Control| control.is_consistent(&timing, readings));
     let (inputs, dt_ms) = (kani::any(), kani::any());
     let (after, outputs) = subject().step_of(machine, &before, &inputs, dt_ms);

@@ -1,7 +1,7 @@
 //! Steps as theorems draw them: any control state that keeps the invariant, any inputs, any time.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Control, Inputs, Interface, Outputs, Readings, Taken};
+use adsdv_spec::{Control, Edition, Inputs, Outputs, Readings, Taken};
 
 use crate::prelude::*;
 
@@ -35,7 +35,7 @@ impl Step {
 
 /// Whether a control state keeps the invariant of the reference.
 pub const fn keeps_invariant(control: &Control) -> bool {
-    control.is_consistent(&Interface::V3_0.timing, Readings::DEFAULT)
+    control.is_consistent(&Edition::V3_0.rules.timing, Readings::DEFAULT)
 }
 
 /// Any control state that keeps the invariant.

@@ -23,7 +23,7 @@ pub trait Subject {
 
     /// [`Control::is_consistent`], with the times of the interface.
     fn is_consistent(&self, control: &Control, readings: Readings) -> bool {
-        control.is_consistent(&self.machine().interface().timing, readings)
+        control.is_consistent(&self.machine().edition().rules.timing, readings)
     }
 
     /// [`Machine::step`].
@@ -54,12 +54,12 @@ pub trait Subject {
 
     /// [`Inputs::observe`].
     fn observe(&self, inputs: &Inputs) -> Observation {
-        inputs.observe(&self.machine().interface().thresholds)
+        inputs.observe(&self.machine().edition().rules.thresholds)
     }
 
     /// [`Handshake::step`], with the time of the interface.
     fn handshake(&self, before: Handshake, active: bool, answer: bool, dt_ms: u32) -> Handshake {
-        before.step(active, answer, dt_ms, self.machine().interface().timing.handshake_ms)
+        before.step(active, answer, dt_ms, self.machine().edition().rules.timing.handshake_ms)
     }
 
     /// [`Outputs::actuation`].

@@ -98,7 +98,7 @@ fn what_is_taken_is_possible(state: AsState) -> bool {
     let Step { dt_ms, after, outputs, .. } = Step::of(before, kani::any(), kani::any());
     let subject = subject();
     let machine = subject.machine();
-    let rows = machine.interface().table.rows();
+    let rows = machine.edition().rules.table.rows();
     let (mut found, mut any) = (false, false);
     for row in 0..rows.len() {
         if rows[row].from != state {

@@ -50,7 +50,7 @@ use pyo3::prelude::*;
 #[pymodule]
 fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add("INTERFACE_VERSION", adsdv_spec::Interface::V3_0.version)?;
+    module.add("INTERFACE_VERSION", adsdv_spec::Edition::V3_0.version)?;
     error::add(module)?;
     module.add_class::<control::Control>()?;
     module.add_class::<machine::Machine>()?;

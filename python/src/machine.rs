@@ -1,7 +1,7 @@
 //! `Machine`, which steps, and `Vcu`, which remembers.
 
 use adsdv_oracle::protocol::INPUTS;
-use adsdv_spec::{AiMessages, Inputs, Interface, Reading, Readings};
+use adsdv_spec::{AiMessages, Inputs, Edition, Reading, Readings};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
@@ -41,7 +41,7 @@ impl std::hash::Hash for Machine {
 impl Machine {
     fn with(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let readings = value::choices(readings)?.into_iter().fold(Readings::DEFAULT, Readings::with);
-        Ok(Self(adsdv_spec::Machine::new(Interface::V3_0, readings)))
+        Ok(Self(adsdv_spec::Machine::new(Edition::V3_0, readings)))
     }
 
     fn take(&self, control: &adsdv_spec::Control, inputs: Inputs, dt_ms: u32) -> Step {
@@ -77,7 +77,7 @@ fn inputs(
 fn time(dt_ms: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     match dt_ms {
         Some(dt_ms) => value::whole("dt_ms", dt_ms, 0, u32::MAX),
-        None => Ok(Interface::V3_0.timing.cycle_ms.into()),
+        None => Ok(Edition::V3_0.rules.timing.cycle_ms.into()),
     }
 }
 

@@ -68,7 +68,7 @@ fn cycle(control: &mut Control, inputs: &Inputs) -> Outputs {
 #[divan::bench(args = AsState::ALL)]
 fn react(bencher: Bencher, state: AsState) {
     let Stay { mut control, inputs } = Stay::in_state(state);
-    let mut seen = inputs.map(|inputs| inputs.observe(&MACHINE.interface().thresholds));
+    let mut seen = inputs.map(|inputs| inputs.observe(&MACHINE.edition().rules.thresholds));
     bencher.bench_local(move || {
         let reaction = MACHINE.react(&control, *black_box(seen.next()), CYCLE_MS);
         control = reaction.control;

@@ -123,11 +123,11 @@ mod tests {
     use std::string::String;
 
     use super::Atom;
-    use crate::Interface;
+    use crate::{Edition, Rules};
 
     /// The number in an atom's text that a version of the interface decides, with its unit.
     fn limit(atom: Atom) -> Option<String> {
-        let Interface { timing, thresholds, .. } = Interface::V3_0;
+        let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
         match atom {
             Atom::DwellElapsed => Some(format!("{} second ", f64::from(timing.ready_dwell_ms) / 1000.0)),
             Atom::SteerStraight => Some(format!(" {}", thresholds.straight)),

@@ -4,8 +4,8 @@
 //! its initial value, so that equal behaviour is equal control state.
 
 use crate::atoms::Atom;
+use crate::edition::Timing;
 use crate::handshake::Handshake;
-use crate::interface::Timing;
 use crate::messages::{AsState, ShutdownCause};
 use crate::readings::{Choice, Readings};
 

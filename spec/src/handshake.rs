@@ -6,8 +6,8 @@
 /// The VCU's side of the handshake.
 ///
 /// ```
-/// use adsdv_spec::{Handshake, Interface};
-/// let limit = Interface::V3_0.timing.handshake_ms;
+/// use adsdv_spec::{Handshake, Edition};
+/// let limit = Edition::V3_0.rules.timing.handshake_ms;
 /// let mut vcu = Handshake::default().step(true, false, 10, limit); // the AI's 0 matches: the VCU now asks for 1
 /// assert!(vcu.bit);
 /// for _ in 0..4 { vcu = vcu.step(true, false, 10, limit); }        // 40 ms without an answer

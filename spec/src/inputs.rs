@@ -5,8 +5,8 @@
 #![expect(clippy::inline_always, reason = "for speed, as in machine.rs")]
 
 use crate::atoms::{Atom, Atoms};
+use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
-use crate::interface::Thresholds;
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AxleTorque,
     AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, EbsState, Message, MissionStatus,

@@ -16,7 +16,7 @@
 //! | inputs that show a condition or a fault | [`Inputs::show`], [`Inputs::showing`] |
 //! | the handshake (section 2.4, Figure 1) | [`Handshake`] |
 //! | fault flags and `SHUTDOWN_CAUSE` | [`Fault`], [`Faults`] |
-//! | times and thresholds | [`Interface`] |
+//! | times and thresholds | [`Edition`] |
 //! | what the document leaves open | [`readings`] |
 //! | the interface with one thing changed | [`mutation`] |
 //! | the messages and their signals (section 2) | [`messages`] |
@@ -51,11 +51,11 @@ extern crate std;
 mod assi;
 mod atoms;
 mod control;
+mod edition;
 pub mod export;
 mod faults;
 mod handshake;
 mod inputs;
-mod interface;
 mod machine;
 pub mod messages;
 pub mod mutation;
@@ -72,10 +72,10 @@ mod truth;
 pub use assi::Assi;
 pub use atoms::{Atom, Atoms};
 pub use control::Control;
+pub use edition::{Edition, Rules, Thresholds, Timing};
 pub use faults::{Fault, Faults};
 pub use handshake::Handshake;
 pub use inputs::{AiMessages, Inputs, Observation, Reports, ShutdownCircuit, Vehicle};
-pub use interface::{Interface, Thresholds, Timing};
 pub use machine::{Machine, Reaction, Taken};
 pub use messages::AsState;
 pub use mutation::Mutation;

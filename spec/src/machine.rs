@@ -12,23 +12,23 @@
 
 use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
+use crate::edition::{Edition, Rules};
 use crate::faults::Faults;
 use crate::handshake::count_up;
 use crate::inputs::{Inputs, Observation};
-use crate::interface::Interface;
 use crate::messages::{AsState, ShutdownCause};
 use crate::outputs::Outputs;
 use crate::readings::{Choice, Readings};
-use crate::table::{MAX_ROWS, MAX_TERMS, PRIORITIES, Row, Table, Term};
+use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
 use crate::truth::Knowledge;
 
 /// How many states there are; states count from 1.
 const STATES: usize = AsState::ALL.len();
 
-/// A version of the interface with one answer to every open question: ready to step.
+/// A version of the edition with one answer to every open question: ready to step.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
-    interface: Interface,
+    edition: Edition,
     readings: Readings,
     /// The terms that these readings have, row by row, in the order of evaluation.
     arrows: [Arrow; MAX_ROWS * MAX_TERMS],
@@ -107,23 +107,23 @@ pub struct Reaction {
 
 impl Machine {
     /// The reference: version 3.0 with the default readings.
-    pub const REFERENCE: Self = Self::new(Interface::V3_0, Readings::DEFAULT);
+    pub const REFERENCE: Self = Self::new(Edition::V3_0, Readings::DEFAULT);
 
-    /// A machine for a version of the interface and an answer to every open question.
-    pub const fn new(interface: Interface, readings: Readings) -> Self {
+    /// A machine for a version of the edition and an answer to every open question.
+    pub const fn new(edition: Edition, readings: Readings) -> Self {
         let nowhere = Arrow {
             condition: Condition { on: Atoms::NONE, care: Atoms::NONE },
             to: AsState::Off,
             taken: Taken { row: 0, term: 0 },
         };
         let mut machine = Self {
-            interface,
+            edition,
             readings,
             arrows: [nowhere; MAX_ROWS * MAX_TERMS],
             begins: [0; STATES + 2],
             go_conditions: None,
         };
-        let rows = interface.table.rows();
+        let rows = edition.rules.table.rows();
         let mut filled = 0;
         let mut state = 0;
         while state < STATES {
@@ -131,7 +131,7 @@ impl Machine {
             machine.begins[from as usize] = filled as u8;
             // The row that a reading lets overtake comes first; then the others in the table's order.
             //= D-3 to D-5
-            let first = overtaking(rows, from, readings);
+            let first = overtaking(&edition.rules, from, readings);
             if let Some(row) = first {
                 filled = machine.add(row, filled);
             }
@@ -150,10 +150,10 @@ impl Machine {
     }
 
     const fn add(&mut self, row: usize, mut filled: usize) -> usize {
-        let Row { from, to, .. } = self.interface.table.rows()[row];
+        let Row { from, to, .. } = self.edition.rules.table.rows()[row];
         let mut term = 0;
-        while term < self.interface.table.rows()[row].terms().len() {
-            let Term { on, off, readings, .. } = self.interface.table.rows()[row].terms()[term];
+        while term < self.edition.rules.table.rows()[row].terms().len() {
+            let Term { on, off, readings, .. } = self.edition.rules.table.rows()[row].terms()[term];
             // A term that asks for an atom to be both on and off never holds.
             if readings.is_subset(self.readings.choices()) && on.intersection(off).is_empty() {
                 let condition = Condition { on, care: on.union(off) };
@@ -170,9 +170,9 @@ impl Machine {
         filled
     }
 
-    /// The version of the interface.
-    pub const fn interface(&self) -> &Interface {
-        &self.interface
+    /// The version of the edition.
+    pub const fn edition(&self) -> &Edition {
+        &self.edition
     }
 
     /// The answers to the open questions.
@@ -199,14 +199,14 @@ impl Machine {
     /// ```
     #[inline(always)]
     pub const fn step(&self, control: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
-        let reaction = self.react(control, inputs.observe(&self.interface.thresholds), dt_ms);
+        let reaction = self.react(control, inputs.observe(&self.edition.rules.thresholds), dt_ms);
         (reaction.control, self.outputs(control.state, &reaction, inputs.go))
     }
 
     /// The part of a step behind [`Inputs::observe`]: the same for all inputs with the same observation.
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
-        let timing = &self.interface.timing;
+        let timing = &self.edition.rules.timing;
         //= HS-1, D-8
         let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms().has(Atom::Tsms);
         let answer = seen.atoms().has(Atom::AiHandshake);
@@ -270,7 +270,7 @@ impl Machine {
     ) -> Atoms {
         let elapsed = match Atom::of_timer(control.state) {
             Some(atom) => {
-                Atoms::when(atom, in_state_ms >= self.interface.timing.in_state_limit(control.state))
+                Atoms::when(atom, in_state_ms >= self.edition.rules.timing.in_state_limit(control.state))
             }
             None => Atoms::NONE,
         };
@@ -315,8 +315,8 @@ impl Machine {
         while i < end {
             let arrow = &self.arrows[i as usize];
             if arrow.taken.row == taken.row && arrow.condition.holds(atoms) {
-                let term =
-                    &self.interface.table.rows()[arrow.taken.row as usize].terms()[arrow.taken.term as usize];
+                let term = &self.edition.rules.table.rows()[arrow.taken.row as usize].terms()
+                    [arrow.taken.term as usize];
                 faults = faults.union(match term.fault {
                     Some(fault) => Faults::NONE.with(fault),
                     None => seen.intersection(Faults::OPENING),
@@ -329,7 +329,7 @@ impl Machine {
 
     /// The atoms that the control state decides at a step, were these all that is seen.
     pub(crate) const fn memory_atoms(&self, control: &Control, dt_ms: u32, seen: Atoms) -> Atoms {
-        let limit = self.interface.timing.in_state_limit(control.state);
+        let limit = self.edition.rules.timing.in_state_limit(control.state);
         self.control_atoms(control, count_up(control.in_state_ms, dt_ms, limit), false, seen)
     }
 
@@ -382,10 +382,12 @@ impl Default for Machine {
 }
 
 /// The row of a state that a reading lets overtake the others.
-const fn overtaking(rows: &[Row], from: AsState, readings: Readings) -> Option<usize> {
+const fn overtaking(rules: &Rules, from: AsState, readings: Readings) -> Option<usize> {
+    let Rules { table, priorities, .. } = rules;
+    let rows = table.rows();
     let mut i = 0;
-    while i < PRIORITIES.len() {
-        let priority = &PRIORITIES[i];
+    while i < priorities.len() {
+        let priority = &priorities[i];
         if priority.from as u8 == from as u8 && readings.is(priority.choice) {
             let mut row = 0;
             while row < rows.len() {

@@ -1,4 +1,4 @@
-//! Mutations: an [`Interface`] with one thing changed.
+//! Mutations: an [`Edition`] with one thing changed.
 //!
 //! They are the yardstick for everything that claims to check a machine against the document: a check that lets a
 //! mutant pass, though it behaves otherwise, is incomplete.
@@ -6,7 +6,7 @@
 use core::fmt;
 
 use crate::atoms::Atom;
-use crate::interface::Interface;
+use crate::edition::Edition;
 use crate::messages::{AsState, SteerAngle, WheelSpeed};
 use crate::readings::Choices;
 use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
@@ -14,9 +14,9 @@ use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
 /// One change. Rows are numbered as in [`Table::rows`], terms as in [`Row::terms`], both from 0.
 ///
 /// ```
-/// use adsdv_spec::{AsState, Control, Inputs, Interface, Machine, Mutation, Readings};
-/// let dropped = Mutation::all(&Interface::V3_0).find(|m| m.to_string() == "3.6: dropped").unwrap();
-/// let mutant = Machine::new(dropped.apply(&Interface::V3_0), Readings::DEFAULT);
+/// use adsdv_spec::{AsState, Control, Inputs, Edition, Machine, Mutation, Readings};
+/// let dropped = Mutation::all(&Edition::V3_0).find(|m| m.to_string() == "3.6: dropped").unwrap();
+/// let mutant = Machine::new(dropped.apply(&Edition::V3_0), Readings::DEFAULT);
 /// let ready = Control { state: AsState::Ready, ..Control::INITIAL };
 /// let (after, _) = mutant.step(&ready, &Inputs::default(), 10);
 /// assert_eq!(after.state, AsState::Ready); // ASMS is off, and nobody cares
@@ -82,9 +82,9 @@ pub enum Threshold {
 }
 
 impl Mutation {
-    /// Every mutation of an interface, times and thresholds by one unit.
-    pub fn all(interface: &Interface) -> impl Iterator<Item = Self> {
-        let rows = interface.table.rows();
+    /// Every mutation of an edition, times and thresholds by one unit.
+    pub fn all(edition: &Edition) -> impl Iterator<Item = Self> {
+        let rows = edition.rules.table.rows();
         let by_row = rows.iter().enumerate().flat_map(move |(row, Row { section, .. })| {
             changes_of_row(rows, row).map(move |change| Self { section, change })
         });
@@ -99,28 +99,29 @@ impl Mutation {
 
     /// The interface with the change.
     #[must_use]
-    pub fn apply(&self, interface: &Interface) -> Interface {
-        self.change.apply(interface)
+    pub fn apply(&self, edition: &Edition) -> Edition {
+        self.change.apply(edition)
     }
 }
 
 impl Change {
     /// The interface with the change. What the change speaks of and the interface does not have stays as it is.
     #[must_use]
-    pub fn apply(&self, interface: &Interface) -> Interface {
-        let mut mutant = *interface;
+    pub fn apply(&self, edition: &Edition) -> Edition {
+        let mut mutant = *edition;
         match *self {
-            Change::RowDropped(row) => mutant.table = with_row(&mutant.table, row, |_| None),
+            Change::RowDropped(row) => mutant.rules.table = with_row(&mutant.rules.table, row, |_| None),
             Change::RowLeadsTo(row, to) => {
                 let leading = |row: &Row| Some(Row::new(row.from, to, row.section, row.terms()));
-                mutant.table = with_row(&mutant.table, row, leading);
+                mutant.rules.table = with_row(&mutant.rules.table, row, leading);
             }
-            Change::RowFirst(row) => mutant.table = with_row_first(&mutant.table, row),
+            Change::RowFirst(row) => mutant.rules.table = with_row_first(&mutant.rules.table, row),
             Change::Term(row, term, change) => {
-                mutant.table = with_row(&mutant.table, row, |row| Some(with_term(row, term, change)));
+                mutant.rules.table =
+                    with_row(&mutant.rules.table, row, |row| Some(with_term(row, term, change)));
             }
             Change::Time(time, by) => {
-                let timing = &mut mutant.timing;
+                let timing = &mut mutant.rules.timing;
                 let time = match time {
                     Time::ReadyDwell => &mut timing.ready_dwell_ms,
                     Time::EbsTimer => &mut timing.ebs_timer_ms,
@@ -129,7 +130,7 @@ impl Change {
                 *time = time.saturating_add_signed(by);
             }
             Change::Threshold(threshold, by) => {
-                let (thresholds, by) = (&mut mutant.thresholds, i32::from(by));
+                let (thresholds, by) = (&mut mutant.rules.thresholds, i32::from(by));
                 match threshold {
                     Threshold::WheelSpeed => {
                         thresholds.wheel_speed = WheelSpeed::clamped(thresholds.wheel_speed.raw() + by);

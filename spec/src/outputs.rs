@@ -95,12 +95,12 @@ pub struct VcuMessages {
 impl Outputs {
     /// The row of Figure 2 that was taken.
     pub fn row<'a>(&self, machine: &'a Machine) -> Option<&'a Row> {
-        self.taken?.row(&machine.interface().table)
+        self.taken?.row(&machine.edition().rules.table)
     }
 
     /// The alternative of that row's guard that decided.
     pub fn term<'a>(&self, machine: &'a Machine) -> Option<&'a Term> {
-        self.taken?.term(&machine.interface().table)
+        self.taken?.term(&machine.edition().rules.table)
     }
 
     /// The status light.

@@ -93,7 +93,7 @@ impl Machine {
     /// The alternatives that some inputs can make a step from this control state take, in the order of evaluation.
     pub fn possible(&self, control: &Control, dt_ms: u32) -> impl Iterator<Item = (&Row, &Term)> {
         let known = self.known(control, dt_ms);
-        let table = &self.interface().table;
+        let table = &self.edition().rules.table;
         let arrows =
             self.arrows(control.state).filter_map(|taken| Some((taken.row(table)?, taken.term(table)?)));
         arrows.filter(move |(_, term)| term.truth(known) != Truth::False)
@@ -109,7 +109,7 @@ impl Machine {
     /// assert!(!vcu.is_possible(&Control { power_cycle_needed: true, ..Control::INITIAL }, 10, first));
     /// ```
     pub fn is_possible(&self, control: &Control, dt_ms: u32, taken: Taken) -> bool {
-        let table = &self.interface().table;
+        let table = &self.edition().rules.table;
         let (Some(row), Some(term)) = (taken.row(table), taken.term(table)) else { return false };
         row.from == control.state
             && term.readings.is_subset(self.readings().choices())

@@ -4,9 +4,9 @@
 //! that are wanted: by as little as that takes, and where a threshold decides, to the value next to it.
 
 use crate::atoms::{Atom, Atoms};
+use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::inputs::{Inputs, Observation, ShutdownCircuit};
-use crate::interface::Thresholds;
 use crate::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds,
     WheelSpeed,
@@ -28,8 +28,8 @@ impl Inputs {
     /// Atoms that the VCU's memory decides are none of the inputs' making: nothing changes.
     ///
     /// ```
-    /// use adsdv_spec::{Atom, Inputs, Interface};
-    /// let thresholds = Interface::V3_0.thresholds;
+    /// use adsdv_spec::{Atom, Inputs, Edition};
+    /// let thresholds = Edition::V3_0.rules.thresholds;
     /// let mut inputs = Inputs::default();
     /// inputs.show(Atom::Moving, true, &thresholds);
     /// assert_eq!(inputs.vehicle.wheel_speeds.fl_wheel_speed.raw(), 11); // the slowest that is moving
@@ -132,7 +132,7 @@ impl Inputs {
     /// ```
     /// use adsdv_spec::{Atom, Atoms, Control, Faults, Inputs, Machine, Observation};
     /// let vcu = Machine::REFERENCE;
-    /// let thresholds = vcu.interface().thresholds;
+    /// let thresholds = vcu.edition().rules.thresholds;
     /// let reads = vcu.reads(&Control::INITIAL, 10);
     /// let seen = Observation::new(Atoms::of(&[Atom::Asms, Atom::EbsArmed]), Faults::NONE);
     /// let inputs = Inputs { go: true, ..Inputs::default() }.showing(seen, &reads, &thresholds);

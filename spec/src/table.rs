@@ -210,7 +210,7 @@ pub struct Priority {
 }
 
 /// The readings that change the order of rows.
-pub const PRIORITIES: [Priority; 3] = [
+pub const PRIORITIES: &[Priority] = &[
     Priority { choice: Choice::ReadyOffFirst, from: AsState::Ready, first: AsState::Off },
     Priority { choice: Choice::FinishedOffFirst, from: AsState::Finished, first: AsState::Off },
     Priority { choice: Choice::DrivingFinishedFirst, from: AsState::Driving, first: AsState::Finished },

@@ -6,7 +6,7 @@ use std::fmt::Display;
 use std::path::Path;
 use std::{fs, iter};
 
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
 use adsdv_spec::messages::{Decimal, MESSAGES};
 use can_dbc::{AttributeValue, ByteOrder, MessageId, ValueDescription, ValueType};
@@ -39,7 +39,7 @@ fn parse(text: &str) -> can_dbc::Dbc {
 }
 
 fn exported() -> can_dbc::Dbc {
-    parse(&Dbc(&Interface::V3_0).to_string())
+    parse(&Dbc(&Edition::V3_0).to_string())
 }
 
 fn standard(id: MessageId) -> u32 {
@@ -144,7 +144,7 @@ fn export_says_what_the_table_says() {
 
     let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
     assert_eq!(senders, ["AI", "VCU"]);
-    assert_eq!(dbc.version.0, Interface::V3_0.version);
+    assert_eq!(dbc.version.0, Edition::V3_0.version);
 }
 
 #[test]

@@ -4,13 +4,13 @@
 use adsdv_spec::export::{Dot, Figure2, Mermaid};
 use adsdv_spec::messages::MissionStatus;
 use adsdv_spec::table::{FIGURE_2, Row};
-use adsdv_spec::{AsState, Choice, Control, Inputs, Interface, Machine, Readings, ShutdownCircuit};
+use adsdv_spec::{AsState, Choice, Control, Edition, Inputs, Machine, Readings, ShutdownCircuit};
 
 /// An arrow as it is printed: from, to, section, and the alternatives of the guard.
 type Printed = (String, String, String, Vec<String>);
 
 fn machines() -> impl Iterator<Item = Machine> {
-    Choice::ALL.iter().map(|&choice| Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice)))
+    Choice::ALL.iter().map(|&choice| Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
 }
 
 /// An arrow and the conditions of its alternatives, each read from the table once more.
@@ -129,7 +129,7 @@ fn arrows_stand_in_the_order_of_evaluation() {
 
 #[test]
 fn a_diagram_names_the_readings_that_are_not_the_default() {
-    let machine = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
+    let machine = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
     for text in [Mermaid(&machine).to_string(), Dot(&machine).to_string()] {
         let title = text.lines().next().unwrap_or_default();
         assert!(title.ends_with("Specification 3.0, read with fault-trigger=edge"), "{title}");

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Interface, Taken};
+use adsdv_spec::{Edition, Taken};
 use adsdv_tests::fuzzed::{TARGETS, car, judge_any, replay, seeds, step};
 
 /// The body that stands with the border to C, and is run again by the tests there.
@@ -152,7 +152,7 @@ fn the_seeds_of_step_take_every_term_of_the_table() {
     let corpus = seeds::corpus();
     let taken: Vec<_> = corpus["step"].values().flat_map(|seed| step::taken(seed)).collect();
     let mut left = Vec::new();
-    for (row, def) in (0..).zip(Interface::V3_0.table.rows()) {
+    for (row, def) in (0..).zip(Edition::V3_0.rules.table.rows()) {
         for (term, _) in (0..).zip(def.terms()) {
             if !taken.contains(&Taken { row, term }) {
                 left.push(format!("{} -> {}: term {term}", def.from, def.to));

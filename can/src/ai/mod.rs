@@ -19,7 +19,7 @@ use adsdv_spec::messages::{
     AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, Frame, Message, MissionStatus,
     MotorSpeedMax, SpeedKmh, SteerAngle,
 };
-use adsdv_spec::{AiMessages, Interface};
+use adsdv_spec::{AiMessages, Edition};
 
 use crate::car::{Physics, gear_ratio};
 use from_vcu::FromVcu;
@@ -103,7 +103,7 @@ pub enum Stage {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Ai {
-    interface: Interface,
+    edition: Edition,
     physics: Physics,
     plan: Plan,
     stage: Stage,
@@ -129,7 +129,7 @@ impl Ai {
     /// An AI Computer that was just switched on, in a car of [`Physics::DEFAULT`].
     pub fn new(plan: Plan) -> Self {
         Self {
-            interface: Interface::V3_0,
+            edition: Edition::V3_0,
             physics: Physics::DEFAULT,
             plan,
             stage: Stage::Idle,
@@ -150,7 +150,7 @@ impl Ai {
     /// A frame that came from the bus. What is not of the VCU changes nothing; what is, and does not decode, neither, and is an
     /// error.
     pub fn receive(&mut self, frame: &Frame) -> Result<(), DecodeError> {
-        if self.heard.frame(frame, self.interface.thresholds)? {
+        if self.heard.frame(frame, self.edition.rules.thresholds)? {
             self.silent_ms = 0;
         }
         Ok(())
@@ -215,7 +215,7 @@ impl Ai {
     /// Whether it is no longer safe to drive: the VCU asks it to stop, or is not heard for so long that it would count the
     /// AI Computer as lost.
     fn must_stop(&self) -> bool {
-        self.heard.status.shutdown_request || self.silent_ms > self.interface.timing.handshake_ms.into()
+        self.heard.status.shutdown_request || self.silent_ms > self.edition.rules.timing.handshake_ms.into()
     }
 
     /// What it says to the VCU (section 2.1).

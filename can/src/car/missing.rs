@@ -81,7 +81,7 @@ pub fn missing_for(car: &Car, wanted: AsState) -> Option<Missing> {
     let state = car.outputs()?.state;
     let machine = car.machine();
     // What would be seen were the same seen once more: an arrow that is not taken then waits for something.
-    let seen = car.inputs().observe(&machine.interface().thresholds);
+    let seen = car.inputs().observe(&machine.edition().rules.thresholds);
     let atoms = machine.react(car.control(), seen, 0).atoms;
     let next = next_on_the_way(machine, state, wanted)?;
     let waits = |term: &Term| -> Vec<(Atom, bool)> {
@@ -107,7 +107,7 @@ pub fn missing_for(car: &Car, wanted: AsState) -> Option<Missing> {
 
 /// The arrows from one state to another.
 fn arrows(machine: &Machine, from: AsState, to: AsState) -> impl Iterator<Item = (&Row, &Term)> {
-    let table = &machine.interface().table;
+    let table = &machine.edition().rules.table;
     let arrows = machine.arrows(from).filter_map(|taken| Some((taken.row(table)?, taken.term(table)?)));
     arrows.filter(move |(row, _)| row.to == to)
 }
@@ -147,7 +147,7 @@ fn power_cycle(machine: &Machine, from: AsState, wanted: AsState, atoms: Atoms) 
 fn left_ms(car: &Car, atom: Atom, value: bool) -> Option<u16> {
     let control = car.control();
     let is_timer = value && Atom::of_timer(control.state) == Some(atom);
-    let limit = car.machine().interface().timing.in_state_limit(control.state);
+    let limit = car.machine().edition().rules.timing.in_state_limit(control.state);
     is_timer.then(|| limit.saturating_sub(control.in_state_ms))
 }
 
@@ -162,7 +162,7 @@ fn action(inputs: &Inputs, machine: &Machine, atom: Atom, value: bool) -> Option
     let holds = |switch: Switch, raw: i32| {
         let mut inputs = inputs;
         switch.set(&mut inputs, raw);
-        inputs.observe(&machine.interface().thresholds).atoms().has(atom) == value
+        inputs.observe(&machine.edition().rules.thresholds).atoms().has(atom) == value
     };
     Switch::all().find_map(|switch| {
         let raw = switch.positions().into_iter().find(|&raw| holds(switch, raw))?;

@@ -138,7 +138,7 @@ impl Car {
 
     /// Whether it is time for 502h: in the first cycle, and then without drift.
     fn log_status_is_due(&mut self, dt_ms: u32) -> bool {
-        let limit = self.machine.interface().timing.log_status_cycle_ms.into();
+        let limit = self.machine.edition().rules.timing.log_status_cycle_ms.into();
         let since = self.log_status_ms.map(|since| since.saturating_add(dt_ms));
         let is_due = since.is_none_or(|since| since >= limit);
         // What is too much counts for the next one, but for whole cycles of 502h that were missed.
@@ -173,6 +173,6 @@ impl Car {
 
     /// The cycle of the VCU, in milliseconds.
     pub fn cycle_ms(&self) -> u32 {
-        self.machine.interface().timing.cycle_ms.into()
+        self.machine.edition().rules.timing.cycle_ms.into()
     }
 }

@@ -179,7 +179,7 @@ impl<B: Bus> Vcu<B> {
     /// Notes that the AI Computer has fallen silent: for longer than an answer may take.
     fn look_for_ai(&mut self) {
         let silent = self.ai_silent_ms();
-        let limit = self.car.machine().interface().timing.handshake_ms.into();
+        let limit = self.car.machine().edition().rules.timing.handshake_ms.into();
         if silent.is_some_and(|silent| silent > limit) {
             self.heard_since = None;
             if std::mem::replace(&mut self.heard, false) {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use adsdv_model::closed::{Closed, Expectation, Operator};
 use adsdv_model::{GOALS, Goal, Options, PROPERTIES, Part, Property, Report, Run, Vectors, verify};
-use adsdv_spec::{Interface, Machine, Readings};
+use adsdv_spec::{Edition, Machine, Readings};
 
 use crate::args::Models;
 use crate::layout::counted;
@@ -82,7 +82,7 @@ impl Outcome {
 
 /// Explores the models.
 pub(super) fn explore(readings: Readings, which: Models, vectors: Vectors, threads: usize) -> Outcome {
-    let machine = Machine::new(Interface::V3_0, readings);
+    let machine = Machine::new(Edition::V3_0, readings);
     let mut line = Line::new();
     let mut outcome = Outcome { machine, models: Vec::new(), parts: Vec::new() };
     if which != Models::Closed {
@@ -109,7 +109,7 @@ pub(super) fn explore(readings: Readings, which: Models, vectors: Vectors, threa
             "closed model, any operator",
             "that AI Computer; any switch and the remote E-stop at any time; short timers",
             &machine,
-            &Closed::scaled(Interface::V3_0, readings, Operator::Any),
+            &Closed::scaled(Edition::V3_0, readings, Operator::Any),
             threads,
         ));
     }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use adsdv_model::Part;
 use adsdv_oracle::judge::Verdict;
-use adsdv_spec::{Choice, Interface};
+use adsdv_spec::{Choice, Edition};
 
 use super::counterexample::{self, Failure};
 use super::outcome::{Checked, Claim, Explored, Outcome};
@@ -35,7 +35,7 @@ fn write(
     failures: &[Failure],
     width: usize,
 ) -> fmt::Result {
-    writeln!(out, "ADS-DV Software Interface Specification {}", Interface::V3_0.version)?;
+    writeln!(out, "ADS-DV Software Interface Specification {}", Edition::V3_0.version)?;
     for pin in pins {
         writeln!(out, "reading {pin}: {}", pin.text())?;
     }

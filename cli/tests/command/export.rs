@@ -1,7 +1,7 @@
 //! `adsdv export`: the Promela model is the model's own, and has every row of the table.
 
 use adsdv_model::{Promela, Vectors};
-use adsdv_spec::{Choice, FIGURE_2, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Edition, FIGURE_2, Machine, Readings};
 
 use crate::run::run;
 
@@ -13,8 +13,8 @@ fn promela(options: &[&str]) -> String {
 }
 
 fn model(readings: Readings, vectors: Vectors) -> String {
-    let machine = Machine::new(Interface::V3_0, readings);
-    Promela { machine: &machine, document: Interface::V3_0.timing, vectors }.to_string()
+    let machine = Machine::new(Edition::V3_0, readings);
+    Promela { machine: &machine, document: Edition::V3_0.rules.timing, vectors }.to_string()
 }
 
 #[test]

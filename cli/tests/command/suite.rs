@@ -1,7 +1,7 @@
 //! `adsdv suite`: every line keeps to its schema, the proof is complete, and what it prints can be read.
 
 use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN};
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 use serde_json::{Value, json};
 
 use crate::run::{file, run};
@@ -19,7 +19,7 @@ fn every_line_is_a_test_and_keeps_to_the_schema() {
     }
     let read = adsdv_oracle::suite::read(printed.stdout.as_bytes(), &Machine::REFERENCE).expect("bytes");
     assert_eq!(read.bad, []);
-    assert_eq!(read.tests, adsdv_oracle::suite::generate(&Interface::V3_0));
+    assert_eq!(read.tests, adsdv_oracle::suite::generate(&Edition::V3_0));
 }
 
 /// The schema says of each key what the protocol does.

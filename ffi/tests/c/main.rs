@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_oracle::protocol::{Answer, Request, Shown};
 use adsdv_oracle::suite::Step;
-use adsdv_spec::{Control, Interface, Machine};
+use adsdv_spec::{Control, Edition, Machine};
 use common::Run;
 use compile::{C, CPP, Linked, built, compiler, folder, syntax};
 
@@ -217,7 +217,7 @@ fn script(seed: u64, steps: u32) -> Vec<(String, Option<Shown>)> {
 
 /// The whole test suite.
 fn suite() -> impl Iterator<Item = (String, Option<Shown>)> {
-    adsdv_oracle::suite::generate(&Interface::V3_0).into_iter().flat_map(|test| {
+    adsdv_oracle::suite::generate(&Edition::V3_0).into_iter().flat_map(|test| {
         let steps = test.scenario.steps.iter().zip(test.scenario.shown(&Machine::REFERENCE));
         let steps = steps.map(|(&Step { dt_ms, inputs }, shown)| {
             (Request::Step { dt_ms, inputs }.to_string(), Some(shown))

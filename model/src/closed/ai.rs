@@ -6,7 +6,7 @@ use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, AmiState, AnyMessage, AsState, AxleTorqueRequest,
     BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax, Vcu2AiWheelSpeeds,
 };
-use adsdv_spec::{AiMessages, Atom, Interface, VcuMessages};
+use adsdv_spec::{AiMessages, Atom, Edition, VcuMessages};
 
 /// The AI Computer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -115,7 +115,7 @@ impl FromVcu {
                 Self { brake: !axles.contains(&0), ..self }
             }
             Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
-                let at_rest = speeds.atoms(&Interface::V3_0.thresholds).has(Atom::AtRest);
+                let at_rest = speeds.atoms(&Edition::V3_0.rules.thresholds).has(Atom::AtRest);
                 Self { turning: !at_rest, ..self }
             }
             _ => self,

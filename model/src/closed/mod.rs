@@ -72,7 +72,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use adsdv_spec::messages::{AsState, DirectionRequest, ShutdownCause};
-use adsdv_spec::{AiMessages, Control, Inputs, Interface, Machine, Outputs, Readings, Timing};
+use adsdv_spec::{AiMessages, Control, Edition, Inputs, Machine, Outputs, Readings, Timing};
 use stateright::{Model, Path, Property};
 
 /// Whether a property is to hold always, in the end, or once.
@@ -89,12 +89,12 @@ pub use state::{ClosedState, Mission, Motion, Rank, Wheels};
 pub const DAWDLE_CYCLES: u16 = 2;
 
 /// How many steps of the VCU the dwell takes when it is scaled: one more than an answer may.
-pub const DWELL_CYCLES: u16 = V3_0.timing.handshake_ms / V3_0.timing.cycle_ms + 1;
+pub const DWELL_CYCLES: u16 = V3_0.rules.timing.handshake_ms / V3_0.rules.timing.cycle_ms + 1;
 
 /// How many steps of the VCU the EBS timer takes when it is scaled.
 pub const EBS_CYCLES: u16 = 2;
 
-const V3_0: Interface = Interface::V3_0;
+const V3_0: Edition = Edition::V3_0;
 
 /// The closed model.
 #[derive(Clone, Debug)]
@@ -120,7 +120,7 @@ impl Closed {
     pub fn new(machine: Machine, operator: Operator) -> Self {
         Self {
             machine,
-            timing: V3_0.timing,
+            timing: V3_0.rules.timing,
             operator,
             faults: matches!(operator, Operator::Any),
             conduct: Conduct::Reference,
@@ -133,15 +133,15 @@ impl Closed {
     ///
     /// ```
     /// use adsdv_model::closed::{Closed, Operator, DWELL_CYCLES};
-    /// use adsdv_spec::{Interface, Readings};
-    /// let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+    /// use adsdv_spec::{Edition, Readings};
+    /// let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::WellBehaved);
     /// assert_eq!(model.timing.ready_dwell_ms, DWELL_CYCLES * model.timing.cycle_ms);
     /// assert_eq!(model.timing.handshake_ms, 50);
     /// ```
-    pub fn scaled(interface: Interface, readings: Readings, operator: Operator) -> Self {
-        let timing = scaled(interface.timing);
-        let machine = Machine::new(Interface { timing, ..interface }, readings);
-        Self { timing: scaled(V3_0.timing), ..Self::new(machine, operator) }
+    pub fn scaled(edition: Edition, readings: Readings, operator: Operator) -> Self {
+        let timing = scaled(edition.rules.timing);
+        let machine = Machine::new(edition.with_timing(timing), readings);
+        Self { timing: scaled(V3_0.rules.timing), ..Self::new(machine, operator) }
     }
 
     /// The model for people: real times, any operator, faults, and a way to let time pass.
@@ -301,7 +301,7 @@ fn with(received: &AiMessages, frame: &adsdv_spec::messages::Frame) -> AiMessage
 }
 
 const fn scaled(timing: Timing) -> Timing {
-    let cycle = V3_0.timing.cycle_ms;
+    let cycle = V3_0.rules.timing.cycle_ms;
     Timing { ready_dwell_ms: DWELL_CYCLES * cycle, ebs_timer_ms: EBS_CYCLES * cycle, ..timing }
 }
 

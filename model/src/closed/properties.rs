@@ -88,7 +88,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
         operators: BOTH,
         expectation: Expectation::Always,
         condition: |model, state| {
-            !state.control.handshake.is_lost(model.machine.interface().timing.handshake_ms)
+            !state.control.handshake.is_lost(model.machine.edition().rules.timing.handshake_ms)
         },
     },
     ClosedProperty {

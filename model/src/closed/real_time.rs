@@ -46,7 +46,7 @@ impl Closed {
         let mut waits = vec![0; before.len()];
         let mut entered = 0;
         for (place, control) in before.iter().enumerate() {
-            let limit = self.machine.interface().timing.in_state_limit(control.state);
+            let limit = self.machine.edition().rules.timing.in_state_limit(control.state);
             match place.checked_sub(1).and_then(|last| before.get(last)) {
                 Some(last) if last.state == control.state => {}
                 _ => entered = place,
@@ -63,7 +63,7 @@ impl Closed {
     /// How many cycles a timer of the machine takes more than this model's, made even.
     fn missing(&self, machine: &Machine, state: AsState) -> u16 {
         let [real, scaled] =
-            [machine, &self.machine].map(|machine| machine.interface().timing.in_state_limit(state));
+            [machine, &self.machine].map(|machine| machine.edition().rules.timing.in_state_limit(state));
         let cycles = real.saturating_sub(scaled).checked_div(self.timing.cycle_ms).unwrap_or_default();
         cycles.saturating_add(cycles % 2)
     }
@@ -71,7 +71,7 @@ impl Closed {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::{Interface, Machine, Readings};
+    use adsdv_spec::{Edition, Machine, Readings};
     use stateright::Path;
 
     use super::{AsState, Closed, ClosedAction, Control};
@@ -80,9 +80,9 @@ mod tests {
     /// The dwell is waited for in the cycle after AS_READY is entered, and only if the run lasts as long.
     #[test]
     fn a_run_waits_where_a_timer_elapses() {
-        let timing = Interface::V3_0.timing;
+        let timing = Edition::V3_0.rules.timing;
         let missing = timing.ready_dwell_ms / timing.cycle_ms - DWELL_CYCLES;
-        let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+        let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::WellBehaved);
         let mission = model.clone().run_for("mission-can-be-finished").expect("it can");
         let states = mission.clone().into_states();
         let begin = states.first().expect("it begins").clone();
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn a_stretched_run_goes_through_the_same_states() {
         for name in ["mission-can-be-finished", "emergency-can-happen"] {
-            let model = || Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::Any);
+            let model = || Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::Any);
             let run = model().run_for(name).expect("it can");
             let machine = Machine::REFERENCE;
             let (mut control, mut states) = (Control::INITIAL, vec![AsState::Off]);

@@ -3,7 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use adsdv_spec::messages::{AsState, EbsState, Vcu2AiWheelSpeeds, WheelSpeed};
-use adsdv_spec::{AiMessages, Control, Inputs, Interface, ShutdownCircuit, Vehicle};
+use adsdv_spec::{AiMessages, Control, Edition, Inputs, ShutdownCircuit, Vehicle};
 
 use super::ai::FromVcu;
 use super::{AiComputer, Bus, Closed, ClosedAction, Operator, Switches};
@@ -46,7 +46,7 @@ impl ClosedState {
     /// What the VCU sees.
     pub(super) fn inputs(&self) -> Inputs {
         let switches = self.switches;
-        let limit = Interface::V3_0.thresholds.wheel_speed;
+        let limit = Edition::V3_0.rules.thresholds.wheel_speed;
         let speed = self.motion.wheels.speed(limit);
         Inputs {
             asms: switches.asms,
@@ -237,7 +237,7 @@ mod tests {
         ] {
             let motion = Motion { wheels, ..Motion::default() };
             let state = ClosedState { motion, ..ClosedState::default() };
-            let atoms = state.inputs().observe(&Interface::V3_0.thresholds).atoms();
+            let atoms = state.inputs().observe(&Edition::V3_0.rules.thresholds).atoms();
             assert_eq!((atoms.has(Atom::AtRest), atoms.has(Atom::Moving)), (at_rest, moving), "{wheels:?}");
         }
     }

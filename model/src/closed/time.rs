@@ -10,7 +10,7 @@ impl Closed {
     /// two answers' time.
     pub(super) fn time_passes(&self, state: &ClosedState) -> (ClosedState, u32) {
         let cycle = u32::from(self.timing.cycle_ms).max(1);
-        let timing = &self.machine.interface().timing;
+        let timing = &self.machine.edition().rules.timing;
         let longest = timing.in_state_limit(state.control.state).saturating_sub(state.control.in_state_ms);
         let most = u32::from(longest.max(2 * timing.handshake_ms)).div_ceil(cycle);
         let mut now = self.settled(state.clone());
@@ -45,7 +45,7 @@ impl Closed {
 
     /// What is worth stopping for: all but the handshake and the time that a timer has left.
     fn gist(&self, state: &ClosedState) -> ClosedState {
-        let timing = &self.machine.interface().timing;
+        let timing = &self.machine.edition().rules.timing;
         let mut gist = state.clone();
         let limit = timing.in_state_limit(gist.control.state);
         gist.control.in_state_ms = u16::from(gist.control.in_state_ms >= limit);

@@ -51,7 +51,7 @@ pub(super) fn meaning(frame: &Frame) -> String {
 
 impl fmt::Display for Wheels {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let limit = adsdv_spec::Interface::V3_0.thresholds.wheel_speed;
+        let limit = adsdv_spec::Edition::V3_0.rules.thresholds.wheel_speed;
         match self {
             Self::AtRest => f.write_str("wheels at rest"),
             Self::AtThreshold => write!(f, "wheels at exactly {limit}"),
@@ -176,7 +176,7 @@ pub(super) fn step(
     action: ClosedAction,
     after: &ClosedState,
 ) -> String {
-    let timing = Some(&model.machine.interface().timing);
+    let timing = Some(&model.machine.edition().rules.timing);
     let mut lines =
         vec![super::sequence::event(model, before, action, after).words.join(", "), String::new()];
     for ((name, now), (_, was)) in after.lines(timing).into_iter().zip(before.lines(timing)) {

@@ -59,7 +59,7 @@ struct Span {
 
 /// The spans of the times in a state in which the same is read.
 fn spans<T: PartialEq>(promela: &Promela<'_>, from: AsState, reads: impl Fn(u16) -> T) -> Vec<Span> {
-    let limit = promela.machine.interface().timing.in_state_limit(from);
+    let limit = promela.machine.edition().rules.timing.in_state_limit(from);
     let times = (0..limit).step_by(CYCLE_MS as usize).chain([limit]);
     let mut spans: Vec<Span> = Vec::new();
     let mut last = None;

@@ -13,7 +13,7 @@ use crate::step::CYCLE_MS;
 /// Writes the states, the times, the readings that a step asks for, and the causes.
 pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fmt::Result {
     let Promela { machine, document, .. } = promela;
-    let timing = &machine.interface().timing;
+    let timing = &machine.edition().rules.timing;
     f.write_str("\n/* The states, and where the time in each stops counting, in milliseconds. */\n")?;
     for state in AsState::ALL {
         writeln!(f, "#define {state} {}", state as u8)?;
@@ -54,7 +54,7 @@ const fn bits(most: u16) -> u32 {
 
 /// Writes the control state, and what a step knows of the one before it.
 pub(super) fn control_state(f: &mut fmt::Formatter<'_>, machine: &Machine) -> fmt::Result {
-    let timing = &machine.interface().timing;
+    let timing = &machine.edition().rules.timing;
     let longest =
         AsState::ALL.into_iter().map(|state| timing.in_state_limit(state)).max().unwrap_or_default();
     writeln!(
@@ -163,7 +163,7 @@ fn go_conditions(machine: &Machine) -> Option<String> {
 
 /// The rows of a state in the order of evaluation, each with the terms that the readings have.
 fn rows(machine: &Machine, from: AsState) -> Vec<(&Row, Vec<&Term>)> {
-    let table = &machine.interface().table;
+    let table = &machine.edition().rules.table;
     let mut rows: Vec<(u8, &Row, Vec<&Term>)> = Vec::new();
     for taken in machine.arrows(from) {
         let (Some(row), Some(term)) = (Taken::row(taken, table), Taken::term(taken, table)) else { continue };

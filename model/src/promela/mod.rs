@@ -20,7 +20,7 @@ mod words;
 use std::fmt;
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Interface, Machine, Readings, Timing};
+use adsdv_spec::{Edition, Machine, Readings, Timing};
 
 use crate::vectors::Vectors;
 
@@ -31,9 +31,9 @@ use crate::vectors::Vectors;
 ///
 /// ```
 /// use adsdv_model::{Promela, Vectors};
-/// use adsdv_spec::{Interface, Machine};
+/// use adsdv_spec::{Edition, Machine};
 ///
-/// let document = Interface::V3_0.timing;
+/// let document = Edition::V3_0.rules.timing;
 /// let text = Promela { machine: &Machine::REFERENCE, document, vectors: Vectors::Read }.to_string();
 /// assert!(text.contains("/* 3.6: AS master switch OFF */\n        :: !asms -> next = AS_OFF\n"));
 /// ```
@@ -72,7 +72,7 @@ impl fmt::Display for Promela<'_> {
 
 impl Promela<'_> {
     fn head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Interface { version, .. } = self.machine.interface();
+        let Edition { version, .. } = self.machine.edition();
         let readings = self.machine.readings();
         writeln!(
             f,

@@ -15,7 +15,7 @@ const FRAME_NS: i64 = MS / 4;
 impl Run {
     /// The frames on the bus with their times, in nanoseconds since the log begins, in the order of time.
     pub fn frames(&self) -> impl Iterator<Item = (i64, Frame)> + '_ {
-        let log_status_ns = i64::from(self.machine.interface().timing.log_status_cycle_ms) * MS;
+        let log_status_ns = i64::from(self.machine.edition().rules.timing.log_status_cycle_ms) * MS;
         let ebs_before =
             std::iter::once(EbsState::default()).chain(self.cycles.iter().map(|cycle| cycle.inputs.ebs));
         self.cycles.iter().zip(ebs_before).flat_map(move |(cycle, ebs_before)| {

@@ -11,9 +11,7 @@
 
 mod bus;
 
-use adsdv_spec::{
-    Atoms, Control, Faults, Inputs, Interface, Knowledge, Machine, Observation, Outputs, Reads,
-};
+use adsdv_spec::{Atoms, Control, Edition, Faults, Inputs, Knowledge, Machine, Observation, Outputs, Reads};
 
 use crate::action::Action;
 use crate::step::CYCLE_MS;
@@ -26,7 +24,7 @@ const MS: i64 = 1_000_000;
 const CYCLE_NS: i64 = CYCLE_MS as i64 * MS;
 
 /// For how long a VCU shows `AS_OFF` after it was switched on, before it acts: 502h comes often enough to be known.
-const POWER_UP_MS: u32 = 3 * Interface::V3_0.timing.log_status_cycle_ms as u32;
+const POWER_UP_MS: u32 = 3 * Edition::V3_0.rules.timing.log_status_cycle_ms as u32;
 
 /// For how long nobody sends when the power is cycled. After half a second of silence a judge of logs takes nothing for
 /// granted that the VCU may have remembered; this is twice as long.
@@ -78,7 +76,7 @@ pub enum Phase {
 impl Run {
     /// How long inputs should stay after the last step, in milliseconds, for a judge of logs to see what that step was:
     /// longer than its deadline, and than some cycles of 502h, the slowest message.
-    pub const AFTERMATH_MS: u32 = 5 * Interface::V3_0.timing.log_status_cycle_ms as u32;
+    pub const AFTERMATH_MS: u32 = 5 * Edition::V3_0.rules.timing.log_status_cycle_ms as u32;
 
     /// The run of a machine along a path from the power cycle.
     ///
@@ -138,7 +136,7 @@ impl Run {
     /// communication is lost: then it goes on not answering.
     #[must_use]
     pub fn persisting(mut self, ms: u32) -> Self {
-        let limit = self.machine.interface().timing.handshake_ms;
+        let limit = self.machine.edition().rules.timing.handshake_ms;
         let lost = self.control().handshake.is_lost(limit);
         let mut inputs = self.inputs();
         for _ in 0..ms.div_ceil(CYCLE_MS) {
@@ -212,7 +210,7 @@ impl Run {
     /// What a step of the path sees.
     fn seen_by(&self, planned: &Planned) -> Inputs {
         let Planned { seen, reads, ahead } = planned;
-        let thresholds = &self.machine.interface().thresholds;
+        let thresholds = &self.machine.edition().rules.thresholds;
         let prepared = Reads { atoms: ahead.on().union(ahead.off()), faults: Faults::NONE };
         self.inputs()
             .showing(Observation::new(ahead.on(), Faults::NONE), &prepared, thresholds)
@@ -248,7 +246,7 @@ fn plan(machine: &Machine, path: impl IntoIterator<Item = Action>) -> Vec<Option
                 let reads = if unheeded.contains(&place) {
                     machine.reads(&control, CYCLE_MS)
                 } else {
-                    varied(machine, &Interface::V3_0.timing, &control, Vectors::Read)
+                    varied(machine, &Edition::V3_0.rules.timing, &control, Vectors::Read)
                 };
                 control = machine.react(&control, seen, CYCLE_MS).control;
                 Some(Planned { seen, reads, ahead: Knowledge::NOTHING })

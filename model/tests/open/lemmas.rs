@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use adsdv_model::Vectors;
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Atoms, Control, Fault, Faults, Interface, Observation};
+use adsdv_spec::{Atoms, Control, Edition, Fault, Faults, Observation};
 
 use crate::{SHORT, each_choice_alone, machine, reachable};
 
@@ -12,7 +12,7 @@ use crate::{SHORT, each_choice_alone, machine, reachable};
 /// on how long it has run.
 #[test]
 fn from_80_ms_on_a_running_timer_changes_nothing_else() {
-    let timing = Interface::V3_0.timing;
+    let timing = Edition::V3_0.rules.timing;
     let short = |state| SHORT.in_state_limit(state);
     for readings in each_choice_alone() {
         let mut beside: BTreeMap<(AsState, u16), HashSet<Control>> = BTreeMap::new();

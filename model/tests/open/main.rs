@@ -9,7 +9,7 @@ mod whole;
 use std::collections::HashSet;
 
 use adsdv_model::{Options, SHORT_TIMERS as SHORT, Vectors};
-use adsdv_spec::{Choice, Choices, Control, Interface, Machine, Readings, Timing};
+use adsdv_spec::{Choice, Choices, Control, Edition, Machine, Readings, Timing};
 
 /// The default readings, and each other choice alone.
 fn each_choice_alone() -> impl Iterator<Item = Readings> {
@@ -19,7 +19,7 @@ fn each_choice_alone() -> impl Iterator<Item = Readings> {
 }
 
 fn machine(timing: Timing, readings: Readings) -> Machine {
-    Machine::new(Interface { timing, ..Interface::V3_0 }, readings)
+    Machine::new(Edition::V3_0.with_timing(timing), readings)
 }
 
 fn options(vectors: Vectors, document: Timing) -> Options {
@@ -28,5 +28,5 @@ fn options(vectors: Vectors, document: Timing) -> Options {
 
 /// Every control state that can be reached.
 fn reachable(machine: &Machine, vectors: Vectors) -> HashSet<Control> {
-    adsdv_model::reachable(machine, machine.interface().timing, vectors)
+    adsdv_model::reachable(machine, machine.edition().rules.timing, vectors)
 }

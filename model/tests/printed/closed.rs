@@ -6,12 +6,12 @@ use std::fmt::Write as _;
 use std::hash::Hasher as _;
 
 use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Conduct, Found, Operator};
-use adsdv_spec::{Interface, Machine, Readings, Timing};
+use adsdv_spec::{Edition, Machine, Readings, Timing};
 use expect_test::expect_file;
 use fnv::FnvHasher;
 use stateright::{Model as _, Path};
 
-const V3_0: Interface = Interface::V3_0;
+const V3_0: Edition = Edition::V3_0;
 const CONDUCTS: [Conduct; 4] = [Conduct::Reference, Conduct::Mute, Conduct::Hasty, Conduct::Coasting];
 
 fn scaled(operator: Operator) -> Closed {
@@ -42,8 +42,8 @@ fn every_state_with_a_well_behaved_operator() {
         let _ = writeln!(told, "{conduct:?}: {}", explored(model().with_conduct(conduct)));
     }
     for handshake_ms in [20, 40, 100] {
-        let interface = Interface { timing: Timing { handshake_ms, ..V3_0.timing }, ..V3_0 };
-        let impatient = Closed::scaled(interface, Readings::DEFAULT, Operator::WellBehaved);
+        let edition = V3_0.with_timing(Timing { handshake_ms, ..V3_0.rules.timing });
+        let impatient = Closed::scaled(edition, Readings::DEFAULT, Operator::WellBehaved);
         let _ = writeln!(told, "{handshake_ms} ms to answer: {}", explored(impatient));
     }
     let real = Closed::new(Machine::REFERENCE, Operator::WellBehaved);

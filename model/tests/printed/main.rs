@@ -17,12 +17,12 @@ use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Expectation, Operat
 use adsdv_model::{
     Options, PROPERTIES, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, story, story_of, verify,
 };
-use adsdv_spec::{Choices, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Choices, Edition, Machine, Mutation, Readings};
 use expect_test::expect_file;
 use fnv::FnvHasher;
 use stateright::{Model as _, Path};
 
-const SHORTENED: Interface = Interface { timing: SHORT_TIMERS, ..Interface::V3_0 };
+const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT_TIMERS);
 const SHORT: Machine = Machine::new(SHORTENED, Readings::DEFAULT);
 
 fn verified(machine: &Machine) -> Report {
@@ -40,7 +40,7 @@ fn lines(story: Vec<StoryLine>) -> String {
 /// The shortest run to everything that is to be possible, and a short one to an emergency.
 fn closed_runs() -> Vec<(&'static str, Closed, Path<ClosedState, ClosedAction>)> {
     const EMERGENCY: &str = "emergency-can-happen";
-    let scaled = |operator| Closed::scaled(Interface::V3_0, Readings::DEFAULT, operator);
+    let scaled = |operator| Closed::scaled(Edition::V3_0, Readings::DEFAULT, operator);
     let anybody = scaled(Operator::Any);
     let emergency = anybody.clone().run_for(EMERGENCY).expect("it is possible");
     let model = scaled(Operator::WellBehaved);
@@ -143,7 +143,7 @@ fn a_run_as_a_log() {
 #[test]
 fn the_same_machine_for_spin() {
     let promela = |machine: &Machine, vectors| {
-        Promela { machine, document: machine.interface().timing, vectors }.to_string()
+        Promela { machine, document: machine.edition().rules.timing, vectors }.to_string()
     };
     expect_file!["read.pml"].assert_eq(&promela(&Machine::REFERENCE, Vectors::Read));
     expect_file!["few.pml"].assert_eq(&promela(&SHORT, Vectors::Few));

@@ -2,7 +2,7 @@
 
 use adsdv_model::closed::{CLOSED_PROPERTIES, Closed, Operator};
 use adsdv_model::{ClosedCost, Cost, Run, Sweep};
-use adsdv_spec::{Choice, Choices, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Choices, Edition, Machine, Readings};
 use expect_test::expect_file;
 
 use crate::{SHORT, verified};
@@ -29,7 +29,7 @@ fn printed(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String 
 
 #[test]
 fn what_the_readings_cost() {
-    let model = Closed::scaled(Interface::V3_0, Readings::DEFAULT, Operator::Any);
+    let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::Any);
     let run = model.clone().run_for("emergency-can-happen").expect("it can");
     let inputs = model.inputs_for(&Machine::REFERENCE, &run);
     let closed = ClosedCost {

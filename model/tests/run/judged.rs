@@ -3,7 +3,7 @@
 use adsdv_model::{Phase, Run};
 use adsdv_oracle::judge::{Report, Rule, Severity, Verdict};
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
-use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Mutation, Readings, Truth};
+use adsdv_spec::{Atom, Choice, Edition, Fault, Machine, Mutation, Readings, Truth};
 
 use crate::path::{CYCLE_MS, Path, blamed, judged, with_choice};
 
@@ -22,9 +22,9 @@ fn mission() -> Path {
 
 /// The reference VCU with one thing changed.
 fn mutant(name: &str) -> Machine {
-    let mutation = Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == name);
+    let mutation = Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == name);
     let mutation = mutation.unwrap_or_else(|| panic!("there is a mutation {name:?}"));
-    Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT)
+    Machine::new(mutation.apply(&Edition::V3_0), Readings::DEFAULT)
 }
 
 /// What the judge lays to the VCU.
@@ -49,7 +49,7 @@ fn frames_come_in_the_order_of_time_and_502h_only_now_and_then() {
     assert!(frames.first().is_some_and(|(t_ns, _)| *t_ns == 0));
     assert!(frames.windows(2).all(|pair| pair[0].0 < pair[1].0));
     let cycles = run.cycles().len();
-    let timing = Interface::V3_0.timing;
+    let timing = Edition::V3_0.rules.timing;
     let each = usize::from(timing.log_status_cycle_ms / timing.cycle_ms);
     let count = |id| frames.iter().filter(|(_, frame)| frame.id == id).count();
     assert_eq!(count(0x502), cycles.div_ceil(each) + 1, "and once when the EBS is armed");
@@ -111,9 +111,9 @@ fn lost_communication_goes_on_until_it_is_seen_to_be_ignored() {
     let mut path = Path::new(&mutant("3.7 term 7: dropped"));
     path.driving();
     path.answers = false;
-    let limit = u32::from(Interface::V3_0.timing.handshake_ms);
+    let limit = u32::from(Edition::V3_0.rules.timing.handshake_ms);
     path.hold(limit + CYCLE_MS);
-    assert!(path.control.handshake.is_lost(Interface::V3_0.timing.handshake_ms));
+    assert!(path.control.handshake.is_lost(Edition::V3_0.rules.timing.handshake_ms));
     path.arrives(Driving);
     let report = path.judged();
     assert_eq!(found(&report), [(Rule::Due, "3.7")], "{:#?}", report.findings);

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use adsdv_model::{Action, Run};
 use adsdv_proofs::seed::seed;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Interface, Machine, Observation, Readings};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Fault, Faults, Machine, Observation, Readings};
 
 use crate::chance::Random;
 use crate::path::{CYCLE_MS, blamed, judged};
@@ -79,7 +79,7 @@ fn path(random: &mut Random, machine: &Machine, rate: u64, steps: u32) -> Vec<Ac
 fn machines() -> impl Iterator<Item = Machine> {
     let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
     let readings = others.map(|&choice| Readings::DEFAULT.with(choice));
-    std::iter::once(Readings::DEFAULT).chain(readings).map(|readings| Machine::new(Interface::V3_0, readings))
+    std::iter::once(Readings::DEFAULT).chain(readings).map(|readings| Machine::new(Edition::V3_0, readings))
 }
 
 /// The chance of one machine: other chance for each, and for each seed.

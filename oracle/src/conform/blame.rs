@@ -137,7 +137,7 @@ impl<'a> Blame<'a> {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::Interface;
+    use adsdv_spec::Edition;
 
     use super::*;
     use crate::suite;
@@ -187,7 +187,7 @@ mod tests {
     /// Alternatives of one row have requirements of their own.
     #[test]
     fn a_random_scenario_breaks_what_the_test_of_the_alternative_is_about() {
-        let tests = suite::generate(&Interface::V3_0);
+        let tests = suite::generate(&Edition::V3_0);
         let blame = Blame::of(&Machine::REFERENCE, &tests);
         let (mut of_their_own, mut shared) = (0, 0);
         for (row, ids) in &blame.rows {

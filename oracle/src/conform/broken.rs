@@ -54,7 +54,7 @@ pub struct Row {
 
 impl Row {
     fn of(machine: &Machine, taken: Taken) -> Option<Self> {
-        let table = &machine.interface().table;
+        let table = &machine.edition().rules.table;
         let (row, term) = (taken.row(table)?, taken.term(table)?);
         let guard = term.conditions().map(|(atom, value)| atom.text(value)).collect();
         Some(Self { place: taken.row.into(), from: row.from, to: row.to, section: term.section, guard })
@@ -187,7 +187,7 @@ fn nearest(
     to: AsState,
     cause: Option<ShutdownCause>,
 ) -> Option<(Row, Vec<&'static str>)> {
-    let table = &machine.interface().table;
+    let table = &machine.edition().rules.table;
     let lacking = |term: &Term| -> Vec<&'static str> {
         let as_it_was =
             |(atom, value): (Atom, bool)| (outputs.atoms.has(atom) != value).then(|| atom.text(!value));

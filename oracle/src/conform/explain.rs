@@ -4,7 +4,7 @@
 //! control state step together, and of those that do the same in its AS state only one steps: the arrows that leave
 //! the state and the readings that the step itself asks for decide what it does.
 
-use adsdv_spec::{AsState, Choices, Control, Interface, Machine, Outputs, Reading, Readings, Taken};
+use adsdv_spec::{AsState, Choices, Control, Edition, Machine, Outputs, Reading, Readings, Taken};
 
 use super::set::Set;
 use super::vcu::Reply;
@@ -31,13 +31,13 @@ pub(super) struct Explain {
 
 impl Explain {
     /// Every combination of choices that are possible.
-    pub(super) fn every(interface: &Interface, possible: Choices) -> Self {
-        Self::new(interface, possible.combinations(Reading::ALL).collect())
+    pub(super) fn every(edition: &Edition, possible: Choices) -> Self {
+        Self::new(edition, possible.combinations(Reading::ALL).collect())
     }
 
     /// These combinations, the ones that are preferred first.
-    pub(super) fn new(interface: &Interface, readings: Vec<Readings>) -> Self {
-        let machines: Vec<_> = readings.iter().map(|&answers| Machine::new(*interface, answers)).collect();
+    pub(super) fn new(edition: &Edition, readings: Vec<Readings>) -> Self {
+        let machines: Vec<_> = readings.iter().map(|&answers| Machine::new(*edition, answers)).collect();
         let classes = AsState::ALL.into_iter().map(|state| (state, classes(&machines, state))).collect();
         Self { readings, machines, classes }
     }
@@ -146,7 +146,7 @@ mod tests {
     /// One machine of a class stands for all of it: at every step of walks through every state.
     #[test]
     fn machines_of_a_class_do_the_same() {
-        let explain = Explain::every(&Interface::V3_0, Choices::ALL);
+        let explain = Explain::every(&Edition::V3_0, Choices::ALL);
         assert_eq!(explain.readings.len(), 3072);
         assert_eq!(explain.readings[0], Readings::DEFAULT);
         let mut steps = 0;
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn stepping_together_is_stepping_one_by_one() {
-        let explain = Explain::every(&Interface::V3_0, Choices::ALL);
+        let explain = Explain::every(&Edition::V3_0, Choices::ALL);
         for seed in 0..10 {
             let machine = &explain.machines[(seed * 1009) % explain.machines.len()];
             let scenario = Walker::new(machine, None, Rng::new(seed as u64, 1)).scenario();

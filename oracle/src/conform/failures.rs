@@ -47,7 +47,7 @@ impl Run<'_> {
         suite: &Suite,
         blame: &Blame<'_>,
     ) -> Result<Failures, ProgramError> {
-        let machine = Machine::new(self.options.interface, suite.judged_by());
+        let machine = Machine::new(self.options.edition, suite.judged_by());
         let failed: Vec<(usize, &Test, &Scenario, &Option<Vec<Choice>>)> = suite
             .failed
             .iter()

@@ -25,11 +25,11 @@
 //! ```
 //! use adsdv_oracle::conform::{InProcess, ConformOptions, conform};
 //! use adsdv_oracle::suite;
-//! use adsdv_spec::{Choice, Interface, Machine, Readings};
+//! use adsdv_spec::{Choice, Edition, Machine, Readings};
 //!
 //! // A program that takes a rising edge of "Go" for enough conforms: the document can be read so.
-//! let vcu = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::GoEdgeEnough));
-//! let tests = suite::generate(&Interface::V3_0);
+//! let vcu = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::GoEdgeEnough));
+//! let tests = suite::generate(&Edition::V3_0);
 //! let report = conform(&mut InProcess(vcu), &tests, &ConformOptions::default(), &mut |_| {})?;
 //! assert!(report.conforms() && report.readings.is(Choice::GoEdgeEnough));
 //! # Ok::<(), adsdv_oracle::conform::ProgramError>(())

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use adsdv_spec::{Choices, Interface};
+use adsdv_spec::{Choices, Edition};
 
 /// How a program is judged.
 #[derive(Clone, Debug)]
 pub struct ConformOptions {
     /// The version of the document.
-    pub interface: Interface,
+    pub edition: Edition,
     /// The choices of readings that are allowed for.
     pub possible: Choices,
     /// How many steps late its outputs may be.
@@ -26,7 +26,7 @@ pub struct ConformOptions {
 impl Default for ConformOptions {
     fn default() -> Self {
         Self {
-            interface: Interface::V3_0,
+            edition: Edition::V3_0,
             possible: Choices::ALL,
             latency: 0,
             cycle_ms: None,

@@ -55,7 +55,7 @@ impl Run<'_> {
         let options = self.options;
         let known: Vec<&Break> =
             known.told.iter().chain(&known.more).filter_map(|failure| failure.found.as_ref()).collect();
-        let mut explain = Explain::new(&options.interface, suite.readings.clone());
+        let mut explain = Explain::new(&options.edition, suite.readings.clone());
         let mut random = RandomRuns {
             readings: suite.readings.clone(),
             failures: Vec::new(),
@@ -110,8 +110,7 @@ impl Run<'_> {
             })?;
             let readings: Vec<Readings> =
                 alive.iter().filter_map(|place| explain.readings().get(place).copied()).collect();
-            let judge =
-                readings.first().map_or(machine, |&readings| Machine::new(options.interface, readings));
+            let judge = readings.first().map_or(machine, |&readings| Machine::new(options.edition, readings));
             for New { place, replies, found, requirements } in new {
                 let Some((name, scenario)) = scenarios.get(place) else { continue };
                 if random.failures.len() >= TOLD {
@@ -138,7 +137,7 @@ impl Run<'_> {
                 let share = share(self.shrinking, 0, 4);
                 random.failures.push(self.shortest(failure, &judge, suite.late, share)?);
             }
-            explain = Explain::new(&options.interface, readings.clone());
+            explain = Explain::new(&options.edition, readings.clone());
             random.readings = readings;
             run += batch;
         }

@@ -55,7 +55,7 @@ impl Run<'_> {
         let options = self.options;
         let suite = self.suite(tests, options.latency)?;
         let mut notes = self.later(tests, &suite)?;
-        let blame = Blame::of(&Machine::new(options.interface, suite.judged_by()), tests);
+        let blame = Blame::of(&Machine::new(options.edition, suite.judged_by()), tests);
         let in_suite = self.suite_failures(tests, &suite, &blame)?;
         let in_random = self.random(&suite, &in_suite, &blame)?;
         notes.extend(self.vcu.end()?);
@@ -79,7 +79,7 @@ impl Run<'_> {
             readings: in_random.readings.first().copied().unwrap_or_default(),
             follows,
             requirements: requirements::table(tests, &ran, &in_random.broken),
-            about_the_vcu: about_the_vcu(&options.interface).len(),
+            about_the_vcu: about_the_vcu(&options.edition).len(),
             failures,
             more_failures: more.len() + in_random.more.len(),
             not_shown: SHOWN.iter().map(|field| field.key).filter(|key| !self.shown.has(key)).collect(),

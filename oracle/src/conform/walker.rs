@@ -55,7 +55,7 @@ impl<'a> Walker<'a> {
     /// Does what one of the arrows asks for.
     fn lead(&mut self) {
         let (machine, needed) = (self.machine, self.control.power_cycle_needed);
-        let table = &machine.interface().table;
+        let table = &machine.edition().rules.table;
         let arrows = machine
             .arrows(self.control.state)
             .filter_map(|taken| Some((taken.row(table)?.to, *taken.term(table)?)));
@@ -137,7 +137,7 @@ impl<'a> Walker<'a> {
 
     /// A number of a field: mostly one where something begins to count.
     fn number(&mut self, min: i32, max: i32) -> i32 {
-        let thresholds = &self.machine.interface().thresholds;
+        let thresholds = &self.machine.edition().rules.thresholds;
         let (straight, speed) = (thresholds.straight.raw(), thresholds.wheel_speed.raw());
         let around = [
             min,
@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
 
     /// Lets time pass: around a limit.
     fn wait(&mut self) {
-        let (left, handshake) = (self.left(), u32::from(self.machine.interface().timing.handshake_ms));
+        let (left, handshake) = (self.left(), u32::from(self.machine.edition().rules.timing.handshake_ms));
         let times =
             [0, 1, 10, handshake - 1, handshake, handshake + 1, left.saturating_sub(1), left, left + 1];
         let dt_ms = self.rng.pick(&times).unwrap_or(10);
@@ -175,7 +175,7 @@ impl<'a> Walker<'a> {
 
     /// How long the state has to last before it can be left in time.
     fn limit(&self) -> u32 {
-        self.machine.interface().timing.in_state_limit(self.control.state).into()
+        self.machine.edition().rules.timing.in_state_limit(self.control.state).into()
     }
 
     /// How much of that is left.
@@ -184,7 +184,7 @@ impl<'a> Walker<'a> {
     }
 
     fn show(&mut self, atom: Atom, value: bool) {
-        self.inputs.show(atom, value, &self.machine.interface().thresholds);
+        self.inputs.show(atom, value, &self.machine.edition().rules.thresholds);
     }
 
     /// Steps, in cycles if they are fixed. The AI Computer answers the handshake, or does not.
@@ -207,7 +207,7 @@ mod tests {
     use std::fmt::Write as _;
     use std::hash::Hasher as _;
 
-    use adsdv_spec::{Choices, Interface, Readings};
+    use adsdv_spec::{Choices, Edition, Readings};
     use expect_test::expect;
     use fnv::FnvHasher;
 
@@ -264,7 +264,7 @@ mod tests {
     #[test]
     fn the_walks_of_a_seed_are_these() {
         let readings = Choices::ALL.iter().fold(Readings::DEFAULT, Readings::with);
-        let other = Machine::new(Interface::V3_0, readings);
+        let other = Machine::new(Edition::V3_0, readings);
         let mut told = String::new();
         for (machine, cycle_ms) in
             [(&Machine::REFERENCE, None), (&Machine::REFERENCE, Some(10)), (&other, None), (&other, Some(50))]

@@ -108,7 +108,7 @@ impl Judge {
         if !self.handshake.report_ai() {
             return;
         }
-        let limit = i64::from(self.interface.timing.handshake_ms);
+        let limit = i64::from(self.edition.rules.timing.handshake_ms);
         let told = self.vcu.shows_comms_lost();
         let message = format!(
             "the AI Computer has not answered HANDSHAKE for {:.0} ms{}; expected an answer within {limit} ms",

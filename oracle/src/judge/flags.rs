@@ -330,7 +330,7 @@ impl Judge {
                 format!(
                     "AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {:.0} ms; expected 1 after {} ms",
                     milliseconds(t - edge),
-                    self.interface.timing.handshake_ms
+                    self.edition.rules.timing.handshake_ms
                 ),
             )
         };

@@ -53,7 +53,7 @@ use adsdv_spec::messages::{
     Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Node, Vcu2AiStatus, Vcu2AiSteer,
     Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Atom, Atoms, Interface, Knowledge, Reading};
+use adsdv_spec::{AsState, Atom, Atoms, Edition, Knowledge, Reading};
 
 pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
 pub use options::JudgeOptions;
@@ -114,7 +114,7 @@ const AI_SCOPE: Atoms =
 #[derive(Debug)]
 pub struct Judge {
     options: JudgeOptions,
-    interface: Interface,
+    edition: Edition,
     variants: Variants,
     window: i64,
     deadline: i64,
@@ -154,15 +154,15 @@ pub struct Judge {
 impl Judge {
     /// A judge of version 3.0 of the interface.
     pub fn new(options: JudgeOptions) -> Self {
-        let interface = Interface::V3_0;
-        let variants = Variants::new(&interface, options.readings);
+        let edition = Edition::V3_0;
+        let variants = Variants::new(&edition, options.readings);
         let window = i64::from(options.window_ms) * MS;
         // Most messages come once a cycle, all at once: one frame may be missing.
-        let pause = window.max(i64::from(interface.timing.cycle_ms) * 2 * MS);
+        let pause = window.max(i64::from(edition.rules.timing.cycle_ms) * 2 * MS);
         let requests = variants.atoms(AsState::Ready, AsState::Driving).intersection(AI_SCOPE);
         Self {
             options,
-            interface,
+            edition,
             variants,
             shuffled: false,
             requests,
@@ -327,12 +327,12 @@ impl Judge {
 
     /// How long an edge of the handshake may stay unanswered, in nanoseconds.
     fn handshake_limit(&self) -> i64 {
-        i64::from(self.interface.timing.handshake_ms) * MS
+        i64::from(self.edition.rules.timing.handshake_ms) * MS
     }
 
     /// The cycle of the reference VCU, in nanoseconds.
     fn cycle(&self) -> i64 {
-        i64::from(self.interface.timing.cycle_ms) * MS
+        i64::from(self.edition.rules.timing.cycle_ms) * MS
     }
 
     fn pinned(&self, reading: Reading) -> Option<adsdv_spec::Choice> {

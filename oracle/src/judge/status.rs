@@ -208,7 +208,7 @@ impl Judge {
     fn enter(&mut self, t: i64, state: AsState, before: Option<i64>) {
         self.vcu.state = Some(state);
         self.due = None;
-        let timing = &self.interface.timing;
+        let timing = &self.edition.rules.timing;
         let limit = i64::from(timing.in_state_limit(state)) * super::MS;
         self.vcu.timers.clear();
         let mut known = self.known;

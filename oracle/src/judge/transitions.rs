@@ -41,7 +41,7 @@ impl Due {
 
 /// Behind a silence of that length no state is known: none that has to last fits into a gap.
 const _: () = {
-    let timing = adsdv_spec::Interface::V3_0.timing;
+    let timing = adsdv_spec::Edition::V3_0.rules.timing;
     assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * super::MS);
     assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * super::MS);
 };

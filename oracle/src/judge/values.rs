@@ -89,7 +89,14 @@ impl Judge {
             }
             WHEEL_SPEEDS => {
                 let Lenient { message, bad } = self.read::<Vcu2AiWheelSpeeds>(index, t, word);
-                self.measured(index, t, message.atoms(&self.interface.thresholds), bad, was_fresh, silence);
+                self.measured(
+                    index,
+                    t,
+                    message.atoms(&self.edition.rules.thresholds),
+                    bad,
+                    was_fresh,
+                    silence,
+                );
             }
             STEER => {
                 let Lenient { message, bad } = self.read::<Vcu2AiSteer>(index, t, word);
@@ -97,7 +104,7 @@ impl Judge {
                 self.measured(
                     index,
                     t,
-                    message.steer_angle.atoms(&self.interface.thresholds),
+                    message.steer_angle.atoms(&self.edition.rules.thresholds),
                     bad,
                     was_fresh,
                     silence,

@@ -3,16 +3,13 @@
 //! Readings change which terms a row has and which row comes first. Most combinations of readings make no
 //! difference to a given state, so each state keeps the few variants that do.
 
-use adsdv_spec::table::PRIORITIES;
-use adsdv_spec::{
-    AsState, Atoms, Choices, Interface, Knowledge, Machine, Reading, Table, Taken, Term, Truth,
-};
+use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Machine, Reading, Rules, Taken, Term, Truth};
 
 /// The readings that change the table, rather than what an atom means.
-fn table_readings(table: &Table) -> Vec<Reading> {
-    let terms = table.rows().iter().flat_map(adsdv_spec::Row::terms);
+fn table_readings(rules: &Rules) -> Vec<Reading> {
+    let terms = rules.table.rows().iter().flat_map(adsdv_spec::Row::terms);
     let in_terms = terms.flat_map(|term| term.readings.iter());
-    let in_order = PRIORITIES.iter().map(|priority| priority.choice);
+    let in_order = rules.priorities.iter().map(|priority| priority.choice);
     let changing: Vec<Reading> = in_terms.chain(in_order).map(adsdv_spec::Choice::reading).collect();
     Reading::ALL.iter().copied().filter(|reading| changing.contains(reading)).collect()
 }
@@ -47,10 +44,10 @@ pub(super) struct Variants {
 }
 
 impl Variants {
-    pub(super) fn new(interface: &Interface, readings: Choices) -> Self {
+    pub(super) fn new(edition: &Edition, readings: Choices) -> Self {
         let machines: Vec<Machine> = readings
-            .combinations(&table_readings(&interface.table))
-            .map(|answer| Machine::new(*interface, answer))
+            .combinations(&table_readings(&edition.rules))
+            .map(|answer| Machine::new(*edition, answer))
             .collect();
         let by_state: Vec<Vec<Variant>> = AsState::ALL
             .iter()
@@ -63,7 +60,7 @@ impl Variants {
                         if seen.contains(&arrows) {
                             return None;
                         }
-                        let variant = guards(interface, &arrows);
+                        let variant = guards(edition, &arrows);
                         seen.push(arrows);
                         Some(variant)
                     })
@@ -124,10 +121,11 @@ impl Variants {
 }
 
 /// Groups alternatives into rows, which stand together in the order of evaluation.
-fn guards(interface: &Interface, arrows: &[Taken]) -> Variant {
+fn guards(edition: &Edition, arrows: &[Taken]) -> Variant {
     let mut rows: Vec<(u8, Guard)> = Vec::new();
     for taken in arrows {
-        let (Some(row), Some(term)) = (taken.row(&interface.table), taken.term(&interface.table)) else {
+        let (Some(row), Some(term)) = (taken.row(&edition.rules.table), taken.term(&edition.rules.table))
+        else {
             continue;
         };
         match rows.last_mut() {

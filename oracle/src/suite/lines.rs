@@ -6,7 +6,7 @@ use std::fmt::{self, Write as _};
 use std::io::{self, BufRead};
 use std::sync::LazyLock;
 
-use adsdv_spec::{Interface, Machine, Reading};
+use adsdv_spec::{Edition, Machine, Reading};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
@@ -100,7 +100,7 @@ impl ReadSuite {
 /// Errors: what the reader's own errors are. Bytes that are no UTF-8 are a line that is none.
 pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite> {
     let mut suite = ReadSuite::default();
-    let requirements = requirements(machine.interface());
+    let requirements = requirements(machine.edition());
     let mut names = HashSet::new();
     let mut bytes = Vec::new();
     for line in 1.. {
@@ -203,18 +203,14 @@ fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
 }
 
 /// The identifiers of all requirements that there are.
-fn requirements(interface: &Interface) -> Cow<'static, HashSet<String>> {
+fn requirements(edition: &Edition) -> Cow<'static, HashSet<String>> {
     // Making all tests takes longer than reading most suites.
-    static OF_V3_0: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(&Interface::V3_0));
-    if *interface == Interface::V3_0 {
-        Cow::Borrowed(&OF_V3_0)
-    } else {
-        Cow::Owned(requirements_of(interface))
-    }
+    static OF_V3_0: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(&Edition::V3_0));
+    if *edition == Edition::V3_0 { Cow::Borrowed(&OF_V3_0) } else { Cow::Owned(requirements_of(edition)) }
 }
 
-fn requirements_of(interface: &Interface) -> HashSet<String> {
-    let tested = super::generate(interface).into_iter().flat_map(|test| test.requirements);
+fn requirements_of(edition: &Edition) -> HashSet<String> {
+    let tested = super::generate(edition).into_iter().flat_map(|test| test.requirements);
     tested.chain(untested().map(|untested| untested.id)).collect()
 }
 

@@ -26,7 +26,7 @@ mod test;
 mod untested;
 mod walk;
 
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 
 pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, read};
 pub use prove::{Proof, prove};
@@ -39,6 +39,6 @@ pub use untested::{Reason, Untested, about_the_vcu, untested};
 ///
 /// What is expected in each is what the specification shows under the readings that are asked of a program: by default
 /// the default ones.
-pub fn generate(interface: &Interface) -> Vec<Test> {
-    generate::all(interface)
+pub fn generate(edition: &Edition) -> Vec<Test> {
+    generate::all(edition)
 }

@@ -1,7 +1,7 @@
 //! Whether the suite tells every mutation of the specification from it.
 
 use adsdv_spec::mutation::{Change, TermChange};
-use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
 use super::Test;
 
@@ -37,13 +37,13 @@ const EQUIVALENT: [(&str, &str); 3] = [
 
 /// Tries every mutation of a version of the interface: it is killed if some test shows something else than the
 /// specification does, under readings for which the mutation can matter.
-pub fn prove(interface: &Interface, tests: &[Test]) -> Proof {
+pub fn prove(edition: &Edition, tests: &[Test]) -> Proof {
     let mut proof = Proof { mutants: 0, survivors: Vec::new(), equivalent: Vec::new() };
-    for mutation in Mutation::all(interface) {
+    for mutation in Mutation::all(edition) {
         let name = mutation.to_string();
-        let killed = readings(interface, &mutation).into_iter().any(|readings| {
-            let specified = Machine::new(*interface, readings);
-            let mutant = Machine::new(mutation.apply(interface), readings);
+        let killed = readings(edition, &mutation).into_iter().any(|readings| {
+            let specified = Machine::new(*edition, readings);
+            let mutant = Machine::new(mutation.apply(edition), readings);
             tests.iter().any(|test| test.scenario.shown(&specified).ne(test.scenario.shown(&mutant)))
         });
         match EQUIVALENT.iter().find(|(equivalent, _)| *equivalent == name) {
@@ -62,10 +62,10 @@ pub fn prove(interface: &Interface, tests: &[Test]) -> Proof {
 
 /// The default readings, and, for a term that only some readings have, those that have it; for one that is put into all, the
 /// others.
-fn readings(interface: &Interface, mutation: &Mutation) -> Vec<Readings> {
+fn readings(edition: &Edition, mutation: &Mutation) -> Vec<Readings> {
     let mut readings = vec![Readings::DEFAULT];
     let Change::Term(row, term, change) = mutation.change else { return readings };
-    let term = interface.table.rows().get(row).and_then(|row| row.terms().get(term));
+    let term = edition.rules.table.rows().get(row).and_then(|row| row.terms().get(term));
     for choice in term.into_iter().flat_map(|term| term.readings.iter()) {
         let answers: Vec<Choice> = if change == TermChange::InEveryReading {
             choice.reading().choices().iter().copied().filter(|&other| other != choice).collect()

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 
 use super::requirements::is_of_a_reading;
 
@@ -111,8 +111,8 @@ pub fn untested() -> impl Iterator<Item = Untested> {
 /// The requirements about what a VCU does: those that tests name, and those that none is for though they are.
 ///
 /// What is only the default answer to an open question is none: a program may follow another one.
-pub fn about_the_vcu(interface: &Interface) -> HashSet<String> {
-    let tested = super::generate(interface).into_iter().flat_map(|test| test.requirements);
+pub fn about_the_vcu(edition: &Edition) -> HashSet<String> {
+    let tested = super::generate(edition).into_iter().flat_map(|test| test.requirements);
     let others = untested().filter(|untested| untested.reason.is_about_the_vcu()).map(|untested| untested.id);
     tested.filter(|id| !is_of_a_reading(id)).chain(others).collect()
 }

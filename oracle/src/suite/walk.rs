@@ -47,13 +47,13 @@ impl<'a> Walk<'a> {
 
     /// AS_READY for as long as it has to last, with "Go" seen off: an edge of "Go" is accepted at the next step.
     pub(super) fn armed(machine: &'a Machine) -> Self {
-        let dwell = machine.interface().timing.ready_dwell_ms;
+        let dwell = machine.edition().rules.timing.ready_dwell_ms;
         Self::to(machine, AsState::Ready).step(dwell.into(), |_| {})
     }
 
     /// AS_OFF after an emergency.
     pub(super) fn after_an_emergency(machine: &'a Machine) -> Self {
-        let timer = machine.interface().timing.ebs_timer_ms;
+        let timer = machine.edition().rules.timing.ebs_timer_ms;
         Self::to(machine, AsState::EmergencyBrake).step(timer.into(), |inputs| inputs.asms = false)
     }
 
@@ -65,7 +65,7 @@ impl<'a> Walk<'a> {
 
     /// With an input showing an atom, or not.
     pub(super) fn show(mut self, atom: Atom, value: bool) -> Self {
-        self.inputs.show(atom, value, &self.machine.interface().thresholds);
+        self.inputs.show(atom, value, &self.machine.edition().rules.thresholds);
         self
     }
 
@@ -115,7 +115,7 @@ impl<'a> Walk<'a> {
 
 /// The cycle of the reference VCU.
 pub(super) fn walk_cycle(machine: &Machine) -> u32 {
-    machine.interface().timing.cycle_ms.into()
+    machine.edition().rules.timing.cycle_ms.into()
 }
 
 /// What AS_READY asks for.

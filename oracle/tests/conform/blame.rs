@@ -2,7 +2,7 @@
 
 use adsdv_oracle::conform::{ConformOptions, ConformReport, Outcome, conform};
 use adsdv_oracle::suite::{Kind, Test};
-use adsdv_spec::{Choice, Inputs, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Choice, Edition, Inputs, Machine, Mutation, Readings};
 use serde_json::json;
 
 use crate::erring::{Erring, Outputs};
@@ -72,7 +72,7 @@ fn a_wrong_output_does_not_hide_which_readings_are_followed() {
         let readings = Readings::DEFAULT.with(choice);
         let mut vcu = Erring {
             tampers: |_, _, outputs| flip(outputs, "as_switch_status"),
-            ..Erring::new(&Machine::new(Interface::V3_0, readings))
+            ..Erring::new(&Machine::new(Edition::V3_0, readings))
         };
         let report = conform(&mut vcu, tests(), &suite_only(), &mut |_| {}).expect("it answers");
         assert_eq!((report.readings, failed(&report)), (readings, vec!["MSG-44"]));
@@ -83,8 +83,8 @@ fn a_wrong_output_does_not_hide_which_readings_are_followed() {
 
 #[test]
 fn a_wrong_row_breaks_what_is_about_the_state() {
-    let mutation = Mutation::all(&Interface::V3_0).find(|one| one.to_string() == "3.7 term 1: dropped");
-    let mutant = mutation.expect("a mutation").apply(&Interface::V3_0);
+    let mutation = Mutation::all(&Edition::V3_0).find(|one| one.to_string() == "3.7 term 1: dropped");
+    let mutant = mutation.expect("a mutation").apply(&Edition::V3_0);
     let report = machine(&Machine::new(mutant, Readings::DEFAULT), &suite_only());
     let row = failed(&report);
     assert!(row.contains(&"SM-13") && row.contains(&"DTE-2"), "{row:?}");

@@ -3,7 +3,7 @@
 use adsdv_oracle::conform::{ConformOptions, ConformReport, Failure, Outcome, Why};
 use adsdv_oracle::suite;
 use adsdv_spec::mutation::Change;
-use adsdv_spec::{Choice, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
 use crate::programs::{TIMEOUT, example, machine, suite_only, tests};
 
@@ -13,11 +13,11 @@ fn by_default() -> ConformOptions {
 }
 
 fn mutated(mutation: &Mutation) -> Machine {
-    Machine::new(mutation.apply(&Interface::V3_0), Readings::DEFAULT)
+    Machine::new(mutation.apply(&Edition::V3_0), Readings::DEFAULT)
 }
 
 fn named(name: &str) -> ConformReport {
-    let mutation = Mutation::all(&Interface::V3_0).find(|one| one.to_string() == name);
+    let mutation = Mutation::all(&Edition::V3_0).find(|one| one.to_string() == name);
     machine(&mutated(&mutation.expect(name)), &by_default())
 }
 
@@ -35,9 +35,9 @@ fn found(report: &ConformReport) -> Vec<(&str, usize)> {
 
 #[test]
 fn every_mutation_fails_in_its_row() {
-    let table = Interface::V3_0.table;
+    let table = Edition::V3_0.rules.table;
     let mut fail = 0;
-    for mutation in Mutation::all(&Interface::V3_0) {
+    for mutation in Mutation::all(&Edition::V3_0) {
         let mutant = mutated(&mutation);
         let is_told =
             |test: &suite::Test| test.scenario.shown(&Machine::REFERENCE).ne(test.scenario.shown(&mutant));
@@ -144,9 +144,7 @@ fn a_failure_names_the_row_and_its_guard() {
 #[test]
 fn through_the_pipe_it_is_the_same() {
     let here = machine(
-        &mutated(
-            &Mutation::all(&Interface::V3_0).find(|one| one.to_string() == "3.4: dropped").expect("3.4"),
-        ),
+        &mutated(&Mutation::all(&Edition::V3_0).find(|one| one.to_string() == "3.4: dropped").expect("3.4")),
         &suite_only(),
     );
     let there =

@@ -8,14 +8,14 @@ use std::time::Duration;
 
 use adsdv_oracle::conform::{ConformOptions, ConformReport, InProcess, Program, ProgramError, conform};
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 
 /// Long enough for any program that answers at all, on a machine that has other things to do.
 pub(crate) const TIMEOUT: Duration = Duration::from_secs(20);
 
 pub(crate) fn tests() -> &'static [Test] {
     static TESTS: OnceLock<Vec<Test>> = OnceLock::new();
-    TESTS.get_or_init(|| suite::generate(&Interface::V3_0))
+    TESTS.get_or_init(|| suite::generate(&Edition::V3_0))
 }
 
 /// Only the suite.

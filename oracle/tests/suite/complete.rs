@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use adsdv_oracle::suite::{self, Kind, Test};
-use adsdv_spec::{Atom, Choice, Fault, Interface, Machine, Mutation, Readings, Row, Term};
+use adsdv_spec::{Atom, Choice, Edition, Fault, Machine, Mutation, Readings, Row, Rules, Term};
 
 use crate::tests;
 
@@ -16,7 +16,7 @@ fn terms() -> impl Iterator<Item = (&'static Row, &'static Term)> {
 
 #[test]
 fn every_mutation_is_killed_but_those_that_change_nothing() {
-    let proof = suite::prove(&Interface::V3_0, &tests());
+    let proof = suite::prove(&Edition::V3_0, &tests());
     assert_eq!(proof.survivors, Vec::<String>::new());
     assert_eq!(proof.equivalent.len(), 3);
     assert!(proof.is_complete() && proof.killed() == proof.mutants && proof.mutants > 190);
@@ -27,11 +27,11 @@ fn every_mutation_is_killed_but_those_that_change_nothing() {
 fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
     for kind in [Kind::Condition, Kind::Limit, Kind::Reading] {
         let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != kind).collect();
-        let proof = suite::prove(&Interface::V3_0, &less);
+        let proof = suite::prove(&Edition::V3_0, &less);
         assert!(!proof.is_complete(), "without {kind}");
         assert_eq!(proof.killed() + proof.survivors.len(), proof.mutants);
     }
-    let proof = suite::prove(&Interface::V3_0, &[]);
+    let proof = suite::prove(&Edition::V3_0, &[]);
     assert_eq!(proof.killed(), 0);
 }
 
@@ -39,8 +39,8 @@ fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
 #[test]
 fn what_changes_nothing_is_found_out_for_each_table() {
     let weaker =
-        Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == "3.1 term 0: asms dropped");
-    let proof = suite::prove(&weaker.expect("it is one").apply(&Interface::V3_0), &tests());
+        Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == "3.1 term 0: asms dropped");
+    let proof = suite::prove(&weaker.expect("it is one").apply(&Edition::V3_0), &tests());
     assert_eq!(proof.survivors, Vec::<String>::new());
     let equivalent: Vec<&str> = proof.equivalent.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(equivalent, ["3.7 term 4: in every reading", "3.7 term 6: in every reading"]);
@@ -123,7 +123,7 @@ fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
     }
     let tests = tests();
     for &choice in Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice)) {
-        let other = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+        let other = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
         let tells = |test: &&Test| test.scenario.shown(&machine).ne(test.scenario.shown(&other));
         assert!(tests.iter().filter(tells).any(|test| test.reading == Some(choice.reading())), "{choice}");
     }
@@ -132,7 +132,7 @@ fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
 #[test]
 fn every_limit_is_tried_below_at_and_above() {
     let names: HashSet<String> = tests().into_iter().map(|test| test.name).collect();
-    let Interface { timing, thresholds, .. } = Interface::V3_0;
+    let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
     for rpm in [-1, 0, 1].map(|beside| thresholds.wheel_speed.raw() + beside) {
         for wheel in ["fl", "fr", "rl", "rr"] {
             assert!(names.contains(&format!("wheel-{wheel}-{rpm}-rpm")));

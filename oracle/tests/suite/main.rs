@@ -7,8 +7,8 @@ mod requirements;
 mod written;
 
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 
 fn tests() -> Vec<Test> {
-    suite::generate(&Interface::V3_0)
+    suite::generate(&Edition::V3_0)
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use adsdv_oracle::suite::{self, Reason};
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 
 use crate::tests;
 
@@ -73,7 +73,7 @@ fn what_is_about_the_vcu_is_what_its_sentences_are() {
         .map(str::to_owned)
         .collect();
     expected.insert("HS-13".to_owned());
-    assert_eq!(suite::about_the_vcu(&Interface::V3_0), expected);
+    assert_eq!(suite::about_the_vcu(&Edition::V3_0), expected);
 }
 
 #[test]

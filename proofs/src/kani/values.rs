@@ -10,8 +10,8 @@ use adsdv_spec::messages::{
     Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{
-    AiMessages, Atom, Atoms, Control, Fault, Faults, Handshake, Inputs, Interface, Knowledge, Observation,
-    Readings, Reports, ShutdownCircuit, Truth, Vehicle,
+    AiMessages, Atom, Atoms, Control, Edition, Fault, Faults, Handshake, Inputs, Knowledge, Observation,
+    Readings, Reports, Rules, ShutdownCircuit, Truth, Vehicle,
 };
 
 use super::Source;
@@ -33,7 +33,7 @@ const fn small(raw: i32) -> u16 {
 
 /// The numbers at which the document's behaviour changes.
 const LIMITS: [u16; 5] = {
-    let Interface { timing, thresholds, .. } = Interface::V3_0;
+    let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
     [
         timing.ready_dwell_ms,
         timing.ebs_timer_ms,
@@ -248,7 +248,7 @@ impl Arbitrary for Handshake {
 }
 
 const fn handshake_ms() -> u16 {
-    Interface::V3_0.timing.handshake_ms
+    Edition::V3_0.rules.timing.handshake_ms
 }
 
 /// Mostly a control state that keeps the invariant under the default readings: few others would.
@@ -267,7 +267,7 @@ impl Arbitrary for Control {
         if source.below(8) == 0 {
             return drawn;
         }
-        let limit = Interface::V3_0.timing.in_state_limit(drawn.state);
+        let limit = Edition::V3_0.rules.timing.in_state_limit(drawn.state);
         drawn.in_state_ms = drawn.in_state_ms.min(limit);
         source.note_timers(Some(drawn.in_state_ms), drawn.handshake.unanswered_ms);
         drawn.go_seen_low &= drawn.state == AsState::Ready && drawn.in_state_ms == limit;
@@ -320,9 +320,9 @@ impl Arbitrary for Inputs {
         let mostly = if kind % 2 == 1 { 2 } else { 16 };
         for atom in Observation::SCOPE.difference(SPREAD).iter() {
             match source.below(mostly) {
-                0 => drawn.show(atom, false, &Interface::V3_0.thresholds),
+                0 => drawn.show(atom, false, &Edition::V3_0.rules.thresholds),
                 1 => {}
-                _ => drawn.show(atom, true, &Interface::V3_0.thresholds),
+                _ => drawn.show(atom, true, &Edition::V3_0.rules.thresholds),
             }
         }
         // What is shown is to the left; half of them have it to the right.

@@ -43,9 +43,9 @@ struct TimersGoOn;
 
 impl Subject for TimersGoOn {
     fn is_consistent(&self, control: &Control, readings: Readings) -> bool {
-        let limit = self.machine().interface().timing.in_state_limit(control.state);
+        let limit = self.machine().edition().rules.timing.in_state_limit(control.state);
         let control = Control { in_state_ms: control.in_state_ms.min(limit), ..*control };
-        control.is_consistent(&self.machine().interface().timing, readings)
+        control.is_consistent(&self.machine().edition().rules.timing, readings)
     }
 }
 
@@ -55,7 +55,7 @@ struct NoCause;
 
 impl Subject for NoCause {
     fn is_consistent(&self, control: &Control, readings: Readings) -> bool {
-        let timing = &self.machine().interface().timing;
+        let timing = &self.machine().edition().rules.timing;
         let caused = Control { shutdown_cause: ShutdownCause::EbsFault, ..*control };
         control.is_consistent(timing, readings) || caused.is_consistent(timing, readings)
     }

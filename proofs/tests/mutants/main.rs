@@ -23,7 +23,7 @@ use adsdv_proofs::kani::Outcome;
 use adsdv_proofs::seed;
 use adsdv_proofs::subject::{self, Subject};
 use adsdv_proofs::theorems::{self, Theorem};
-use adsdv_spec::{Control, Inputs, Interface, Machine, Outputs, Readings};
+use adsdv_spec::{Control, Edition, Inputs, Machine, Outputs, Readings};
 
 /// A specification with one thing changed, and the theorem that catches it.
 struct Mutant {
@@ -49,19 +49,19 @@ impl Mutant {
 /// A version of the interface with one thing changed.
 #[derive(Clone)]
 struct Changed {
-    interface: Interface,
+    edition: Edition,
     machine: Machine,
 }
 
 impl Changed {
-    fn of(interface: &Interface) -> Self {
-        Self { interface: *interface, machine: Machine::new(*interface, Readings::DEFAULT) }
+    fn of(edition: &Edition) -> Self {
+        Self { edition: *edition, machine: Machine::new(*edition, Readings::DEFAULT) }
     }
 
     /// The mutation of this name.
     fn named(name: &str) -> Self {
         let found = mutations::all().find(|mutant| mutant.name == name);
-        Self::of(&found.unwrap_or_else(|| panic!("there is no mutation {name:?}")).interface)
+        Self::of(&found.unwrap_or_else(|| panic!("there is no mutation {name:?}")).edition)
     }
 }
 
@@ -80,7 +80,7 @@ impl Subject for Changed {
         if machine.readings() == Readings::DEFAULT {
             self.machine.step(before, inputs, dt_ms)
         } else {
-            Machine::new(self.interface, machine.readings()).step(before, inputs, dt_ms)
+            Machine::new(self.edition, machine.readings()).step(before, inputs, dt_ms)
         }
     }
 }
@@ -127,7 +127,7 @@ fn every_mutation_is_caught_but_the_equivalent_ones() {
         whole.chain(adsdv_proofs::readings::THEOREMS)
     };
     let survives = |mutant: &mutations::Mutant| {
-        let subject = Changed::of(&mutant.interface);
+        let subject = Changed::of(&mutant.edition);
         subject::with(subject, || words().all(|theorem| theorem.check(seed::USUAL).failure.is_none()))
     };
     let survivors: Vec<String> = mutations::all().filter(survives).map(|mutant| mutant.name).collect();

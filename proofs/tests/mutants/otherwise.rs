@@ -1,7 +1,7 @@
 //! Subjects that do one thing otherwise, as several theorems need them.
 
 use adsdv_proofs::subject::Subject;
-use adsdv_spec::{Choice, Control, Inputs, Interface, Machine, Outputs, Readings};
+use adsdv_spec::{Choice, Control, Edition, Inputs, Machine, Outputs, Readings};
 
 /// A step that comes to something else: the change gets what was before, what was seen, and what came out.
 #[derive(Clone)]
@@ -27,7 +27,7 @@ pub(crate) struct ReadAs(Machine);
 
 impl ReadAs {
     pub(crate) const fn new(choice: Choice) -> Self {
-        Self(Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice)))
+        Self(Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
     }
 }
 

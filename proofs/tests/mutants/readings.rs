@@ -23,6 +23,6 @@ impl Subject for Deaf {
         inputs: &Inputs,
         dt_ms: u32,
     ) -> (Control, Outputs) {
-        Machine::new(*machine.interface(), Readings::DEFAULT).step(before, inputs, dt_ms)
+        Machine::new(*machine.edition(), Readings::DEFAULT).step(before, inputs, dt_ms)
     }
 }

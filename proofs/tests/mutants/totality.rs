@@ -4,7 +4,7 @@
 use adsdv_proofs::subject::Subject;
 use adsdv_spec::messages::{Frame, MESSAGES, SignalDef};
 use adsdv_spec::{
-    Actuation, AsState, Atom, Atoms, Control, FIGURE_2, Inputs, Interface, Machine, Observation, Outputs,
+    Actuation, AsState, Atom, Atoms, Control, Edition, FIGURE_2, Inputs, Machine, Observation, Outputs,
     Reaction, Reads, Row, Table, Taken, VcuMessages,
 };
 
@@ -114,7 +114,7 @@ struct Divides;
 impl Subject for Divides {
     fn observe(&self, inputs: &Inputs) -> Observation {
         assert!(50_i32.checked_div(inputs.vehicle.steer_angle.raw()).is_some(), "a division by zero");
-        inputs.observe(&self.machine().interface().thresholds)
+        inputs.observe(&self.machine().edition().rules.thresholds)
     }
 }
 
@@ -124,7 +124,7 @@ struct MovesAtRest;
 
 impl Subject for MovesAtRest {
     fn observe(&self, inputs: &Inputs) -> Observation {
-        let seen = inputs.observe(&self.machine().interface().thresholds);
+        let seen = inputs.observe(&self.machine().edition().rules.thresholds);
         let both = Atoms::of(&[Atom::Moving, Atom::AtRest]);
         if seen.atoms().intersection(both).is_empty() {
             return Observation::new(seen.atoms().union(both), seen.faults());
@@ -145,10 +145,10 @@ impl Subject for ReadsMemory {
 }
 
 /// Figure 2 with its last arrow twice.
-fn one_row_more() -> Interface {
+fn one_row_more() -> Edition {
     let rows = FIGURE_2.rows();
     let twice: Vec<Row> = rows.iter().chain(rows.last()).copied().collect();
-    Interface { table: Table::new(&twice), ..Interface::V3_0 }
+    Edition::V3_0.with_table(Table::new(&twice))
 }
 
 /// The torque is doubled on its way, in as many bits as one axle needs.

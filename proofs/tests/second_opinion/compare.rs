@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use adsdv_spec::{Control, Inputs, Interface, Machine};
+use adsdv_spec::{Control, Edition, Inputs, Machine};
 
 use adsdv_proofs::words::{self, Arrow, Verdict};
 
 /// How many rows Figure 2 has.
-pub(crate) const ROWS: usize = Interface::V3_0.table.rows().len();
+pub(crate) const ROWS: usize = Edition::V3_0.rules.table.rows().len();
 
 /// How often each row of the table was taken.
 pub(crate) type Count = [u32; ROWS];

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use adsdv_spec::messages::{
     AmiState, AsState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
 };
-use adsdv_spec::{Atom, Atoms, Choice, Control, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Readings};
 
 use crate::compare::{self, Count, Disagreement, ROWS};
 
@@ -101,7 +101,7 @@ fn all_inputs(atoms: Atoms) -> Vec<Inputs> {
         .enumerate()
         .map(|(index, atoms)| {
             let inputs = inputs_with(atoms, index);
-            let seen = inputs.observe(&Interface::V3_0.thresholds).atoms();
+            let seen = inputs.observe(&Edition::V3_0.rules.thresholds).atoms();
             assert_eq!(seen, atoms, "inputs meant to show {atoms:?} show {seen:?}: {inputs:#?}");
             inputs
         })

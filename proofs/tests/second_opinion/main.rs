@@ -14,7 +14,7 @@ mod mutants;
 mod random;
 
 use adsdv_spec::table::Row;
-use adsdv_spec::{Choice, Interface, Machine, Reading, Readings};
+use adsdv_spec::{Choice, Edition, Machine, Reading, Readings};
 
 use crate::exhaustive::explore;
 use crate::random::{Prng, Run};
@@ -39,7 +39,7 @@ fn assert_agreement(run: &Run, readings: Readings) {
     if let Some(disagreement) = &run.disagreement {
         panic!("readings [{readings}]: {disagreement}");
     }
-    for (row, taken) in Interface::V3_0.table.rows().iter().zip(run.taken) {
+    for (row, taken) in Edition::V3_0.rules.table.rows().iter().zip(run.taken) {
         assert!(
             taken >= OFTEN,
             "readings [{readings}]: section {} was taken only {taken} times",
@@ -61,7 +61,7 @@ fn random_runs_agree_under_the_default_readings() {
 #[test]
 fn random_runs_agree_under_each_choice_alone() {
     for (seed, readings) in (2..).zip(one_choice_each()) {
-        let run = Run::of(&Machine::new(Interface::V3_0, readings), &mut Prng::new(seed), 100_000);
+        let run = Run::of(&Machine::new(Edition::V3_0, readings), &mut Prng::new(seed), 100_000);
         assert_agreement(&run, readings);
     }
 }
@@ -71,7 +71,7 @@ fn random_runs_agree_under_random_combinations_of_choices() {
     let mut prng = Prng::new(100);
     for _ in 0..40 {
         let readings = any_readings(&mut prng);
-        let run = Run::of(&Machine::new(Interface::V3_0, readings), &mut prng, 40_000);
+        let run = Run::of(&Machine::new(Edition::V3_0, readings), &mut prng, 40_000);
         assert_agreement(&run, readings);
     }
 }
@@ -80,11 +80,11 @@ fn random_runs_agree_under_random_combinations_of_choices() {
 #[test]
 fn every_combination_of_conditions_agrees() {
     for readings in one_choice_each() {
-        let exploration = explore(&Machine::new(Interface::V3_0, readings));
+        let exploration = explore(&Machine::new(Edition::V3_0, readings));
         if let Some(disagreement) = exploration.disagreement {
             panic!("readings [{readings}]: {disagreement}");
         }
-        for (row, taken) in Interface::V3_0.table.rows().iter().zip(exploration.taken) {
+        for (row, taken) in Edition::V3_0.rules.table.rows().iter().zip(exploration.taken) {
             assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken {taken} times", row.section);
         }
     }
@@ -100,7 +100,7 @@ fn every_mutant_differs_but_the_equivalent_ones() {
 }
 
 fn survives(mutant: &mutants::Mutant) -> bool {
-    let machines = || one_choice_each().map(|readings| Machine::new(mutant.interface, readings));
+    let machines = || one_choice_each().map(|readings| Machine::new(mutant.edition, readings));
     let random = |machine: &Machine| Run::of(machine, &mut Prng::new(7), 40_000).disagreement.is_none();
     let exhaustive = |machine: &Machine| explore(machine).disagreement.is_none();
     machines().all(|machine| random(&machine))
@@ -111,6 +111,6 @@ fn survives(mutant: &mutants::Mutant) -> bool {
 /// readings take away or reorder, the random runs are enough.
 fn has_terms_of_its_own(machine: &Machine) -> bool {
     let names =
-        |choice| Interface::V3_0.table.rows().iter().flat_map(Row::terms).any(|t| t.readings.has(choice));
+        |choice| Edition::V3_0.rules.table.rows().iter().flat_map(Row::terms).any(|t| t.readings.has(choice));
     machine.readings().choices().iter().all(|choice| Readings::DEFAULT.is(choice) || names(choice))
 }

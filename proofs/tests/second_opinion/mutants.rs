@@ -1,11 +1,11 @@
 //! The specification with one thing changed: a literal, a term, a destination, an order, a time or a threshold.
 
-use adsdv_spec::{Interface, Mutation};
+use adsdv_spec::{Edition, Mutation};
 
 /// A specification with one change, and what was changed.
 pub(crate) struct Mutant {
     pub(crate) name: String,
-    pub(crate) interface: Interface,
+    pub(crate) edition: Edition,
 }
 
 /// The mutants that behave like the specification, each with the reason.
@@ -17,7 +17,6 @@ pub(crate) const EQUIVALENT: &[(&str, &str)] = &[
 
 /// Every mutant.
 pub(crate) fn all() -> impl Iterator<Item = Mutant> {
-    let mutations = Mutation::all(&Interface::V3_0);
-    mutations
-        .map(|mutation| Mutant { name: mutation.to_string(), interface: mutation.apply(&Interface::V3_0) })
+    let mutations = Mutation::all(&Edition::V3_0);
+    mutations.map(|mutation| Mutant { name: mutation.to_string(), edition: mutation.apply(&Edition::V3_0) })
 }

@@ -4,7 +4,7 @@ use adsdv_spec::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, Frame, MessageDef, MissionStatus, MotorSpeedMax,
     ShutdownCause, SteerAngle, WheelSpeed,
 };
-use adsdv_spec::{AsState, Control, Inputs, Interface, Machine};
+use adsdv_spec::{AsState, Control, Edition, Inputs, Machine};
 
 /// How many samples there are of each thing: even, because the handshake alternates.
 pub(crate) const COUNT: u8 = 8;
@@ -49,7 +49,7 @@ pub(crate) struct Stay {
 
 impl Stay {
     pub(crate) fn in_state(state: AsState) -> Self {
-        let timing = Interface::V3_0.timing;
+        let timing = Edition::V3_0.rules.timing;
         let braking = state == AsState::EmergencyBrake;
         let start = Control {
             state,

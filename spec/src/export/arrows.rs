@@ -6,7 +6,7 @@ use crate::machine::Taken;
 use crate::messages::AsState;
 use crate::readings::Readings;
 use crate::table::{Row, Term};
-use crate::{Interface, Machine};
+use crate::{Edition, Machine};
 
 /// An arrow that the readings of a machine have.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ pub(super) struct ShownArrow<'a> {
 /// The arrows of a machine, those of one state in the order in which they are evaluated.
 pub(super) fn arrows(machine: &Machine) -> impl Iterator<Item = ShownArrow<'_>> {
     AsState::ALL.into_iter().flat_map(|state| machine.arrows(state)).filter_map(move |first| {
-        let row = first.row(&machine.interface().table)?;
+        let row = first.row(&machine.edition().rules.table)?;
         let arrow = ShownArrow { machine, row, first };
         (arrow.alternatives().next() == Some(first)).then_some(arrow)
     })
@@ -34,7 +34,7 @@ impl<'a> ShownArrow<'a> {
 
     /// The terms of these alternatives.
     fn terms(self) -> impl Iterator<Item = &'a Term> {
-        let table = &self.machine.interface().table;
+        let table = &self.machine.edition().rules.table;
         self.alternatives().filter_map(move |taken| taken.term(table))
     }
 
@@ -90,7 +90,7 @@ pub(super) struct Title<'a>(pub(super) &'a Machine);
 
 impl fmt::Display for Title<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Interface { version, .. } = self.0.interface();
+        let Edition { version, .. } = self.0.edition();
         write!(f, "Figure 2 of the ADS-DV Software Interface Specification {version}")?;
         let readings = self.0.readings();
         if readings == Readings::DEFAULT { Ok(()) } else { write!(f, ", read with {readings}") }

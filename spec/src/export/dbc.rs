@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::escape::Escaped;
-use crate::Interface;
+use crate::Edition;
 use crate::messages::{Decimal, MESSAGES, Message, MessageDef, Node, SignalDef, Vcu2LogStatus};
 
 /// The keywords that a database may use; readers expect the list, whether they are used or not.
@@ -44,14 +44,14 @@ const CYCLE_TIME: &str = "GenMsgCycleTime";
 /// ranges refuses what [`Message::decode`] refuses, but for the numbers between the values of an enumeration.
 ///
 /// ```
-/// use adsdv_spec::{Interface, export::Dbc};
+/// use adsdv_spec::{Edition, export::Dbc};
 ///
-/// let dbc = Dbc(&Interface::V3_0).to_string();
+/// let dbc = Dbc(&Edition::V3_0).to_string();
 /// assert!(dbc.contains(" SG_ STEER_REQUEST_deg : 0|16@1- (0.1,0) [-24|24] \"deg\" Vector__XXX\n"));
 /// assert!(dbc.contains("BA_ \"GenMsgCycleTime\" BO_ 1282 100;\n"));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Dbc<'a>(pub &'a Interface);
+pub struct Dbc<'a>(pub &'a Edition);
 
 impl fmt::Display for Dbc<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -109,7 +109,7 @@ impl Dbc<'_> {
     }
 
     fn cycle_ms(self, message: &MessageDef) -> u16 {
-        let timing = &self.0.timing;
+        let timing = &self.0.rules.timing;
         if message.id == Vcu2LogStatus::DEF.id { timing.log_status_cycle_ms } else { timing.cycle_ms }
     }
 }

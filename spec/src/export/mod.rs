@@ -16,16 +16,16 @@
 //!
 //! ```
 //! use adsdv_spec::export::{Dbc, Figure2, Mermaid};
-//! use adsdv_spec::{Choice, Interface, Machine, Readings};
+//! use adsdv_spec::{Choice, Edition, Machine, Readings};
 //!
-//! let dbc = Dbc(&Interface::V3_0).to_string();
+//! let dbc = Dbc(&Edition::V3_0).to_string();
 //! assert!(dbc.contains("\nBO_ 1312 VCU2AI_Status: 8 VCU\n"));
 //!
 //! let table = Figure2(&Machine::REFERENCE).to_string();
 //! assert!(table.contains("| AS_READY | AS_OFF | 3.6 | AS master switch OFF |\n"));
 //! assert!(table.contains("or AI_COMMS_LOST (2.4)"));
 //!
-//! let figure_alone = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::CommsNoArrow));
+//! let figure_alone = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::CommsNoArrow));
 //! assert!(!Mermaid(&figure_alone).to_string().contains("AI_COMMS_LOST"));
 //! ```
 

@@ -1,9 +1,9 @@
 //! The invariant of the control state: what it allows, and that each of its conditions counts.
 
 use adsdv_spec::messages::ShutdownCause;
-use adsdv_spec::{AsState, Choice, Control, Handshake, Interface, Readings, Timing};
+use adsdv_spec::{AsState, Choice, Control, Edition, Handshake, Readings, Timing};
 
-const TIMING: Timing = Interface::V3_0.timing;
+const TIMING: Timing = Edition::V3_0.rules.timing;
 const CAUSE: ShutdownCause = ShutdownCause::AiComputerRequest;
 
 fn reading(choice: Choice) -> Readings {

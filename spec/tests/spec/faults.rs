@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{
     AsState, DirectionRequest, MissionStatus, ShutdownCause, Vcu2AiStatus, Vcu2AiWheelSpeeds, WheelSpeed,
 };
-use adsdv_spec::{Choice, Control, Fault, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{Choice, Control, Edition, Fault, Inputs, Machine, Readings};
 
 /// Sets off a fault.
 type Cause = fn(&mut Inputs);
@@ -174,7 +174,7 @@ fn the_first_cause_stays_and_the_lowest_number_wins() {
     assert!(status.hvil_open_fault && !status.bms_fault && !status.ebs_fault, "the others are live");
 
     // A VCU that needs no power cycle keeps the cause through a second emergency.
-    let lenient = Machine::new(Interface::V3_0, Readings::DEFAULT.with(Choice::PowerCycleNotLatched));
+    let lenient = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::PowerCycleNotLatched));
     let ready = Control { state: AsState::Ready, power_cycle_needed: false, ..after };
     let (again, _) = lenient.step(&ready, &inputs, 10);
     assert_eq!((again.state, again.shutdown_cause), (AsState::EmergencyBrake, after.shutdown_cause));

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
 use adsdv_spec::table::{Row, Table, Term};
-use adsdv_spec::{Interface, Machine, Mutation, Readings};
+use adsdv_spec::{Edition, Machine, Mutation, Readings, Rules};
 use expect_test::expect_file;
 
 fn compare(file: &str, export: &impl std::fmt::Display) {
@@ -17,7 +17,7 @@ fn compare(file: &str, export: &impl std::fmt::Display) {
 
 #[test]
 fn dbc() {
-    compare("adsdv.dbc", &Dbc(&Interface::V3_0));
+    compare("adsdv.dbc", &Dbc(&Edition::V3_0));
 }
 
 #[test]
@@ -38,13 +38,13 @@ fn markdown() {
 /// The text of a table of one's own may have what means something else in a format.
 #[test]
 fn nothing_in_a_text_ends_it() {
-    let first = &Interface::V3_0.table.rows()[0];
+    let first = &Edition::V3_0.rules.table.rows()[0];
     let section = "a \"b\" \\c &d <e> |f| *g* `h` #i: j;\nk";
     let table = Table::new(&[Row::new(first.from, first.to, section, first.terms())]);
-    let interface = Interface { table, version: "\"4\" \\5", ..Interface::V3_0 };
-    let machine = Machine::new(interface, Readings::DEFAULT);
+    let edition = Edition { version: "\"4\" \\5", ..Edition::V3_0 }.with_table(table);
+    let machine = Machine::new(edition, Readings::DEFAULT);
     for (export, expected) in [
-        (Dbc(&interface).to_string(), &[r#"VERSION "\"4\" \\5""#, r#"Specification \"4\" \\5";"#][..]),
+        (Dbc(&edition).to_string(), &[r#"VERSION "\"4\" \\5""#, r#"Specification \"4\" \\5";"#][..]),
         (Dot(&machine).to_string(), &[r#"section a \"b\" \\c &amp;d <e> |f| *g* `h` #i: j;\lk\l"#]),
         (
             Mermaid(&machine).to_string(),
@@ -61,10 +61,10 @@ fn nothing_in_a_text_ends_it() {
 /// Each mutation, and below it what of the interface goes (-) and comes (+).
 #[test]
 fn mutations() {
-    let document = lines(&Interface::V3_0);
+    let document = lines(&Edition::V3_0);
     let mut all = String::new();
-    for mutation in Mutation::all(&Interface::V3_0) {
-        let mutant = lines(&mutation.apply(&Interface::V3_0));
+    for mutation in Mutation::all(&Edition::V3_0) {
+        let mutant = lines(&mutation.apply(&Edition::V3_0));
         writeln!(all, "{mutation}").expect("a string can be written");
         // What stands before and behind the change is left out; a row that moved shows both ways.
         let same = document.iter().zip(&mutant).take_while(|(ours, theirs)| ours == theirs).count();
@@ -82,14 +82,14 @@ fn mutations() {
 #[test]
 fn mutations_have_names_of_their_own() {
     let mut names = HashSet::new();
-    for mutation in Mutation::all(&Interface::V3_0) {
+    for mutation in Mutation::all(&Edition::V3_0) {
         assert!(names.insert(mutation.to_string()), "{mutation} is there twice");
     }
 }
 
 /// What mutations change, in lines: the rows with their terms, the times and the thresholds.
-fn lines(interface: &Interface) -> Vec<String> {
-    let Interface { table, timing, thresholds, .. } = interface;
+fn lines(edition: &Edition) -> Vec<String> {
+    let Rules { table, timing, thresholds, .. } = edition.rules;
     let rows = table.rows().iter().flat_map(|row| {
         let Row { from, to, section, .. } = row;
         let head = format!("{section} {from} -> {to}");

@@ -1,9 +1,9 @@
 //! The handshake as section 2.4 tells it and Figure 1 draws it.
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Control, Handshake, Inputs, Interface, Machine};
+use adsdv_spec::{Control, Edition, Handshake, Inputs, Machine};
 
-const LIMIT_MS: u16 = Interface::V3_0.timing.handshake_ms;
+const LIMIT_MS: u16 = Edition::V3_0.rules.timing.handshake_ms;
 
 /// A handshake that is performed, a step of 5 ms later.
 fn after_5_ms(vcu: Handshake, answer: bool) -> Handshake {

@@ -3,12 +3,12 @@
 use adsdv_spec::messages::{
     AmiState, DirectionRequest, EbsState, MissionStatus, Vcu2AiWheelSpeeds, WheelSpeed,
 };
-use adsdv_spec::{AsState, Choice, Control, Inputs, Interface, Machine, Mutation, Readings, Timing};
+use adsdv_spec::{AsState, Choice, Control, Edition, Inputs, Machine, Mutation, Readings, Timing};
 
-const TIMING: Timing = Interface::V3_0.timing;
+const TIMING: Timing = Edition::V3_0.rules.timing;
 
 fn under(choice: Choice) -> Machine {
-    Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice))
+    Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice))
 }
 
 /// AS_READY with all that Figure 2 asks for on the way to AS_DRIVING but "Go".
@@ -79,8 +79,8 @@ fn go_off_is_remembered_where_the_conditions_of_as_driving_hold() {
 /// A table without the arrow has no edge to wait for.
 #[test]
 fn go_off_is_not_remembered_without_the_arrow() {
-    let mutation = Mutation::all(&Interface::V3_0).find(|mutation| mutation.to_string() == "3.2: dropped");
-    let mutant = mutation.expect("the arrow is there").apply(&Interface::V3_0);
+    let mutation = Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == "3.2: dropped");
+    let mutant = mutation.expect("the arrow is there").apply(&Edition::V3_0);
     for choice in [Choice::GoEdgeEnough, Choice::FaultEdge] {
         let machine = Machine::new(mutant, Readings::DEFAULT.with(choice));
         for inputs in [ready(), Inputs { asms: false, ..ready() }, driving(), Inputs::default()] {

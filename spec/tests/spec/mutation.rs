@@ -3,11 +3,11 @@
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::table::{MAX_ROWS, PRIORITIES};
-use adsdv_spec::{Atom, Control, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{Atom, Control, Edition, Inputs, Machine, Readings};
 
 #[test]
 fn a_row_or_a_term_that_is_not_there_cannot_be_changed() {
-    let rows = Interface::V3_0.table.rows().len();
+    let rows = Edition::V3_0.rules.table.rows().len();
     for row in rows..=MAX_ROWS {
         for change in [
             Change::RowDropped(row),
@@ -15,23 +15,23 @@ fn a_row_or_a_term_that_is_not_there_cannot_be_changed() {
             Change::RowFirst(row),
             Change::Term(row, 0, TermChange::Dropped),
         ] {
-            assert_eq!(change.apply(&Interface::V3_0), Interface::V3_0, "{change:?}");
+            assert_eq!(change.apply(&Edition::V3_0), Edition::V3_0, "{change:?}");
         }
     }
-    assert_eq!(Change::RowFirst(0).apply(&Interface::V3_0), Interface::V3_0, "none is before the first");
-    let terms = Interface::V3_0.table.rows()[0].terms().len();
+    assert_eq!(Change::RowFirst(0).apply(&Edition::V3_0), Edition::V3_0, "none is before the first");
+    let terms = Edition::V3_0.rules.table.rows()[0].terms().len();
     let change = Change::Term(0, terms, TermChange::LiteralFlipped(Atom::Asms));
-    assert_eq!(change.apply(&Interface::V3_0), Interface::V3_0, "{change:?}");
+    assert_eq!(change.apply(&Edition::V3_0), Edition::V3_0, "{change:?}");
 }
 
 /// A reading lets one row of a state come first. Where the row is missing, the others are what they were.
 #[test]
 fn a_row_that_is_not_there_overtakes_none() {
-    for priority in PRIORITIES {
+    for &priority in PRIORITIES {
         let readings = Readings::DEFAULT.with(priority.choice);
-        let rows = Interface::V3_0.table.rows();
+        let rows = Edition::V3_0.rules.table.rows();
         let row = rows.iter().position(|row| (row.from, row.to) == (priority.from, priority.first));
-        let without = Change::RowDropped(row.expect("the row is there")).apply(&Interface::V3_0);
+        let without = Change::RowDropped(row.expect("the row is there")).apply(&Edition::V3_0);
         let from = Control { state: priority.from, ..Control::INITIAL };
         for inputs in [Inputs::default(), Inputs { tsms: true, ..Inputs::default() }] {
             let (overtaken, _) = Machine::new(without, readings).step(&from, &inputs, 10);

@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Choices, Control, Faults, Handshake, Interface, Machine, Observation,
+    AsState, Atom, Atoms, Choice, Choices, Control, Edition, Faults, Handshake, Machine, Observation,
     Reading, Readings, Taken,
 };
 
@@ -29,7 +29,7 @@ impl Random {
 
     /// A control state that keeps the invariant.
     fn control(&mut self, machine: &Machine) -> Control {
-        let timing = &machine.interface().timing;
+        let timing = &machine.edition().rules.timing;
         loop {
             let state = AsState::ALL[self.below(AsState::ALL.len())];
             let active = self.flag();
@@ -73,7 +73,7 @@ fn a_step_depends_on_nothing_but_what_it_reads() {
     let mut random = Random(0x0A15_D5DE);
     let machines: Vec<Machine> = Choices::ALL
         .combinations(Reading::ALL)
-        .map(|readings| Machine::new(Interface::V3_0, readings))
+        .map(|readings| Machine::new(Edition::V3_0, readings))
         .collect();
     let mut taken = 0;
     for round in 0..1_000_000 {
@@ -100,9 +100,9 @@ fn what_cannot_matter_is_not_read() {
     let machine = Machine::REFERENCE;
     let reads = |state, in_state_ms| {
         let control = Control { state, in_state_ms, ..Control::INITIAL };
-        machine.reads(&control, u32::from(Interface::V3_0.timing.cycle_ms)).atoms
+        machine.reads(&control, u32::from(Edition::V3_0.rules.timing.cycle_ms)).atoms
     };
-    let limit = |state| Interface::V3_0.timing.in_state_limit(state);
+    let limit = |state| Edition::V3_0.rules.timing.in_state_limit(state);
     assert!(!reads(AsState::Ready, 0).has(FrontTorqueZero), "the dwell is not over");
     assert!(reads(AsState::Ready, limit(AsState::Ready)).has(FrontTorqueZero));
     assert!(!reads(AsState::EmergencyBrake, 0).has(Asms), "the EBS timer is not complete");
@@ -118,13 +118,13 @@ fn the_possible_alternatives_are_those_of_which_each_is_possible() {
     let mut random = Random(0x0A15_D5DF);
     let (mut open, mut all) = (0, 0);
     for readings in Choices::ALL.combinations(Reading::ALL) {
-        let machine = Machine::new(Interface::V3_0, readings);
+        let machine = Machine::new(Edition::V3_0, readings);
         for _ in 0..20 {
             let control = random.control(&machine);
             let dt_ms = [10, 5000][random.below(2)];
             let listed: Vec<_> = machine.possible(&control, dt_ms).collect();
             let mut asked = Vec::new();
-            for (row, def) in (0..).zip(Interface::V3_0.table.rows()) {
+            for (row, def) in (0..).zip(Edition::V3_0.rules.table.rows()) {
                 for (term, alternative) in (0..).zip(def.terms()) {
                     if machine.is_possible(&control, dt_ms, Taken { row, term }) {
                         asked.push((def, alternative));
@@ -161,7 +161,7 @@ fn an_edge_is_decided_by_an_input_together_with_the_memory() {
 #[test]
 fn a_step_reads_no_more_than_it_remembers() {
     let reads = |state, choice| {
-        let machine = Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice));
+        let machine = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
         machine.reads(&Control { state, ..Control::INITIAL }, 10).atoms
     };
     for state in AsState::ALL {

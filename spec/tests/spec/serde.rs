@@ -3,11 +3,10 @@
 use adsdv_spec::messages::{
     AnyMessage, DecodeError, DirectionRequest, Frame, GivenValue, MESSAGES, MissionStatus, Node, SteerAngle,
 };
-use adsdv_spec::table::PRIORITIES;
 use adsdv_spec::{
-    AiMessages, AsState, Assi, Atom, Atoms, Choice, Choices, Control, FIGURE_2, Fault, Faults, Inputs,
-    Interface, Knowledge, Machine, Observation, Reaction, Reading, Readings, Taken, Thresholds, Timing,
-    Truth, UnknownName,
+    AiMessages, AsState, Assi, Atom, Atoms, Choice, Choices, Control, Edition, FIGURE_2, Fault, Faults,
+    Inputs, Knowledge, Machine, Observation, Reaction, Reading, Readings, Taken, Thresholds, Timing, Truth,
+    UnknownName,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -305,7 +304,7 @@ fn a_field_that_is_none_is_refused() {
         let error = refused::<Inputs>(&given);
         assert!(error.contains("unknown field"), "{given}: {error}");
     }
-    let mut timing = written(&Interface::V3_0.timing);
+    let mut timing = written(&Edition::V3_0.rules.timing);
     timing["dwell"] = json!(5);
     assert!(refused::<Timing>(&timing).contains("unknown field"));
     assert!(refused::<Thresholds>(&json!({"wheel_speed": 1251, "straight": 50})).contains("1251 rpm"));
@@ -316,7 +315,7 @@ fn what_a_step_takes_and_gives_round_trips() {
     let vcu = Machine::REFERENCE;
     let inputs = Inputs { asms: true, tsms: true, go: true, ..Inputs::default() };
     let (control, outputs) = vcu.step(&Control::INITIAL, &inputs, 10);
-    let observation = inputs.observe(&Interface::V3_0.thresholds);
+    let observation = inputs.observe(&Edition::V3_0.rules.thresholds);
     let taken = Some(Taken { row: 1, term: 2 });
     let reaction = Reaction { taken, ..vcu.react(&Control::INITIAL, observation, 10) };
     round_trip(&control);
@@ -326,8 +325,8 @@ fn what_a_step_takes_and_gives_round_trips() {
     round_trip(&observation);
     round_trip(&reaction);
     round_trip(&Observation::default());
-    round_trip(&Interface::V3_0.timing);
-    round_trip(&Interface::V3_0.thresholds);
+    round_trip(&Edition::V3_0.rules.timing);
+    round_trip(&Edition::V3_0.rules.thresholds);
     for frame in outputs.messages(&inputs).frames() {
         round_trip(&frame);
         round_trip(&AnyMessage::decode(frame.id, frame.data()).expect("what the VCU sends"));
@@ -351,13 +350,13 @@ fn the_table_is_a_list_of_arrows() {
     );
     assert_eq!(table[1]["terms"][1]["fault"], "AI_COMMS_LOST");
     assert_eq!(table[1]["terms"][1]["readings"], json!(["comms-lost=every-state"]));
-    let interface = written(&Interface::V3_0);
-    assert_eq!(interface["version"], "3.0");
-    assert_eq!(interface["table"], table);
-    assert_eq!(interface["timing"]["ebs_timer_ms"], 15000);
-    assert_eq!(interface["thresholds"], json!({"wheel_speed": 10, "straight": 50}));
+    let edition = written(&Edition::V3_0);
+    assert_eq!(edition["version"], "3.0");
+    assert_eq!(edition["rules"]["table"], table);
+    assert_eq!(edition["rules"]["timing"]["ebs_timer_ms"], 15000);
+    assert_eq!(edition["rules"]["thresholds"], json!({"wheel_speed": 10, "straight": 50}));
     assert_eq!(
-        written(&PRIORITIES[0]),
+        edition["rules"]["priorities"][0],
         json!({"choice": "ready-priority=as-off", "from": "AS_READY", "first": "AS_OFF"})
     );
 }

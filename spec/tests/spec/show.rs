@@ -5,11 +5,11 @@ use adsdv_spec::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds,
     WheelSpeed,
 };
-use adsdv_spec::{Atom, Atoms, Fault, Faults, Inputs, Interface, Observation, Reads, Thresholds};
+use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Inputs, Observation, Reads, Thresholds};
 
 use crate::random::Random;
 
-const THRESHOLDS: Thresholds = Interface::V3_0.thresholds;
+const THRESHOLDS: Thresholds = Edition::V3_0.rules.thresholds;
 
 impl Random {
     fn pick<T: Copy>(&mut self, values: &[T]) -> T {

@@ -5,8 +5,8 @@ use adsdv_spec::messages::{
     Vcu2LogStatus,
 };
 use adsdv_spec::{
-    Atom, Atoms, Choice, Choices, Fault, Faults, Interface, Knowledge, Machine, Reading, Readings, Row,
-    Table, Term, Truth,
+    Atom, Atoms, Choice, Choices, Edition, Fault, Faults, Knowledge, Machine, Reading, Readings, Row, Table,
+    Term, Truth,
 };
 
 #[test]
@@ -26,10 +26,10 @@ fn a_table_is_what_it_is_written_down_with() {
 
 #[test]
 fn what_is_usual_is_the_document_as_it_is() {
-    assert_eq!(Interface::default(), Interface::V3_0);
+    assert_eq!(Edition::default(), Edition::V3_0);
     assert_eq!(Readings::default(), Readings::DEFAULT);
     let machine = Machine::default();
-    assert_eq!((machine.interface(), machine.readings()), (&Interface::V3_0, Readings::DEFAULT));
+    assert_eq!((machine.edition(), machine.readings()), (&Edition::V3_0, Readings::DEFAULT));
 }
 
 #[test]

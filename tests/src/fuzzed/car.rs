@@ -7,7 +7,7 @@ use adsdv_can::live::Watch;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_oracle::log::LogOptions;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES, Node, Vcu2LogStatus, WheelSpeed};
-use adsdv_spec::{Interface, Machine};
+use adsdv_spec::{Edition, Machine};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -25,7 +25,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
     let mut reached = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
-    let mut car = Car::new(Machine::new(Interface::V3_0, readings));
+    let mut car = Car::new(Machine::new(Edition::V3_0, readings));
     let mut ai = Ai::new(Plan::DEFAULT);
     let mut watch = Watch::new("can0", LogOptions::default());
     let switches: Vec<Switch> = Switch::all().collect();
@@ -89,7 +89,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
 fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: u32) -> Option<AsState> {
     let before = car.vehicle().distance_m();
     let cycle = car.cycle(dt_ms);
-    let timing = &car.machine().interface().timing;
+    let timing = &car.machine().edition().rules.timing;
     assert!(car.control().is_consistent(timing, car.machine().readings()), "{:?}", car.control());
     assert_eq!(cycle.state(), cycle.outputs.map(|_| car.control().state));
     assert!(cycle.frames.len() >= 8 || cycle.state().is_none(), "{} frames", cycle.frames.len());

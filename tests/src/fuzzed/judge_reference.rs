@@ -2,7 +2,7 @@
 //! the VCU; and against the AI Computer only what it did.
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Severity};
-use adsdv_spec::{AsState, Atom, Atoms, Choices, Interface, Machine, Row};
+use adsdv_spec::{AsState, Atom, Atoms, Choices, Edition, Machine, Row};
 
 use super::Bytes;
 use crate::world::{Chance, MS, World, judge};
@@ -24,7 +24,7 @@ pub fn body(bytes: &[u8]) {
     let (jitter_ms, loss, seed) = (bytes.below(JITTER_MS + 1), bytes.pick(&LOSSES), bytes.any());
     let choices = if bytes.one_in(2) { readings.choices() } else { Choices::ALL };
     let from_the_start = bytes.one_in(4);
-    let mut world = World::new(Machine::new(Interface::V3_0, readings));
+    let mut world = World::new(Machine::new(Edition::V3_0, readings));
     world.sets_out(&mut bytes);
     if !from_the_start {
         // The recorder was switched on late.
@@ -57,18 +57,18 @@ struct Did {
 impl Did {
     /// What it does in the cycle that comes.
     fn see(&mut self, world: &World) {
-        let interface = world.vcu.interface();
-        let atoms = world.inputs.observe(&interface.thresholds).atoms();
+        let interface = world.vcu.edition();
+        let atoms = world.inputs.observe(&interface.rules.thresholds).atoms();
         let driving_at_speed = world.control.state == AsState::Driving && atoms.has(Atom::Moving);
         self.silent |= !world.ai_answers || !world.ai_sends;
         self.finished |= driving_at_speed && atoms.has(Atom::MissionFinished);
         self.neutral |= driving_at_speed && atoms.has(Atom::DirectionNeutral);
         let starts = |row: &&Row| (row.from, row.to) == (AsState::Ready, AsState::Driving);
-        let starting = interface.table.rows().iter().filter(starts).flat_map(Row::terms);
+        let starting = interface.rules.table.rows().iter().filter(starts).flat_map(Row::terms);
         let wanted = starting.fold(Atoms::NONE, |all, term| all.union(term.on));
         let requests = wanted.without(Atom::GoEdge).without(Atom::DwellElapsed);
         self.held |= world.control.state == AsState::Ready
-            && world.control.in_state_ms >= interface.timing.ready_dwell_ms
+            && world.control.in_state_ms >= interface.rules.timing.ready_dwell_ms
             && !requests.is_subset(atoms);
     }
 }

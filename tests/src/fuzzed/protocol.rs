@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use adsdv_oracle::conform::{LineBuffer, Place, ProgramError, ProgramErrorKind, Reply, TooLong};
 use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, InputsAsJson, Request, SHOWN, Shown};
-use adsdv_spec::{Control, Inputs, Interface, Machine};
+use adsdv_spec::{Control, Edition, Inputs, Machine};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -123,7 +123,7 @@ fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &st
 /// Any step, told to a program, is the step that it gets; and what it shows is read as it was shown.
 fn any_step(bytes: &mut Bytes<'_>) {
     let readings = bytes.readings();
-    let machine = Machine::new(Interface::V3_0, readings);
+    let machine = Machine::new(Edition::V3_0, readings);
     let (inputs, dt_ms): (Inputs, u32) = (bytes.any(), bytes.any());
     let given = Request::Step { dt_ms, inputs }.to_string();
     // What a VCU measures itself, and the protocol has no key for, is left at its default.

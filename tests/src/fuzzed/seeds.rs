@@ -13,7 +13,7 @@ use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
 use adsdv_spec::{
-    AiMessages, Atom, Choice, Choices, Control, Fault, Inputs, Interface, Knowledge, Machine, Observation,
+    AiMessages, Atom, Choice, Choices, Control, Edition, Fault, Inputs, Knowledge, Machine, Observation,
     Outputs, Reading, Readings, Timing, Truth, VcuMessages,
 };
 use serde::Serialize;
@@ -60,7 +60,7 @@ pub fn corpus() -> Corpus {
     }
     let long = format!("0 asms on\n1 go on #{}\n2 asms off\n", "x".repeat(scenario::MAX_LINE));
     add("scenario", "longer-than-a-line-may-be", with(long.as_bytes(), &with(&[0], &any_bytes(7, 60))));
-    let tests = suite::generate(&Interface::V3_0);
+    let tests = suite::generate(&Edition::V3_0);
     for kind in Kind::ALL {
         // The shortest of each kind says as much as a longer one.
         let shortest = tests.iter().filter(|test| test.kind == kind).min_by_key(|test| line(test).len());
@@ -149,7 +149,7 @@ fn words(target: &str) -> BTreeSet<String> {
             words.extend([Action::POWER_CYCLE, "end", "+", ", ", "#", "0.5", "\n"].map(str::to_owned));
         }
         "protocol" | "suite" => {
-            let tests = suite::generate(&Interface::V3_0);
+            let tests = suite::generate(&Edition::V3_0);
             if target == "suite" {
                 tests.first().into_iter().for_each(|test| parts(&line(test), &mut words));
                 words.extend(Kind::ALL.map(|kind| kind.name().to_owned()));
@@ -288,11 +288,11 @@ fn jsons() -> Vec<(&'static str, String)> {
     }
     let inputs = Inputs::default();
     let (control, outputs): (Control, Outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
-    let seen: Observation = inputs.observe(&Interface::V3_0.thresholds);
+    let seen: Observation = inputs.observe(&Edition::V3_0.rules.thresholds);
     let messages: VcuMessages = outputs.messages(&inputs);
     let message = AnyMessage::from(messages.status);
     let frame: Frame = message.encode();
-    let timing: Timing = Interface::V3_0.timing;
+    let timing: Timing = Edition::V3_0.rules.timing;
     vec![
         ("inputs", text(&inputs)),
         ("ai", text(&AiMessages::default())),
@@ -305,7 +305,7 @@ fn jsons() -> Vec<(&'static str, String)> {
         ("message", text(&message)),
         ("frame", text(&frame)),
         ("timing", text(&timing)),
-        ("thresholds", text(&Interface::V3_0.thresholds)),
+        ("thresholds", text(&Edition::V3_0.rules.thresholds)),
         ("readings", text(&Readings::DEFAULT)),
         ("choices", text(&Choices::ALL)),
         ("knowledge", text(&Knowledge::exact(outputs.atoms))),

@@ -2,14 +2,14 @@
 
 use adsdv_proofs::words::{self, Verdict};
 use adsdv_spec::messages::{AnyMessage, AsState};
-use adsdv_spec::{Control, Inputs, Interface, Machine, Observation, Readings, Taken, Timing};
+use adsdv_spec::{Control, Edition, Inputs, Machine, Observation, Readings, Rules, Taken, Timing};
 
 use super::Bytes;
 use crate::world::Chance;
 
 /// The times between two steps that matter; others are drawn as well.
 fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
-    let timing = Interface::V3_0.timing;
+    let timing = Edition::V3_0.rules.timing;
     let limits =
         [timing.cycle_ms, timing.handshake_ms, timing.ready_dwell_ms, timing.ebs_timer_ms].map(u32::from);
     match bytes.below(4) {
@@ -23,7 +23,7 @@ fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
 /// The inputs after those: now and then others altogether; what one way out of this state asks for; and some conditions of Figure 2
 /// changed. What is shown is as close to its threshold as can be.
 fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Inputs) -> Inputs {
-    let Interface { table, thresholds, .. } = machine.interface();
+    let Rules { table, thresholds, .. } = &machine.edition().rules;
     let mut inputs = if bytes.one_in(8) { bytes.any() } else { *inputs };
     if bytes.one_in(2) {
         let ways: Vec<_> = machine.arrows(state).filter_map(|way| way.term(table)).collect();
@@ -76,8 +76,8 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
     let mut taken = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
-    let machine = Machine::new(Interface::V3_0, readings);
-    let timing = &machine.interface().timing;
+    let machine = Machine::new(Edition::V3_0, readings);
+    let timing = &machine.edition().rules.timing;
     let mut control =
         if bytes.one_in(2) { any_control(&mut bytes, timing, readings) } else { Control::INITIAL };
     let mut inputs = Inputs::default();
@@ -89,7 +89,7 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
         assert_eq!(Verdict::of(after, &outputs), words, "{control:?}, {inputs:?}, {dt_ms} ms, {readings}");
         assert!(after.is_consistent(timing, readings), "{after:?} after {control:?}, {inputs:?}, {dt_ms} ms");
 
-        let seen = inputs.observe(&machine.interface().thresholds);
+        let seen = inputs.observe(&machine.edition().rules.thresholds);
         let reaction = machine.react(&control, seen, dt_ms);
         assert_eq!(
             (reaction.control, reaction.taken, reaction.faults),

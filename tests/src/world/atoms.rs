@@ -18,7 +18,7 @@ impl World {
             }
             Atom::AiCommsLost => self.ai_answers = !value,
             Atom::DwellElapsed | Atom::EbsTimerComplete => {
-                let timing = &self.vcu.interface().timing;
+                let timing = &self.vcu.edition().rules.timing;
                 let elapsed = self.control.in_state_ms >= timing.in_state_limit(self.control.state);
                 assert_eq!(elapsed, value, "{atom} is decided by how long the state has lasted");
             }
@@ -32,7 +32,7 @@ impl World {
     /// Makes the inputs show a condition, with the value next to the threshold even if they showed it already.
     fn show(&mut self, atom: Atom, value: bool) {
         assert!(Observation::SCOPE.has(atom), "{atom} is shown by inputs");
-        let thresholds = &self.vcu.interface().thresholds;
+        let thresholds = &self.vcu.edition().rules.thresholds;
         let mut inputs = Inputs { ai: self.ai, ..self.inputs };
         inputs.show(atom, !value, thresholds);
         inputs.show(atom, value, thresholds);

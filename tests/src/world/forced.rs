@@ -1,14 +1,14 @@
 //! A VCU that does what it is told instead of what the table says.
 
 use adsdv_spec::messages::ShutdownCause;
-use adsdv_spec::{AsState, Choice, Control, Interface, Machine, Table};
+use adsdv_spec::{AsState, Choice, Control, Machine, Table};
 
 use super::World;
 
 impl World {
     /// From now on the VCU stays in its state, whatever comes. It still shows what it sees.
     pub fn hold_state(&mut self) {
-        let interface = Interface { table: Table::new(&[]), ..*self.vcu.interface() };
+        let interface = self.vcu.edition().with_table(Table::new(&[]));
         self.vcu = Machine::new(interface, self.vcu.readings());
     }
 

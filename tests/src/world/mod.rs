@@ -16,7 +16,7 @@ mod routes;
 
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_spec::messages::{Message, Vcu2AiStatus};
-use adsdv_spec::{AiMessages, Choice, Control, Inputs, Interface, Machine, Readings};
+use adsdv_spec::{AiMessages, Choice, Control, Edition, Inputs, Machine, Readings};
 
 pub use deeds::{Chance, any_readings};
 pub use random::Random;
@@ -24,9 +24,9 @@ pub use recording::{Recorded, judge, violations};
 
 /// Nanoseconds in a millisecond.
 pub const MS: i64 = 1_000_000;
-const CYCLE_MS: u16 = Interface::V3_0.timing.cycle_ms;
+const CYCLE_MS: u16 = Edition::V3_0.rules.timing.cycle_ms;
 const CYCLE: i64 = CYCLE_MS as i64 * MS;
-const LOG_STATUS_CYCLE: i64 = Interface::V3_0.timing.log_status_cycle_ms as i64 * MS;
+const LOG_STATUS_CYCLE: i64 = Edition::V3_0.rules.timing.log_status_cycle_ms as i64 * MS;
 
 /// The simulated world.
 #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ impl World {
 
     /// A world with a VCU that takes one reading differently.
     pub fn with_reading(choice: Choice) -> Self {
-        Self::new(Machine::new(Interface::V3_0, Readings::DEFAULT.with(choice)))
+        Self::new(Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
     }
 
     /// One cycle.

@@ -81,7 +81,7 @@ impl World {
     /// To AS_OFF again, after an emergency.
     pub fn after_emergency(&mut self) {
         self.braking();
-        self.wait(i64::from(self.vcu.interface().timing.ebs_timer_ms));
+        self.wait(i64::from(self.vcu.edition().rules.timing.ebs_timer_ms));
         self.inputs.asms = false;
         self.inputs.go = false;
         self.wait(500);

@@ -177,7 +177,10 @@ fn an_ai_computer_that_was_never_heard_is_not_blamed() {
     world.wait(500);
     world.inputs.tsms = true;
     world.wait(1000);
-    assert!(world.control.handshake.is_lost(adsdv_spec::Interface::V3_0.timing.handshake_ms), "it is missed");
+    assert!(
+        world.control.handshake.is_lost(adsdv_spec::Edition::V3_0.rules.timing.handshake_ms),
+        "it is missed"
+    );
     is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "never heard");
     is_silent(&world, JudgeOptions::default(), "never heard");
     let report = judge(&world.log, JudgeOptions::default());

@@ -9,7 +9,7 @@ use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::messages::{
     Ai2VcuStatus, Frame, MESSAGES, Message, MessageDef, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation};
+use adsdv_spec::{AsState, Choices, Edition, Machine, Mutation};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings};
 
 use crate::reports::{Event, is_as_written, what_happens_is_as_written};
@@ -28,10 +28,10 @@ const LIES: [fn(&mut Vcu2AiStatus); 8] = [
 
 fn any_vcu(random: &mut Random) -> Machine {
     let readings = any_readings(random);
-    let mutations: Vec<Mutation> = Mutation::all(&Interface::V3_0).collect();
+    let mutations: Vec<Mutation> = Mutation::all(&Edition::V3_0).collect();
     let errs = random.one_in(2);
     let mutation = &mutations[index(random, mutations.len())];
-    let interface = if errs { mutation.apply(&Interface::V3_0) } else { Interface::V3_0 };
+    let interface = if errs { mutation.apply(&Edition::V3_0) } else { Edition::V3_0 };
     Machine::new(interface, readings)
 }
 

@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::messages::Vcu2LogStatus;
-use adsdv_spec::{Atom, Atoms, Choice, Choices, FIGURE_2, Interface, Machine, Readings, Row, Term};
+use adsdv_spec::{Atom, Atoms, Choice, Choices, Edition, FIGURE_2, Machine, Readings, Row, Term};
 use adsdv_tests::world::World;
 
 use crate::check::all_pinned;
@@ -51,7 +51,7 @@ impl Case {
     /// term wants it, but for the literal that is `broken`.
     pub(crate) fn world(&self, broken: Option<Atom>) -> World {
         let readings = self.choices().fold(Readings::DEFAULT, Readings::with);
-        let mut world = World::new(Machine::new(Interface::V3_0, readings));
+        let mut world = World::new(Machine::new(Edition::V3_0, readings));
         if broken == Some(Atom::PowerCycleNeeded) {
             world.after_emergency();
         } else {
@@ -59,7 +59,7 @@ impl Case {
         }
         let timed = self.wanted(broken).any(|(atom, value)| HISTORY.has(atom) && value);
         if timed && broken != Some(Atom::PowerCycleNeeded) {
-            world.wait(i64::from(world.vcu.interface().timing.in_state_limit(self.row.from)));
+            world.wait(i64::from(world.vcu.edition().rules.timing.in_state_limit(self.row.from)));
         }
         world
     }

@@ -3,16 +3,16 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party};
 use adsdv_proofs::seed::seed;
-use adsdv_spec::{AsState, Choices, Interface, Machine, Mutation, Readings};
+use adsdv_spec::{AsState, Choices, Edition, Machine, Mutation, Readings};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings, judge, violations};
 
 use crate::check::{USUAL, by, recordings_of_a_kind};
 use crate::reports::is_as_written;
 
 /// A run of `cycles` with random changes, biased so that every state is reached.
-fn random_run(random: &mut Random, interface: &Interface, cycles: u32) -> World {
+fn random_run(random: &mut Random, edition: &Edition, cycles: u32) -> World {
     let readings = if random.one_in(2) { Readings::DEFAULT } else { any_readings(random) };
-    let mut world = World::new(Machine::new(*interface, readings));
+    let mut world = World::new(Machine::new(*edition, readings));
     let rate = random.pick(&[1, 3, 20, 100]);
     world.sets_out(random);
     for _ in 0..cycles {
@@ -36,9 +36,9 @@ struct Recording {
 }
 
 impl Recording {
-    fn new(interface: &Interface, seed: u64, jitter_ms: i64, loss: u64) -> Self {
+    fn new(edition: &Edition, seed: u64, jitter_ms: i64, loss: u64) -> Self {
         let mut random = Random(seed);
-        let world = random_run(&mut random, interface, 400);
+        let world = random_run(&mut random, edition, 400);
         // Half of the recordings start in mid-run, and half are judged by the very readings that the VCU follows.
         let mut log = world.disturbed(seed, jitter_ms * MS, loss);
         let start = if random.one_in(2) { random.below(log.len() as u64 / 2) } else { 0 };
@@ -61,13 +61,13 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
     let mut states = std::collections::BTreeSet::new();
     let mut transitions = 0;
     for seed in 0..WRITTEN {
-        let Recording { name, log, options } = Recording::new(&Interface::V3_0, seed, jitter_ms, loss);
+        let Recording { name, log, options } = Recording::new(&Edition::V3_0, seed, jitter_ms, loss);
         is_as_written(&name, &log, options);
     }
     for place in 0..runs {
         // Far apart, so that no run is tried twice when the next seed is the next number.
         let seed = seed().wrapping_mul(1 << 32).wrapping_add(place);
-        let Recording { name, log, options } = Recording::new(&Interface::V3_0, seed, jitter_ms, loss);
+        let Recording { name, log, options } = Recording::new(&Edition::V3_0, seed, jitter_ms, loss);
         let report = judge(&log, options);
         assert!(by(&report, Party::Vcu).is_empty(), "{name}: {:#?}", violations(&report));
         transitions += report.transitions.len();
@@ -80,10 +80,10 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
 /// Of VCUs that do something else than the document says.
 #[test]
 fn the_reports_on_mutants_are_as_written() {
-    for (seed, mutation) in (0..).zip(Mutation::all(&Interface::V3_0).step_by(3)) {
+    for (seed, mutation) in (0..).zip(Mutation::all(&Edition::V3_0).step_by(3)) {
         let (jitter_ms, loss) = [(0, 0), (5, 0), (0, 20), (15, 10)][usize::try_from(seed % 4).unwrap_or(0)];
         let Recording { name, log, options } =
-            Recording::new(&mutation.apply(&Interface::V3_0), seed, jitter_ms, loss);
+            Recording::new(&mutation.apply(&Edition::V3_0), seed, jitter_ms, loss);
         is_as_written(&format!("{mutation}: {name}"), &log, options);
         // What is reported then need not be so, but it may not change by itself.
         let (window_ms, deadline_ms) = [(0, 0), (5, 20), (100, 200)][usize::try_from(seed % 3).unwrap_or(0)];

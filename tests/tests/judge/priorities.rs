@@ -46,7 +46,7 @@ fn both_open(priority: Priority, emergency: Atom, to: AsState) -> World {
 }
 
 fn each(test: impl Fn(Priority, Atom, &str)) {
-    for priority in PRIORITIES {
+    for &priority in PRIORITIES {
         for emergency in EMERGENCIES {
             test(priority, emergency, &format!("{} with {emergency}", priority.from));
         }

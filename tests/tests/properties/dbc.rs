@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use adsdv_spec::Interface;
+use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
 use adsdv_spec::messages::{AnyMessage, Frame, MESSAGES, message_by_id};
 use can_dbc::{ByteOrder, MessageId, Signal, ValueType};
@@ -16,7 +16,7 @@ const CASES: u32 = 1000;
 
 /// The export, read back.
 static READ_BACK: LazyLock<can_dbc::Dbc> = LazyLock::new(|| {
-    let text = Dbc(&Interface::V3_0).to_string();
+    let text = Dbc(&Edition::V3_0).to_string();
     can_dbc::Dbc::try_from(text.as_str()).unwrap_or_else(|error| panic!("not a CAN database: {error}"))
 });
 

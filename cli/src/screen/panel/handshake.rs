@@ -37,7 +37,7 @@ pub(in crate::screen) fn pieces(status: &Status, theme: Theme, all: bool) -> Vec
 
 fn silence(status: &Status, theme: Theme) -> Vec<Span<'static>> {
     // Silent is who does not send for longer than an answer may take.
-    let limit = Machine::REFERENCE.interface().timing.handshake_ms.into();
+    let limit = Machine::REFERENCE.edition().rules.timing.handshake_ms.into();
     let (text, style) = match status.ai_silent_ms {
         None => ("no frame of the AI yet".to_owned(), theme.care()),
         Some(silent) if silent > limit => (format!("silent for {}", seconds(silent)), theme.bad()),

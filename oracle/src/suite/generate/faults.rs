@@ -19,7 +19,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 
 /// The inputs each of which is a fault by itself, while a master switch is on.
 fn causes(machine: &Machine) -> impl Iterator<Item = &'static InputField> {
-    let thresholds = machine.interface().thresholds;
+    let thresholds = machine.edition().rules.thresholds;
     INPUTS.iter().filter(move |field| {
         let mut inputs = Inputs { asms: true, ..Inputs::default() };
         field.domain == Domain::Flag
@@ -47,7 +47,7 @@ fn of_cause(machine: &Machine, field: &'static InputField) -> Vec<Test> {
     let key = field.key;
     let mut inputs = Inputs { asms: true, ..Inputs::default() };
     (field.set)(&mut inputs, 1);
-    let faults = inputs.observe(&machine.interface().thresholds).faults();
+    let faults = inputs.observe(&machine.edition().rules.thresholds).faults();
     let set = |value: i32| {
         move |inputs: &mut Inputs| {
             (field.set)(inputs, value);

@@ -8,7 +8,7 @@ use crate::suite::{Kind, Test};
 
 /// The tests of section 2.4 and Figure 1.
 pub(super) fn tests(machine: &Machine) -> Vec<Test> {
-    let limit = u32::from(machine.interface().timing.handshake_ms);
+    let limit = u32::from(machine.edition().rules.timing.handshake_ms);
     let cycle = walk_cycle(machine);
     let on = || Walk::new(machine).set(|inputs| inputs.tsms = true);
     let started = || on().cycle();

@@ -29,7 +29,7 @@ const WHEELS: [Wheel; 4] = [
 
 /// FINISHED with each single wheel at the limit between moving and at rest.
 fn wheels(machine: &Machine) -> Vec<Test> {
-    let limit = machine.interface().thresholds.wheel_speed.raw();
+    let limit = machine.edition().rules.thresholds.wheel_speed.raw();
     let one = |(name, wheel): Wheel, beside: i32| {
         let rpm = limit + beside;
         let walk = Walk::to(machine, AsState::Driving).step(walk_cycle(machine), |inputs| {
@@ -46,12 +46,12 @@ fn wheels(machine: &Machine) -> Vec<Test> {
 
 /// The edge of "Go" with the wheels at the limit of straight, to either side.
 fn steering(machine: &Machine) -> Vec<Test> {
-    let limit = machine.interface().thresholds.straight.raw();
+    let limit = machine.edition().rules.thresholds.straight.raw();
     let one = |(side, sign): (&str, i32), beside: i32| {
         let angle = SteerAngle::clamped(sign * (limit + beside));
         let straight = |inputs: &mut Inputs| inputs.vehicle.steer_angle = angle;
         // The wheels are there before "Go" is seen off as well.
-        let dwell = machine.interface().timing.ready_dwell_ms;
+        let dwell = machine.edition().rules.timing.ready_dwell_ms;
         let walk = Walk::to(machine, AsState::Ready).set(straight).step(dwell.into(), |_| {});
         let walk = walk.step(walk_cycle(machine), |inputs| inputs.go = true);
         let about = format!("\"Go\" comes on in AS_READY with the wheels at {angle}");
@@ -63,7 +63,7 @@ fn steering(machine: &Machine) -> Vec<Test> {
 
 /// "Go" seen off when AS_READY has lasted nearly long enough, just long enough, and longer; then it comes on.
 fn dwell(machine: &Machine) -> Vec<Test> {
-    let limit = i64::from(machine.interface().timing.ready_dwell_ms);
+    let limit = i64::from(machine.edition().rules.timing.ready_dwell_ms);
     let one = |beside: i32| {
         let after = limit + i64::from(beside);
         let walk = Walk::to(machine, AsState::Ready).step(u32::try_from(after).unwrap_or(0), |_| {});
@@ -77,7 +77,7 @@ fn dwell(machine: &Machine) -> Vec<Test> {
 
 /// ASMS off when EMERGENCY_BRAKE has lasted nearly long enough, just long enough, and longer.
 fn ebs_timer(machine: &Machine) -> Vec<Test> {
-    let limit = i64::from(machine.interface().timing.ebs_timer_ms);
+    let limit = i64::from(machine.edition().rules.timing.ebs_timer_ms);
     let one = |beside: i32| {
         let after = limit + i64::from(beside);
         let walk = Walk::to(machine, AsState::EmergencyBrake)

@@ -12,14 +12,14 @@ mod pairs;
 mod readings;
 mod rows;
 
-use adsdv_spec::{Atom, Choice, Interface, Machine, Readings, Row, Term};
+use adsdv_spec::{Atom, Choice, Edition, Machine, Readings, Row, Term};
 
 use super::walk::{Walk, walk_cycle};
 use super::{Kind, Test};
 
 /// Every test of a version of the interface, each scenario once.
-pub(super) fn all(interface: &Interface) -> Vec<Test> {
-    let machine = Machine::new(*interface, Readings::DEFAULT);
+pub(super) fn all(edition: &Edition) -> Vec<Test> {
+    let machine = Machine::new(*edition, Readings::DEFAULT);
     let mut tests = rows::tests(&machine);
     tests.extend(limits::tests(&machine));
     tests.extend(pairs::tests(&machine));
@@ -65,7 +65,7 @@ impl Test {
 /// The rows of a machine with the terms that its readings have.
 fn terms(machine: &Machine) -> impl Iterator<Item = (&Row, &Term)> {
     let choices = machine.readings().choices();
-    let rows = machine.interface().table.rows().iter();
+    let rows = machine.edition().rules.table.rows().iter();
     rows.flat_map(|row| row.terms().iter().map(move |term| (row, term)))
         .filter(move |(_, term)| term.readings.is_subset(choices))
 }
@@ -84,7 +84,7 @@ fn before<'a>(machine: &'a Machine, row: &Row, term: &Term) -> Walk<'a> {
 
 /// The step in which a term holds, but for one of its conditions if one is given.
 fn attempt<'a>(machine: &'a Machine, walk: Walk<'a>, term: &Term, but: Option<Atom>) -> Walk<'a> {
-    let timing = &machine.interface().timing;
+    let timing = &machine.edition().rules.timing;
     let mut walk = walk;
     let mut dt_ms = walk_cycle(machine);
     for (atom, value) in term.conditions() {
@@ -115,7 +115,7 @@ fn term_words(term: &Term) -> String {
 
 /// The machine under another choice.
 fn under(machine: &Machine, choice: Choice) -> Machine {
-    Machine::new(*machine.interface(), Readings::DEFAULT.with(choice))
+    Machine::new(*machine.edition(), Readings::DEFAULT.with(choice))
 }
 
 /// The tests, each scenario once: what two tests with the same steps check, one checks.

@@ -18,7 +18,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 
 /// For each state to which there is no arrow from this one: what leads there from another.
 fn of_other_states(machine: &Machine, state: AsState) -> Test {
-    let rows = machine.interface().table.rows();
+    let rows = machine.edition().rules.table.rows();
     let mut walk = Walk::to(machine, state);
     let usual = walk.inputs();
     let mut tried: Vec<AsState> = rows.iter().filter(|row| row.from == state).map(|row| row.to).collect();
@@ -30,7 +30,7 @@ fn of_other_states(machine: &Machine, state: AsState) -> Test {
         let mut there = walk.clone().set(|inputs| *inputs = usual);
         if term.on.has(Atom::DwellElapsed) {
             // "Go" is seen off for as long as AS_READY would have to last.
-            let dwell = machine.interface().timing.ready_dwell_ms;
+            let dwell = machine.edition().rules.timing.ready_dwell_ms;
             there = there.show(Atom::GoOn, false).step(dwell.into(), |_| {});
         }
         let there = attempt(machine, there, term, None);

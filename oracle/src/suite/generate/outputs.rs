@@ -70,7 +70,7 @@ fn request(inputs: &mut Inputs, most: Axle) {
 /// Through all states, with "Go" on in each of them.
 fn every_state(machine: &Machine) -> Test {
     let cycle = walk_cycle(machine);
-    let dwell = machine.interface().timing.ready_dwell_ms;
+    let dwell = machine.edition().rules.timing.ready_dwell_ms;
     let walk = Walk::new(machine)
         .cycle()
         .set(|inputs| inputs.go = true)

@@ -27,7 +27,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 fn one_after_the_other(machine: &Machine) -> [Test; 2] {
     let open = Walk::new(machine).set(|inputs| inputs.sdc.vehicle_estop = true);
     let lost = Walk::new(machine).step(walk_cycle(machine), |inputs| inputs.tsms = true).answering(false);
-    let lost = lost.step(machine.interface().timing.handshake_ms.into(), |_| {});
+    let lost = lost.step(machine.edition().rules.timing.handshake_ms.into(), |_| {});
     [(Atom::SdcOpen, open), (Atom::AiCommsLost, lost)].map(|(atom, walk)| {
         let about = format!("{} before AS_READY is entered, and only then EMERGENCY_BRAKE", atom.text(true));
         test(Kind::Pair, format!("3.1-with-{atom}"), about, "3.1", walk.into_ready().cycle()).checks(["D-45"])

@@ -41,7 +41,7 @@ fn distinguishing(machine: &Machine, other: &Machine, choice: Choice) -> Option<
 
 /// Scenarios in which an answer may show.
 fn candidates(machine: &Machine) -> Vec<Walk<'_>> {
-    let limit = u32::from(machine.interface().timing.handshake_ms);
+    let limit = u32::from(machine.edition().rules.timing.handshake_ms);
     let cycle = walk_cycle(machine);
     let mut walks = Vec::new();
     for state in AsState::ALL {
@@ -56,7 +56,7 @@ fn candidates(machine: &Machine) -> Vec<Walk<'_>> {
     }
     walks.push(Walk::new(machine).cycle());
     // "Go" is seen off before the five seconds are over, and comes on right after.
-    let dwell = u32::from(machine.interface().timing.ready_dwell_ms);
+    let dwell = u32::from(machine.edition().rules.timing.ready_dwell_ms);
     walks.push(Walk::to(machine, AsState::Ready).step(dwell, |inputs| inputs.go = true));
     // Everything is as AS_READY asks for, after an emergency.
     walks.push(Walk::after_an_emergency(machine).step(cycle, |inputs| inputs.asms = true));

@@ -47,7 +47,7 @@ pub(super) fn name(row: &Row, term: &Term) -> String {
 
 /// The way to a step in which all conditions of an alternative hold but one.
 fn without<'a>(machine: &'a Machine, row: &Row, term: &Term, atom: Atom) -> Walk<'a> {
-    let timing = &machine.interface().timing;
+    let timing = &machine.edition().rules.timing;
     let cycle = walk_cycle(machine);
     match atom {
         // "Go" is seen off while the time is not over yet, and comes on when it is.

@@ -1,19 +1,29 @@
-//! What one version of the document fixes as data: Figure 2, the times and the thresholds.
+//! An edition of the interface: one version of the document, as a value.
 //!
-//! A later version of the interface is a second [`Interface`] value, not a second program; a mutant of this one,
-//! with which test suites are measured, is a copy with one thing changed.
+//! Another edition is another [`Edition`] value, written as its difference to the one before it, and not another program. A
+//! mutant, with which test suites are measured, is an edition with one of its [`Rules`] changed.
 
 use crate::messages::{SteerAngle, WheelSpeed};
-use crate::table::{FIGURE_2, Table};
+use crate::table::{FIGURE_2, PRIORITIES, Priority, Table};
 
-/// The data of one version of the interface.
+/// One edition of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Interface {
+pub struct Edition {
     /// The document's version.
     pub version: &'static str,
+    /// What the state machine follows.
+    pub rules: Rules,
+}
+
+/// What the state machine follows: Figure 2, the order of its arrows, the times and the thresholds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Rules {
     /// The arrows of Figure 2.
     pub table: Table,
+    /// The arrows that a reading lets overtake others.
+    pub priorities: &'static [Priority],
     /// How long things last.
     pub timing: Timing,
     /// Where measured values begin to count.
@@ -48,23 +58,43 @@ pub struct Thresholds {
     pub straight: SteerAngle,
 }
 
-impl Interface {
+impl Edition {
     /// ADS-DV Software Interface Specification 3.0.
     pub const V3_0: Self = Self {
         version: "3.0",
-        table: FIGURE_2,
-        timing: Timing {
-            ready_dwell_ms: 5000, //= DRV-4
-            ebs_timer_ms: 15000,  //= ETO-1
-            handshake_ms: 50,     //= HS-9
-            cycle_ms: 10,
-            log_status_cycle_ms: 100,
+        rules: Rules {
+            table: FIGURE_2,
+            priorities: PRIORITIES,
+            timing: Timing {
+                ready_dwell_ms: 5000, //= DRV-4
+                ebs_timer_ms: 15000,  //= ETO-1
+                handshake_ms: 50,     //= HS-9
+                cycle_ms: 10,
+                log_status_cycle_ms: 100,
+            },
+            thresholds: Thresholds {
+                wheel_speed: WheelSpeed::clamped(10),
+                straight: SteerAngle::clamped(50),
+            },
         },
-        thresholds: Thresholds { wheel_speed: WheelSpeed::clamped(10), straight: SteerAngle::clamped(50) },
     };
 }
 
-impl Default for Interface {
+impl Edition {
+    /// The edition with another Figure 2.
+    #[must_use]
+    pub const fn with_table(self, table: Table) -> Self {
+        Self { rules: Rules { table, ..self.rules }, ..self }
+    }
+
+    /// The edition with other times, such as shorter ones, which a model explores sooner.
+    #[must_use]
+    pub const fn with_timing(self, timing: Timing) -> Self {
+        Self { rules: Rules { timing, ..self.rules }, ..self }
+    }
+}
+
+impl Default for Edition {
     fn default() -> Self {
         Self::V3_0
     }
