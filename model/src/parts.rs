@@ -52,7 +52,7 @@ impl fmt::Display for Part {
         write!(f, "{from} -> {to} ({section})")?;
         match (term, literal) {
             (Some(term), None) => {
-                let conditions: Vec<&str> = term.conditions().map(|(atom, on)| atom.text(on)).collect();
+                let conditions: Vec<&str> = term.literals().map(|(atom, on)| atom.text(on)).collect();
                 write!(f, ": {}", conditions.join(" and "))
             }
             (Some(term), Some((atom, on))) => {

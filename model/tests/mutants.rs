@@ -170,7 +170,7 @@ fn every_alternative_decides_under_the_reading_that_has_it() {
             let dead: Vec<_> =
                 of_term.clone().filter(|(_, decides)| !decides).map(|(part, _)| part).collect();
             assert!(dead.is_empty(), "{readings}: {dead:?}");
-            assert_eq!(of_term.count(), 1 + term.conditions().count(), "{readings}: {term:?}");
+            assert_eq!(of_term.count(), 1 + term.literals().count(), "{readings}: {term:?}");
         }
     }
 }

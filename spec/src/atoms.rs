@@ -125,7 +125,7 @@ mod tests {
     use super::Atom;
     use crate::{Edition, Rules};
 
-    /// The number in an atom's text that a version of the interface decides, with its unit.
+    /// The number in an atom's text that an edition decides, with its unit.
     fn limit(atom: Atom) -> Option<String> {
         let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
         match atom {

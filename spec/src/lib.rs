@@ -18,7 +18,7 @@
 //! | fault flags and `SHUTDOWN_CAUSE` | [`Fault`], [`Faults`] |
 //! | times and thresholds | [`Edition`] |
 //! | what the document leaves open | [`readings`] |
-//! | the interface with one thing changed | [`mutation`] |
+//! | an edition with one thing changed | [`mutation`] |
 //! | the messages and their signals (section 2) | [`messages`] |
 //! | the reserved identifiers (section 2.3) | [`RESERVED`] |
 //! | what reaches the actuators; every VCU frame | [`Outputs`] |

@@ -35,25 +35,25 @@ pub struct Machine {
     /// Where the arrows of each state begin; those of state `n` end where those of `n + 1` begin.
     begins: [u8; STATES + 2],
     /// What must hold before the "Go" edge counts: the guard of AS_READY to AS_DRIVING without "Go".
-    go_conditions: Option<Condition>,
+    go_conditions: Option<TermMasks>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Arrow {
-    condition: Condition,
+    masks: TermMasks,
     to: AsState,
     taken: Taken,
 }
 
 /// A term, ready to be evaluated: of the atoms that count, exactly those that must be on are.
 #[derive(Clone, Copy, Debug)]
-struct Condition {
+struct TermMasks {
     on: Atoms,
     /// The atoms that count: those that must hold and those that must not.
     care: Atoms,
 }
 
-impl Condition {
+impl TermMasks {
     #[inline(always)]
     const fn holds(self, atoms: Atoms) -> bool {
         atoms.intersection(self.care).bits() == self.on.bits()
@@ -112,7 +112,7 @@ impl Machine {
     /// A machine for a version of the edition and an answer to every open question.
     pub const fn new(edition: Edition, readings: Readings) -> Self {
         let nowhere = Arrow {
-            condition: Condition { on: Atoms::NONE, care: Atoms::NONE },
+            masks: TermMasks { on: Atoms::NONE, care: Atoms::NONE },
             to: AsState::Off,
             taken: Taken { row: 0, term: 0 },
         };
@@ -156,13 +156,12 @@ impl Machine {
             let Term { on, off, readings, .. } = self.edition.rules.table.rows()[row].terms()[term];
             // A term that asks for an atom to be both on and off never holds.
             if readings.is_subset(self.readings.choices()) && on.intersection(off).is_empty() {
-                let condition = Condition { on, care: on.union(off) };
-                self.arrows[filled] =
-                    Arrow { condition, to, taken: Taken { row: row as u8, term: term as u8 } };
+                let masks = TermMasks { on, care: on.union(off) };
+                self.arrows[filled] = Arrow { masks, to, taken: Taken { row: row as u8, term: term as u8 } };
                 filled += 1;
                 if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
-                    let (on, care) = (on.without(Atom::GoEdge), condition.care.without(Atom::GoEdge));
-                    self.go_conditions = Some(Condition { on, care });
+                    let (on, care) = (on.without(Atom::GoEdge), masks.care.without(Atom::GoEdge));
+                    self.go_conditions = Some(TermMasks { on, care });
                 }
             }
             term += 1;
@@ -298,7 +297,7 @@ impl Machine {
         let mut i = self.begins[state as usize];
         while i < end {
             let arrow = &self.arrows[i as usize];
-            if arrow.condition.holds(atoms) {
+            if arrow.masks.holds(atoms) {
                 return Some((arrow.taken, arrow.to));
             }
             i += 1;
@@ -314,7 +313,7 @@ impl Machine {
         let mut i = self.begins[from as usize];
         while i < end {
             let arrow = &self.arrows[i as usize];
-            if arrow.taken.row == taken.row && arrow.condition.holds(atoms) {
+            if arrow.taken.row == taken.row && arrow.masks.holds(atoms) {
                 let term = &self.edition.rules.table.rows()[arrow.taken.row as usize].terms()
                     [arrow.taken.term as usize];
                 faults = faults.union(match term.fault {

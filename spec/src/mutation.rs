@@ -97,7 +97,7 @@ impl Mutation {
         by_row.chain(constants.map(|change| Self { section: "", change }))
     }
 
-    /// The interface with the change.
+    /// The edition with the change.
     #[must_use]
     pub fn apply(&self, edition: &Edition) -> Edition {
         self.change.apply(edition)
@@ -105,7 +105,7 @@ impl Mutation {
 }
 
 impl Change {
-    /// The interface with the change. What the change speaks of and the interface does not have stays as it is.
+    /// The edition with the change. What the change speaks of and the edition does not have stays as it is.
     #[must_use]
     pub fn apply(&self, edition: &Edition) -> Edition {
         let mut mutant = *edition;
@@ -164,7 +164,7 @@ fn changes_of_row(rows: &[Row], index: usize) -> impl Iterator<Item = Change> {
 /// Every change of one term.
 fn changes_of_term(term: &Term) -> impl Iterator<Item = TermChange> {
     let literals = term
-        .conditions()
+        .literals()
         .flat_map(|(atom, _)| [TermChange::LiteralDropped(atom), TermChange::LiteralFlipped(atom)]);
     core::iter::once(TermChange::Dropped)
         .chain(literals)

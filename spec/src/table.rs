@@ -1,7 +1,7 @@
 //! Figure 2 as a table: one row for each arrow.
 //!
 //! Hold [`FIGURE_2`] against the figure. A row names where an arrow starts and ends and the section of the document
-//! that describes it; its guard is an OR of [`Term`]s, each an AND of [`Atom`]s that must be on or off. A term
+//! that describes it; its guard is an OR of [`Term`]s, each an AND of literals: [`Atom`]s that must be on or off. A term
 //! that only some [`readings`](crate::readings) of the document have names the choices it needs. Rows of one state
 //! stand in the order in which they are evaluated; [`PRIORITIES`] says which readings change that order.
 
@@ -77,8 +77,8 @@ impl Term {
         }
     }
 
-    /// The conditions of the term: each atom with the value it must have.
-    pub fn conditions(&self) -> impl Iterator<Item = (Atom, bool)> {
+    /// The literals of the term: each atom with the value it must have.
+    pub fn literals(&self) -> impl Iterator<Item = (Atom, bool)> {
         let (on, both) = (self.on, self.on.union(self.off));
         both.iter().map(move |atom| (atom, on.has(atom)))
     }

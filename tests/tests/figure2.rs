@@ -17,7 +17,7 @@ fn machines() -> impl Iterator<Item = Machine> {
 fn from_table(row: &Row, readings: Readings) -> Printed {
     let terms = row.terms().iter().filter(|term| term.readings.iter().all(|choice| readings.is(choice)));
     let alternatives = terms.map(|term| {
-        let conditions: Vec<_> = term.conditions().map(|(atom, value)| atom.text(value)).collect();
+        let conditions: Vec<_> = term.literals().map(|(atom, value)| atom.text(value)).collect();
         let section =
             if term.section == row.section { String::new() } else { format!(" ({})", term.section) };
         conditions.join(" and ") + &section

@@ -85,7 +85,7 @@ pub fn missing_for(car: &Car, wanted: AsState) -> Option<Missing> {
     let atoms = machine.react(car.control(), seen, 0).atoms;
     let next = next_on_the_way(machine, state, wanted)?;
     let waits = |term: &Term| -> Vec<(Atom, bool)> {
-        term.conditions().filter(|&(atom, value)| atoms.has(atom) != value).collect()
+        term.literals().filter(|&(atom, value)| atoms.has(atom) != value).collect()
     };
     let (row, conditions) = arrows(machine, state, next)
         .map(|(row, term)| (row, waits(term)))

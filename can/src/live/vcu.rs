@@ -170,7 +170,7 @@ impl<B: Bus> Vcu<B> {
         let machine = self.car.machine();
         let term = cycle.outputs.as_ref().and_then(|outputs| outputs.term(machine));
         let row = cycle.outputs.as_ref().and_then(|outputs| outputs.row(machine));
-        let conditions = term.map(|term| term.conditions().map(|(atom, value)| atom.text(value)).collect());
+        let conditions = term.map(|term| term.literals().map(|(atom, value)| atom.text(value)).collect());
         let why = conditions.map(|conditions: Vec<&str>| conditions.join(", ")).unwrap_or_default();
         let section = row.map_or("", |row| row.section);
         self.line.happen(HappeningKind::State { from, to: cycle.state(), section, why });

@@ -29,7 +29,7 @@ pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize)
         wrapped(out, conditions(&term, known), INDENT, width);
     }
     for (term, _) in &transition.or {
-        let conditions: Vec<&str> = term.conditions().map(|(atom, needed)| atom.text(needed)).collect();
+        let conditions: Vec<&str> = term.literals().map(|(atom, needed)| atom.text(needed)).collect();
         let line = format!("or {}, which the VCU reports alike", conditions.join(", "));
         wrapped(out, line.split(' '), INDENT, width);
     }
@@ -38,8 +38,8 @@ pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize)
 
 /// Every condition of a term as it was, and where that is not as it must be, how it must be.
 fn conditions(term: &Term, known: Knowledge) -> Vec<String> {
-    let last = term.conditions().count();
-    term.conditions()
+    let last = term.literals().count();
+    term.literals()
         .zip(1..)
         .map(|((atom, needed), index)| {
             let comma = if index < last { "," } else { "" };

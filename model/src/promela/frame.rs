@@ -158,7 +158,7 @@ inline handshake() {
 /// What must hold before the \"Go\" edge counts: the guard of AS_READY to AS_DRIVING without \"Go\".
 fn go_conditions(machine: &Machine) -> Option<String> {
     let (_, terms) = rows(machine, AsState::Ready).into_iter().find(|(row, _)| row.to == AsState::Driving)?;
-    Some(all(terms.first()?.conditions().filter(|(atom, _)| *atom != Atom::GoEdge)))
+    Some(all(terms.first()?.literals().filter(|(atom, _)| *atom != Atom::GoEdge)))
 }
 
 /// The rows of a state in the order of evaluation, each with the terms that the readings have.
@@ -208,7 +208,7 @@ fn emergency(f: &mut fmt::Formatter<'_>, terms: &[&Term]) -> fmt::Result {
     f.write_str("            :: shutdown_cause != NO_SHUTDOWN\n")?;
     for &fault in Fault::ALL {
         let named = terms.iter().filter(|term| term.fault == Some(fault)).copied();
-        let by_name = named.map(|term| all(term.conditions()));
+        let by_name = named.map(|term| all(term.literals()));
         // A term without a fault of its own has those that open the shutdown circuit.
         let unnamed: Vec<&Term> = terms.iter().filter(|term| term.fault.is_none()).copied().collect();
         let shown = Faults::OPENING.has(fault) && !unnamed.is_empty();

@@ -34,7 +34,7 @@ pub(super) fn shows(on: Atoms, off: Atoms) -> String {
 
 /// One of these alternatives.
 pub(super) fn any<'a>(terms: impl Iterator<Item = &'a Term>) -> String {
-    wrapped(&bracketed(terms.map(|term| all(term.conditions()))), " || ", " ||\n            ")
+    wrapped(&bracketed(terms.map(|term| all(term.literals()))), " || ", " ||\n            ")
 }
 
 /// One of these expressions, in one line.
@@ -60,7 +60,7 @@ fn bracketed(expressions: impl Iterator<Item = String>) -> Vec<String> {
 /// A guard in the words of Figure 2.
 pub(super) fn in_words<'a>(terms: impl Iterator<Item = &'a Term>, section: &str) -> String {
     let alternatives = terms.map(|term| {
-        let words: Vec<_> = term.conditions().map(|(atom, on)| atom.text(on)).collect();
+        let words: Vec<_> = term.literals().map(|(atom, on)| atom.text(on)).collect();
         let words =
             if words.is_empty() { "always".into() } else { wrapped(&words, " and ", "\n         *   and ") };
         if term.section == section { words } else { format!("{words} ({})", term.section) }

@@ -56,7 +56,7 @@ impl Row {
     fn of(machine: &Machine, taken: Taken) -> Option<Self> {
         let table = &machine.edition().rules.table;
         let (row, term) = (taken.row(table)?, taken.term(table)?);
-        let guard = term.conditions().map(|(atom, value)| atom.text(value)).collect();
+        let guard = term.literals().map(|(atom, value)| atom.text(value)).collect();
         Some(Self { place: taken.row.into(), from: row.from, to: row.to, section: term.section, guard })
     }
 }
@@ -191,7 +191,7 @@ fn nearest(
     let lacking = |term: &Term| -> Vec<&'static str> {
         let as_it_was =
             |(atom, value): (Atom, bool)| (outputs.atoms.has(atom) != value).then(|| atom.text(!value));
-        term.conditions().filter_map(as_it_was).collect()
+        term.literals().filter_map(as_it_was).collect()
     };
     let tells_another = |term: &Term| match (cause.and_then(Fault::of_cause), term.fault) {
         (Some(told), Some(fault)) => told != fault,

@@ -71,7 +71,7 @@ impl<'a> Walker<'a> {
             self.show(Atom::SdcOpen, false);
             self.show(Atom::AiEstop, false);
         }
-        term.conditions().for_each(|(atom, value)| self.show(atom, value));
+        term.literals().for_each(|(atom, value)| self.show(atom, value));
         if term.on.has(Atom::MissionFinishedEdge) {
             self.inputs.ai.status.mission_status = MissionStatus::Running;
             self.step(10, true);

@@ -334,7 +334,7 @@ fn unjustified(from: AsState, to: AsState, guard: &Guard, window: Knowledge, jud
 /// A term's conditions with their values, as far as they are known.
 pub(super) fn conditions(term: &Term, known: Knowledge) -> String {
     let texts: Vec<String> = term
-        .conditions()
+        .literals()
         .map(|(atom, value)| match known.of(atom) {
             Truth::True => atom.text(true).to_owned(),
             Truth::False => atom.text(false).to_owned(),

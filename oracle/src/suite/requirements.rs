@@ -21,7 +21,7 @@ pub(super) fn of_row(row: &Row) -> &'static [&'static str] {
 
 /// The requirements behind an alternative of a row.
 pub(super) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
-    let own = term.conditions().flat_map(|(atom, _)| match (row.section, atom) {
+    let own = term.literals().flat_map(|(atom, _)| match (row.section, atom) {
         (_, Atom::AiCommsLost) => &["HS-10"][..],
         (_, Atom::AiEstop) => &["D-9"],
         (_, Atom::GoEdge) => &["DRV-14"],

@@ -86,7 +86,7 @@ fn every_condition_is_shown_to_matter_on_its_own() {
         }
     }
     for (row, term) in terms() {
-        for (atom, value) in term.conditions() {
+        for (atom, value) in term.literals() {
             let matters = term.on.union(term.off).without(atom);
             let others =
                 |outputs: &adsdv_spec::Outputs| outputs.atoms.intersection(matters) == term.on.without(atom);

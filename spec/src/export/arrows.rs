@@ -57,7 +57,7 @@ impl fmt::Display for Guard<'_> {
             if place > 0 {
                 f.write_str("\nor ")?;
             }
-            for (place, (atom, value)) in term.conditions().enumerate() {
+            for (place, (atom, value)) in term.literals().enumerate() {
                 f.write_str(match place {
                     0 => "",
                     n if n % self.wrap == 0 => "\nand ",

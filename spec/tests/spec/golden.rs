@@ -102,7 +102,7 @@ fn lines(edition: &Edition) -> Vec<String> {
 fn of(term: &Term) -> String {
     let Term { readings, fault, section, .. } = term;
     let conditions =
-        term.conditions().map(|(atom, on)| if on { atom.to_string() } else { format!("not {atom}") });
+        term.literals().map(|(atom, on)| if on { atom.to_string() } else { format!("not {atom}") });
     let mut words = conditions.collect::<Vec<_>>().join(", ");
     for reading in readings.iter() {
         write!(words, ", if {reading}").expect("a string can be written");

@@ -70,7 +70,7 @@ fn a_step_returns_the_arrow_and_the_alternative_that_it_took() {
     let (row, term) = (outputs.row(&vcu).expect("an arrow"), outputs.term(&vcu).expect("an alternative"));
     assert_eq!((row.section, row.from, row.to), ("3.7", AsState::Driving, AsState::EmergencyBrake));
     assert!(row.terms().contains(term));
-    assert_eq!(term.conditions().collect::<Vec<_>>(), [(Atom::GoOn, false)]);
+    assert_eq!(term.literals().collect::<Vec<_>>(), [(Atom::GoOn, false)]);
     let stays = in_state(AsState::Driving, &busy());
     assert_eq!((stays.row(&vcu), stays.term(&vcu)), (None, None));
 }

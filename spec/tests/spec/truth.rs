@@ -86,8 +86,8 @@ fn a_term_holds_as_far_as_is_known() {
         Term::off("3.1", &[Atom::Asms, Atom::Tsms, Atom::GoOn]),
     ];
     for term in terms {
-        let holds = |atoms: &Atoms| term.conditions().all(|(atom, on)| atoms.has(atom) == on);
-        assert!(term.conditions().count() > 0);
+        let holds = |atoms: &Atoms| term.literals().all(|(atom, on)| atoms.has(atom) == on);
+        assert!(term.literals().count() > 0);
         for (known, ways) in knowledge() {
             assert_eq!(term.truth(known), claimed(ways.iter().map(holds)), "{term:?}, {known:?}");
         }

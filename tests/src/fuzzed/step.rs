@@ -28,10 +28,10 @@ fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Input
     if bytes.one_in(2) {
         let ways: Vec<_> = machine.arrows(state).filter_map(|way| way.term(table)).collect();
         // That one alone.
-        for (atom, value) in ways.iter().filter_map(|way| way.conditions().next()) {
+        for (atom, value) in ways.iter().filter_map(|way| way.literals().next()) {
             inputs.show(atom, !value, thresholds);
         }
-        for (atom, value) in bytes.pick(&ways).conditions() {
+        for (atom, value) in bytes.pick(&ways).literals() {
             // What is seen of one that memory has a part in.
             inputs.show(atom.input().unwrap_or(atom), value, thresholds);
         }

@@ -21,7 +21,7 @@ fn brake(happens: Happens) -> Transition {
 
 fn alternatives(transition: &Transition) -> Vec<Atom> {
     let decided = transition.decided.iter().chain(&transition.or);
-    decided.flat_map(|(term, _)| term.conditions()).map(|(atom, _)| atom).collect()
+    decided.flat_map(|(term, _)| term.literals()).map(|(atom, _)| atom).collect()
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub(crate) fn all() -> impl Iterator<Item = Case> {
 impl Case {
     /// Where the case is in the table.
     pub(crate) fn name(&self) -> String {
-        let conditions: Vec<&str> = self.term.conditions().map(|(atom, value)| atom.text(value)).collect();
+        let conditions: Vec<&str> = self.term.literals().map(|(atom, value)| atom.text(value)).collect();
         format!("{} -> {}: {}", self.row.from, self.row.to, conditions.join(" and "))
     }
 
@@ -66,7 +66,7 @@ impl Case {
 
     /// The conditions of the term with their values, that of the literal `broken` turned round.
     pub(crate) fn wanted(&self, broken: Option<Atom>) -> impl Iterator<Item = (Atom, bool)> {
-        self.term.conditions().map(move |(atom, value)| (atom, value != (Some(atom) == broken)))
+        self.term.literals().map(move |(atom, value)| (atom, value != (Some(atom) == broken)))
     }
 
     /// Sets the conditions of the term, but for what the past decides.

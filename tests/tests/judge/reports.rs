@@ -161,10 +161,10 @@ fn transition(transition: &Transition) -> String {
 /// The conditions of an alternative with what was known of them; of one that holds, how many there are.
 fn alternative(term: &Term, known: Knowledge) -> String {
     if term.truth(known) == Truth::True {
-        return format!("all {} of {}", term.conditions().count(), term.section);
+        return format!("all {} of {}", term.literals().count(), term.section);
     }
     let conditions: Vec<String> =
-        term.conditions().map(|(atom, _)| format!("{atom} {}", known.of(atom))).collect();
+        term.literals().map(|(atom, _)| format!("{atom} {}", known.of(atom))).collect();
     conditions.join(" and ")
 }
 

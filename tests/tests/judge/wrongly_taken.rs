@@ -24,7 +24,7 @@ fn can_be_unjustified(row: &Row) -> bool {
 fn literals() -> impl Iterator<Item = (Case, Atom)> {
     cases::all()
         .filter(|case| can_be_unjustified(case.row))
-        .flat_map(|case| case.term.conditions().map(move |(atom, _)| (case, atom)))
+        .flat_map(|case| case.term.literals().map(move |(atom, _)| (case, atom)))
 }
 
 /// The value that the literal has while it fails.

@@ -87,7 +87,7 @@ fn attempt<'a>(machine: &'a Machine, walk: Walk<'a>, term: &Term, but: Option<At
     let timing = &machine.edition().rules.timing;
     let mut walk = walk;
     let mut dt_ms = walk_cycle(machine);
-    for (atom, value) in term.conditions() {
+    for (atom, value) in term.literals() {
         let value = value != (but == Some(atom));
         let input = atom.input().unwrap_or(atom);
         match atom {
@@ -109,7 +109,7 @@ fn words(atom: Atom, value: bool) -> String {
 
 /// A term in the words of the table.
 fn term_words(term: &Term) -> String {
-    let conditions: Vec<String> = term.conditions().map(|(atom, value)| words(atom, value)).collect();
+    let conditions: Vec<String> = term.literals().map(|(atom, value)| words(atom, value)).collect();
     conditions.join(" and ")
 }
 

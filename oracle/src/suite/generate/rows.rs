@@ -21,7 +21,7 @@ pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
     let mut tests = vec![
         test(Kind::Row, name.clone(), about, term.section, taken).checks(of_term(row, term)).checks(figure),
     ];
-    for (atom, value) in term.conditions() {
+    for (atom, value) in term.literals() {
         let about = format!("{}: {} is not left for {}", words(atom, !value), row.from, row.to);
         let walk = without(machine, row, term, atom);
         tests.push(
@@ -35,7 +35,7 @@ pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
 /// The name of an alternative: its row's section, and what it asks for if the row has others.
 pub(super) fn name(row: &Row, term: &Term) -> String {
     let conditions: Vec<String> = term
-        .conditions()
+        .literals()
         .map(|(atom, value)| if value { atom.to_string() } else { format!("not-{atom}") })
         .collect();
     // Where a row has several long alternatives they are readings of one question, of which a machine has one.
