@@ -18,7 +18,7 @@ fn act(car: &mut Car, actions: &[&str]) {
 }
 
 /// What the AI Computer says, with the VCU's handshake bit of the cycle before.
-fn print_ms(car: &mut Car, status: Ai2VcuStatus) {
+fn send_status(car: &mut Car, status: Ai2VcuStatus) {
     let handshake = car.outputs().is_some_and(|outputs| outputs.handshake);
     let frame = Ai2VcuStatus { handshake, ..status }.encode();
     assert_eq!(car.receive(&frame), Ok(true));
@@ -27,7 +27,7 @@ fn print_ms(car: &mut Car, status: Ai2VcuStatus) {
 /// Answers the handshake for so many cycles of 10 ms.
 fn cycles(car: &mut Car, count: u32, status: Ai2VcuStatus) {
     for _ in 0..count {
-        print_ms(car, status);
+        send_status(car, status);
         car.cycle(10);
     }
 }
@@ -474,7 +474,7 @@ fn a_wrong_action_is_refused_with_its_place() {
 #[test]
 fn the_vcu_sends_the_speed_of_the_vehicle() {
     let (mut car, drives) = driving();
-    print_ms(&mut car, drives);
+    send_status(&mut car, drives);
     let cycle = car.cycle(10);
     let frame = cycle.frames.iter().find(|frame| frame.id == Vcu2LogDynamics1::ID).expect("500h");
     let told = Vcu2LogDynamics1::decode(frame.data()).expect("it decodes").speed_actual.to_physical();

@@ -6,7 +6,7 @@ use libtest_mimic::Completion;
 use super::vcan::{Outcome, Test, Tried, Vcan, ensure};
 
 pub(crate) const TESTS: &[Test] = &[
-    ("open::what_cannot_be_opened_says_why_and_what_to_do", has_the_reason),
+    ("open::the_error_has_why_and_what_to_do", the_error_has_why_and_what_to_do),
     ("open::one_that_is_up_is_opened", is_opened),
 ];
 
@@ -14,7 +14,7 @@ fn refused(name: &str) -> Tried<OpenError> {
     socket::listen(name).err().ok_or_else(|| format!("{name:?} was opened").into())
 }
 
-fn has_the_reason() -> Outcome {
+fn the_error_has_why_and_what_to_do() -> Outcome {
     let (up, down) = (Vcan::new()?, Vcan::new()?);
     down.set("down")?;
     let cases = [

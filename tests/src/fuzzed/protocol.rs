@@ -96,15 +96,15 @@ fn line(line: &str) {
             // What is an answer to a step is none to a reset.
             assert_eq!(Answer::is_reset(line), Ok(false));
         }
-        Err(error) => given(&error),
+        Err(error) => is_readable(&error),
     }
     if let Err(error) = Answer::is_reset(line) {
-        given(&error);
+        is_readable(&error);
     }
 }
 
-/// What is wrong is told in one line.
-fn given(error: &BadLine) {
+/// What is wrong is printed in one line.
+fn is_readable(error: &BadLine) {
     let text = error.to_string();
     assert!(!text.is_empty() && !text.contains(|c: char| c.is_control()), "{text:?}");
 }
@@ -116,7 +116,7 @@ fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &st
             assert!(!written.contains('\n'));
             assert_eq!(written.parse(), Ok(read), "{written}");
         }
-        Err(error) => given(&error),
+        Err(error) => is_readable(&error),
     }
 }
 
