@@ -23,6 +23,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: pins::possible(&args.readings)?,
+        ..JudgeOptions::default()
     };
     let options = LogOptions { judge, interface: args.interface.clone() };
     let name = if args.log == Path::new(STDIN) {

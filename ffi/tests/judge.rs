@@ -166,7 +166,8 @@ fn options_count() {
     }
     let report = judge.finish();
     let readings = Choices::ALL.pin(Choice::CommsNoArrow);
-    let expected = in_rust(JudgeOptions { window_ms: 1, deadline_ms: 100, readings });
+    let expected =
+        in_rust(JudgeOptions { window_ms: 1, deadline_ms: 100, readings, ..JudgeOptions::default() });
     agrees(report, std::iter::from_fn(|| judge.next()).collect(), &expected);
     assert_ne!(expected.findings, in_rust(usual).findings, "the options were to make a difference");
 

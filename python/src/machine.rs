@@ -1,7 +1,7 @@
 //! `Machine`, which steps, and `Vcu`, which remembers.
 
 use adsdv_oracle::protocol::INPUTS;
-use adsdv_spec::{AiMessages, Inputs, Edition, Reading, Readings};
+use adsdv_spec::{AiMessages, Edition, Inputs, Reading, Readings};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 

@@ -101,7 +101,7 @@ impl Step {
     /// ['AS master switch OFF']
     #[getter]
     fn conditions(&self) -> Vec<&'static str> {
-        let conditions = self.taken_term().into_iter().flat_map(Term::conditions);
+        let conditions = self.taken_term().into_iter().flat_map(Term::literals);
         conditions.map(|(atom, value)| atom.text(value)).collect()
     }
 

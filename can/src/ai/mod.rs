@@ -126,10 +126,10 @@ impl Default for Ai {
 }
 
 impl Ai {
-    /// An AI Computer that was just switched on, in a car of [`Physics::DEFAULT`].
+    /// An AI Computer of the default edition that was just switched on, in a car of [`Physics::DEFAULT`].
     pub fn new(plan: Plan) -> Self {
         Self {
-            edition: Edition::V3_0,
+            edition: Edition::default(),
             physics: Physics::DEFAULT,
             plan,
             stage: Stage::Idle,
@@ -140,6 +140,11 @@ impl Ai {
             driven_m: 0.0,
             rested_ms: 0,
         }
+    }
+
+    /// The edition of the interface that it follows.
+    pub const fn edition(&self) -> &Edition {
+        &self.edition
     }
 
     /// How far it has come with its mission.

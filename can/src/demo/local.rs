@@ -5,7 +5,6 @@ use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use adsdv_oracle::candump::FrameKind;
-use adsdv_spec::Edition;
 use adsdv_spec::messages::Frame;
 
 use super::BUS;
@@ -29,7 +28,7 @@ impl LocalBus {
     /// A bus with this AI Computer, whose first cycle is due at once.
     pub fn new(ai: Ai) -> Self {
         let now = Instant::now();
-        let cycle = Duration::from_millis(Edition::V3_0.rules.timing.cycle_ms.into());
+        let cycle = Duration::from_millis(ai.edition().rules.timing.cycle_ms.into());
         Self { ai, cycle, next: now, sent: VecDeque::new() }
     }
 
@@ -39,7 +38,7 @@ impl LocalBus {
         let missed = late.as_nanos().checked_div(self.cycle.as_nanos()).unwrap_or_default();
         let cycles = u32::try_from(missed).unwrap_or(u32::MAX).saturating_add(1);
         self.next += self.cycle.saturating_mul(cycles);
-        self.sent.extend(self.ai.cycle(Edition::V3_0.rules.timing.cycle_ms.into()));
+        self.sent.extend(self.ai.cycle(self.ai.edition().rules.timing.cycle_ms.into()));
     }
 }
 

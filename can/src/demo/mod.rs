@@ -9,8 +9,8 @@ mod wire;
 
 use std::fmt;
 
-use adsdv_spec::Machine;
 use adsdv_spec::messages::{AsState, Frame};
+use adsdv_spec::{Machine, Readings};
 
 use crate::BITRATE;
 use crate::ai::Ai;
@@ -151,7 +151,8 @@ struct Running {
 impl Running {
     fn new(scenario: &Scenario, ai: Ai, options: &DemoOptions) -> Self {
         Self {
-            car: Car::new(Machine::REFERENCE),
+            // Both sides follow the edition of the AI Computer.
+            car: Car::new(Machine::new(*ai.edition(), Readings::DEFAULT)),
             ai,
             player: Player::new(scenario),
             wire: Wire::new(BITRATE.into()),

@@ -1,6 +1,5 @@
 //! The reference AI Computer on a bus.
 
-use adsdv_spec::Edition;
 use adsdv_spec::messages::{AsState, Message as _, Node, Vcu2AiStatus, message_by_id};
 
 use super::handle::Runner;
@@ -28,7 +27,8 @@ pub struct AiComputer<B> {
 impl<B: Bus> AiComputer<B> {
     /// An AI Computer that has just been switched on.
     pub fn new(bus: B, ai: Ai) -> Self {
-        Self { line: LiveBus::new(bus, Edition::V3_0.rules.timing.cycle_ms.into()), ai, shown: None }
+        let cycle_ms = ai.edition().rules.timing.cycle_ms.into();
+        Self { line: LiveBus::new(bus, cycle_ms), ai, shown: None }
     }
 
     /// One cycle: receives until it is due, and sends its frames.

@@ -9,8 +9,8 @@ use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario};
 use adsdv_can::status::Status;
 use adsdv_oracle::candump::FrameKind;
+use adsdv_spec::Machine;
 use adsdv_spec::messages::Frame;
-use adsdv_spec::{Edition, Machine};
 
 /// How it stands so long after the start of the built-in mission.
 pub(super) fn mission(time: Duration) -> Status {
@@ -54,7 +54,7 @@ impl Listen for Simulated {
                 self.now = self.now.max(until);
                 return Event::Nothing;
             }
-            let cycle_ms = Edition::V3_0.rules.timing.cycle_ms;
+            let cycle_ms = self.ai.edition().rules.timing.cycle_ms;
             self.now = self.now.max(self.next);
             self.next += Duration::from_millis(cycle_ms.into());
             self.sent.extend(self.ai.cycle(cycle_ms.into()));

@@ -36,6 +36,7 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: pins::possible(&args.readings)?,
+        ..JudgeOptions::default()
     };
     let options = LogOptions { judge, interface: None };
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;

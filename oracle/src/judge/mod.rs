@@ -152,9 +152,9 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// A judge of version 3.0 of the interface.
+    /// A judge that has seen nothing yet.
     pub fn new(options: JudgeOptions) -> Self {
-        let edition = Edition::V3_0;
+        let edition = *options.edition;
         let variants = Variants::new(&edition, options.readings);
         let window = i64::from(options.window_ms) * MS;
         // Most messages come once a cycle, all at once: one frame may be missing.

@@ -1,10 +1,12 @@
 //! What the judge may assume.
 
-use adsdv_spec::Choices;
+use adsdv_spec::{Choices, Edition};
 
 /// How the judge looks at a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JudgeOptions {
+    /// The edition of the interface that the VCU and the AI Computer are judged by.
+    pub edition: &'static Edition,
     /// The window W in milliseconds: how long after a cause its effect may be seen (VCU cycle plus bus delay).
     pub window_ms: u32,
     /// The deadline D in milliseconds: for how long a condition must hold before a missing effect is a violation.
@@ -15,6 +17,6 @@ pub struct JudgeOptions {
 
 impl Default for JudgeOptions {
     fn default() -> Self {
-        Self { window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
+        Self { edition: &Edition::V3_0, window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
     }
 }

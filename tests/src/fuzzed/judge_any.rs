@@ -41,7 +41,10 @@ fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
         _ => (JudgeOptions::default().window_ms, JudgeOptions::default().deadline_ms),
     };
     let interface = bytes.one_in(8).then(|| bytes.pick(&INTERFACES).to_owned());
-    let options = LogOptions { judge: JudgeOptions { window_ms, deadline_ms, readings }, interface };
+    let options = LogOptions {
+        judge: JudgeOptions { window_ms, deadline_ms, readings, ..JudgeOptions::default() },
+        interface,
+    };
     (options, bytes.one_in(2))
 }
 

@@ -180,7 +180,7 @@ fn damage(random: &mut Random, log: &mut Vec<Recorded>, place: usize) {
 fn any_options(random: &mut Random, world: &World) -> JudgeOptions {
     let (window_ms, deadline_ms) = random.pick(&[(30, 50), (30, 50), (0, 0), (5, 20), (100, 200)]);
     let readings = if random.one_in(3) { world.vcu.readings().choices() } else { Choices::ALL };
-    JudgeOptions { window_ms, deadline_ms, readings }
+    JudgeOptions { window_ms, deadline_ms, readings, ..JudgeOptions::default() }
 }
 
 /// How many runs each test has.
