@@ -6,7 +6,7 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{
     Atom, Atoms, Choice, Choices, Edition, Fault, Faults, Knowledge, Machine, Reading, Readings, Row, Table,
-    Term, Truth,
+    Term, Timing, Truth,
 };
 
 #[test]
@@ -22,6 +22,16 @@ fn a_table_is_what_it_is_written_down_with() {
     let table = Table::of(&[row]);
     assert_eq!(table.rows(), [row]);
     assert_eq!(table, Table::new(&[row]));
+}
+
+#[test]
+fn an_edition_with_one_thing_changed_has_the_rest_as_it_was() {
+    let table = Table::new(&[]);
+    let timing = Timing { cycle_ms: 1, ..Edition::V3_0.rules.timing };
+    let other = Edition::V3_0.with_table(table).with_timing(timing);
+    assert_eq!((other.rules.table, other.rules.timing), (table, timing));
+    let restored = other.with_table(Edition::V3_0.rules.table).with_timing(Edition::V3_0.rules.timing);
+    assert_eq!(restored, Edition::V3_0);
 }
 
 #[test]
