@@ -24,7 +24,8 @@
 //! | what a judge may say who does not see everything | [`truth`] |
 //!
 //! [`words`] restates the document in plain `if`s, for the theorems to hold the specification against. [`subject`] is
-//! the specification as the theorems see it, which a test can replace.
+//! the specification as the theorems see it, which a test can replace. `seed` is what the stand-in for Kani draws random
+//! values from.
 
 #![forbid(unsafe_code)]
 // A harness is an assertion: that it panics where it does not hold is what it is for.

@@ -90,7 +90,7 @@ impl Report {
         self.get(py, "verdict")
     }
 
-    /// The changes of AS_STATE that were seen, in order, as flat dicts: t, from, to, section (the section of the document),
+    /// The changes of AS_STATE that were seen, in order, as flat dicts: t, from, to, section (of the document),
     /// and justified ("true", "false" or "unknown").
     #[getter]
     fn transitions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -98,7 +98,7 @@ impl Report {
     }
 
     /// What was found, in order, as flat dicts: t, severity ("violation", "warning" or "note"), party ("AI", "VCU" or
-    /// "LOG"), section (the section of the document), rule (what was checked) and message.
+    /// "LOG"), section (of the document), rule (what was checked) and message.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.get(py, "findings")

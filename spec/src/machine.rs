@@ -25,7 +25,7 @@ use crate::truth::Knowledge;
 /// How many states there are; states count from 1.
 const STATES: usize = AsState::ALL.len();
 
-/// A version of the edition with one answer to every open question: ready to step.
+/// An edition with one answer to every open question: ready to step.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     edition: Edition,
@@ -109,7 +109,7 @@ impl Machine {
     /// The reference: version 3.0 with the default readings.
     pub const REFERENCE: Self = Self::new(Edition::V3_0, Readings::DEFAULT);
 
-    /// A machine for a version of the edition and an answer to every open question.
+    /// A machine for an edition and an answer to every open question.
     pub const fn new(edition: Edition, readings: Readings) -> Self {
         let nowhere = Arrow {
             masks: TermMasks { on: Atoms::NONE, care: Atoms::NONE },
@@ -169,7 +169,7 @@ impl Machine {
         filled
     }
 
-    /// The version of the edition.
+    /// The edition.
     pub const fn edition(&self) -> &Edition {
         &self.edition
     }
