@@ -23,7 +23,7 @@ The properties say what the text asks for at its strictest, and hold under the d
 one is not wrong: the document allows it. But two teams, or a team and its simulator, that answer differently differ in
 just this, and the shortest run below shows where.
 
-This file is what `adsdv verify --readings` prints, and a test keeps it so.
+This file is what `adsdv verify --readings` prints; tests keep it so.
 ";
 
 const CLOSED: &str = "

@@ -82,11 +82,12 @@ pub struct ClosedCost {
     pub run: Run,
 }
 
-/// Checks version 3.0 of the interface under every combination of readings. `progress` is told how much is done, and of
-/// how much.
-pub fn sweep(threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
+/// Checks version 3.0 of the interface under every combination of readings in which at most so many are not the default.
+/// `progress` gets how much is done, and of how much.
+pub fn sweep(together: usize, threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
     let edition = Edition::V3_0;
-    let all = combinations();
+    let mut all = combinations();
+    all.retain(|readings| others(*readings).iter().count() <= together);
     let models: Vec<(Choice, Operator)> = alone()
         .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
         .collect();

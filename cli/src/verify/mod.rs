@@ -51,7 +51,7 @@ fn readings(threads: usize) -> Result<Status, Error> {
                 line.show_bar(done, all, "of every combination of readings");
             }
         });
-        sweep(threads, move |done, all| {
+        sweep(usize::MAX, threads, move |done, all| {
             let _ = sender.send((done, all));
         })
     });
