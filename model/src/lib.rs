@@ -68,6 +68,6 @@ pub use reachable::reachable;
 pub use run::{Cycle, Phase, Run};
 pub use step::Step;
 pub use story::{StoryLine, story, story_of};
-pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, sweep};
+pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, closed_models, sweep};
 pub use vectors::Vectors;
 pub use verify::{Exploration, Options, Progress, Report, explore, verify};

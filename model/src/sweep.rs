@@ -82,22 +82,29 @@ pub struct ClosedCost {
     pub run: Run,
 }
 
-/// Checks version 3.0 of the interface under every combination of readings in which at most so many are not the default.
-/// `progress` gets how much is done, and of how much.
-pub fn sweep(together: usize, threads: usize, progress: impl Fn(usize, usize) + Sync) -> Sweep {
+/// Each answer that is not the default, alone, with each operator: the closed models that [`sweep`] can explore.
+pub fn closed_models() -> impl Iterator<Item = (Choice, Operator)> {
+    alone().flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
+}
+
+/// Checks version 3.0 of the interface under every combination of readings in which at most so many are not the default,
+/// and in these closed models. `progress` gets how much is done, and of how much.
+pub fn sweep(
+    together: usize,
+    models: &[(Choice, Operator)],
+    threads: usize,
+    progress: impl Fn(usize, usize) + Sync,
+) -> Sweep {
     let edition = Edition::V3_0;
     let mut all = combinations();
     all.retain(|readings| others(*readings).iter().count() <= together);
-    let models: Vec<(Choice, Operator)> = alone()
-        .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
-        .collect();
     let work = Work { open: all.len(), closed: models.len(), done: AtomicUsize::new(0) };
     let done = |by| {
         let (done, all) = work.add(by);
         progress(done, all);
     };
     let mut explored = explored(&all, threads, || done(1));
-    for (choice, operator) in models {
+    for &(choice, operator) in models {
         explored.add_closed(&edition, choice, operator, threads);
         done(work.closed_each());
     }

@@ -13,7 +13,7 @@ mod table;
 
 use std::thread;
 
-use adsdv_model::{Options, sweep};
+use adsdv_model::{Options, closed_models, sweep};
 
 use crate::args::VerifyArgs;
 use crate::error::Error;
@@ -51,7 +51,7 @@ fn readings(threads: usize) -> Result<Status, Error> {
                 line.show_bar(done, all, "of every combination of readings");
             }
         });
-        sweep(usize::MAX, threads, move |done, all| {
+        sweep(usize::MAX, &closed_models().collect::<Vec<_>>(), threads, move |done, all| {
             let _ = sender.send((done, all));
         })
     });
