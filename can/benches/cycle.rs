@@ -27,7 +27,7 @@ fn print(name: &str, cycles: &Cycles) {
 
 /// Sleeps until each cycle, and does nothing else.
 fn bare() -> Cycles {
-    let mut clock = Clock::new(Instant::now(), Edition::V3_0.rules.timing.cycle_ms.into());
+    let mut clock = Clock::new(Instant::now(), Edition::DEFAULT.rules.timing.cycle_ms.into());
     let end = Instant::now() + TIME;
     while clock.deadline() < end {
         thread::sleep(clock.deadline().saturating_duration_since(Instant::now()));

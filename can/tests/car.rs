@@ -6,10 +6,15 @@ use adsdv_can::car::{
 };
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest,
-    BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax, SteerAngle, Vcu2AiStatus,
+    BrakePressure, DirectionRequest, Frame, MissionStatus, MotorSpeedMax, SteerAngle, Vcu2AiStatus,
     Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{Actuation, AiMessages, Choice, Edition, Machine, Readings};
+
+/// The frame of a message.
+fn encoded(message: impl Into<adsdv_spec::messages::AnyMessage>) -> Frame {
+    Edition::DEFAULT.bus.encode(message).expect("every edition has it")
+}
 
 fn act(car: &mut Car, actions: &[&str]) {
     for action in actions {
@@ -20,7 +25,7 @@ fn act(car: &mut Car, actions: &[&str]) {
 /// What the AI Computer says, with the VCU's handshake bit of the cycle before.
 fn send_status(car: &mut Car, status: Ai2VcuStatus) {
     let handshake = car.outputs().is_some_and(|outputs| outputs.handshake);
-    let frame = Ai2VcuStatus { handshake, ..status }.encode();
+    let frame = encoded(Ai2VcuStatus { handshake, ..status });
     assert_eq!(car.receive(&frame), Ok(true));
 }
 
@@ -54,7 +59,7 @@ fn full_torque(car: &mut Car) {
     let (trq, rpm) = (AxleTorqueRequest::MAX, MotorSpeedMax::MAX);
     let front = Ai2VcuDriveF { front_axle_trq_request: trq, front_motor_speed_max: rpm };
     let rear = Ai2VcuDriveR { rear_axle_trq_request: trq, rear_motor_speed_max: rpm };
-    for frame in [front.encode(), rear.encode()] {
+    for frame in [encoded(front), encoded(rear)] {
         assert_eq!(car.receive(&frame), Ok(true));
     }
 }
@@ -109,7 +114,7 @@ fn a_power_cycle_takes_a_second_and_forgets() {
     act(&mut car, &["power cycle"]);
     for _ in 0..POWER_CYCLE_MS / 10 {
         // It hears nothing.
-        assert_eq!(car.receive(&drives.encode()), Ok(false));
+        assert_eq!(car.receive(&encoded(drives)), Ok(false));
         let cycle = car.cycle(10);
         assert!(cycle.outputs.is_none() && car.outputs().is_none() && cycle.frames.is_empty());
         assert!(missing(&car).is_none());
@@ -142,7 +147,7 @@ fn garbage_of_the_ai_changes_nothing() {
         assert_eq!(*car.inputs(), before, "{frame}");
     }
     // Frames of others are none of its business.
-    assert_eq!(car.receive(&Vcu2AiStatus::default().encode()), Ok(false));
+    assert_eq!(car.receive(&encoded(Vcu2AiStatus::default())), Ok(false));
     assert_eq!(*car.inputs(), before);
     cycles(&mut car, 1, drives);
     assert_eq!(state(&car), Some(AsState::Driving));
@@ -153,7 +158,7 @@ fn drive_and_steering_requests_move_nothing_outside_as_driving() {
     let (mut car, _) = ready();
     let steer = Ai2VcuSteer { steer_request: SteerAngle::MAX };
     full_torque(&mut car);
-    assert_eq!(car.receive(&steer.encode()), Ok(true));
+    assert_eq!(car.receive(&encoded(steer)), Ok(true));
     cycles(&mut car, 200, status(MissionStatus::Selected, DirectionRequest::Forward));
     assert_eq!(state(&car), Some(AsState::Ready));
     assert!(car.vehicle().distance_m() <= 0.0);
@@ -164,7 +169,7 @@ fn drive_and_steering_requests_move_nothing_outside_as_driving() {
 fn it_steers_and_rolls_as_it_is_asked_in_as_driving() {
     let (mut car, drives) = driving();
     let steer = Ai2VcuSteer { steer_request: SteerAngle::MAX };
-    assert_eq!(car.receive(&steer.encode()), Ok(true));
+    assert_eq!(car.receive(&encoded(steer)), Ok(true));
     cycles(&mut car, 100, drives);
     assert!(car.inputs().vehicle.steer_angle.raw() > 230);
     let speeds = car.inputs().vehicle.wheel_speeds;
@@ -178,10 +183,10 @@ fn it_steers_and_rolls_as_it_is_asked_in_as_driving() {
 fn braking_brings_it_to_rest_exactly() {
     for pressure in [20, 100, 200] {
         let (mut car, drives) = driving();
-        let none = [Ai2VcuDriveF::default().encode(), Ai2VcuDriveR::default().encode()];
+        let none = [encoded(Ai2VcuDriveF::default()), encoded(Ai2VcuDriveR::default())];
         let pressure = BrakePressure::clamped(pressure);
         let brake = Ai2VcuBrake { hyd_press_f_req: pressure, hyd_press_r_req: pressure };
-        for frame in none.into_iter().chain([brake.encode()]) {
+        for frame in none.into_iter().chain([encoded(brake)]) {
             assert_eq!(car.receive(&frame), Ok(true));
         }
         let before = car.vehicle().speed_mps();
@@ -327,7 +332,7 @@ fn missing_lists_the_way_out_of_an_emergency_up_to_the_power_cycle() {
 #[test]
 fn the_way_out_is_that_of_the_reading() {
     let readings = Readings::DEFAULT.with(Choice::PowerCycleNotLatched);
-    let mut car = Car::new(Machine::new(Edition::V3_0, readings));
+    let mut car = Car::new(Machine::new(*Edition::DEFAULT, readings));
     for action in ["ami SKIDPAD", "ebs ARMED", "tsms on", "asms on"] {
         act(&mut car, &[action]);
     }
@@ -353,7 +358,7 @@ fn missing_lists_what_any_state_still_needs() {
     while car.vehicle().speed_mps() > 0.0 {
         let pressure = BrakePressure::MAX;
         let brake = Ai2VcuBrake { hyd_press_f_req: pressure, hyd_press_r_req: pressure };
-        let none = [Ai2VcuDriveF::default().encode(), Ai2VcuDriveR::default().encode(), brake.encode()];
+        let none = [encoded(Ai2VcuDriveF::default()), encoded(Ai2VcuDriveR::default()), encoded(brake)];
         for frame in none {
             assert_eq!(car.receive(&frame), Ok(true));
         }
@@ -477,6 +482,7 @@ fn the_vcu_sends_the_speed_of_the_vehicle() {
     send_status(&mut car, drives);
     let cycle = car.cycle(10);
     let frame = cycle.frames.iter().find(|frame| frame.id == Vcu2LogDynamics1::ID).expect("500h");
-    let told = Vcu2LogDynamics1::decode(frame.data()).expect("it decodes").speed_actual.to_physical();
+    let logged: Vcu2LogDynamics1 = Edition::DEFAULT.bus.decode_as(frame.data()).expect("it decodes");
+    let told = logged.speed_actual.to_physical();
     assert!((told - car.vehicle().speed_mps() * 3.6).abs() < 2.0, "{told}");
 }

@@ -10,7 +10,7 @@ use crate::status::Status;
 use crate::{output, pins};
 
 pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
     let told = |address| {
         // Nobody may be listening, or the address may not be written, and the Explorer is still there.
         if let Err(error) = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n")) {

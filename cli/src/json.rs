@@ -3,7 +3,7 @@
 
 use adsdv_can::live::{Outage, Traffic};
 use adsdv_oracle::judge::{Finding, Report, ResponseTimes, Transition};
-use adsdv_spec::{Choice, Reading, Readings};
+use adsdv_spec::{Choice, Edition, Reading};
 use serde::Serialize;
 
 /// The JSON Schema of what [`text`] writes.
@@ -43,7 +43,7 @@ pub(crate) struct Bus<'a> {
 
 /// The readings as one JSON array on one line.
 pub(crate) fn readings() -> String {
-    line(&Reading::ALL.iter().map(|&reading| ReadingJson::from(reading)).collect::<Vec<_>>())
+    line(&Edition::DEFAULT.questions().map(ReadingJson::from).collect::<Vec<_>>())
 }
 
 /// Nothing here can fail to be written: all keys are text, and all numbers finite.
@@ -229,7 +229,7 @@ impl From<Reading> for ReadingJson {
 
 impl From<Choice> for ChoiceJson {
     fn from(choice: Choice) -> Self {
-        Self { id: choice.id(), text: choice.text(), default: Readings::DEFAULT.is(choice) }
+        Self { id: choice.id(), text: choice.text(), default: Edition::DEFAULT.readings.is(choice) }
     }
 }
 

@@ -1,19 +1,19 @@
 //! `--reading ID=CHOICE`: pins a question that the document leaves open.
 
-use adsdv_spec::{Choice, Choices, Readings};
+use adsdv_spec::{Choice, Choices, Edition, Readings};
 
 use crate::error::Error;
 
 /// The choices that remain possible for a judge.
 pub(crate) fn possible(pins: &[Choice]) -> Result<Choices, Error> {
     agree(pins)?;
-    Ok(pins.iter().copied().fold(Choices::ALL, Choices::pin))
+    Ok(pins.iter().copied().fold(Edition::DEFAULT.choices, Choices::pin))
 }
 
 /// The answers of a machine: the defaults where nothing is pinned.
 pub(crate) fn answers(pins: &[Choice]) -> Result<Readings, Error> {
     agree(pins)?;
-    Ok(pins.iter().copied().fold(Readings::DEFAULT, Readings::with))
+    Ok(pins.iter().copied().fold(Edition::DEFAULT.readings, Readings::with))
 }
 
 /// Fails where two pins contradict each other.

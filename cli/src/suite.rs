@@ -12,9 +12,9 @@ use crate::status::Status;
 use crate::{json, output, pins};
 
 pub(crate) fn run(args: &SuiteArgs) -> Result<Status, Error> {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     if args.prove {
-        let proof = suite::prove(&Edition::V3_0, &tests);
+        let proof = suite::prove(Edition::DEFAULT, &tests);
         output::plain(&if args.json {
             json::line(&ProofJson::of(&tests, &proof))
         } else {
@@ -22,7 +22,7 @@ pub(crate) fn run(args: &SuiteArgs) -> Result<Status, Error> {
         })?;
         return Ok(if proof.is_complete() { Status::Conforms } else { Status::Violates });
     }
-    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
     let lines: Vec<String> = tests.iter().map(|test| test.to_line(&machine) + "\n").collect();
     output::plain(&lines.concat())?;
     Ok(Status::Conforms)
@@ -80,7 +80,7 @@ fn steps<'a>(tests: impl Iterator<Item = &'a Test>) -> usize {
 
 /// The proof for a person.
 fn text(tests: &[Test], proof: &Proof) -> String {
-    let mut text = format!("ADS-DV Software Interface Specification {}\n\n", Edition::V3_0.version);
+    let mut text = format!("ADS-DV Software Interface Specification {}\n\n", Edition::DEFAULT.version);
     let longest = tests.iter().map(|test| test.scenario.steps.len()).max().unwrap_or_default();
     // Writing to a string does not fail.
     let _ = writeln!(

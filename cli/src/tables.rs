@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use adsdv_model::Promela;
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
-use adsdv_spec::{Edition, Machine, Reading, Readings};
+use adsdv_spec::{Edition, Machine};
 
 use crate::args::{DiagramArgs, ExportArgs, Exported, Format, ReadingsArgs, SchemaArgs, WithJson};
 use crate::error::Error;
@@ -13,11 +13,11 @@ use crate::status::Status;
 use crate::{json, output, pins};
 
 pub(crate) fn dbc() -> Result<Status, Error> {
-    print(&Dbc(&Edition::V3_0).to_string())
+    print(&Dbc(Edition::DEFAULT).to_string())
 }
 
 pub(crate) fn diagram(args: &DiagramArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
     print(&match args.format {
         Format::Mermaid => Mermaid(&machine).to_string(),
         Format::Dot => Dot(&machine).to_string(),
@@ -41,8 +41,8 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
 }
 
 pub(crate) fn export(args: &ExportArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
-    let (document, vectors) = (Edition::V3_0.rules.timing, args.vectors.into());
+    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
+    let (document, vectors) = (Edition::DEFAULT.rules.timing, args.vectors.into());
     print(&match args.format {
         Exported::Promela => Promela { machine: &machine, document, vectors }.to_string(),
     })
@@ -55,15 +55,17 @@ fn print(text: &str) -> Result<Status, Error> {
 
 /// The readings for a person; a star marks the default.
 fn questions() -> String {
-    let ids = Reading::ALL.iter().flat_map(|reading| reading.choices()).map(|choice| choice.id().len());
+    let edition = Edition::DEFAULT;
+    let choices = |reading| edition.choices.of_reading(reading);
+    let ids = edition.questions().flat_map(choices).map(|choice| choice.id().len());
     let width = ids.max().unwrap_or_default();
     let mut text = String::new();
-    for reading in Reading::ALL {
+    for reading in edition.questions() {
         // Writing to a string does not fail.
         let _ = writeln!(text, "{} (section {})", reading.id(), reading.section());
         wrapped(&mut text, reading.question().split(' '), 4, output::width());
-        for choice in reading.choices() {
-            let mark = if Readings::DEFAULT.is(*choice) { '*' } else { ' ' };
+        for choice in choices(reading) {
+            let mark = if edition.readings.is(choice) { '*' } else { ' ' };
             let _ = writeln!(text, "  {mark} {:width$}  {}", choice.id(), choice.text());
         }
         text.push('\n');

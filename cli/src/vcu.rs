@@ -14,7 +14,7 @@ use crate::status::Status;
 use crate::{demo, operate, pins, plain};
 
 pub(crate) fn run(args: &VcuArgs) -> Result<Status, Error> {
-    let machine = Machine::new(Edition::V3_0, pins::answers(&args.readings)?);
+    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
     let scenario = args.scenario.as_deref().map(demo::read).transpose()?;
     let bus = socket::open(&args.interface)?;
     drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), args)

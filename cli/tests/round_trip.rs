@@ -13,7 +13,8 @@ use std::thread;
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::Report;
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
-use adsdv_spec::messages::{AnyMessage, MESSAGES};
+use adsdv_spec::Edition;
+use adsdv_spec::messages::AnyMessage;
 use adsdv_tests::property::Home;
 use jsonschema::Validator;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
@@ -128,7 +129,7 @@ enum Line {
 fn any_line() -> impl Strategy<Value = Line> {
     let after_us = || prop_oneof![8 => 0..12_000_i64, 1 => 0..2_000_000_i64];
     let frame = |(after_us, message): (i64, AnyMessage)| {
-        let frame = message.encode();
+        let frame = Edition::DEFAULT.bus.encode(message).unwrap_or_default();
         Line::Frame { after_us, id: frame.id, data: frame.data().to_vec() }
     };
     // Of the states alone, so that there are transitions and answers to the handshake.
@@ -139,7 +140,7 @@ fn any_line() -> impl Strategy<Value = Line> {
             data: vec![u8::from(bit), 0, if id == 0x520 { state } else { 1 }, 0, 0, 0, 0, 0],
         },
     );
-    let ids = MESSAGES.map(|message| message.id).to_vec();
+    let ids = AnyMessage::IDS.to_vec();
     let bits =
         (after_us(), prop_oneof![sample::select(ids), 0..0x800_u16], collection::vec(any::<u8>(), 0..=8))
             .prop_map(|(after_us, id, data)| Line::Frame { after_us, id, data });

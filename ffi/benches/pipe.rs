@@ -35,7 +35,7 @@ fn main() {
 /// Asked and answered, every answer read.
 #[divan::bench(sample_count = 20)]
 fn asked(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     let once: Vec<(&str, &Scenario)> =
         tests.iter().map(|test| (test.name.as_str(), &test.scenario)).collect();
     let named = once.repeat(TIMES);
@@ -50,7 +50,7 @@ fn asked(bencher: Bencher) {
 /// The whole of `adsdv conform` without random scenarios: started, asked once, and judged under every reading.
 #[divan::bench(sample_count = 20)]
 fn judged(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     drop(adapter()); // It is built by now.
     bencher.counter(ItemsCount::new(steps(&tests))).bench(|| {
         let options = ConformOptions { runs: 0, ..ConformOptions::default() };

@@ -2,8 +2,9 @@
 
 use core::ffi::c_char;
 
-use adsdv_spec::messages::{DecodeError, Frame, MessageDef, SignalDef, message_by_id};
+use adsdv_spec::messages::{DecodeError, Frame, MessageDef, SignalDef};
 
+use crate::EDITION;
 use crate::border::{Plain, answer, load, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 
@@ -38,7 +39,7 @@ impl adsdv_frame {
 
 /// The message with this identifier.
 pub(crate) fn message(id: u16) -> Result<&'static MessageDef, Refusal<'static>> {
-    message_by_id(id).ok_or(Refusal::Decode(DecodeError::UnknownId { id }))
+    EDITION.bus.message(id).ok_or(Refusal::Decode(DecodeError::UnknownId { id }))
 }
 
 /// The signal of a message with this name.
@@ -60,7 +61,7 @@ pub(crate) fn ends(message: &MessageDef, signal: &SignalDef, data: &[u8]) -> Ref
 /// Whether the AI Computer must not send frames with this identifier (section 2.3).
 #[unsafe(no_mangle)]
 pub extern "C" fn adsdv_is_reserved(id: u32) -> bool {
-    u16::try_from(id).is_ok_and(adsdv_spec::is_reserved)
+    u16::try_from(id).is_ok_and(|id| EDITION.bus.is_reserved(id))
 }
 
 /// Begins a frame of the message with this identifier: every signal is 0, or the first value of its enumeration where

@@ -5,6 +5,7 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{AiMessages, Inputs, Reports, ShutdownCircuit, Vehicle};
 
+use crate::EDITION;
 use crate::border::{Plain, answer, load, out};
 use crate::error::{adsdv_error, adsdv_status};
 use crate::frame::adsdv_frame;
@@ -214,7 +215,7 @@ pub unsafe extern "C" fn adsdv_receive(
         let (before, place, frame) =
             unsafe { (load(inputs, "inputs")?, out(inputs, "inputs")?, load(frame, "frame")?) };
         let mut inputs = before.read()?;
-        let received = inputs.ai.receive(frame.id, frame.sent()?)?;
+        let received = inputs.ai.receive(&EDITION.bus, frame.id, frame.sent()?)?;
         if !taken.is_null() {
             // SAFETY: the caller promises it for `taken`.
             unsafe { out(taken, "taken")? }.set(u8::from(received));

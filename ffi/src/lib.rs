@@ -57,6 +57,9 @@ pub use signal::*;
 pub use step::*;
 pub use version::*;
 
+/// The edition of the interface that all functions speak of.
+pub(crate) const EDITION: &adsdv_spec::Edition = adsdv_spec::Edition::DEFAULT;
+
 /// A program without the standard library and without a handler of its own stops where a panic would be. No code of
 /// this crate or of the specification is known to panic.
 #[cfg(all(feature = "panic-handler", not(feature = "std"), not(test)))]

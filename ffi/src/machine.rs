@@ -2,8 +2,9 @@
 
 use core::ffi::c_char;
 
-use adsdv_spec::{Choice, Choices, Edition, Machine, Readings};
+use adsdv_spec::{Choice, Choices, Machine, Readings};
 
+use crate::EDITION;
 use crate::border::{Plain, answer, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 
@@ -22,13 +23,13 @@ unsafe impl Plain for adsdv_machine {}
 static REFERENCE: Machine = Machine::REFERENCE;
 
 impl adsdv_machine {
-    pub(crate) const REFERENCE: Self = Self { readings: Readings::DEFAULT.choices().bits() };
+    pub(crate) const REFERENCE: Self = Self { readings: EDITION.readings.choices().bits() };
 
     /// The readings; an error where the bits are not one choice of each.
     fn read(self) -> Result<Readings, Refusal<'static>> {
         let unknown = Refusal::Machine { readings: self.readings };
         let Some(choices) = Choices::from_bits(self.readings) else { return Err(unknown) };
-        let readings = choices.iter().fold(Readings::DEFAULT, Readings::with);
+        let readings = choices.iter().fold(EDITION.readings, Readings::with);
         // Not so if a reading has no choice or several.
         if readings.choices() == choices { Ok(readings) } else { Err(unknown) }
     }
@@ -44,7 +45,7 @@ impl adsdv_machine {
         if let Some(machine) = kept::find(self) {
             return Ok(machine);
         }
-        Ok(room.insert(Machine::new(Edition::V3_0, self.read()?)))
+        Ok(room.insert(Machine::new(*EDITION, self.read()?)))
     }
 }
 
@@ -53,7 +54,9 @@ impl adsdv_machine {
 mod kept {
     use std::sync::OnceLock;
 
-    use adsdv_spec::{Edition, Machine};
+    use adsdv_spec::Machine;
+
+    use crate::EDITION;
 
     use super::adsdv_machine;
 
@@ -69,7 +72,7 @@ mod kept {
                 kept
             } else {
                 let readings = wanted.read().ok()?;
-                place.get_or_init(|| (wanted, Machine::new(Edition::V3_0, readings)))
+                place.get_or_init(|| (wanted, Machine::new(*EDITION, readings)))
             };
             // Somebody else may have been quicker to take the place.
             if *kept == wanted {
@@ -122,7 +125,7 @@ pub unsafe extern "C" fn adsdv_machine_init(
     let work = || {
         // SAFETY: the caller promises it for the machine and the text.
         let (place, readings) =
-            unsafe { (out(machine, "machine")?, listed(readings, Readings::DEFAULT, Readings::with)?) };
+            unsafe { (out(machine, "machine")?, listed(readings, EDITION.readings, Readings::with)?) };
         place.set(adsdv_machine { readings: readings.choices().bits() });
         Ok(())
     };

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use adsdv_spec::messages::{Decimal, Scale, SignalValue};
+use adsdv_spec::messages::{Decimal, Scale, SignalDef, SignalValue};
 
 use crate::error::Refusal;
 
@@ -40,23 +40,37 @@ impl fmt::Display for Allowed {
     }
 }
 
-/// The value with this number; `of` and `field` name it for the error.
+/// The value with this number, in the range that the edition gives to the signal of the field, where there is one; `of` and
+/// `field` name it for the error.
 #[inline(always)]
 pub(crate) fn value<T: SignalValue>(
     of: &'static str,
     field: &'static str,
+    signal: Option<&'static SignalDef>,
     raw: impl Into<i32>,
 ) -> Result<T, Refusal<'static>> {
     let raw = raw.into();
-    match T::from_raw(raw) {
-        Some(value) => Ok(value),
-        None => Err(refused::<T>(of, field, raw)),
+    match (T::from_raw(raw), signal) {
+        (Some(_), Some(signal)) if raw < signal.min || raw > signal.max => {
+            Err(refused::<T>(of, field, Some(signal), raw))
+        }
+        (Some(value), _) => Ok(value),
+        (None, _) => Err(refused::<T>(of, field, signal, raw)),
     }
 }
 
 #[cold]
-fn refused<T: SignalValue>(of: &'static str, field: &'static str, raw: i32) -> Refusal<'static> {
-    Refusal::Value { of, field, given: raw.into(), allowed: Allowed::of::<T>() }
+fn refused<T: SignalValue>(
+    of: &'static str,
+    field: &'static str,
+    signal: Option<&SignalDef>,
+    raw: i32,
+) -> Refusal<'static> {
+    let mut allowed = Allowed::of::<T>();
+    if let Some(signal) = signal.filter(|_| T::VALUES.is_empty()) {
+        (allowed.min, allowed.max) = (signal.min, signal.max);
+    }
+    Refusal::Value { of, field, given: raw.into(), allowed }
 }
 
 /// The number of a value, in the type that its field has in C. Every value of every field fits: the tests go through
@@ -94,10 +108,20 @@ macro_rules! conversions {
         $type { $($field: crate::plain::conversions!(@read_field $of $from $field $(= $name)? $(: $inner $body)?)),* }
     };
     (@read_field $of:literal $from:ident $field:ident) => {
-        crate::plain::value($of, stringify!($field), $from.$field)?
+        crate::plain::value(
+            $of,
+            stringify!($field),
+            const { crate::EDITION.bus.signal_of(stringify!($field)) },
+            $from.$field,
+        )?
     };
     (@read_field $of:literal $from:ident $field:ident = $name:ident) => {
-        crate::plain::value($of, stringify!($name), $from.$name)?
+        crate::plain::value(
+            $of,
+            stringify!($name),
+            const { crate::EDITION.bus.signal_of(stringify!($name)) },
+            $from.$name,
+        )?
     };
     (@read_field $of:literal $from:ident $field:ident: $inner:ident $body:tt) => {
         crate::plain::conversions!(@read $of $from $inner $body)

@@ -3,8 +3,9 @@
 use core::ffi::c_char;
 
 use adsdv_spec::Choice;
-use adsdv_spec::messages::{AnyMessage, MESSAGES, MessageDef, Node, SignalDef};
+use adsdv_spec::messages::{MessageDef, Node, SignalDef};
 
+use crate::EDITION;
 use crate::border::{Plain, answer, fill, load, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::frame::{adsdv_frame, ends, message, signal};
@@ -17,14 +18,14 @@ pub const ADSDV_MOST_SIGNALS: usize = 23;
 /// How many choices there are, of all readings together.
 pub const ADSDV_CHOICES: usize = 23;
 
-const _: () = assert!(ADSDV_MESSAGES == MESSAGES.len());
+const _: () = assert!(ADSDV_MESSAGES == EDITION.bus.messages.len());
 const _: () = assert!(ADSDV_CHOICES == Choice::ALL.len());
 const _: () = {
     let mut most = 0;
     let mut i = 0;
-    while i < MESSAGES.len() {
-        if MESSAGES[i].signals.len() > most {
-            most = MESSAGES[i].signals.len();
+    while i < EDITION.bus.messages.len() {
+        if EDITION.bus.messages[i].signals.len() > most {
+            most = EDITION.bus.messages[i].signals.len();
         }
         i += 1;
     }
@@ -167,7 +168,7 @@ pub unsafe extern "C" fn adsdv_message_at(
     let work = || {
         // SAFETY: the caller promises it for the message.
         let place = unsafe { out(message, "message")? };
-        place.set(adsdv_message::of(at(&MESSAGES, index)?));
+        place.set(adsdv_message::of(at(EDITION.bus.messages, index)?));
         Ok(())
     };
     // SAFETY: the caller promises it for the error.
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn adsdv_decode(
         // SAFETY: the caller promises `room` places.
         unsafe { fill(signals, room, "signals", values)? };
         count.set(message.signals.len());
-        AnyMessage::decode(frame.id, data)?;
+        EDITION.bus.decode(frame.id, data)?;
         Ok(())
     };
     // SAFETY: the caller promises it for the error.

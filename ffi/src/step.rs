@@ -59,7 +59,8 @@ pub unsafe extern "C" fn adsdv_step(
             shown.set(adsdv_outputs::of(machine, &inputs, &stepped, messages.status));
         }
         if !frames.is_null() {
-            let sent: [_; ADSDV_VCU_FRAMES] = messages.frames();
+            let sent = messages.all().map(|message| machine.edition().bus.encode(message));
+            let sent: [_; ADSDV_VCU_FRAMES] = sent.map(Option::unwrap_or_default);
             // SAFETY: the caller promises that many places.
             unsafe { fill(frames, ADSDV_VCU_FRAMES, "frames", sent.into_iter().map(adsdv_frame::from))? };
         }

@@ -7,8 +7,10 @@ use std::ptr::null_mut;
 
 use adsdv::adsdv_status::{self, *};
 use adsdv::*;
-use adsdv_spec::messages::{AnyMessage, DecodeError, MESSAGES, Node, SignalDef};
-use adsdv_spec::{Choice, Readings, is_reserved};
+use adsdv_spec::messages::{DecodeError, Node, SignalDef};
+use adsdv_spec::{Bus, Choice, Edition, Readings};
+
+const BUS: &Bus = &Edition::DEFAULT.bus;
 use adsdv_tests::world::{Chance, Random};
 use common::{outcome, text};
 
@@ -74,7 +76,7 @@ fn same(signal: &adsdv_signal, def: &SignalDef, data: &[u8]) {
 
 #[test]
 fn the_messages_are_those_of_the_interface() {
-    for (index, def) in MESSAGES.iter().enumerate() {
+    for (index, def) in BUS.messages.iter().enumerate() {
         let message = message_at(index).unwrap();
         assert_eq!((text(&message.name).as_str(), text(&message.section).as_str()), (def.name, def.section));
         assert_eq!((message.id, message.len), (def.id, def.len));
@@ -108,13 +110,13 @@ fn any_frame_is_read_as_the_specification_reads_it() {
     let mut random = Random(1);
     let mut outcomes = [0; 3];
     for _ in 0..20_000 {
-        let id = random.pick(&MESSAGES).id;
+        let id = random.pick(BUS.messages).id;
         let len = random.pick(&[8, 8, 8, 0, 1, 2, 3, 4, 5, 6, 7]);
         let mask = random.pick(&[u64::MAX, 0x0101_0101_0101_0101, 0x0003_0003_0003_0003, 0x1111]);
         let frame = adsdv_frame { id, len, data: (random.bits() & mask).to_le_bytes() };
         let data = &frame.data[..usize::from(len)];
         let (signals, outcome) = decode(&frame);
-        let expected = AnyMessage::decode(id, data);
+        let expected = BUS.decode(id, data);
         let said = outcome.as_ref().err().map(|(_, text)| text.clone());
         assert_eq!(said, expected.as_ref().err().map(ToString::to_string));
         let status = outcome.err().map_or(ADSDV_OK, |(status, _)| status);
@@ -126,7 +128,7 @@ fn any_frame_is_read_as_the_specification_reads_it() {
         assert_eq!(status, right);
         outcomes[place] += 1;
 
-        let def = MESSAGES.iter().find(|def| def.id == id).unwrap();
+        let def = BUS.messages.iter().find(|def| def.id == id).unwrap();
         assert_eq!(signals.len(), def.signals.len());
         for (signal, row) in signals.iter().zip(def.signals) {
             same(signal, row, data);
@@ -143,7 +145,7 @@ fn a_frame_begins_as_the_message_does_by_default() {
     use adsdv_spec::messages::*;
     macro_rules! each {
         ($($message:ident)+) => {$(
-            assert_eq!(init($message::ID).unwrap(), $message::default().encode().into());
+            assert_eq!(init($message::ID).unwrap(), BUS.encode($message::default()).unwrap().into());
         )+};
     }
     each! {
@@ -158,7 +160,7 @@ fn a_frame_begins_as_the_message_does_by_default() {
 
 #[test]
 fn every_value_that_is_written_is_read() {
-    for def in MESSAGES {
+    for def in BUS.messages {
         for signal in def.signals {
             let mut values: Vec<i32> = signal.values.iter().map(|&(value, _)| value).collect();
             values.extend([signal.min, signal.max]);
@@ -205,7 +207,7 @@ fn an_array_that_is_too_small_is_left_alone() {
 #[test]
 fn reserved_identifiers_are_those_of_the_specification() {
     for id in 0..=u16::MAX {
-        assert_eq!(adsdv_is_reserved(id.into()), is_reserved(id), "{id:X}");
+        assert_eq!(adsdv_is_reserved(id.into()), BUS.is_reserved(id), "{id:X}");
     }
     assert!(!adsdv_is_reserved(0x1_0000));
 }

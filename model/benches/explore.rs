@@ -40,7 +40,7 @@ fn open_every_vector(bencher: Bencher<'_, '_>, threads: usize) {
 fn plain(bencher: Bencher<'_, '_>) {
     bencher
         .counter(ItemsCount::new(steps(Vectors::Read)))
-        .bench(|| reachable(black_box(&Machine::REFERENCE), Edition::V3_0.rules.timing, Vectors::Read));
+        .bench(|| reachable(black_box(&Machine::REFERENCE), Edition::DEFAULT.rules.timing, Vectors::Read));
 }
 
 /// The closed model with the real times and a well-behaved operator.

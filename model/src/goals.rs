@@ -5,7 +5,7 @@
 use std::sync::LazyLock;
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Control, FIGURE_2, Fault};
+use adsdv_spec::{Control, Edition, Fault};
 
 use crate::open::{Open, State};
 use crate::properties::PROPERTIES;
@@ -57,7 +57,7 @@ pub static GOALS: LazyLock<Vec<Goal>> = LazyLock::new(|| {
         requirement: "SM-1",
         target: Target::Mission,
     };
-    let arrows = FIGURE_2.rows().iter().map(|row| Goal {
+    let arrows = Edition::DEFAULT.rules.table.rows().iter().map(|row| Goal {
         name: leak(format!("arrow-{}", row.section)),
         statement: leak(format!("The arrow from {} to {} is taken", row.from, row.to)),
         requirement: row.section,
@@ -99,7 +99,7 @@ const KEEPS: [Condition; 40] = by_place!(keeps:
 const REACHES: [Condition; 24] = by_place!(reaches:
     0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23);
 const _: () = assert!(PROPERTIES.len() <= KEEPS.len());
-const _: () = assert!(1 + FIGURE_2.rows().len() + Fault::ALL.len() <= REACHES.len());
+const _: () = assert!(1 + Edition::DEFAULT.rules.table.rows().len() + Fault::ALL.len() <= REACHES.len());
 
 /// The properties and goals as stateright knows them.
 pub(crate) fn questions() -> Vec<stateright::Property<Open>> {

@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn each_way_out_of_a_state_leads_elsewhere() {
-        let edition = Edition::V3_0.with_timing(SHORT_TIMERS);
+        let edition = Edition::DEFAULT.with_timing(SHORT_TIMERS);
         let machine = Machine::new(edition, Readings::DEFAULT);
         let model = Open::new(machine, SHORT_TIMERS, Vectors::Few);
         for control in reachable(&machine, SHORT_TIMERS, Vectors::Few) {

@@ -13,7 +13,7 @@ use crate::step::CYCLE_MS;
 use crate::vectors::{Cache, Vectors};
 
 /// A part of the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// The row, or the row that the part is in.
     pub row: Row,
@@ -21,14 +21,19 @@ pub struct Part {
     pub term: Option<Term>,
     /// The condition of the alternative, with the value that it must have; `None`: the part is the whole alternative.
     pub literal: Option<(Atom, bool)>,
+    /// The conditions of the part in words.
+    words: String,
 }
 
 impl Part {
     /// The part that a mutation drops; `None` if it does something else, or drops what the readings do not have.
     fn dropped(mutation: Mutation, machine: &Machine) -> Option<Self> {
-        let rows = machine.edition().rules.table.rows();
+        let rules = &machine.edition().rules;
+        let rows = rules.table.rows();
         match mutation.change {
-            Change::RowDropped(row) => Some(Self { row: *rows.get(row)?, term: None, literal: None }),
+            Change::RowDropped(row) => {
+                Some(Self { row: *rows.get(row)?, term: None, literal: None, words: String::new() })
+            }
             Change::Term(row, term, change) => {
                 let row = *rows.get(row)?;
                 let term = *row.terms().get(term)?;
@@ -38,7 +43,12 @@ impl Part {
                     _ => return None,
                 };
                 let there = term.readings.is_subset(machine.readings().choices());
-                there.then_some(Self { row, term: Some(term), literal })
+                let text = |(atom, on)| rules.text(atom, on).to_string();
+                let words: Vec<String> = match literal {
+                    Some(literal) => vec![text(literal)],
+                    None => term.literals().map(text).collect(),
+                };
+                there.then(|| Self { row, term: Some(term), literal, words: words.join(" and ") })
             }
             _ => None,
         }
@@ -48,16 +58,11 @@ impl Part {
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { row: Row { from, to, section, .. }, term, literal } = self;
+        let Self { row: Row { from, to, section, .. }, term, literal, words } = self;
         write!(f, "{from} -> {to} ({section})")?;
         match (term, literal) {
-            (Some(term), None) => {
-                let conditions: Vec<&str> = term.literals().map(|(atom, on)| atom.text(on)).collect();
-                write!(f, ": {}", conditions.join(" and "))
-            }
-            (Some(term), Some((atom, on))) => {
-                write!(f, ": {} in the alternative of {}", atom.text(*on), term.section)
-            }
+            (Some(_), None) => write!(f, ": {words}"),
+            (Some(term), Some(_)) => write!(f, ": {words} in the alternative of {}", term.section),
             (None, _) => Ok(()),
         }
     }
@@ -117,6 +122,6 @@ impl Parts {
 
     /// Every part, and whether it has decided a step.
     pub(crate) fn all(&self) -> impl Iterator<Item = (Part, bool)> {
-        self.all.iter().map(|candidate| (candidate.part, candidate.decides.load(Ordering::Relaxed)))
+        self.all.iter().map(|candidate| (candidate.part.clone(), candidate.decides.load(Ordering::Relaxed)))
     }
 }

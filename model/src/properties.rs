@@ -4,7 +4,7 @@
 //! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version.
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Atom, Atoms, Control, FIGURE_2, Timing};
+use adsdv_spec::{Atom, Atoms, Control, Edition, Timing};
 
 use crate::property::{Claim, Harm, Property, When};
 use crate::step::Step;
@@ -46,7 +46,8 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Each {
             holds: |_, step| {
                 let (from, to) = (step.before.state, step.after().state);
-                from == to || FIGURE_2.rows().iter().any(|row| (row.from, row.to) == (from, to))
+                from == to
+                    || Edition::DEFAULT.rules.table.rows().iter().any(|row| (row.from, row.to) == (from, to))
             },
             reads: nothing,
         },

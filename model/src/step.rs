@@ -8,7 +8,7 @@ use adsdv_spec::{
 };
 
 /// The reference VCU's cycle, which is the model's. That steps of any length are right is for the proofs.
-pub(crate) const CYCLE_MS: u32 = Edition::V3_0.rules.timing.cycle_ms as u32;
+pub(crate) const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
 
 /// A step: what was, what was seen, and what the VCU made of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

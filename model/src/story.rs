@@ -54,8 +54,9 @@ pub fn story_of(run: &Run) -> Vec<StoryLine> {
             let section = cycle.outputs.row(run.machine()).map_or("", |row| row.section);
             let deciding =
                 cycle.outputs.term(run.machine()).map_or(Atoms::NONE, |term| term.on.union(term.off));
-            let conditions: Vec<&str> =
-                deciding.iter().map(|atom| atom.text(cycle.outputs.atoms.has(atom))).collect();
+            let rules = &run.machine().edition().rules;
+            let text = |atom| rules.text(atom, cycle.outputs.atoms.has(atom)).to_string();
+            let conditions: Vec<_> = deciding.iter().map(text).collect();
             let text = format!("{before} -> {after} ({section}): {}", conditions.join(", "));
             StoryLine { ms: step * u64::from(CYCLE_MS), text }
         })
@@ -65,7 +66,8 @@ pub fn story_of(run: &Run) -> Vec<StoryLine> {
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.
 fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     let (before, after) = (step.before.state, step.after().state);
-    let table = &machine.edition().rules.table;
+    let rules = &machine.edition().rules;
+    let table = &rules.table;
     let taken = step.reaction.taken;
     let (row, term) = (taken.and_then(|taken| taken.row(table)), taken.and_then(|taken| taken.term(table)));
     let arrow = match row {
@@ -73,10 +75,11 @@ fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
         None => format!("stays in {after}"),
     };
     let deciding = term.map_or(Atoms::NONE, |term| term.on.union(term.off));
-    let mut conditions: Vec<&str> =
-        deciding.union(looked_at).iter().map(|atom| atom.text(step.reaction.atoms.has(atom))).collect();
+    let text = |atom, value| rules.text(atom, value).to_string();
+    let conditions = deciding.union(looked_at).iter().map(|atom| text(atom, step.reaction.atoms.has(atom)));
+    let mut conditions: Vec<_> = conditions.collect();
     if step.comms_lost() && !deciding.has(Atom::AiCommsLost) {
-        conditions.push(Atom::AiCommsLost.text(true));
+        conditions.push(text(Atom::AiCommsLost, true));
     }
     if conditions.is_empty() { arrow } else { format!("{arrow}: {}", conditions.join(", ")) }
 }

@@ -17,7 +17,7 @@ use crate::verify::{Exploration, Options, explore_quietly, runs};
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
 pub const SHORT_TIMERS: Timing =
-    Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Edition::V3_0.rules.timing };
+    Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Edition::DEFAULT.rules.timing };
 
 /// Choices that together fail something, which fewer of them do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,7 +35,7 @@ pub struct Cost {
 impl Cost {
     /// The machine that fails.
     pub fn machine(&self) -> Machine {
-        machine_with(&Edition::V3_0, self.choices)
+        machine_with(Edition::DEFAULT, self.choices)
     }
 
     /// What the shortest run costs: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
@@ -53,7 +53,7 @@ impl Cost {
 
 /// The machine with these choices, and the default for every other question.
 fn machine_with(edition: &Edition, choices: Choices) -> Machine {
-    Machine::new(*edition, choices.iter().fold(Readings::DEFAULT, Readings::with))
+    Machine::new(*edition, choices.iter().fold(edition.readings, Readings::with))
 }
 
 /// What the readings cost.
@@ -95,7 +95,7 @@ pub fn sweep(
     threads: usize,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Sweep {
-    let edition = Edition::V3_0;
+    let edition = *Edition::DEFAULT;
     let mut all = combinations();
     all.retain(|readings| others(*readings).iter().count() <= together);
     let work = Work { open: all.len(), closed: models.len(), done: AtomicUsize::new(0) };
@@ -179,7 +179,7 @@ impl Explored {
 
 /// Explores the open model under these combinations, with the short timers.
 fn explored(all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
-    let short = Edition::V3_0.with_timing(SHORT_TIMERS);
+    let short = Edition::DEFAULT.with_timing(SHORT_TIMERS);
     let next = AtomicUsize::new(0);
     let explored = Mutex::new(Explored::NOTHING);
     thread::scope(|scope| {
@@ -335,7 +335,7 @@ mod tests {
     fn what_is_explored_adds_up() {
         let few: Vec<Readings> =
             combinations().into_iter().filter(|readings| others(*readings).iter().count() < 2).collect();
-        let (times, short) = (AtomicUsize::new(0), Edition::V3_0.with_timing(SHORT_TIMERS));
+        let (times, short) = (AtomicUsize::new(0), Edition::DEFAULT.with_timing(SHORT_TIMERS));
         let found = explored(&few, 2, || {
             times.fetch_add(1, Ordering::Relaxed);
         });
@@ -367,7 +367,7 @@ mod tests {
     #[test]
     fn what_fails_in_a_closed_model_adds_up() {
         let (hasty, choice, operator) = (
-            Edition::V3_0.with_timing(Timing { handshake_ms: 10, ..Edition::V3_0.rules.timing }),
+            Edition::DEFAULT.with_timing(Timing { handshake_ms: 10, ..Edition::DEFAULT.rules.timing }),
             Choice::GoRaw,
             Operator::WellBehaved,
         );
@@ -376,7 +376,7 @@ mod tests {
             let broken = found.results.into_iter().filter(|found| !found.holds);
             (found.transitions as u64, broken.map(|found| found.property.name).collect::<Vec<_>>())
         };
-        let [(steps, names), (more, none)] = [hasty, Edition::V3_0].map(broken);
+        let [(steps, names), (more, none)] = [hasty, *Edition::DEFAULT].map(broken);
         assert!(
             names.contains(&"conforming-ai-causes-no-emergency") && none.is_empty(),
             "{names:?}, {none:?}"
@@ -385,7 +385,7 @@ mod tests {
         all.add_closed(&hasty, choice, operator, 1);
         assert!(all.complete);
         all.complete = false;
-        all.add_closed(&Edition::V3_0, choice, operator, 1);
+        all.add_closed(Edition::DEFAULT, choice, operator, 1);
         assert!(!all.complete, "one of them was not");
         assert_eq!(all.transitions, steps + more);
         assert_eq!(all.closed.iter().map(|cost| cost.property.name).collect::<Vec<_>>(), names);
@@ -397,7 +397,7 @@ mod tests {
     /// Of short timers, as the real ones take long.
     #[test]
     fn properties_get_their_shortest_runs_and_goals_none() {
-        let short = Edition::V3_0.with_timing(SHORT_TIMERS);
+        let short = Edition::DEFAULT.with_timing(SHORT_TIMERS);
         let cost = |name, choice| Cost {
             name,
             choices: Choices::NONE.with(choice),
@@ -422,7 +422,7 @@ mod tests {
     fn what_fails_is_broken_or_missed() {
         let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
         let without_rows =
-            Edition::V3_0.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
+            Edition::DEFAULT.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
         let found = explore_quietly(&Machine::new(without_rows, Readings::DEFAULT), &options);
         let names: Vec<&str> = failed(&found).collect();
         assert!(names.contains(&"whole-mission") && names.contains(&"ready-due"), "{names:?}");

@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{
-    Atom, Atoms, Choice, Control, FIGURE_2, Fault, Faults, Machine, Observation, Reads, Row, Timing,
+    Atom, Atoms, Choice, Control, Edition, Fault, Faults, Machine, Observation, Reads, Row, Timing,
 };
 
 use crate::property::Property;
@@ -56,7 +56,7 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
     let from = control.state;
     match vectors {
         Vectors::Every => {
-            let tables = [&machine.edition().rules.table, &FIGURE_2];
+            let tables = [&machine.edition().rules.table, &Edition::DEFAULT.rules.table];
             let mentioned =
                 tables.iter().fold(HANDSHAKE, |all, table| all.union(mentioned(table.rows(), from)));
             let edges = machine.readings().is(Choice::FaultEdge);
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn what_is_varied() {
         let others = Choices::ALL.difference(Readings::DEFAULT.choices());
-        let other = Machine::new(Edition::V3_0, others.iter().fold(Readings::DEFAULT, Readings::with));
+        let other = Machine::new(*Edition::DEFAULT, others.iter().fold(Readings::DEFAULT, Readings::with));
         let mut told = String::new();
         for (name, machine) in [("default", Machine::REFERENCE), ("other", other)] {
             for vectors in [Vectors::Every, Vectors::Read, Vectors::Few] {
@@ -144,7 +144,7 @@ mod tests {
                     let _ = write!(told, "{name} readings, {vectors:?}, {state}:");
                     for in_state_ms in [0, 15_000] {
                         let control = Control { state, in_state_ms, ..Control::INITIAL };
-                        let reads = varied(&machine, &Edition::V3_0.rules.timing, &control, vectors);
+                        let reads = varied(&machine, &Edition::DEFAULT.rules.timing, &control, vectors);
                         let (atoms, faults) = (reads.atoms.iter().count(), reads.faults.iter().count());
                         let vectors = Cache::default().get(reads, vectors).len();
                         let _ = write!(told, " {atoms} and {faults} in {vectors},");
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn rows_mention_conditions_and_what_is_behind_them() {
-        let mentions = |from| mentioned(Edition::V3_0.rules.table.rows(), from);
+        let mentions = |from| mentioned(Edition::DEFAULT.rules.table.rows(), from);
         assert_eq!(mentions(AsState::EmergencyBrake), Atoms::of(&[Atom::EbsTimerComplete, Atom::Asms]));
         let go = Atoms::of(&[Atom::GoEdge, Atom::GoOn]);
         assert!(

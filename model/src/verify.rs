@@ -37,7 +37,7 @@ impl Default for Options {
         Self {
             vectors: Vectors::Every,
             threads: thread::available_parallelism().map_or(1, usize::from),
-            document: Edition::V3_0.rules.timing,
+            document: Edition::DEFAULT.rules.timing,
         }
     }
 }
@@ -242,7 +242,7 @@ mod tests {
     use crate::sweep::SHORT_TIMERS;
 
     fn explored() -> Exploration {
-        let machine = Machine::new(Edition::V3_0.with_timing(SHORT_TIMERS), Readings::DEFAULT);
+        let machine = Machine::new(Edition::DEFAULT.with_timing(SHORT_TIMERS), Readings::DEFAULT);
         let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS };
         explore(machine, options, |progress| assert_eq!(progress.expected_depth, 16))
     }
@@ -254,7 +254,7 @@ mod tests {
         let incomplete = Exploration { complete: false, ..found.clone() };
         let broken = Exploration { broken: PROPERTIES.iter().take(1).collect(), ..found.clone() };
         let missed = Exploration { missed: GOALS.iter().copied().take(1).collect(), ..found.clone() };
-        let parts = found.parts.iter().take(1).map(|(part, _)| (*part, false)).collect();
+        let parts = found.parts.iter().take(1).map(|(part, _)| (part.clone(), false)).collect();
         let dead = Exploration { parts, ..found };
         assert!([incomplete, broken, missed, dead].iter().all(|found| !found.holds()));
     }
@@ -273,7 +273,7 @@ mod tests {
     /// Who waits can ask until the last state has been seen.
     #[test]
     fn how_deep_it_is_can_be_asked_to_the_end() {
-        let machine = Machine::new(Edition::V3_0.with_timing(SHORT_TIMERS), Readings::DEFAULT);
+        let machine = Machine::new(Edition::DEFAULT.with_timing(SHORT_TIMERS), Readings::DEFAULT);
         let mut expanded = 0;
         let found = to_the_end(Open::new(machine, SHORT_TIMERS, Vectors::Few), 1, |depth, seen| {
             while depth().is_some() {
@@ -286,7 +286,7 @@ mod tests {
 
     #[test]
     fn the_timers_make_it_as_deep_as_it_is() {
-        assert_eq!(expected_depth(&Edition::V3_0.rules.timing), 2000);
+        assert_eq!(expected_depth(&Edition::DEFAULT.rules.timing), 2000);
         let (expected, depth) = (expected_depth(&SHORT_TIMERS), explored().depth);
         assert!((expected..expected + 20).contains(&depth), "{depth}");
     }

@@ -6,7 +6,7 @@ use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{Atom, Edition, Fault, Machine, Readings};
 use stateright::Path;
 
-const V3_0: Edition = Edition::V3_0;
+const EDITION: Edition = *Edition::DEFAULT;
 
 fn scaled(edition: &Edition, operator: Operator) -> Closed {
     Closed::scaled(*edition, Readings::DEFAULT, operator)
@@ -22,7 +22,7 @@ fn assert_all_hold(exploration: &ClosedExploration) {
 //= RDY-7, RDY-8, DRV-13, FIN-1, FIN-3, HS-13
 #[test]
 fn a_conforming_ai_computer_with_a_well_behaved_operator() {
-    let exploration = scaled(&V3_0, Operator::WellBehaved).explore(2);
+    let exploration = scaled(&EDITION, Operator::WellBehaved).explore(2);
     assert_all_hold(&exploration);
     assert_eq!(exploration.results.len(), 8);
     let real = Closed::new(Machine::REFERENCE, Operator::WellBehaved).explore(2);
@@ -32,7 +32,7 @@ fn a_conforming_ai_computer_with_a_well_behaved_operator() {
 
 #[test]
 fn a_conforming_ai_computer_with_any_operator_and_faults() {
-    let exploration = scaled(&V3_0, Operator::Any).explore(2);
+    let exploration = scaled(&EDITION, Operator::Any).explore(2);
     assert_all_hold(&exploration);
     assert_eq!(exploration.results.len(), 5);
     // So many states can only be counted when nothing ended the exploration early.
@@ -41,13 +41,13 @@ fn a_conforming_ai_computer_with_any_operator_and_faults() {
 
 #[test]
 fn the_number_of_threads_does_not_matter() {
-    let [one, two] = [1, 2].map(|threads| scaled(&V3_0, Operator::WellBehaved).explore(threads));
+    let [one, two] = [1, 2].map(|threads| scaled(&EDITION, Operator::WellBehaved).explore(threads));
     assert_eq!((one.states, one.transitions), (two.states, two.transitions));
 }
 
 /// The specification with one row changed.
 fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Edition {
-    let rows: Vec<Row> = V3_0
+    let rows: Vec<Row> = EDITION
         .rules
         .table
         .rows()
@@ -61,7 +61,7 @@ fn row(from: AsState, to: AsState, change: impl Fn(&mut Vec<Term>)) -> Edition {
             Row::new(row.from, row.to, row.section, &terms)
         })
         .collect();
-    V3_0.with_table(Table::new(&rows))
+    EDITION.with_table(Table::new(&rows))
 }
 
 /// Without a condition in the terms that are reported as a fault.
@@ -78,7 +78,7 @@ fn dropped(from: AsState, to: AsState) -> Edition {
 }
 
 fn handshake(handshake_ms: u16) -> Edition {
-    let mut edition = V3_0;
+    let mut edition = EDITION;
     edition.rules.timing.handshake_ms = handshake_ms;
     edition
 }
@@ -94,7 +94,7 @@ use Operator::{Any, WellBehaved};
 #[test]
 fn mutants_keep_a_conforming_ai_from_finishing() {
     let name = "conforming-ai-always-finishes";
-    assert!(!violates(&V3_0, WellBehaved, name));
+    assert!(!violates(&EDITION, WellBehaved, name));
     for (from, to) in [(Off, Ready), (Ready, Driving), (Driving, Finished), (Finished, Off)] {
         assert!(violates(&dropped(from, to), WellBehaved, name), "{from} to {to} dropped");
     }
@@ -111,7 +111,7 @@ fn mutants_keep_a_conforming_ai_from_finishing() {
 #[test]
 fn mutants_brake_for_no_reason() {
     let name = "no-emergency-without-a-reason";
-    assert!(!violates(&V3_0, WellBehaved, name));
+    assert!(!violates(&EDITION, WellBehaved, name));
     let go = row(Driving, EmergencyBrake, |terms| {
         let go = terms.iter_mut().find(|term| term.off.has(Atom::GoOn)).expect("the term on \"Go\"");
         (go.on, go.off) = (go.off, go.on);
@@ -123,7 +123,7 @@ fn mutants_brake_for_no_reason() {
 #[test]
 fn mutants_go_round_in_circles() {
     let name = "every-action-moves-on";
-    assert!(!violates(&V3_0, WellBehaved, name));
+    assert!(!violates(&EDITION, WellBehaved, name));
     let flipped = row(Ready, Off, |terms| {
         (terms[0].on, terms[0].off) = (terms[0].off, terms[0].on);
     });
@@ -179,14 +179,14 @@ fn what_is_possible_is_not_possible_anyway() {
     }
     assert!(!possible(&dropped(Off, Ready), Any, "emergency-can-happen"));
     // The handshake is in no table: an AI Computer that does not answer keeps it from going round.
-    let mute = scaled(&V3_0, WellBehaved).with_conduct(Conduct::Mute);
+    let mute = scaled(&EDITION, WellBehaved).with_conduct(Conduct::Mute);
     assert!(mute.run_for("handshake-goes-round").is_none());
 }
 
 //= HS-5, FIN-3, IMP-2
 #[test]
 fn an_ai_computer_that_does_not_conform_is_blamed() {
-    let with = |conduct, operator| scaled(&V3_0, operator).with_conduct(conduct);
+    let with = |conduct, operator| scaled(&EDITION, operator).with_conduct(conduct);
     assert!(with(Conduct::Mute, Any).run_for("conforming-ai-is-never-lost").is_some());
     for (conduct, stage) in [(Conduct::Hasty, Stage::Finished), (Conduct::Coasting, Stage::Stopped)] {
         let run = with(conduct, WellBehaved).run_for("conforming-ai-causes-no-emergency").expect("a run");
@@ -198,8 +198,8 @@ fn an_ai_computer_that_does_not_conform_is_blamed() {
 #[test]
 fn what_is_no_property_has_no_run() {
     assert!(
-        scaled(&V3_0, WellBehaved).run_for("emergency-can-happen").is_none(),
+        scaled(&EDITION, WellBehaved).run_for("emergency-can-happen").is_none(),
         "a property of the other operator"
     );
-    assert!(scaled(&V3_0, Any).run_for("no such name").is_none());
+    assert!(scaled(&EDITION, Any).run_for("no such name").is_none());
 }

@@ -6,7 +6,7 @@ use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, SHORT_TIMERS as SHORT
 use adsdv_spec::mutation::{Change, TermChange, Time};
 use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
-const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT);
+const SHORTENED: Edition = Edition::DEFAULT.with_timing(SHORT);
 
 /// Mutants that no step of the model can show, each with the reason.
 const UNSEEN: &[(&str, &str)] = &[

@@ -20,8 +20,8 @@ use adsdv_spec::{
 
 /// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
 /// while the real ones run can happen while these do.
-const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Edition::V3_0.rules.timing };
-const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT);
+const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Edition::DEFAULT.rules.timing };
+const SHORTENED: Edition = Edition::DEFAULT.with_timing(SHORT);
 
 /// A step of both.
 const CYCLE_MS: u32 = SHORT.cycle_ms as u32;
@@ -62,7 +62,7 @@ fn spin_finds_the_same_with_the_times_of_the_document() {
     check([Subject {
         name: "the reference with its own times".into(),
         machine: Machine::REFERENCE,
-        document: Edition::V3_0.rules.timing,
+        document: Edition::DEFAULT.rules.timing,
         vectors: Vectors::Read,
     }]);
 }

@@ -29,7 +29,7 @@ fn main() {
 /// Asked and answered through the pipe, every answer read.
 #[divan::bench(sample_count = 20)]
 fn through_the_pipe(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     let named = repeated(&tests);
     drop(program()); // It is built by now.
     bencher.counter(steps(&named)).bench(|| {
@@ -41,7 +41,7 @@ fn through_the_pipe(bencher: Bencher) {
 /// The whole of `adsdv conform` without random scenarios, through the pipe.
 #[divan::bench(sample_count = 20)]
 fn judged_through_the_pipe(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     drop(program()); // It is built by now.
     bencher.counter(steps(&once(&tests))).bench(|| judge(&mut program(), &tests));
 }
@@ -49,14 +49,14 @@ fn judged_through_the_pipe(bencher: Bencher) {
 /// The whole of `adsdv conform` without random scenarios, in this process.
 #[divan::bench(sample_count = 20)]
 fn judged_in_process(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     bencher.counter(steps(&once(&tests))).bench(|| judge(&mut InProcess(Machine::REFERENCE), &tests));
 }
 
 /// Each step made in this process, and its outcome compared with what is expected.
 #[divan::bench]
 fn in_process(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     let expected: Vec<Vec<(Control, Outputs)>> =
         tests.iter().map(|test| test.scenario.run(&Machine::REFERENCE).collect()).collect();
     bencher.counter(steps(&once(&tests))).bench(|| {
@@ -70,7 +70,7 @@ fn in_process(bencher: Bencher) {
 /// Each step made in this process, and every field of the protocol made and compared.
 #[divan::bench]
 fn in_process_by_field(bencher: Bencher) {
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     let expected: Vec<Vec<Shown>> =
         tests.iter().map(|test| test.scenario.shown(&Machine::REFERENCE).collect()).collect();
     bencher.counter(steps(&once(&tests))).bench(|| {

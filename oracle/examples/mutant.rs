@@ -41,14 +41,14 @@ struct Wrong {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut wrong = Wrong::default();
-    let (mut edition, mut readings) = (Edition::V3_0, Readings::DEFAULT);
+    let (mut edition, mut readings) = (*Edition::DEFAULT, Readings::DEFAULT);
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         let mut value = || args.next().ok_or(format!("{arg} needs a value"));
         match arg.as_str() {
             "--mutation" => {
                 let name = value()?;
-                let mutation = Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == name);
+                let mutation = Mutation::all(Edition::DEFAULT).find(|mutation| mutation.to_string() == name);
                 edition = mutation.ok_or(format!("no such mutation: {name}"))?.apply(&edition);
             }
             "--reading" => readings = readings.with(value()?.parse::<Choice>()?),

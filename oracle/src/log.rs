@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::io::Read;
 
-use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus, message_by_id};
+use adsdv_spec::Edition;
+use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus};
 
 use crate::candump::{Direction, Dropped, Entry, FrameKind, ReadError, Reader, Record};
 use crate::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity, Transition};
@@ -247,6 +248,11 @@ impl Directions {
 }
 
 impl LogJudge {
+    /// The edition of the interface that is judged by.
+    pub const fn edition(&self) -> &Edition {
+        self.judge.edition()
+    }
+
     /// Nothing has been told yet.
     pub fn new(options: LogOptions) -> Self {
         Self {
@@ -276,7 +282,7 @@ impl LogJudge {
             return self.pass_over(t, record, ours);
         }
         self.on_interface += 1;
-        if !record.terminated && is_cut_off(record) {
+        if !record.terminated && self.is_cut_off(record) {
             return self.cut_off(t, record);
         }
         if record.direction.is_some() && self.forged(t, record) {
@@ -288,7 +294,7 @@ impl LogJudge {
     /// The first interface that carries a message of the document is the one to judge.
     #[cold]
     fn choose(&mut self, record: &Record<'_>) -> bool {
-        if is_known(record) {
+        if self.is_known(record) {
             self.interface = Some(record.interface.to_owned());
         }
         true
@@ -297,7 +303,7 @@ impl LogJudge {
     #[cold]
     fn pass_over(&mut self, t: i64, record: &Record<'_>, ours: bool) {
         self.judge.other_frame(t);
-        if !ours && is_known(record) && self.neglected.len() < MAX_INTERFACES {
+        if !ours && self.is_known(record) && self.neglected.len() < MAX_INTERFACES {
             self.neglected.insert(record.interface.to_owned());
         }
         let reason = match record.kind {
@@ -334,7 +340,7 @@ impl LogJudge {
         self.directions.count(id, record.direction);
         let forged = self.directions.recorded_by_ai()
             && record.direction == Some(Direction::Tx)
-            && !Node::Ai.may_send(id);
+            && !self.judge.edition().bus.may_send(Node::Ai, id);
         if forged {
             self.judge.sent_by_ai(t, record.id);
         }
@@ -414,22 +420,20 @@ impl LogJudge {
         }
         Ok(self.judge.finish())
     }
+
+    /// Whether a frame has the identifier of a message of the document.
+    fn is_known(&self, record: &Record<'_>) -> bool {
+        self.judge.message(record.id).is_some() && record.kind == FrameKind::Standard
+    }
+
+    /// Whether a frame lacks data that its message has.
+    fn is_cut_off(&self, record: &Record<'_>) -> bool {
+        self.judge.message(record.id).is_some_and(|def| record.data.len() < def.bytes_needed())
+    }
 }
 
 /// A number with its noun, in the plural where it takes one.
 fn counted(count: u64, noun: &str) -> String {
     let s = if count == 1 { "" } else { "s" };
     format!("{count} {noun}{s}")
-}
-
-/// Whether a frame has the identifier of a message of the document.
-fn is_known(record: &Record<'_>) -> bool {
-    let known = u16::try_from(record.id).is_ok_and(|id| message_by_id(id).is_some());
-    known && record.kind == FrameKind::Standard
-}
-
-/// Whether a frame lacks data that its message has.
-fn is_cut_off(record: &Record<'_>) -> bool {
-    let def = u16::try_from(record.id).ok().and_then(message_by_id);
-    def.is_some_and(|def| record.data.len() < def.bytes_needed())
 }

@@ -10,7 +10,7 @@ use adsdv_spec::{
 
 use crate::prelude::*;
 
-const TIMING: Timing = Edition::V3_0.rules.timing;
+const TIMING: Timing = Edition::DEFAULT.rules.timing;
 
 /// Any inputs that are observed as this.
 #[cfg(kani)]
@@ -22,7 +22,7 @@ fn any_inputs_seen_as(seen: Observation) -> Inputs {
 #[cfg(not(kani))]
 fn any_inputs_seen_as(seen: Observation) -> Inputs {
     let all = Reads { atoms: Observation::SCOPE, faults: Observation::FAULTS };
-    let inputs = kani::any::<Inputs>().showing(seen, &all, &Edition::V3_0.rules.thresholds);
+    let inputs = kani::any::<Inputs>().showing(seen, &all, &Edition::DEFAULT.rules.thresholds);
     kani::assume(subject().observe(&inputs) == seen);
     inputs
 }
@@ -160,7 +160,7 @@ pub fn a_running_timer_matters_only_when_it_is_full() {
 }
 
 /// The reference, with the raw switch as GO_SIGNAL.
-const RAW_GO_SIGNAL: Machine = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::GoRaw));
+const RAW_GO_SIGNAL: Machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(Choice::GoRaw));
 
 /// **The reading `go-signal` changes what 520h tells, and no control state** (lemma `go-signal`).
 ///

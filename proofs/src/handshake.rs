@@ -4,7 +4,7 @@ use adsdv_spec::{Edition, Handshake};
 
 use crate::prelude::*;
 
-const LIMIT_MS: u16 = Edition::V3_0.rules.timing.handshake_ms;
+const LIMIT_MS: u16 = Edition::DEFAULT.rules.timing.handshake_ms;
 
 /// A handshake at some step, with the true time that its edge has been unanswered for, which no timer cuts short.
 ///

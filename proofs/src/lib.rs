@@ -32,6 +32,7 @@
 #![allow(clippy::missing_panics_doc)]
 
 pub mod codec;
+mod coded;
 pub mod factoring;
 pub mod figure2;
 pub mod handshake;

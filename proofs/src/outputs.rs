@@ -5,7 +5,8 @@
 //!
 //! The bound of the loops is that of a step, which goes along the arrows and the faults; the messages add none to it.
 
-use adsdv_spec::messages::{AsState, DirectionRequest, EbsState, Frame, Message, ServiceBrake, SteerAngle};
+use adsdv_spec::editions::V3_0;
+use adsdv_spec::messages::{AsState, DirectionRequest, EbsState, Frame, ServiceBrake, SteerAngle};
 use adsdv_spec::{Actuation, Assi, Readings, VcuMessages};
 
 use crate::prelude::*;
@@ -22,7 +23,7 @@ fn actuation(step: &Step) -> Actuation {
 }
 
 /// The frame carries this message, with this identifier and this length.
-fn carries<M: Message>(frame: Frame, id: u16, len: u8, message: &M) {
+fn carries<M: Coded>(frame: Frame, id: u16, len: u8, message: &M) {
     let frame = subject().sent(frame);
     assert!(frame.id == id, "the identifier");
     assert!(frame.len == len, "the length");
@@ -39,7 +40,8 @@ fn carries<M: Message>(frame: Frame, id: u16, len: u8, message: &M) {
 pub fn each_message_goes_out_in_its_frame() {
     let step = any_end();
     let messages = messages(&step);
-    let [status, drive_f, drive_r, steer, brake, speeds, counts, dynamics, log] = messages.frames();
+    let [status, drive_f, drive_r, steer, brake, speeds, counts, dynamics, log] =
+        messages.all().map(|message| V3_0::write(&message).unwrap_or_default());
     kani::cover!(counts.data[7] != 0, "something is in the last byte");
     carries(status, 0x520, 8, &messages.status);
     carries(drive_f, 0x521, 8, &messages.drive_f);

@@ -1,5 +1,6 @@
 //! What every file of theorems uses.
 
+pub(crate) use crate::coded::Coded;
 #[cfg(not(kani))]
 pub(crate) use crate::kani;
 pub(crate) use crate::steps::{

@@ -14,7 +14,7 @@ macro_rules! by_the_words {
             #[cfg_attr(kani, kani::proof, kani::unwind(12))]
             pub fn $name() {
                 const READINGS: Readings = Readings::DEFAULT.with(Choice::$choice);
-                const MACHINE: Machine = Machine::new(Edition::V3_0, READINGS);
+                const MACHINE: Machine = Machine::new(*Edition::DEFAULT, READINGS);
                 step_by_the_words(&MACHINE);
             }
         )+

@@ -72,12 +72,12 @@ pub trait Subject {
         outputs.messages(inputs)
     }
 
-    /// The data of a frame as its decoder sees it: [`Message::decode`](adsdv_spec::messages::Message::decode) gets what comes out of here.
+    /// The data of a frame as its decoder sees it: [`Layout::decode`](adsdv_spec::messages::Layout::decode) gets what comes out of here.
     fn received(&self, _id: u16, data: [u8; 9]) -> [u8; 9] {
         data
     }
 
-    /// A frame as it is sent: what [`Message::encode`](adsdv_spec::messages::Message::encode) makes goes through here.
+    /// A frame as it is sent: what [`Layout::encode`](adsdv_spec::messages::Layout::encode) makes goes through here.
     fn sent(&self, frame: Frame) -> Frame {
         frame
     }
@@ -94,17 +94,17 @@ pub trait Subject {
 
     /// [`AiMessages::receive`].
     fn receive(&self, ai: &mut AiMessages, id: u16, data: &[u8]) -> bool {
-        matches!(ai.receive(id, data), Ok(true))
+        matches!(ai.receive(&self.machine().edition().bus, id, data), Ok(true))
     }
 
-    /// [`adsdv_spec::is_reserved`].
+    /// [`Bus::is_reserved`](adsdv_spec::Bus::is_reserved).
     fn is_reserved(&self, id: u16) -> bool {
-        adsdv_spec::is_reserved(id)
+        self.machine().edition().bus.is_reserved(id)
     }
 
-    /// [`Node::may_send`].
+    /// [`Bus::may_send`](adsdv_spec::Bus::may_send).
     fn may_send(&self, node: Node, id: u16) -> bool {
-        node.may_send(id)
+        self.machine().edition().bus.may_send(node, id)
     }
 
     /// [`Term::truth`].

@@ -64,7 +64,7 @@ pub(crate) fn options(
     Ok(JudgeOptions {
         window_ms: ms("window_ms", window_ms, usual.window_ms)?,
         deadline_ms: ms("deadline_ms", deadline_ms, usual.deadline_ms)?,
-        readings: value::choices(readings)?.into_iter().fold(Choices::ALL, Choices::pin),
+        readings: value::choices(readings)?.into_iter().fold(crate::EDITION.choices, Choices::pin),
         ..usual
     })
 }

@@ -1,11 +1,12 @@
 //! The codec: `decode`, `encode`, the frames of a step, and the reserved identifiers.
 
 use adsdv_spec::messages::{
-    AnyMessage, Decimal, DecodeError, Frame, MESSAGES, MessageDef, Scale, SignalDef, message_by_id,
+    Decimal, DecodeError, Frame, MessageDef, Scale, SignalDef,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFloat, PyInt};
 
+use crate::EDITION;
 use crate::error::CodecError;
 use crate::step::Step;
 use crate::value;
@@ -43,7 +44,8 @@ fn decode<'py>(
     data: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (id, data) = (value::id(id)?, value::data(data)?);
-    let def = AnyMessage::decode(id, &data).map_err(|wrong| error(&wrong))?.def();
+    EDITION.bus.decode(id, &data).map_err(|wrong| error(&wrong))?;
+    let def = by_id(id)?;
     let (signals, raws, names) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
     for signal in def.signals {
         let Some(raw) = signal.raw(&data) else { continue };
@@ -124,13 +126,17 @@ fn no_signal(def: &MessageDef, name: &str) -> String {
 /// The message of this name or identifier.
 fn find(message: &Bound<'_, PyAny>) -> PyResult<&'static MessageDef> {
     let Some(name) = value::text(message) else {
-        let id = value::id(message)?;
-        return message_by_id(id).ok_or_else(|| error(&DecodeError::UnknownId { id }));
+        return by_id(value::id(message)?);
     };
-    MESSAGES.iter().copied().find(|def| def.name == name).ok_or_else(|| {
-        let names: Vec<&str> = MESSAGES.iter().map(|def| def.name).collect();
+    EDITION.bus.named(&name).ok_or_else(|| {
+        let names: Vec<&str> = EDITION.bus.messages.iter().map(|def| def.name).collect();
         CodecError::new_err(format!("there is no message {name:?}; expected one of {}", names.join(", ")))
     })
+}
+
+/// The message of this identifier.
+fn by_id(id: u16) -> PyResult<&'static MessageDef> {
+    EDITION.bus.message(id).ok_or_else(|| error(&DecodeError::UnknownId { id }))
 }
 
 /// The raw value of what was given for a signal.
@@ -196,5 +202,5 @@ fn frames<'py>(py: Python<'py>, step: &Step) -> Vec<(u16, Bound<'py, PyBytes>)> 
 /// (True, False)
 #[pyfunction]
 fn is_reserved(id: &Bound<'_, PyAny>) -> PyResult<bool> {
-    Ok(adsdv_spec::is_reserved(value::id(id)?))
+    Ok(EDITION.bus.is_reserved(value::id(id)?))
 }

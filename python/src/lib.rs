@@ -25,7 +25,11 @@ mod step;
 mod tables;
 mod value;
 
+use adsdv_spec::Edition;
 use pyo3::prelude::*;
+
+/// The edition of the interface that all functions speak of.
+const EDITION: &Edition = Edition::DEFAULT;
 
 /// The executable specification of the ADS-DV AI/VCU interface.
 ///
@@ -50,7 +54,7 @@ use pyo3::prelude::*;
 #[pymodule]
 fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add("INTERFACE_VERSION", adsdv_spec::Edition::V3_0.version)?;
+    module.add("INTERFACE_VERSION", EDITION.version)?;
     error::add(module)?;
     module.add_class::<control::Control>()?;
     module.add_class::<machine::Machine>()?;

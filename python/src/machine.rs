@@ -1,10 +1,11 @@
 //! `Machine`, which steps, and `Vcu`, which remembers.
 
 use adsdv_oracle::protocol::INPUTS;
-use adsdv_spec::{AiMessages, Edition, Inputs, Reading, Readings};
+use adsdv_spec::{AiMessages, Inputs, Readings};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
+use crate::EDITION;
 use crate::codec;
 use crate::control::Control;
 use crate::step::Step;
@@ -40,8 +41,8 @@ impl std::hash::Hash for Machine {
 
 impl Machine {
     fn with(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let readings = value::choices(readings)?.into_iter().fold(Readings::DEFAULT, Readings::with);
-        Ok(Self(adsdv_spec::Machine::new(Edition::V3_0, readings)))
+        let readings = value::choices(readings)?.into_iter().fold(EDITION.readings, Readings::with);
+        Ok(Self(adsdv_spec::Machine::new(*EDITION, readings)))
     }
 
     fn take(&self, control: &adsdv_spec::Control, inputs: Inputs, dt_ms: u32) -> Step {
@@ -51,7 +52,7 @@ impl Machine {
 
     fn readings_of(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let readings = self.0.readings();
-        Reading::ALL.iter().map(move |&reading| (reading.id(), readings.choice(reading).id()))
+        EDITION.questions().map(move |reading| (reading.id(), readings.choice(reading).id()))
     }
 }
 
@@ -77,7 +78,7 @@ fn inputs(
 fn time(dt_ms: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     match dt_ms {
         Some(dt_ms) => value::whole("dt_ms", dt_ms, 0, u32::MAX),
-        None => Ok(Edition::V3_0.rules.timing.cycle_ms.into()),
+        None => Ok(EDITION.rules.timing.cycle_ms.into()),
     }
 }
 
@@ -132,7 +133,7 @@ impl Machine {
 
     fn __repr__(&self) -> String {
         let usual = adsdv_spec::Machine::REFERENCE.readings();
-        let other = Reading::ALL.iter().map(|&reading| self.0.readings().choice(reading));
+        let other = EDITION.questions().map(|reading| self.0.readings().choice(reading));
         let other: Vec<String> = other
             .filter(|&choice| !usual.is(choice))
             .map(|choice| format!("'{}': '{}'", choice.reading().id(), choice.id()))
@@ -207,7 +208,7 @@ impl Vcu {
     /// 50.0
     fn receive(slf: &Bound<'_, Self>, id: &Bound<'_, PyAny>, data: &Bound<'_, PyAny>) -> PyResult<bool> {
         let (id, data) = (value::id(id)?, value::data(data)?);
-        slf.try_borrow_mut()?.ai.receive(id, &data).map_err(|error| codec::error(&error))
+        slf.try_borrow_mut()?.ai.receive(&EDITION.bus, id, &data).map_err(|error| codec::error(&error))
     }
 
     /// Begins anew, as after a power cycle.

@@ -2,10 +2,11 @@
 
 use adsdv_oracle::protocol::Shown;
 use adsdv_spec::messages::Frame;
-use adsdv_spec::{FIGURE_2, Inputs, Outputs, Row, Term};
+use adsdv_spec::{Inputs, Outputs, Row, Term};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
+use crate::EDITION;
 use crate::control::Control;
 use crate::value;
 
@@ -26,17 +27,17 @@ pub(crate) struct Step {
 
 impl Step {
     fn taken_row(&self) -> Option<&'static Row> {
-        self.outputs.taken?.row(&FIGURE_2)
+        self.outputs.taken?.row(&EDITION.rules.table)
     }
 
     fn taken_term(&self) -> Option<&'static Term> {
-        self.outputs.taken?.term(&FIGURE_2)
+        self.outputs.taken?.term(&EDITION.rules.table)
     }
 
     /// The frames that the VCU sends after the step.
     pub(crate) fn frames<'py>(&self, py: Python<'py>) -> Vec<(u16, Bound<'py, PyBytes>)> {
-        let frames = self.outputs.messages(&self.inputs).frames();
-        frames.iter().map(|frame: &Frame| (frame.id, PyBytes::new(py, frame.data()))).collect()
+        let frames = self.outputs.messages(&self.inputs).frames(&EDITION.bus);
+        frames.map(|frame: Frame| (frame.id, PyBytes::new(py, frame.data()))).collect()
     }
 }
 
@@ -100,9 +101,9 @@ impl Step {
     /// >>> adsdv.Machine().step(ready, asms=False).conditions
     /// ['AS master switch OFF']
     #[getter]
-    fn conditions(&self) -> Vec<&'static str> {
+    fn conditions(&self) -> Vec<String> {
         let conditions = self.taken_term().into_iter().flat_map(Term::literals);
-        conditions.map(|(atom, value)| atom.text(value)).collect()
+        conditions.map(|(atom, value)| EDITION.rules.text(atom, value).to_string()).collect()
     }
 
     fn __repr__(&self) -> String {

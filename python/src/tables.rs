@@ -1,8 +1,8 @@
 //! The tables as lists of flat dicts: inputs, outputs, messages and readings.
 
 use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN};
-use adsdv_spec::messages::{MESSAGES, SignalDef};
-use adsdv_spec::{Inputs, Reading, Readings};
+use adsdv_spec::messages::SignalDef;
+use adsdv_spec::Inputs;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -83,7 +83,7 @@ fn set_domain(dict: &Bound<'_, PyDict>, domain: Domain) -> PyResult<()> {
 #[pyfunction]
 fn messages(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
-    for message in MESSAGES {
+    for message in crate::EDITION.bus.messages {
         for signal in message.signals {
             let dict = PyDict::new(py);
             dict.set_item("message", message.name)?;
@@ -122,7 +122,7 @@ fn set_signal(dict: &Bound<'_, PyDict>, signal: &SignalDef) -> PyResult<()> {
 #[pyfunction]
 fn readings(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
-    for &reading in Reading::ALL {
+    for reading in crate::EDITION.questions() {
         let (dict, choices) = (PyDict::new(py), PyDict::new(py));
         for choice in reading.choices() {
             choices.set_item(choice.id(), choice.text())?;
@@ -131,7 +131,7 @@ fn readings(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
         dict.set_item("section", reading.section())?;
         dict.set_item("question", reading.question())?;
         dict.set_item("choices", choices)?;
-        dict.set_item("default", Readings::DEFAULT.choice(reading).id())?;
+        dict.set_item("default", crate::EDITION.readings.choice(reading).id())?;
         list.append(dict)?;
     }
     Ok(list)

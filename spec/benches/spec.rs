@@ -11,12 +11,13 @@
 
 mod sample;
 
+use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AnyMessage, Frame,
-    MESSAGES, Message, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
+    Layout, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
     Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Control, Inputs, Machine, Outputs};
+use adsdv_spec::{AsState, Bus, Control, Edition, Inputs, Machine, Outputs};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -24,6 +25,7 @@ use sample::{Ring, Stay, before_emergency_brake, frames};
 
 /// The reference cycle.
 const CYCLE_MS: u32 = 10;
+const BUS: &Bus = &Edition::DEFAULT.bus;
 
 static MACHINE: Machine = Machine::REFERENCE;
 
@@ -50,7 +52,10 @@ fn step_and_encode(bencher: Bencher, state: AsState) {
     let inputs = inputs.into_items();
     bencher.counter(ItemsCount::new(inputs.len())).bench_local(|| {
         for inputs in black_box(&inputs) {
-            black_box(&cycle(&mut control, inputs).messages(inputs).frames());
+            let messages = cycle(&mut control, inputs).messages(inputs);
+            messages.frames(&MACHINE.edition().bus).for_each(|frame| {
+                black_box(frame);
+            });
         }
     });
 }
@@ -91,10 +96,13 @@ fn step_to_emergency_brake(bencher: Bencher) {
     Ai2VcuBrake, Vcu2AiStatus, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiSteer, Vcu2AiBrake, Vcu2AiWheelSpeeds,
     Vcu2AiWheelCounts,
 ])]
-fn decode<M: Message>(bencher: Bencher) {
-    let mut frames = frames(M::DEF);
+fn decode<M>(bencher: Bencher)
+where
+    V3_0: Layout<M>,
+{
+    let mut frames = frames(<V3_0 as Layout<M>>::DEF);
     bencher.bench_local(move || {
-        black_box(&M::decode(black_box(frames.next()).data()));
+        black_box(&<V3_0 as Layout<M>>::decode(black_box(frames.next()).data()));
     });
 }
 
@@ -103,10 +111,14 @@ fn decode<M: Message>(bencher: Bencher) {
     Ai2VcuBrake, Vcu2AiStatus, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiSteer, Vcu2AiBrake, Vcu2AiWheelSpeeds,
     Vcu2AiWheelCounts,
 ])]
-fn encode<M: Message>(bencher: Bencher) {
-    let mut messages = frames(M::DEF).map(|frame| M::decode(frame.data()).unwrap_or_default());
+fn encode<M: Default>(bencher: Bencher)
+where
+    V3_0: Layout<M>,
+{
+    let frames = frames(<V3_0 as Layout<M>>::DEF);
+    let mut messages = frames.map(|frame| <V3_0 as Layout<M>>::decode(frame.data()).unwrap_or_default());
     bencher.bench_local(move || {
-        black_box(&black_box(messages.next()).encode());
+        black_box(V3_0::encode(black_box(messages.next())));
     });
 }
 
@@ -116,7 +128,7 @@ fn decode_any(bencher: Bencher, name: &str) {
     let mut frames = named(name);
     bencher.bench_local(move || {
         let frame = black_box(frames.next());
-        black_box(&AnyMessage::decode(frame.id, frame.data()));
+        black_box(&BUS.decode(frame.id, frame.data()));
     });
 }
 
@@ -125,7 +137,7 @@ fn decode_any(bencher: Bencher, name: &str) {
 fn encode_any(bencher: Bencher, name: &str) {
     let mut messages = any(named(name));
     bencher.bench_local(move || {
-        black_box(&black_box(messages.next()).encode());
+        black_box(BUS.encode(*black_box(messages.next())));
     });
 }
 
@@ -135,7 +147,7 @@ fn decode_any_in_turn(bencher: Bencher) {
     let mut frames = bus();
     bencher.bench_local(move || {
         let frame = black_box(frames.next());
-        black_box(&AnyMessage::decode(frame.id, frame.data()));
+        black_box(&BUS.decode(frame.id, frame.data()));
     });
 }
 
@@ -144,23 +156,23 @@ fn decode_any_in_turn(bencher: Bencher) {
 fn encode_any_in_turn(bencher: Bencher) {
     let mut messages = any(bus());
     bencher.bench_local(move || {
-        black_box(&black_box(messages.next()).encode());
+        black_box(BUS.encode(*black_box(messages.next())));
     });
 }
 
 fn names() -> impl Iterator<Item = &'static str> {
-    MESSAGES.iter().map(|def| def.name)
+    BUS.messages.iter().map(|def| def.name)
 }
 
 fn named(name: &str) -> Ring<Frame> {
-    Ring::new(MESSAGES.iter().filter(|def| def.name == name).flat_map(|def| frames(def).into_items()))
+    Ring::new(BUS.messages.iter().filter(|def| def.name == name).flat_map(|def| frames(def).into_items()))
 }
 
 fn bus() -> Ring<Frame> {
-    let each: Vec<_> = MESSAGES.iter().map(|def| frames(def).into_items()).collect();
+    let each: Vec<_> = BUS.messages.iter().map(|def| frames(def).into_items()).collect();
     Ring::new((0..usize::from(sample::COUNT)).flat_map(|round| each.iter().map(move |frames| frames[round])))
 }
 
 fn any(frames: Ring<Frame>) -> Ring<AnyMessage> {
-    frames.map(|frame| AnyMessage::decode(frame.id, frame.data()).expect("every frame made here is allowed"))
+    frames.map(|frame| BUS.decode(frame.id, frame.data()).expect("every frame made here is allowed"))
 }

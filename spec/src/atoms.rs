@@ -5,6 +5,9 @@
 
 use core::fmt;
 
+use crate::edition::{Rules, Timing};
+use crate::messages::{Decimal, Scale};
+
 macro_rules! atoms {
     ($($(#[$doc:meta])* $variant:ident = $id:literal, $yes:literal, $no:literal;)*) => {
         /// One condition that guards of Figure 2 are built from. They stand in the order in which the figure's labels name
@@ -24,13 +27,9 @@ macro_rules! atoms {
                 match self { $(Self::$variant => $id,)* }
             }
 
-            /// The condition in the words of Figure 2, as it reads when it is true or false.
-            ///
-            /// ```
-            /// use adsdv_spec::Atom;
-            /// assert_eq!(Atom::Asms.text(false), "AS master switch OFF");
-            /// ```
-            pub const fn text(self, value: bool) -> &'static str {
+            /// The condition in the words of Figure 2, as it reads when it is true or false. What stands in braces is a
+            /// number of an edition's [`Rules`].
+            const fn words(self, value: bool) -> &'static str {
                 match (self, value) { $((Self::$variant, true) => $yes, (Self::$variant, false) => $no,)* }
             }
         }
@@ -60,7 +59,7 @@ atoms! {
     /// The Emergency Braking System is in its ARMED state (section 3.1).
     EbsArmed = "ebs-armed", "EBS_state == ARMED", "EBS_state != ARMED";
     /// `AS_READY` has lasted for the minimum dwell (section 3.2, item 1).
-    DwellElapsed = "dwell-elapsed", "5 second timer elapsed", "5 second timer running";
+    DwellElapsed = "dwell-elapsed", "{ready_dwell} timer elapsed", "{ready_dwell} timer running";
     /// The front axle torque request is zero (section 3.2, item 2a).
     FrontTorqueZero = "front-torque-zero",
         "front axle torque request == 0", "front axle torque request != 0";
@@ -69,7 +68,7 @@ atoms! {
     /// The requested steer angle is zero (section 3.2, item 2b).
     SteerRequestZero = "steer-request-zero", "steer angle request == 0", "steer angle request != 0";
     /// The actual steer angle is within the limit for straight wheels (section 3.2, item 2).
-    SteerStraight = "steer-straight", "abs(steer angle) < 5 deg", "abs(steer angle) >= 5 deg";
+    SteerStraight = "steer-straight", "abs(steer angle) < {straight}", "abs(steer angle) >= {straight}";
     /// `DIRECTION_REQUEST` is NEUTRAL (sections 3.2, 3.7).
     DirectionNeutral = "direction-neutral", "DIRECTION_REQUEST == NEUTRAL", "DIRECTION_REQUEST != NEUTRAL";
     /// `DIRECTION_REQUEST` was FORWARD at the last step and is NEUTRAL now (section 4, item 1).
@@ -80,9 +79,9 @@ atoms! {
     /// The rising edge of the "Go" switch that section 3.2, item 3, accepts.
     GoEdge = "go-edge", "\"Go\" signal OFF -> ON", "no accepted \"Go\" signal OFF -> ON";
     /// At least one wheel turns faster than the limit (sections 3.7, 4).
-    Moving = "moving", "a wheel speed > 10 rpm", "no wheel speed > 10 rpm";
+    Moving = "moving", "a wheel speed > {wheel_speed}", "no wheel speed > {wheel_speed}";
     /// Every wheel turns slower than the limit (section 3.3); exactly at the limit is neither moving nor at rest.
-    AtRest = "at-rest", "all wheel speeds < 10 rpm", "a wheel speed >= 10 rpm";
+    AtRest = "at-rest", "all wheel speeds < {wheel_speed}", "a wheel speed >= {wheel_speed}";
     /// The AI Computer's HANDSHAKE bit is 1 (section 2.4).
     AiHandshake = "ai-handshake", "AI HANDSHAKE == 1", "AI HANDSHAKE == 0";
     /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for too long (section 2.4).
@@ -99,6 +98,55 @@ crate::named::impl_named!(Atom, "the id of an atom, such as \"asms\"");
 impl fmt::Display for Atom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.id())
+    }
+}
+
+impl Rules {
+    /// A condition in the words of Figure 2, as it reads when it is true or false, with the numbers of these rules.
+    ///
+    /// ```
+    /// use adsdv_spec::{Atom, Edition};
+    /// let rules = Edition::V3_0.rules;
+    /// assert_eq!(rules.text(Atom::Asms, false).to_string(), "AS master switch OFF");
+    /// assert_eq!(rules.text(Atom::SteerStraight, true).to_string(), "abs(steer angle) < 5 deg");
+    /// ```
+    pub const fn text(&self, atom: Atom, value: bool) -> AtomText<'_> {
+        AtomText { rules: self, atom, value }
+    }
+
+    /// Writes the number that stands for this in the words of an atom.
+    fn number(&self, f: &mut fmt::Formatter<'_>, name: &str) -> fmt::Result {
+        match name {
+            "straight" => write!(f, "{}", self.thresholds.straight),
+            "wheel_speed" => write!(f, "{}", self.thresholds.wheel_speed),
+            _ => {
+                let Timing { ready_dwell_ms: ms, .. } = self.timing;
+                let seconds = Decimal { raw: i32::from(ms), scale: Scale::new(1, 1000) };
+                write!(f, "{seconds} second")
+            }
+        }
+    }
+}
+
+/// Displays a condition in the words of Figure 2; see [`Rules::text`].
+#[derive(Clone, Copy, Debug)]
+pub struct AtomText<'a> {
+    rules: &'a Rules,
+    atom: Atom,
+    value: bool,
+}
+
+impl fmt::Display for AtomText<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = self.atom.words(self.value);
+        match words.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?))) {
+            Some((before, (name, after))) => {
+                f.write_str(before)?;
+                self.rules.number(f, name)?;
+                f.write_str(after)
+            }
+            None => f.pad(words),
+        }
     }
 }
 
@@ -119,31 +167,28 @@ crate::set::impl_set!(Atoms(u32) of Atom, "atom");
 mod tests {
     extern crate std;
 
-    use std::format;
-    use std::string::String;
+    use std::string::{String, ToString};
 
     use super::Atom;
-    use crate::{Edition, Rules};
-
-    /// The number in an atom's text that an edition decides, with its unit.
-    fn limit(atom: Atom) -> Option<String> {
-        let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
-        match atom {
-            Atom::DwellElapsed => Some(format!("{} second ", f64::from(timing.ready_dwell_ms) / 1000.0)),
-            Atom::SteerStraight => Some(format!(" {}", thresholds.straight)),
-            Atom::Moving | Atom::AtRest => Some(format!(" {}", thresholds.wheel_speed)),
-            _ => None,
-        }
-    }
+    use crate::messages::{SteerAngle, WheelSpeed};
+    use crate::{Edition, Rules, Thresholds, Timing};
 
     #[test]
-    fn every_number_in_a_text_is_that_of_the_interface() {
+    fn every_number_in_a_text_is_that_of_the_rules() {
+        let odd = Rules {
+            timing: Timing { ready_dwell_ms: 7250, ..Edition::V3_0.rules.timing },
+            thresholds: Thresholds {
+                wheel_speed: WheelSpeed::clamped(77),
+                straight: SteerAngle::clamped(77),
+            },
+            ..Edition::V3_0.rules
+        };
         for &atom in Atom::ALL {
             for value in [false, true] {
-                let mut text = String::from(atom.text(value));
-                if let Some(limit) = limit(atom) {
-                    assert_eq!(text.matches(&limit).count(), 1, "{atom}: {text:?} should say {limit:?}");
-                    text = text.replace(&limit, " ");
+                let mut text = odd.text(atom, value).to_string();
+                assert!(!text.contains(['{', '}']), "{text}");
+                for number in ["7.25 second", "7.7 deg", "77 rpm"] {
+                    text = text.replacen(number, "", 1);
                 }
                 // A flag is set or not, and a request is zero or not: these are no limits.
                 for comparison in ["== 0", "!= 0", "== 1", "!= 1"] {
@@ -154,5 +199,12 @@ mod tests {
                 assert!(!text.contains(|c: char| c.is_ascii_digit()), "{atom}: where is {text:?} from?");
             }
         }
+    }
+
+    #[test]
+    fn the_words_are_those_of_the_figure() {
+        let text = |atom| Edition::V3_0.rules.text(atom, true).to_string();
+        assert_eq!(text(Atom::DwellElapsed), "5 second timer elapsed");
+        assert_eq!(text(Atom::AtRest), "all wheel speeds < 10 rpm");
     }
 }

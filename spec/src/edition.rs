@@ -3,8 +3,11 @@
 //! Another edition is another [`Edition`] value, written as its difference to the one before it, and not another program. A
 //! mutant, with which test suites are measured, is an edition with one of its [`Rules`] changed.
 
+use crate::bus::Bus;
+use crate::faults::Faults;
 use crate::messages::{SteerAngle, WheelSpeed};
-use crate::table::{FIGURE_2, PRIORITIES, Priority, Table};
+use crate::readings::{Choices, Reading, Readings};
+use crate::table::{Priority, Table};
 
 /// One edition of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +17,14 @@ pub struct Edition {
     pub version: &'static str,
     /// What the state machine follows.
     pub rules: Rules,
+    /// The faults that 520h can show.
+    pub faults: Faults,
+    /// The answers that are possible. A question with only one of them is settled: the document does not leave it open.
+    pub choices: Choices,
+    /// The answers that hold where nobody gives others, one of the possible ones to each question.
+    pub readings: Readings,
+    /// What is on the bus.
+    pub bus: Bus,
 }
 
 /// What the state machine follows: Figure 2, the order of its arrows, the times and the thresholds.
@@ -41,10 +52,9 @@ pub struct Timing {
     pub ebs_timer_ms: u16,
     /// An edge of the HANDSHAKE bit that is unanswered for this long is a fault (section 2.4).
     pub handshake_ms: u16,
-    /// The cycle of the reference VCU. The document gives none; recordings show 10 ms.
+    /// The cycle of the VCU, in which it sends what has no slower cycle of its own
+    /// ([`MessageDef::cycle_ms`](crate::messages::MessageDef::cycle_ms)). Version 3.0 gives none; recordings show 10 ms.
     pub cycle_ms: u16,
-    /// The cycle of 502h, which recordings show to be slower.
-    pub log_status_cycle_ms: u16,
 }
 
 /// Where measured values begin to count, in the raw units of their signals.
@@ -59,28 +69,43 @@ pub struct Thresholds {
 }
 
 impl Edition {
-    /// ADS-DV Software Interface Specification 3.0.
-    pub const V3_0: Self = Self {
-        version: "3.0",
-        rules: Rules {
-            table: FIGURE_2,
-            priorities: PRIORITIES,
-            timing: Timing {
-                ready_dwell_ms: 5000, //= DRV-4
-                ebs_timer_ms: 15000,  //= ETO-1
-                handshake_ms: 50,     //= HS-9
-                cycle_ms: 10,
-                log_status_cycle_ms: 100,
-            },
-            thresholds: Thresholds {
-                wheel_speed: WheelSpeed::clamped(10),
-                straight: SteerAngle::clamped(50),
-            },
-        },
-    };
-}
+    /// The edition of this version.
+    ///
+    /// ```
+    /// use adsdv_spec::Edition;
+    /// assert_eq!(Edition::find("3.0"), Some(&Edition::V3_0));
+    /// assert_eq!(Edition::find("2.9"), None);
+    /// ```
+    pub fn find(version: &str) -> Option<&'static Self> {
+        Self::ALL.iter().copied().find(|edition| edition.version == version)
+    }
 
-impl Edition {
+    /// The questions that the document leaves open.
+    pub fn questions(&self) -> impl Iterator<Item = Reading> + Clone + use<> {
+        let choices = self.choices;
+        Reading::ALL.iter().copied().filter(move |&reading| choices.of_reading(reading).count() > 1)
+    }
+
+    /// The possible answers that are not the default.
+    pub const fn alternatives(&self) -> Choices {
+        self.choices.difference(self.readings.choices())
+    }
+
+    /// These answers, but the default to each question to which the answer is not possible.
+    #[must_use]
+    pub const fn admit(&self, readings: Readings) -> Readings {
+        let mut admitted = self.readings;
+        let mut i = 0;
+        while i < Reading::ALL.len() {
+            let choice = readings.choice(Reading::ALL[i]);
+            if self.choices.has(choice) {
+                admitted = admitted.with(choice);
+            }
+            i += 1;
+        }
+        admitted
+    }
+
     /// The edition with another Figure 2.
     #[must_use]
     pub const fn with_table(self, table: Table) -> Self {
@@ -95,7 +120,8 @@ impl Edition {
 }
 
 impl Default for Edition {
+    /// [`Edition::DEFAULT`].
     fn default() -> Self {
-        Self::V3_0
+        *Self::DEFAULT
     }
 }

@@ -8,7 +8,7 @@ use core::fmt;
 use crate::messages::{ShutdownCause, Vcu2AiStatus};
 
 macro_rules! faults {
-    ($($(#[$doc:meta])* $fault:ident => $flag:ident, $signal:literal, $opens:literal;)*) => {
+    ($($(#[$doc:meta])* $fault:ident => $flag:ident, $signal:literal, $opens:literal, $requirement:literal;)*) => {
         /// A critical fault that 520h reports.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
@@ -28,6 +28,11 @@ macro_rules! faults {
             /// The signal of 520h that is this fault's flag.
             pub const fn flag(self) -> &'static str {
                 match self { $(Self::$fault => $signal,)* }
+            }
+
+            /// The requirement behind its flag and its number, as `REQUIREMENTS.md` has it.
+            pub const fn requirement(self) -> &'static str {
+                match self { $(Self::$fault => $requirement,)* }
             }
 
             /// The fault that a cause names; `None` for no shutdown.
@@ -56,25 +61,25 @@ macro_rules! faults {
 //= MSG-54 to MSG-63
 faults! {
     /// The AI Computer requests an emergency stop.
-    AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false;
+    AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false, "MSG-54";
     /// The shutdown circuit or HVIL is open.
-    HvilOpenFault => hvil_open_fault, "HVIL_OPEN_FAULT", true;
+    HvilOpenFault => hvil_open_fault, "HVIL_OPEN_FAULT", true, "MSG-55";
     /// The shutdown circuit or HVIL has a short circuit.
-    HvilShortFault => hvil_short_fault, "HVIL_SHORT_FAULT", true;
+    HvilShortFault => hvil_short_fault, "HVIL_SHORT_FAULT", true, "MSG-56";
     /// The Emergency Braking System is faulty.
-    EbsFault => ebs_fault, "EBS_FAULT", true;
+    EbsFault => ebs_fault, "EBS_FAULT", true, "MSG-57";
     /// The off-board battery charger is faulty.
-    OffboardChargerFault => offboard_charger_fault, "OFFBOARD_CHARGER_FAULT", true;
+    OffboardChargerFault => offboard_charger_fault, "OFFBOARD_CHARGER_FAULT", true, "MSG-58";
     /// The AI Computer does not answer the handshake.
-    AiCommsFault => ai_comms_lost, "AI_COMMS_LOST", false;
+    AiCommsFault => ai_comms_lost, "AI_COMMS_LOST", false, "MSG-59";
     /// NEUTRAL was requested while the vehicle was moving.
-    AutonomousBrakingFault => autonomous_braking_fault, "AUTONOMOUS_BRAKING_FAULT", false;
+    AutonomousBrakingFault => autonomous_braking_fault, "AUTONOMOUS_BRAKING_FAULT", false, "MSG-60";
     /// FINISHED was declared while the vehicle was moving.
-    MissionStatusFault => mission_status_fault, "MISSION_STATUS_FAULT", false;
+    MissionStatusFault => mission_status_fault, "MISSION_STATUS_FAULT", false, "MSG-61";
     /// A master switch is on while the battery is being charged.
-    ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true;
+    ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true, "MSG-62";
     /// The battery management system reports a critical fault.
-    BmsFault => bms_fault, "BMS_FAULT", true;
+    BmsFault => bms_fault, "BMS_FAULT", true, "MSG-63";
 }
 
 crate::named::impl_find!(Fault by flag, "AI_COMMS_LOST");

@@ -5,11 +5,12 @@
 #![expect(clippy::inline_always, reason = "for speed, as in machine.rs")]
 
 use crate::atoms::{Atom, Atoms};
+use crate::bus::Bus;
 use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AxleTorque,
-    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, EbsState, Message, MissionStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AnyMessage, AxleTorque,
+    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, EbsState, Frame, MissionStatus,
     SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiStatus, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogStatus,
     WheelSpeed,
 };
@@ -116,25 +117,47 @@ impl AiMessages {
     /// A frame that does not decode changes nothing, as if it had not come; the error says what is wrong with it.
     ///
     /// ```
-    /// use adsdv_spec::AiMessages;
-    /// let mut ai = AiMessages::default();
-    /// assert_eq!(ai.receive(0x513, &[0x9C, 0xFF]), Ok(true)); // -10.0 degrees
+    /// use adsdv_spec::{AiMessages, Edition};
+    /// let (mut ai, bus) = (AiMessages::default(), Edition::V3_0.bus);
+    /// assert_eq!(ai.receive(&bus, 0x513, &[0x9C, 0xFF]), Ok(true)); // -10.0 degrees
     /// assert_eq!(ai.steer.steer_request.raw(), -100);
-    /// assert!(ai.receive(0x513, &[0xF1, 0x00]).is_err()); // 24.1 degrees
+    /// assert!(ai.receive(&bus, 0x513, &[0xF1, 0x00]).is_err()); // 24.1 degrees
     /// assert_eq!(ai.steer.steer_request.raw(), -100);
-    /// assert_eq!(ai.receive(0x520, &[]), Ok(false)); // the VCU's
+    /// assert_eq!(ai.receive(&bus, 0x520, &[]), Ok(false)); // the VCU's
     /// ```
-    pub fn receive(&mut self, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
+    pub fn receive(&mut self, bus: &Bus, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
         //= D-20
-        match id {
-            Ai2VcuStatus::ID => self.status = Ai2VcuStatus::decode(data)?,
-            Ai2VcuDriveF::ID => self.drive_f = Ai2VcuDriveF::decode(data)?,
-            Ai2VcuDriveR::ID => self.drive_r = Ai2VcuDriveR::decode(data)?,
-            Ai2VcuSteer::ID => self.steer = Ai2VcuSteer::decode(data)?,
-            Ai2VcuBrake::ID => self.brake = Ai2VcuBrake::decode(data)?,
-            _ => return Ok(false),
+        if !matches!(
+            id,
+            Ai2VcuStatus::ID | Ai2VcuDriveF::ID | Ai2VcuDriveR::ID | Ai2VcuSteer::ID | Ai2VcuBrake::ID
+        ) {
+            return Ok(false);
         }
-        Ok(true)
+        Ok(self.take(bus.decode(id, data)?))
+    }
+
+    /// Takes over a message, and tells whether it is one of these.
+    pub const fn take(&mut self, message: AnyMessage) -> bool {
+        match message {
+            AnyMessage::Ai2VcuStatus(status) => self.status = status,
+            AnyMessage::Ai2VcuDriveF(drive_f) => self.drive_f = drive_f,
+            AnyMessage::Ai2VcuDriveR(drive_r) => self.drive_r = drive_r,
+            AnyMessage::Ai2VcuSteer(steer) => self.steer = steer,
+            AnyMessage::Ai2VcuBrake(brake) => self.brake = brake,
+            _ => return false,
+        }
+        true
+    }
+
+    /// The messages, in the order of their identifiers.
+    pub fn all(&self) -> [AnyMessage; 5] {
+        [self.status.into(), self.drive_f.into(), self.drive_r.into(), self.steer.into(), self.brake.into()]
+    }
+
+    /// The frames of an edition, in the order of their identifiers.
+    pub fn frames(&self, bus: &Bus) -> impl Iterator<Item = Frame> + use<> {
+        let bus = *bus;
+        self.all().into_iter().filter_map(move |message| bus.encode(message))
     }
 }
 
@@ -283,6 +306,27 @@ impl proptest::arbitrary::Arbitrary for Observation {
 }
 
 impl Inputs {
+    /// The inputs nearest to these that an edition's messages can hold: steer angles within its own range, which may be
+    /// narrower than that of all editions.
+    ///
+    /// ```
+    /// use adsdv_spec::{Edition, Inputs};
+    /// use adsdv_spec::messages::SteerAngle;
+    /// let mut inputs = Inputs::default();
+    /// inputs.ai.steer.steer_request = SteerAngle::MAX;
+    /// assert_eq!(inputs.held_by(&Edition::V3_0.bus).ai.steer.steer_request.to_string(), "24 deg");
+    /// ```
+    #[must_use]
+    pub fn held_by(mut self, bus: &Bus) -> Self {
+        let within = |field, raw: i32| bus.signal_of(field).map_or(raw, |row| raw.clamp(row.min, row.max));
+        let Self { ai, vehicle, .. } = &mut self;
+        ai.steer.steer_request = SteerAngle::clamped(within("steer_request", ai.steer.steer_request.raw()));
+        vehicle.steer_angle = SteerAngle::clamped(within("steer_angle", vehicle.steer_angle.raw()));
+        vehicle.steer_angle_max =
+            SteerAngleMax::clamped(within("steer_angle_max", vehicle.steer_angle_max.raw()));
+        self
+    }
+
     /// Reduces the inputs to atoms and faults.
     #[inline(always)]
     pub const fn observe(&self, thresholds: &Thresholds) -> Observation {

@@ -8,7 +8,7 @@
 //!
 //! | to read about | look in |
 //! |---|---|
-//! | the arrows of Figure 2 | [`table`] |
+//! | the arrows of Figure 2 | [`table`], [`Rules::table`] |
 //! | the conditions that they name | [`Atom`], [`Inputs::observe`] |
 //! | one step of the VCU | [`Machine::step`] |
 //! | what the VCU remembers | [`Control`] |
@@ -16,11 +16,11 @@
 //! | inputs that show a condition or a fault | [`Inputs::show`], [`Inputs::showing`] |
 //! | the handshake (section 2.4, Figure 1) | [`Handshake`] |
 //! | fault flags and `SHUTDOWN_CAUSE` | [`Fault`], [`Faults`] |
-//! | times and thresholds | [`Edition`] |
+//! | the editions, their times and thresholds | [`Edition`], [`editions`] |
 //! | what the document leaves open | [`readings`] |
 //! | an edition with one thing changed | [`mutation`] |
 //! | the messages and their signals (section 2) | [`messages`] |
-//! | the reserved identifiers (section 2.3) | [`RESERVED`] |
+//! | how an edition lays them out, and the reserved identifiers (section 2.3) | [`Bus`] |
 //! | what reaches the actuators; every VCU frame | [`Outputs`] |
 //! | the CAN database and the diagram, printed | [`export`] |
 //! | what is known when not everything is seen | [`Knowledge`], [`Truth`] |
@@ -50,8 +50,10 @@ extern crate std;
 
 mod assi;
 mod atoms;
+mod bus;
 mod control;
 mod edition;
+pub mod editions;
 pub mod export;
 mod faults;
 mod handshake;
@@ -63,14 +65,14 @@ mod named;
 mod outputs;
 pub mod readings;
 mod reads;
-mod reserved;
 mod set;
 mod show;
 pub mod table;
 mod truth;
 
 pub use assi::Assi;
-pub use atoms::{Atom, Atoms};
+pub use atoms::{Atom, AtomText, Atoms};
+pub use bus::Bus;
 pub use control::Control;
 pub use edition::{Edition, Rules, Thresholds, Timing};
 pub use faults::{Fault, Faults};
@@ -83,6 +85,5 @@ pub use named::UnknownName;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
 pub use reads::Reads;
-pub use reserved::{RESERVED, is_reserved};
-pub use table::{FIGURE_2, Row, Table, Term};
+pub use table::{Row, Table, Term};
 pub use truth::{Knowledge, Truth};

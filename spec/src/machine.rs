@@ -106,11 +106,13 @@ pub struct Reaction {
 }
 
 impl Machine {
-    /// The reference: version 3.0 with the default readings.
-    pub const REFERENCE: Self = Self::new(Edition::V3_0, Readings::DEFAULT);
+    /// The reference: the [default edition](Edition::DEFAULT) with the default readings.
+    pub const REFERENCE: Self = Self::new(*Edition::DEFAULT, Edition::DEFAULT.readings);
 
-    /// A machine for an edition and an answer to every open question.
+    /// A machine for an edition and an answer to every open question; where the edition does not have the answer, its
+    /// default holds.
     pub const fn new(edition: Edition, readings: Readings) -> Self {
+        let readings = edition.admit(readings);
         let nowhere = Arrow {
             masks: TermMasks { on: Atoms::NONE, care: Atoms::NONE },
             to: AsState::Off,

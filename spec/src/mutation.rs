@@ -112,7 +112,8 @@ impl Change {
         match *self {
             Change::RowDropped(row) => mutant.rules.table = with_row(&mutant.rules.table, row, |_| None),
             Change::RowLeadsTo(row, to) => {
-                let leading = |row: &Row| Some(Row::new(row.from, to, row.section, row.terms()));
+                let leading =
+                    |row: &Row| Some(Row::new(row.from, to, row.section, row.terms()).cites(row.cites));
                 mutant.rules.table = with_row(&mutant.rules.table, row, leading);
             }
             Change::RowFirst(row) => mutant.rules.table = with_row_first(&mutant.rules.table, row),
@@ -197,7 +198,7 @@ fn with_term(row: &Row, index: usize, change: TermChange) -> Row {
     let changed = changed
         .filter_map(|(place, term)| if place == index { changed_term(term, change) } else { Some(*term) });
     let len = terms.iter_mut().zip(changed).map(|(slot, term)| *slot = term).count();
-    Row::new(row.from, row.to, row.section, terms.split_at(len).0)
+    Row::new(row.from, row.to, row.section, terms.split_at(len).0).cites(row.cites)
 }
 
 fn changed_term(term: &Term, change: TermChange) -> Option<Term> {

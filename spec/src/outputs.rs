@@ -2,12 +2,13 @@
 
 use crate::assi::Assi;
 use crate::atoms::Atoms;
+use crate::bus::Bus;
 use crate::faults::Faults;
 use crate::inputs::Inputs;
 use crate::machine::{Machine, Taken};
 use crate::messages::{
-    AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake,
-    LogDriveTorque, LogSteerAngle, Message, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle,
+    AnyMessage, AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame,
+    LogBrake, LogDriveTorque, LogSteerAngle, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle,
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus,
 };
@@ -66,6 +67,20 @@ pub struct Actuation {
     pub ebs_triggered: bool,
 }
 
+impl Actuation {
+    /// The requirements of section 3 behind what reaches the actuators in a state, and the decisions where it has none, as
+    /// `REQUIREMENTS.md` has them.
+    pub const fn requirements(state: AsState) -> &'static [&'static str] {
+        match state {
+            AsState::Off => &["D-21", "D-42"],
+            AsState::Ready => &["DRV-2", "DRV-3", "D-21", "D-41"],
+            AsState::Driving => &["MSG-18", "MSG-25", "D-21", "D-41"],
+            AsState::Finished => &["FIN-5", "FIN-6", "D-21", "D-41"],
+            AsState::EmergencyBrake => &["D-21", "D-43"],
+        }
+    }
+}
+
 /// Every message that the VCU sends after a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -88,7 +103,7 @@ pub struct VcuMessages {
     pub wheel_counts: Vcu2AiWheelCounts,
     /// 500h.
     pub log_dynamics: Vcu2LogDynamics1,
-    /// 502h, which is sent less often: see [`Timing::log_status_cycle_ms`](crate::Timing::log_status_cycle_ms).
+    /// 502h, which is sent less often: see [`MessageDef::cycle_ms`](crate::messages::MessageDef::cycle_ms).
     pub log_status: Vcu2LogStatus,
 }
 
@@ -143,10 +158,10 @@ impl Outputs {
     ///
     /// ```
     /// use adsdv_spec::{Control, Inputs, Machine};
-    /// let inputs = Inputs::default();
-    /// let (_, outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
-    /// let frames = outputs.messages(&inputs).frames();
-    /// assert_eq!(frames[0].to_string(), "520#0000010000000000"); // AS_OFF, everything off
+    /// let (vcu, inputs) = (Machine::REFERENCE, Inputs::default());
+    /// let (_, outputs) = vcu.step(&Control::INITIAL, &inputs, 10);
+    /// let first = outputs.messages(&inputs).frames(&vcu.edition().bus).next();
+    /// assert_eq!(first.unwrap().to_string(), "520#0000010000000000"); // AS_OFF, everything off
     /// ```
     pub fn messages(&self, inputs: &Inputs) -> VcuMessages {
         let (vehicle, ai) = (&inputs.vehicle, &inputs.ai);
@@ -266,18 +281,24 @@ fn log_dynamics(inputs: &Inputs) -> Vcu2LogDynamics1 {
 }
 
 impl VcuMessages {
-    /// The frames, in the order in which they are sent: 520h first, 502h last.
-    pub fn frames(&self) -> [Frame; 9] {
+    /// The messages, in the order in which they are sent: 520h first, 502h last.
+    pub fn all(&self) -> [AnyMessage; 9] {
         [
-            self.status.encode(),
-            self.drive_f.encode(),
-            self.drive_r.encode(),
-            self.steer.encode(),
-            self.brake.encode(),
-            self.wheel_speeds.encode(),
-            self.wheel_counts.encode(),
-            self.log_dynamics.encode(),
-            self.log_status.encode(),
+            self.status.into(),
+            self.drive_f.into(),
+            self.drive_r.into(),
+            self.steer.into(),
+            self.brake.into(),
+            self.wheel_speeds.into(),
+            self.wheel_counts.into(),
+            self.log_dynamics.into(),
+            self.log_status.into(),
         ]
+    }
+
+    /// The frames of an edition, in the order in which they are sent.
+    pub fn frames(&self, bus: &Bus) -> impl Iterator<Item = Frame> + use<> {
+        let bus = *bus;
+        self.all().into_iter().filter_map(move |message| bus.encode(message))
     }
 }

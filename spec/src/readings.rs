@@ -8,7 +8,7 @@ use core::fmt;
 use crate::UnknownName;
 
 macro_rules! readings {
-    ($($(#[$doc:meta])* $reading:ident = $id:literal, $question:literal, $section:literal {
+    ($($(#[$doc:meta])* $reading:ident = $id:literal, $question:literal, $section:literal, $decision:literal {
         $($(#[$cdoc:meta])* $choice:ident = $cid:literal, $ctext:literal;)*
     })*) => {
         /// A question that the document leaves open.
@@ -35,6 +35,11 @@ macro_rules! readings {
             /// The sections of the document that raise the question.
             pub const fn section(self) -> &'static str {
                 match self { $(Self::$reading => $section,)* }
+            }
+
+            /// The decision behind the default answer, as `REQUIREMENTS.md` has it.
+            pub const fn decision(self) -> &'static str {
+                match self { $(Self::$reading => $decision,)* }
             }
 
             /// The possible answers; the first is the default.
@@ -75,7 +80,7 @@ macro_rules! readings {
 readings! {
     /// What "mission selected" means when AS_OFF is left.
     MissionSelected = "mission-selected",
-        "AMI selection (text) or MISSION_STATUS == SELECTED (Figure 2)?", "3.1, Figure 2" {
+        "AMI selection (text) or MISSION_STATUS == SELECTED (Figure 2)?", "3.1, Figure 2", "D-1" {
         //= D-1
         /// Both must hold.
         MissionBoth = "both", "both must hold";
@@ -86,7 +91,7 @@ readings! {
     }
     /// Whether FINISHED or NEUTRAL at speed is a level or a change.
     FaultTrigger = "fault-trigger",
-        "\"is set to\" FINISHED or NEUTRAL while moving (level), or \"is changed\" to it (edge)?", "3.7, 4" {
+        "\"is set to\" FINISHED or NEUTRAL while moving (level), or \"is changed\" to it (edge)?", "3.7, 4", "D-2" {
         //= D-2
         /// The value counts as long as it is there.
         FaultLevel = "level", "the level counts";
@@ -94,7 +99,7 @@ readings! {
         FaultEdge = "edge", "the change counts";
     }
     /// Which arrow wins in AS_READY.
-    ReadyPriority = "ready-priority", "AS_READY with SDC open and ASMS off at once?", "3.5, 3.6" {
+    ReadyPriority = "ready-priority", "AS_READY with SDC open and ASMS off at once?", "3.5, 3.6", "D-3" {
         //= D-3
         /// EMERGENCY_BRAKE first.
         ReadyBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
@@ -102,7 +107,7 @@ readings! {
         ReadyOffFirst = "as-off", "AS_OFF first";
     }
     /// Which arrow wins in AS_FINISHED.
-    FinishedPriority = "finished-priority", "AS_FINISHED with SDC open and ASMS off at once?", "3.4, 3.8" {
+    FinishedPriority = "finished-priority", "AS_FINISHED with SDC open and ASMS off at once?", "3.4, 3.8", "D-4" {
         //= D-4
         /// EMERGENCY_BRAKE first.
         FinishedBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
@@ -111,7 +116,7 @@ readings! {
     }
     /// Which arrow wins in AS_DRIVING.
     DrivingPriority = "driving-priority",
-        "AS_DRIVING with an emergency condition and FINISHED at rest at once?", "3.3, 3.7" {
+        "AS_DRIVING with an emergency condition and FINISHED at rest at once?", "3.3, 3.7", "D-5" {
         //= D-5
         /// EMERGENCY_BRAKE first.
         DrivingBrakeFirst = "emergency-brake", "EMERGENCY_BRAKE first";
@@ -121,7 +126,7 @@ readings! {
     /// What makes a "Go" edge acceptable.
     GoEdge = "go-edge",
         "must \"Go\" be seen low while the conditions already hold, or is a rising edge with them holding enough?",
-        "3.2" {
+        "3.2", "D-6" {
         //= D-6
         /// The switch must have been seen off while all other conditions held.
         GoSeenLow = "seen-low", "seen low first";
@@ -129,7 +134,7 @@ readings! {
         GoEdgeEnough = "edge", "a rising edge is enough";
     }
     /// What GO_SIGNAL carries on the bus.
-    GoSignal = "go-signal", "is GO_SIGNAL the accepted edge, or the raw switch?", "3.2" {
+    GoSignal = "go-signal", "is GO_SIGNAL the accepted edge, or the raw switch?", "3.2", "D-7" {
         //= D-7
         /// The accepted edge.
         GoAccepted = "accepted", "the accepted edge";
@@ -137,7 +142,7 @@ readings! {
         GoRaw = "raw", "the raw switch";
     }
     /// When the handshake runs.
-    HandshakeActive = "handshake-active", "while the tractive system is enabled, or always?", "2.4" {
+    HandshakeActive = "handshake-active", "while the tractive system is enabled, or always?", "2.4", "D-8" {
         //= D-8
         /// While TSMS is on.
         HandshakeTsms = "tsms", "while TSMS is on";
@@ -145,7 +150,7 @@ readings! {
         HandshakeAlways = "always", "always";
     }
     /// Where ESTOP_REQUEST acts.
-    AiEstop = "ai-estop", "does ESTOP_REQUEST act in every active state, or in AS_DRIVING only?", "2.1, 3.5" {
+    AiEstop = "ai-estop", "does ESTOP_REQUEST act in every active state, or in AS_DRIVING only?", "2.1, 3.5", "D-9" {
         //= D-9
         /// It acts like an open shutdown circuit in every active state.
         EstopEveryState = "every-state", "every active state";
@@ -155,7 +160,7 @@ readings! {
     /// What AI_COMMS_LOST does.
     CommsLost = "comms-lost",
         "does AI_COMMS_LOST mean EMERGENCY_BRAKE in every state but AS_OFF (text), or is there no such arrow (Figure 2)?",
-        "2.4, Figure 2" {
+        "2.4, Figure 2", "D-10" {
         //= D-10
         /// EMERGENCY_BRAKE from every state but AS_OFF.
         CommsEveryState = "every-state", "every state but AS_OFF";
@@ -163,7 +168,7 @@ readings! {
         CommsNoArrow = "no-arrow", "no arrow";
     }
     /// Whether an emergency is remembered.
-    PowerCycle = "power-cycle", "does AS_READY need a power cycle after EMERGENCY_BRAKE?", "3.9" {
+    PowerCycle = "power-cycle", "does AS_READY need a power cycle after EMERGENCY_BRAKE?", "3.9", "D-11" {
         //= D-11
         /// It does.
         PowerCycleLatched = "latched", "latched until a power cycle";

@@ -1,9 +1,9 @@
 //! Figure 2 as a table: one row for each arrow.
 //!
-//! Hold [`FIGURE_2`] against the figure. A row names where an arrow starts and ends and the section of the document
+//! Hold an edition's table ([`Rules::table`](crate::Rules::table)) against its figure. A row names where an arrow starts and ends and the section of the document
 //! that describes it; its guard is an OR of [`Term`]s, each an AND of literals: [`Atom`]s that must be on or off. A term
 //! that only some [`readings`](crate::readings) of the document have names the choices it needs. Rows of one state
-//! stand in the order in which they are evaluated; [`PRIORITIES`] says which readings change that order.
+//! stand in the order in which they are evaluated; [`Priority`] says which readings change that order.
 
 use crate::Fault;
 use crate::atoms::{Atom, Atoms};
@@ -14,6 +14,33 @@ use crate::readings::{Choice, Choices};
 pub const MAX_ROWS: usize = 12;
 /// The most terms a [`Row`] holds.
 pub const MAX_TERMS: usize = 10;
+
+/// What stands behind something of a table: identifiers of `REQUIREMENTS.md`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Cites {
+    /// Its own.
+    pub requirements: &'static [&'static str],
+    /// Of a term: those behind single conditions, where they have some of their own.
+    pub conditions: &'static [CitesOfCondition],
+    /// Of a row: those behind its being evaluated before the rows below it.
+    pub order: &'static [&'static str],
+}
+
+/// What stands behind a condition of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CitesOfCondition {
+    /// The condition.
+    pub atom: Atom,
+    /// The identifiers.
+    pub requirements: &'static [&'static str],
+}
+
+impl Cites {
+    /// Nothing.
+    pub const NONE: Self = Self { requirements: &[], conditions: &[], order: &[] };
+}
 
 /// One alternative of a guard: all `on` hold and none of `off` does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,11 +57,19 @@ pub struct Term {
     pub fault: Option<Fault>,
     /// The section of the document that this alternative comes from.
     pub section: &'static str,
+    /// The requirements behind it.
+    pub cites: &'static Cites,
 }
 
 impl Term {
-    pub(crate) const EMPTY: Self =
-        Self { on: Atoms::NONE, off: Atoms::NONE, readings: Choices::NONE, fault: None, section: "" };
+    pub(crate) const EMPTY: Self = Self {
+        on: Atoms::NONE,
+        off: Atoms::NONE,
+        readings: Choices::NONE,
+        fault: None,
+        section: "",
+        cites: &Cites::NONE,
+    };
 
     /// A term that holds when all of these atoms do.
     pub const fn on(section: &'static str, atoms: &[Atom]) -> Self {
@@ -56,6 +91,17 @@ impl Term {
     #[must_use]
     pub const fn fault(self, fault: Fault) -> Self {
         Self { fault: Some(fault), ..self }
+    }
+
+    /// With the requirements behind it.
+    #[must_use]
+    pub const fn cites(self, cites: &'static Cites) -> Self {
+        Self { cites, ..self }
+    }
+
+    /// The requirements behind one of its conditions; `None` if it has none of its own.
+    pub fn requirements_of(&self, atom: Atom) -> Option<&'static [&'static str]> {
+        self.cites.conditions.iter().find(|one| one.atom == atom).map(|one| one.requirements)
     }
 
     /// Only where this choice is made.
@@ -101,13 +147,21 @@ pub struct Row {
     pub to: AsState,
     /// The section of the document that describes it.
     pub section: &'static str,
+    /// The requirements behind it: the figure's own, and those of the text.
+    pub cites: &'static Cites,
     terms: [Term; MAX_TERMS],
     len: u8,
 }
 
 impl Row {
-    pub(crate) const EMPTY: Self =
-        Self { from: AsState::Off, to: AsState::Off, section: "", terms: [Term::EMPTY; MAX_TERMS], len: 0 };
+    pub(crate) const EMPTY: Self = Self {
+        from: AsState::Off,
+        to: AsState::Off,
+        section: "",
+        cites: &Cites::NONE,
+        terms: [Term::EMPTY; MAX_TERMS],
+        len: 0,
+    };
 
     /// A row that is written down with its terms. More than [`MAX_TERMS`] do not compile.
     pub const fn of<const N: usize>(
@@ -132,6 +186,12 @@ impl Row {
         row
     }
 
+    /// With the requirements behind it.
+    #[must_use]
+    pub const fn cites(self, cites: &'static Cites) -> Self {
+        Self { cites, ..self }
+    }
+
     /// The alternatives of the guard.
     pub const fn terms(&self) -> &[Term] {
         self.terms.split_at(self.len as usize).0
@@ -142,10 +202,11 @@ impl Row {
 impl serde::Serialize for Row {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        let mut row = serializer.serialize_struct("Row", 4)?;
+        let mut row = serializer.serialize_struct("Row", 5)?;
         row.serialize_field("from", &self.from)?;
         row.serialize_field("to", &self.to)?;
         row.serialize_field("section", self.section)?;
+        row.serialize_field("cites", self.cites)?;
         row.serialize_field("terms", self.terms())?;
         row.end()
     }
@@ -208,104 +269,3 @@ pub struct Priority {
     /// Where the arrow ends that now comes before all others of the state.
     pub first: AsState,
 }
-
-/// The readings that change the order of rows.
-pub const PRIORITIES: &[Priority] = &[
-    Priority { choice: Choice::ReadyOffFirst, from: AsState::Ready, first: AsState::Off },
-    Priority { choice: Choice::FinishedOffFirst, from: AsState::Finished, first: AsState::Off },
-    Priority { choice: Choice::DrivingFinishedFirst, from: AsState::Driving, first: AsState::Finished },
-];
-
-/// AI comms lost, as an arrow that the text has and Figure 2 does not.
-//= HS-10, D-10
-const COMMS_LOST: Term =
-    Term::on("2.4", &[Atom::AiCommsLost]).fault(Fault::AiCommsFault).reading(Choice::CommsEveryState);
-
-/// An emergency stop that the AI Computer asks for outside `AS_DRIVING`.
-//= D-9
-const ESTOP_REQUEST: Term =
-    Term::on("2.1", &[Atom::AiEstop]).fault(Fault::AiComputerRequest).reading(Choice::EstopEveryState);
-
-/// Figure 2 of the document, with the readings' terms beside the figure's own.
-//= SM-1
-pub const FIGURE_2: Table = {
-    use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
-    #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
-    use Atom::*;
-
-    Table::of(&[
-        //= SM-9, RDY-1 to RDY-5, D-45
-        Row::of(
-            Off,
-            Ready,
-            "3.1",
-            &[
-                Term::on("3.1", &[Asms, Tsms, AmiSelected, MissionSelected, EbsArmed]) //= D-1
-                    .and_off(&[PowerCycleNeeded]) //= ETO-3, D-11
-                    .reading(Choice::MissionBoth),
-                Term::on("3.1", &[Asms, Tsms, AmiSelected, EbsArmed])
-                    .and_off(&[PowerCycleNeeded])
-                    .reading(Choice::MissionAmi),
-                Term::on("3.1", &[Asms, Tsms, MissionSelected, EbsArmed])
-                    .and_off(&[PowerCycleNeeded])
-                    .reading(Choice::MissionStatusOnly),
-            ],
-        ),
-        //= SM-12, RTE-1, D-3
-        Row::of(Ready, EmergencyBrake, "3.5", &[Term::on("3.5", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
-        //= SM-10, RTO-1, D-22
-        Row::of(Ready, Off, "3.6", &[Term::off("3.6", &[Asms])]),
-        //= SM-11, DRV-15
-        Row::of(
-            Ready,
-            Driving,
-            "3.2",
-            &[Term::on(
-                "3.2",
-                &[
-                    DwellElapsed,     //= DRV-4
-                    FrontTorqueZero,  //= DRV-5
-                    RearTorqueZero,   //= DRV-6
-                    SteerRequestZero, //= DRV-7
-                    SteerStraight,    //= DRV-9
-                    DirectionNeutral, //= DRV-8
-                    GoEdge,           //= DRV-12
-                ],
-            )],
-        ),
-        //= SM-13, IMP-1, D-5, D-27
-        Row::of(
-            Driving,
-            EmergencyBrake,
-            "3.7",
-            &[
-                Term::on("3.7", &[SdcOpen]), //= DTE-1
-                // Neither switch has a cause of its own: each opens the shutdown circuit.
-                Term::off("3.7", &[GoOn]).fault(Fault::HvilOpenFault), //= DTE-2, D-13
-                Term::off("3.7", &[Asms]).fault(Fault::HvilOpenFault), //= DTE-3, D-13
-                Term::on("3.7", &[MissionFinished, Moving]) //= DTE-4, D-2
-                    .fault(Fault::MissionStatusFault)
-                    .reading(Choice::FaultLevel),
-                Term::on("4", &[MissionFinishedEdge, Moving]) //= IMP-3
-                    .fault(Fault::MissionStatusFault)
-                    .reading(Choice::FaultEdge),
-                Term::on("3.7", &[DirectionNeutral, Moving]) //= DTE-5, D-2
-                    .fault(Fault::AutonomousBrakingFault)
-                    .reading(Choice::FaultLevel),
-                Term::on("4", &[DirectionNeutralEdge, Moving]) //= IMP-2
-                    .fault(Fault::AutonomousBrakingFault)
-                    .reading(Choice::FaultEdge),
-                COMMS_LOST,
-                Term::on("2.1", &[AiEstop]).fault(Fault::AiComputerRequest), //= D-9
-            ],
-        ),
-        //= SM-14, FIN-4
-        Row::of(Driving, Finished, "3.3", &[Term::on("3.3", &[MissionFinished, AtRest])]),
-        //= SM-17, ETO-1, ETO-2, D-23
-        Row::of(EmergencyBrake, Off, "3.9", &[Term::on("3.9", &[EbsTimerComplete]).and_off(&[Asms])]),
-        //= SM-15, FTE-1, D-4
-        Row::of(Finished, EmergencyBrake, "3.8", &[Term::on("3.8", &[SdcOpen]), COMMS_LOST, ESTOP_REQUEST]),
-        //= SM-16, FTO-1
-        Row::of(Finished, Off, "3.4", &[Term::off("3.4", &[Asms])]),
-    ])
-};

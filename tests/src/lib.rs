@@ -1,5 +1,6 @@
 //! Tests across the crates of adsdv: the tests are in `tests/`, recorded logs in `logs/`.
 
+pub mod bus;
 pub mod fuzzed;
 pub mod property;
 pub mod world;

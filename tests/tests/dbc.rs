@@ -8,7 +8,8 @@ use std::{fs, iter};
 
 use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
-use adsdv_spec::messages::{Decimal, MESSAGES};
+use adsdv_spec::messages::Decimal;
+use adsdv_tests::bus::BUS;
 use can_dbc::{AttributeValue, ByteOrder, MessageId, ValueDescription, ValueType};
 
 /// A database as a list of facts, each the text of one attribute of a signal, or, under an empty signal name, of
@@ -39,7 +40,7 @@ fn parse(text: &str) -> can_dbc::Dbc {
 }
 
 fn exported() -> can_dbc::Dbc {
-    parse(&Dbc(&Edition::V3_0).to_string())
+    parse(&Dbc(Edition::DEFAULT).to_string())
 }
 
 fn standard(id: MessageId) -> u32 {
@@ -84,7 +85,7 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
 /// What the table says of layout and values.
 fn facts_of_table() -> Facts {
     let mut facts = Facts::new();
-    for message in MESSAGES {
+    for message in BUS.messages {
         let id = u32::from(message.id);
         facts.extend([
             fact(id, "", "name", &message.name),
@@ -144,13 +145,13 @@ fn export_says_what_the_table_says() {
 
     let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
     assert_eq!(senders, ["AI", "VCU"]);
-    assert_eq!(dbc.version.0, Edition::V3_0.version);
+    assert_eq!(dbc.version.0, Edition::DEFAULT.version);
 }
 
 #[test]
 fn export_comments_every_message_and_signal() {
     let dbc = exported();
-    for message in MESSAGES {
+    for message in BUS.messages {
         let id = MessageId::Standard(message.id);
         assert_eq!(dbc.message_comment(id), Some(message.doc), "{}", message.name);
         for signal in message.signals {
@@ -169,7 +170,7 @@ fn export_gives_every_message_its_cycle_time() {
             .find(|value| value.name == "GenMsgCycleTime" && value.message_id == MessageId::Standard(id))
             .map(|value| value.value.clone())
     };
-    for message in MESSAGES {
+    for message in BUS.messages {
         let expected = if message.id == 0x502 { 100 } else { 10 };
         assert_eq!(cycle(message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
     }

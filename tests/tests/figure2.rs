@@ -3,21 +3,24 @@
 
 use adsdv_spec::export::{Dot, Figure2, Mermaid};
 use adsdv_spec::messages::MissionStatus;
-use adsdv_spec::table::{FIGURE_2, Row};
+use adsdv_spec::table::Row;
 use adsdv_spec::{AsState, Choice, Control, Edition, Inputs, Machine, Readings, ShutdownCircuit};
 
 /// An arrow as it is printed: from, to, section, and the alternatives of the guard.
 type Printed = (String, String, String, Vec<String>);
 
 fn machines() -> impl Iterator<Item = Machine> {
-    Choice::ALL.iter().map(|&choice| Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
+    Choice::ALL.iter().map(|&choice| Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice)))
 }
 
 /// An arrow and the conditions of its alternatives, each read from the table once more.
 fn from_table(row: &Row, readings: Readings) -> Printed {
     let terms = row.terms().iter().filter(|term| term.readings.iter().all(|choice| readings.is(choice)));
     let alternatives = terms.map(|term| {
-        let conditions: Vec<_> = term.literals().map(|(atom, value)| atom.text(value)).collect();
+        let conditions: Vec<_> = term
+            .literals()
+            .map(|(atom, value)| Edition::DEFAULT.rules.text(atom, value).to_string())
+            .collect();
         let section =
             if term.section == row.section { String::new() } else { format!(" ({})", term.section) };
         conditions.join(" and ") + &section
@@ -89,7 +92,8 @@ fn dot(machine: &Machine) -> Vec<Printed> {
 fn every_print_says_what_the_table_says() {
     for machine in machines() {
         let readings = machine.readings();
-        let mut table: Vec<_> = FIGURE_2.rows().iter().map(|row| from_table(row, readings)).collect();
+        let mut table: Vec<_> =
+            Edition::DEFAULT.rules.table.rows().iter().map(|row| from_table(row, readings)).collect();
         table.sort();
         for (format, mut printed) in
             [("Markdown", markdown(&machine)), ("Mermaid", mermaid(&machine)), ("DOT", dot(&machine))]
@@ -129,7 +133,7 @@ fn arrows_stand_in_the_order_of_evaluation() {
 
 #[test]
 fn a_diagram_names_the_readings_that_are_not_the_default() {
-    let machine = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
+    let machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(Choice::FaultEdge));
     for text in [Mermaid(&machine).to_string(), Dot(&machine).to_string()] {
         let title = text.lines().next().unwrap_or_default();
         assert!(title.ends_with("Specification 3.0, read with fault-trigger=edge"), "{title}");

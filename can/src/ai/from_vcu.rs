@@ -1,9 +1,9 @@
 //! What the AI Computer has heard of the VCU.
 
 use adsdv_spec::messages::{
-    AnyMessage, DecodeError, Frame, Node, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds, message_by_id,
+    AnyMessage, DecodeError, Frame, Node, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds,
 };
-use adsdv_spec::{Atom, Thresholds};
+use adsdv_spec::{Atom, Edition};
 
 /// What it keeps of the VCU's frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,13 +26,13 @@ pub(super) struct FromVcu {
 
 impl FromVcu {
     /// Keeps what a frame says, and tells whether it was 520h. One that does not decode changes nothing.
-    pub(super) fn frame(&mut self, frame: &Frame, thresholds: Thresholds) -> Result<bool, DecodeError> {
-        if message_by_id(frame.id).is_none_or(|message| message.sender != Node::Vcu) {
+    pub(super) fn frame(&mut self, frame: &Frame, edition: &Edition) -> Result<bool, DecodeError> {
+        if edition.bus.message(frame.id).is_none_or(|message| message.sender != Node::Vcu) {
             return Ok(false);
         }
         let before = (self.torque, self.brake);
         let [front, rear] = self.torque;
-        match AnyMessage::decode(frame.id, frame.data())? {
+        match edition.bus.decode(frame.id, frame.data())? {
             AnyMessage::Vcu2AiStatus(status) => {
                 self.vcu = true;
                 self.status = status;
@@ -50,7 +50,7 @@ impl FromVcu {
             }
             AnyMessage::Vcu2AiWheelSpeeds(speeds) => {
                 self.wheel_speeds = speeds;
-                self.at_rest = speeds.atoms(&thresholds).has(Atom::AtRest);
+                self.at_rest = speeds.atoms(&edition.rules.thresholds).has(Atom::AtRest);
             }
             _ => {}
         }

@@ -15,9 +15,8 @@ mod from_vcu;
 mod motion;
 
 use adsdv_spec::messages::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AsState,
-    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, Frame, Message, MissionStatus,
-    MotorSpeedMax, SpeedKmh, SteerAngle,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AsState, AxleTorqueRequest,
+    BrakePressure, DecodeError, DirectionRequest, Frame, MissionStatus, MotorSpeedMax, SpeedKmh, SteerAngle,
 };
 use adsdv_spec::{AiMessages, Edition};
 
@@ -155,7 +154,7 @@ impl Ai {
     /// A frame that came from the bus. What is not of the VCU changes nothing; what is, and does not decode, neither, and is an
     /// error.
     pub fn receive(&mut self, frame: &Frame) -> Result<(), DecodeError> {
-        if self.heard.frame(frame, self.edition.rules.thresholds)? {
+        if self.heard.frame(frame, &self.edition)? {
             self.silent_ms = 0;
         }
         Ok(())
@@ -171,16 +170,8 @@ impl Ai {
         if !self.heard.vcu {
             return Vec::new();
         }
-        let AiMessages { status, drive_f, drive_r, steer, brake } = self.messages();
-        let dynamics: Ai2LogDynamics2 = self.motion.logged();
-        vec![
-            dynamics.encode(),
-            status.encode(),
-            drive_f.encode(),
-            drive_r.encode(),
-            steer.encode(),
-            brake.encode(),
-        ]
+        let bus = &self.edition.bus;
+        bus.encode(self.motion.logged()).into_iter().chain(self.messages().frames(bus)).collect()
     }
 
     fn advance(&mut self, dt_ms: u32) {

@@ -21,12 +21,14 @@ pub struct Missing {
 }
 
 /// A condition that does not hold yet. It displays as what is missing, in the words of Figure 2 where they tell that.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Condition {
     /// What it is about.
     pub atom: Atom,
     /// The value that it has to have.
     pub value: bool,
+    /// What has to be, in the words of Figure 2.
+    pub text: String,
     /// When it will hold by itself, in milliseconds from now; `None` if it does not.
     pub left_ms: Option<u16>,
     /// What the operator can do for it; `None` where this is not for the operator.
@@ -38,7 +40,7 @@ impl fmt::Display for Condition {
         match self.atom {
             // "No power cycle needed" would read as if all were well.
             Atom::PowerCycleNeeded if !self.value => write!(f, "a {}", Action::POWER_CYCLE)?,
-            atom => f.write_str(atom.text(self.value))?,
+            _ => f.write_str(&self.text)?,
         }
         match self.left_ms.map(|left_ms| left_ms.div_ceil(100)) {
             Some(tenths) => write!(f, " (in {}.{} s)", tenths / 10, tenths % 10),
@@ -93,6 +95,7 @@ pub fn missing_for(car: &Car, wanted: AsState) -> Option<Missing> {
     let condition = |(atom, value)| Condition {
         atom,
         value,
+        text: machine.edition().rules.text(atom, value).to_string(),
         left_ms: left_ms(car, atom, value),
         action: action(car.inputs(), machine, atom, value),
     };

@@ -11,14 +11,16 @@
 
 mod action;
 mod missing;
+mod slow;
 mod vehicle;
 
-use adsdv_spec::messages::{AsState, DecodeError, Frame, Vcu2LogStatus};
-use adsdv_spec::{Actuation, AiMessages, Control, Inputs, Machine, Outputs};
+use adsdv_spec::messages::{AsState, DecodeError, Frame};
+use adsdv_spec::{Actuation, AiMessages, Control, Edition, Inputs, Machine, Outputs};
 
 pub(crate) use action::Excerpt;
 pub use action::{Action, Expected, Switch, UnknownSwitch};
 pub use missing::{Condition, Missing, missing, missing_for};
+use slow::Slow;
 pub(crate) use vehicle::gear_ratio;
 pub use vehicle::{Physics, Vehicle};
 
@@ -49,8 +51,8 @@ pub struct Car {
     outputs: Option<Outputs>,
     /// For how long it will still be without power, in milliseconds.
     dark_ms: u32,
-    /// Since 502h was last due, in milliseconds; `None` if it never was.
-    log_status_ms: Option<u32>,
+    /// When the slow messages were sent.
+    slow: Slow,
 }
 
 /// What came of a cycle.
@@ -82,7 +84,7 @@ impl Car {
             vehicle,
             outputs: None,
             dark_ms: 0,
-            log_status_ms: None,
+            slow: Slow::default(),
         }
     }
 
@@ -100,7 +102,7 @@ impl Car {
         if self.dark_ms > 0 {
             return Ok(false);
         }
-        self.inputs.ai.receive(frame.id, frame.data())
+        self.inputs.ai.receive(&self.machine.edition().bus, frame.id, frame.data())
     }
 
     /// One cycle, `dt_ms` after the last one: a step of the VCU, the frames that are due, and the vehicle that obeys.
@@ -123,27 +125,21 @@ impl Car {
         self.control = Control::INITIAL;
         self.outputs = None;
         self.inputs.ai = AiMessages::default();
-        self.log_status_ms = None;
+        self.slow = Slow::default();
         self.vehicle.advance(&Actuation::default(), dt_ms);
         self.vehicle.measure(&mut self.inputs.vehicle);
         Cycle { outputs: None, frames: Vec::new() }
     }
 
-    /// The frames of a step, 502h at its own rate.
+    /// The frames of a step, slow messages at their own rate.
     fn due(&mut self, outputs: &Outputs, dt_ms: u32) -> Vec<Frame> {
-        let log_status = self.log_status_is_due(dt_ms);
-        let is_due = |frame: &Frame| log_status || frame.id != Vcu2LogStatus::ID;
-        outputs.messages(&self.inputs).frames().into_iter().filter(is_due).collect()
-    }
-
-    /// Whether it is time for 502h: in the first cycle, and then without drift.
-    fn log_status_is_due(&mut self, dt_ms: u32) -> bool {
-        let limit = self.machine.edition().rules.timing.log_status_cycle_ms.into();
-        let since = self.log_status_ms.map(|since| since.saturating_add(dt_ms));
-        let is_due = since.is_none_or(|since| since >= limit);
-        // What is too much counts for the next one, but for whole cycles of 502h that were missed.
-        self.log_status_ms = Some(since.and_then(|since| since.checked_rem(limit)).unwrap_or(0));
-        is_due
+        let Edition { rules, bus, .. } = *self.machine.edition();
+        let cycle_ms = |frame: &Frame| bus.message(frame.id).map_or(0, |message| message.cycle_ms);
+        let slow = |frame: &Frame| cycle_ms(frame) > rules.timing.cycle_ms;
+        let frames = outputs.messages(&self.inputs).frames(&bus);
+        frames
+            .filter(|frame| !slow(frame) || self.slow.is_due(frame.id, cycle_ms(frame).into(), dt_ms))
+            .collect()
     }
 
     /// The specification that the VCU follows.

@@ -9,8 +9,8 @@ mod wire;
 
 use std::fmt;
 
+use adsdv_spec::Machine;
 use adsdv_spec::messages::{AsState, Frame};
-use adsdv_spec::{Machine, Readings};
 
 use crate::BITRATE;
 use crate::ai::Ai;
@@ -152,7 +152,7 @@ impl Running {
     fn new(scenario: &Scenario, ai: Ai, options: &DemoOptions) -> Self {
         Self {
             // Both sides follow the edition of the AI Computer.
-            car: Car::new(Machine::new(*ai.edition(), Readings::DEFAULT)),
+            car: Car::new(Machine::new(*ai.edition(), ai.edition().readings)),
             ai,
             player: Player::new(scenario),
             wire: Wire::new(BITRATE.into()),

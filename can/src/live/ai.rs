@@ -1,6 +1,6 @@
 //! The reference AI Computer on a bus.
 
-use adsdv_spec::messages::{AsState, Message as _, Node, Vcu2AiStatus, message_by_id};
+use adsdv_spec::messages::{AsState, Node, Vcu2AiStatus};
 
 use super::handle::Runner;
 use super::line::LiveBus;
@@ -50,7 +50,8 @@ impl<B: Bus> AiComputer<B> {
 
     fn hear(&mut self, received: &Received) {
         let Some(frame) = received.frame() else { return };
-        if message_by_id(frame.id).is_some_and(|message| message.sender == Node::Ai) {
+        let bus = self.ai.edition().bus;
+        if bus.message(frame.id).is_some_and(|message| message.sender == Node::Ai) {
             self.line.status.foreign += 1;
             let id = frame.id;
             self.line.note(Note::Foreign, || {
@@ -63,7 +64,7 @@ impl<B: Bus> AiComputer<B> {
             let id = frame.id;
             self.line.note(Note::Refused(id), || HappeningKind::Refused(format!("{id:03X}h: {error}")));
         } else if frame.id == Vcu2AiStatus::ID
-            && let Ok(status) = Vcu2AiStatus::decode(frame.data())
+            && let Ok(status) = bus.decode_as::<Vcu2AiStatus>(frame.data())
         {
             self.show(status.as_state);
         }

@@ -1,7 +1,7 @@
 //! The virtual VCU: the car on a bus.
 
 use adsdv_oracle::judge::Meter;
-use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node, message_by_id};
+use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node};
 
 use super::handle::Runner;
 use super::line::LiveBus;
@@ -110,7 +110,7 @@ impl<B: Bus> Vcu<B> {
 
     fn hear(&mut self, received: &Received) {
         let Some(frame) = received.frame() else { return };
-        match message_by_id(frame.id).map(|message| message.sender) {
+        match self.car.machine().edition().bus.message(frame.id).map(|message| message.sender) {
             Some(Node::Vcu) => {
                 self.line.status.foreign += 1;
                 let id = frame.id;
@@ -170,8 +170,9 @@ impl<B: Bus> Vcu<B> {
         let machine = self.car.machine();
         let term = cycle.outputs.as_ref().and_then(|outputs| outputs.term(machine));
         let row = cycle.outputs.as_ref().and_then(|outputs| outputs.row(machine));
-        let conditions = term.map(|term| term.literals().map(|(atom, value)| atom.text(value)).collect());
-        let why = conditions.map(|conditions: Vec<&str>| conditions.join(", ")).unwrap_or_default();
+        let text = |(atom, value)| machine.edition().rules.text(atom, value).to_string();
+        let conditions = term.map(|term| term.literals().map(text).collect());
+        let why = conditions.map(|conditions: Vec<String>| conditions.join(", ")).unwrap_or_default();
         let section = row.map_or("", |row| row.section);
         self.line.happen(HappeningKind::State { from, to: cycle.state(), section, why });
     }

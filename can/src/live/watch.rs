@@ -3,6 +3,7 @@
 use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
+use adsdv_spec::Edition;
 
 use super::traffic::{Outage, Outages, Traffic};
 use crate::bus::{Disturbance, Received};
@@ -37,6 +38,11 @@ impl Watch {
             outages: Outages::default(),
             first_ns: None,
         }
+    }
+
+    /// The edition of the interface that is judged by.
+    pub const fn edition(&self) -> &Edition {
+        self.judge.edition()
     }
 
     /// A frame came. Returns it as the log is to have it.

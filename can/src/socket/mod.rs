@@ -52,10 +52,11 @@ pub fn open(name: &str) -> Result<CanBus, OpenError> {
 ///
 /// ```compile_fail,E0599
 /// use adsdv_can::bus::Bus as _;
-/// use adsdv_spec::messages::{Message as _, Vcu2AiStatus};
+/// use adsdv_spec::Edition;
+/// use adsdv_spec::messages::Vcu2AiStatus;
 ///
 /// let mut listener = adsdv_can::socket::listen("vcan0").unwrap();
-/// listener.send(&Vcu2AiStatus::default().encode());
+/// listener.send(&Edition::DEFAULT.bus.encode(Vcu2AiStatus::default()).unwrap());
 /// ```
 pub fn listen(name: &str) -> Result<Listener, OpenError> {
     Listener::open(name)

@@ -7,8 +7,9 @@ use adsdv_can::bus::{Disturbance, Event};
 use adsdv_can::live::AiComputer;
 use adsdv_can::status::{HappeningKind, Status};
 use adsdv_oracle::candump::FrameKind;
-use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 
+use super::bench::encoded;
 use super::{Bench, are_apart, count, ms};
 
 fn run(ai: &mut AiComputer<Bench>, bench: &Bench, until: Duration) {
@@ -31,7 +32,7 @@ fn the_ai_computer_reports_what_the_vcu_shows_and_when_it_is_gone() {
     let mut ai = AiComputer::new(bench.clone(), Ai::default());
     for (at, state) in [(100, AsState::Off), (110, AsState::Off), (120, AsState::Ready), (900, AsState::Off)]
     {
-        let frame = Vcu2AiStatus { as_state: state, ..Vcu2AiStatus::default() }.encode();
+        let frame = encoded(Vcu2AiStatus { as_state: state, ..Vcu2AiStatus::default() });
         bench.frame_comes(ms(at), FrameKind::Standard, frame.id.into(), frame.data());
     }
     run(&mut ai, &bench, ms(1000));

@@ -9,6 +9,11 @@ use adsdv_can::bus::{Bus, Disturbance, Event, Listen, Received};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
 
+/// The frame of a message.
+pub(crate) fn encoded(message: impl Into<adsdv_spec::messages::AnyMessage>) -> Frame {
+    adsdv_spec::Edition::DEFAULT.bus.encode(message).expect("every edition has it")
+}
+
 /// When the AI Computer's cycle begins after the VCU's.
 pub(crate) const PHASE: Duration = Duration::from_millis(4);
 const CYCLE: Duration = Duration::from_millis(10);

@@ -5,8 +5,9 @@ use adsdv_can::bus::{Disturbance, Event};
 use adsdv_can::live::Runner as _;
 use adsdv_can::status::HappeningKind;
 use adsdv_oracle::candump::FrameKind;
-use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 
+use super::bench::encoded;
 use super::{Bench, count, happenings, mission, ms, run, vcu};
 
 fn is_trouble(what: &HappeningKind) -> bool {
@@ -250,7 +251,7 @@ fn garbage_of_the_ai_computer_is_refused_and_reported() {
         let bytes = seed.to_be_bytes();
         let id = 0x510 + (at % 5) as u16;
         let data = &bytes[..usize::from(bytes[1] % 9)];
-        refused += u64::from(adsdv_spec::AiMessages::default().receive(id, data).is_err());
+        refused += u64::from(adsdv_spec::Edition::DEFAULT.bus.decode(id, data).is_err());
         bench.frame_comes(ms(at), FrameKind::Standard, id.into(), data);
     }
     run(&mut vcu, &bench, ms(5000));
@@ -274,7 +275,7 @@ fn a_second_vcu_is_reported() {
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
     run(&mut vcu, &bench, ms(500));
-    let status = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() }.encode();
+    let status = encoded(Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() });
     for at in (500..2000).step_by(10) {
         bench.frame_comes(ms(at), FrameKind::Standard, status.id.into(), status.data());
     }

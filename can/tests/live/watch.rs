@@ -8,9 +8,9 @@ use adsdv_can::live::Watch;
 use adsdv_oracle::candump::{FrameKind, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
-use adsdv_spec::messages::{AsState, Message as _, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 
-use super::bench::received;
+use super::bench::{encoded, received};
 use super::{Bench, mission, ms, run};
 
 const ORIGIN: i64 = 1_795_209_995_000_000_000;
@@ -22,7 +22,7 @@ fn at(ns: i64, frame: Received) -> Received {
 
 fn status(state: AsState) -> Received {
     let as_switch_status = state != AsState::Off;
-    let frame = Vcu2AiStatus { as_state: state, as_switch_status, ..Vcu2AiStatus::default() }.encode();
+    let frame = encoded(Vcu2AiStatus { as_state: state, as_switch_status, ..Vcu2AiStatus::default() });
     received(FrameKind::Standard, frame.id.into(), frame.data())
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use adsdv_oracle::conform::{Break, ConformReport, Failure, Follows, Reply};
 use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN, Shown, Value};
 use adsdv_oracle::suite::Step;
-use adsdv_spec::{Inputs, Reading};
+use adsdv_spec::Inputs;
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
@@ -38,9 +38,11 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         about_the_vcu: report.about_the_vcu,
         failures: report.failures.iter().map(FailureJson::from).collect(),
         more_failures: report.more_failures,
-        readings: Reading::ALL
+        readings: report
+            .follows
             .iter()
-            .map(|&reading| (reading.id(), report.readings.choice(reading).id()))
+            .map(|Follows { reading, .. }| *reading)
+            .map(|reading| (reading.id(), report.readings.choice(reading).id()))
             .collect(),
         follows: report.follows.iter().map(FollowsJson::from).collect(),
         not_shown: &report.not_shown,
@@ -100,7 +102,7 @@ struct RowJson<'a> {
     from: &'static str,
     to: &'static str,
     section: &'static str,
-    guard: &'a [&'static str],
+    guard: &'a [String],
 }
 
 #[derive(Serialize)]

@@ -37,7 +37,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     };
     let tests = match &args.suite {
         Some(file) => read(file, pins::answers(&args.readings)?)?,
-        None => suite::generate(&Edition::V3_0),
+        None => suite::generate(Edition::DEFAULT),
     };
     let name = name(args);
     stop::stops_the_program().map_err(|error| Error {
@@ -127,7 +127,7 @@ fn read(path: &Path, readings: Readings) -> Result<Vec<Test>, Error> {
         _ => trouble(format!("cannot {what} the suite: {error}"), WRITE),
     };
     // What a file expects is what was written under the same pins.
-    let reference = Machine::new(Edition::V3_0, readings);
+    let reference = Machine::new(*Edition::DEFAULT, readings);
     let file = File::open(path).map_err(|error| unreadable("open", &error))?;
     let suite = suite::read(BufReader::new(file), &reference).map_err(|error| unreadable("read", &error))?;
     if !suite.bad.is_empty() {

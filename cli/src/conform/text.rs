@@ -3,7 +3,7 @@
 use std::fmt::{self, Write as _};
 
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
-use adsdv_spec::Readings;
+use adsdv_spec::Edition;
 
 use super::JudgedProgram;
 use crate::layout::{counted, wrapped};
@@ -223,7 +223,7 @@ fn reading(out: &mut String, follows: &Follows, width: usize) -> fmt::Result {
     match possible.as_slice() {
         [] => writeln!(out, "{}", Styled(style::CARE, "cannot be told: no choice explains the tests of it")),
         [only] => {
-            let usual = if Readings::DEFAULT.is(*only) { " (the default)" } else { "" };
+            let usual = if Edition::DEFAULT.readings.is(*only) { " (the default)" } else { "" };
             writeln!(out, "follows {}: {}{usual}", only.id(), only.text())
         }
         several => {

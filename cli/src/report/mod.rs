@@ -8,7 +8,7 @@ use std::fmt::{self, Write as _};
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
-use adsdv_spec::Choice;
+use adsdv_spec::{Choice, Rules};
 
 use style::Styled;
 
@@ -37,15 +37,16 @@ pub(crate) fn text(subject: &JudgedLog<'_>, report: &Report, width: usize) -> St
 }
 
 /// What a judge has found while it still judges, in order of time.
-pub(crate) fn news(transitions: &[Transition], findings: &[Finding], width: usize) -> String {
+pub(crate) fn news(rules: &Rules, transitions: &[Transition], findings: &[Finding], width: usize) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = write_news(&mut text, transitions, findings, width);
+    let _ = write_news(&mut text, rules, transitions, findings, width);
     text
 }
 
 fn write_news(
     out: &mut String,
+    rules: &Rules,
     transitions: &[Transition],
     findings: &[Finding],
     width: usize,
@@ -55,14 +56,14 @@ fn write_news(
         while let Some(finding) = findings.next_if(|finding| finding.t_ns < transition.t_ns) {
             findings::write_one(out, finding, 1, width)?;
         }
-        timeline::write_one(out, transition, width)?;
+        timeline::write_one(out, rules, transition, width)?;
     }
     findings.try_for_each(|finding| findings::write_one(out, finding, 1, width))
 }
 
 fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usize) -> fmt::Result {
     header(out, subject, report)?;
-    timeline::write(out, &report.transitions, width)?;
+    timeline::write(out, &subject.options.judge.edition.rules, &report.transitions, width)?;
     findings::write(out, &report.findings, width)?;
     answers(out, report)?;
     verdict(out, subject, report)

@@ -3,21 +3,31 @@
 use std::fmt::{self, Write as _};
 
 use adsdv_oracle::judge::Transition;
-use adsdv_spec::{Atom, Knowledge, Term, Truth};
+use adsdv_spec::{Atom, Knowledge, Rules, Term, Truth};
 
 use super::INDENT;
 use super::style::{self, Styled};
 use crate::layout::{Seconds, wrapped};
 
-pub(super) fn write(out: &mut String, transitions: &[Transition], width: usize) -> fmt::Result {
+pub(super) fn write(
+    out: &mut String,
+    rules: &Rules,
+    transitions: &[Transition],
+    width: usize,
+) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "TIMELINE"))?;
     if transitions.is_empty() {
         writeln!(out, "  no change of AS_STATE seen")?;
     }
-    transitions.iter().try_for_each(|transition| write_one(out, transition, width))
+    transitions.iter().try_for_each(|transition| write_one(out, rules, transition, width))
 }
 
-pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize) -> fmt::Result {
+pub(super) fn write_one(
+    out: &mut String,
+    rules: &Rules,
+    transition: &Transition,
+    width: usize,
+) -> fmt::Result {
     let Transition { t_ns, from, to, section, justified, .. } = transition;
     let word = match justified {
         Truth::True => Styled(style::QUIET, "justified"),
@@ -26,10 +36,11 @@ pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize)
     };
     writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {section:<8}  {word}", Seconds(*t_ns))?;
     if let Some((term, known)) = transition.decided {
-        wrapped(out, conditions(&term, known), INDENT, width);
+        wrapped(out, conditions(rules, &term, known), INDENT, width);
     }
     for (term, _) in &transition.or {
-        let conditions: Vec<&str> = term.literals().map(|(atom, needed)| atom.text(needed)).collect();
+        let text = |(atom, needed)| rules.text(atom, needed).to_string();
+        let conditions: Vec<String> = term.literals().map(text).collect();
         let line = format!("or {}, which the VCU reports alike", conditions.join(", "));
         wrapped(out, line.split(' '), INDENT, width);
     }
@@ -37,16 +48,16 @@ pub(super) fn write_one(out: &mut String, transition: &Transition, width: usize)
 }
 
 /// Every condition of a term as it was, and where that is not as it must be, how it must be.
-fn conditions(term: &Term, known: Knowledge) -> Vec<String> {
+fn conditions(rules: &Rules, term: &Term, known: Knowledge) -> Vec<String> {
     let last = term.literals().count();
     term.literals()
         .zip(1..)
         .map(|((atom, needed), index)| {
             let comma = if index < last { "," } else { "" };
             match known.of(atom) {
-                Truth::Unknown => format!("{} ({}){comma}", atom.text(needed), why_unknown(atom)),
-                seen if seen == Truth::from(needed) => format!("{}{comma}", atom.text(needed)),
-                _ => format!("{} (needed: {}){comma}", atom.text(!needed), atom.text(needed)),
+                Truth::Unknown => format!("{} ({}){comma}", rules.text(atom, needed), why_unknown(atom)),
+                seen if seen == Truth::from(needed) => format!("{}{comma}", rules.text(atom, needed)),
+                _ => format!("{} (needed: {}){comma}", rules.text(atom, !needed), rules.text(atom, needed)),
             }
         })
         .collect()
@@ -62,7 +73,7 @@ fn why_unknown(atom: Atom) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::Atoms;
+    use adsdv_spec::{Atoms, Edition};
 
     use super::*;
 
@@ -72,7 +83,7 @@ mod tests {
         let seen = Atoms::of(&[Atom::Asms, Atom::Tsms]);
         let known = Knowledge::NOTHING.learn(seen, Atoms::of(&[Atom::Asms]));
         assert_eq!(
-            conditions(&term, known),
+            conditions(&Edition::DEFAULT.rules, &term, known),
             [
                 "SDC open (not visible in the log),",
                 "AS master switch ON,",

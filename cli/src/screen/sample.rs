@@ -7,7 +7,7 @@ use adsdv_spec::messages::{
     AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
     MissionStatus, MotorSpeedMax, ShutdownCause, SteerAngle, WheelSpeed,
 };
-use adsdv_spec::{Atom, Fault, Faults, Inputs, Machine, Outputs};
+use adsdv_spec::{Atom, Edition, Fault, Faults, Inputs, Machine, Outputs};
 
 /// What the VCU says in this state, without a fault.
 fn outputs(state: AsState) -> Outputs {
@@ -28,7 +28,8 @@ fn changed(from: Option<AsState>, to: Option<AsState>, section: &'static str, wh
 }
 
 fn condition(atom: Atom, value: bool, action: Option<Action>) -> Condition {
-    Condition { atom, value, left_ms: None, action }
+    let text = Edition::DEFAULT.rules.text(atom, value).to_string();
+    Condition { atom, value, text, left_ms: None, action }
 }
 
 /// The VCU has just been switched on, and there is no AI Computer.

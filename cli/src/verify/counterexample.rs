@@ -8,7 +8,7 @@ use adsdv_model::Run;
 use adsdv_oracle::candump;
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_spec::{Choice, Choices, Readings};
+use adsdv_spec::{Choice, Choices, Edition, Readings};
 
 use super::outcome::{Checked, Outcome};
 use crate::error::Error;
@@ -61,14 +61,15 @@ pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Opti
 
 /// How a counterexample's log is judged.
 pub(super) fn options(pins: &[Choice]) -> LogOptions {
-    let readings = pins.iter().copied().fold(Choices::ALL, Choices::pin);
+    let readings = pins.iter().copied().fold(Edition::DEFAULT.choices, Choices::pin);
     LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::default() }, interface: None }
 }
 
 /// The defaults of the questions that were answered otherwise.
 fn pins(readings: Readings) -> Vec<Choice> {
-    let others = readings.choices().difference(Readings::DEFAULT.choices());
-    others.iter().map(|choice| Readings::DEFAULT.choice(choice.reading())).collect()
+    let usual = Edition::DEFAULT.readings;
+    let others = readings.choices().difference(usual.choices());
+    others.iter().map(|choice| usual.choice(choice.reading())).collect()
 }
 
 /// A run as candump prints it.

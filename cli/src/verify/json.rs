@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use adsdv_spec::Reading;
 use serde::Serialize;
 
 use super::counterexample::Failure;
@@ -13,7 +12,12 @@ use crate::json::line;
 pub(super) fn text(outcome: &Outcome, failures: &[Failure]) -> String {
     let readings = outcome.machine.readings();
     line(&VerifyJson {
-        readings: Reading::ALL.iter().map(|&reading| (reading.id(), readings.choice(reading).id())).collect(),
+        readings: outcome
+            .machine
+            .edition()
+            .questions()
+            .map(|reading| (reading.id(), readings.choice(reading).id()))
+            .collect(),
         models: outcome.models.iter().map(|model| ModelJson::of(model, failures)).collect(),
         dead_parts: outcome
             .parts

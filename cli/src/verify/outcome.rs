@@ -82,7 +82,7 @@ impl Outcome {
 
 /// Explores the models.
 pub(super) fn explore(readings: Readings, which: Models, vectors: Vectors, threads: usize) -> Outcome {
-    let machine = Machine::new(Edition::V3_0, readings);
+    let machine = Machine::new(*Edition::DEFAULT, readings);
     let mut line = Line::new();
     let mut outcome = Outcome { machine, models: Vec::new(), parts: Vec::new() };
     if which != Models::Closed {
@@ -109,7 +109,7 @@ pub(super) fn explore(readings: Readings, which: Models, vectors: Vectors, threa
             "closed model, any operator",
             "that AI Computer; any switch and the remote E-stop at any time; short timers",
             &machine,
-            &Closed::scaled(Edition::V3_0, readings, Operator::Any),
+            &Closed::scaled(*Edition::DEFAULT, readings, Operator::Any),
             threads,
         ));
     }

@@ -35,7 +35,7 @@ fn write(
     failures: &[Failure],
     width: usize,
 ) -> fmt::Result {
-    writeln!(out, "ADS-DV Software Interface Specification {}", Edition::V3_0.version)?;
+    writeln!(out, "ADS-DV Software Interface Specification {}", Edition::DEFAULT.version)?;
     for pin in pins {
         writeln!(out, "reading {pin}: {}", pin.text())?;
     }

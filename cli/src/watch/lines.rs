@@ -6,6 +6,7 @@ use std::path::Path;
 use adsdv_can::bus::Disturbance;
 use adsdv_can::live::Traffic;
 use adsdv_oracle::judge::{Finding, Transition};
+use adsdv_spec::Rules;
 use clap::ColorChoice;
 
 use crate::args::WatchArgs;
@@ -43,9 +44,9 @@ impl Lines {
     }
 
     /// What the judge found.
-    pub(super) fn news(&mut self, (transitions, findings): (Vec<Transition>, Vec<Finding>)) {
+    pub(super) fn news(&mut self, rules: &Rules, (transitions, findings): (Vec<Transition>, Vec<Finding>)) {
         if !transitions.is_empty() || !findings.is_empty() {
-            self.print(&report::news(&transitions, &findings, output::width()));
+            self.print(&report::news(rules, &transitions, &findings, output::width()));
         }
     }
 

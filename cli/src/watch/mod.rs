@@ -139,7 +139,7 @@ impl Watched {
 
     fn print_news(&mut self) {
         let news = self.watch.news();
-        self.lines.news(news);
+        self.lines.news(&self.watch.edition().rules, news);
     }
 }
 

@@ -19,7 +19,7 @@ fn every_line_is_a_test_and_keeps_to_the_schema() {
     }
     let read = adsdv_oracle::suite::read(printed.stdout.as_bytes(), &Machine::REFERENCE).expect("bytes");
     assert_eq!(read.bad, []);
-    assert_eq!(read.tests, adsdv_oracle::suite::generate(&Edition::V3_0));
+    assert_eq!(read.tests, adsdv_oracle::suite::generate(Edition::DEFAULT));
 }
 
 /// The schema says of each key what the protocol does.

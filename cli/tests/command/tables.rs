@@ -8,7 +8,7 @@ use crate::run::run;
 #[test]
 fn the_database() {
     let dbc = run(&["dbc"]);
-    assert_eq!((dbc.status, dbc.stdout), (Some(0), Dbc(&Edition::V3_0).to_string()));
+    assert_eq!((dbc.status, dbc.stdout), (Some(0), Dbc(Edition::DEFAULT).to_string()));
 }
 
 #[test]
@@ -23,7 +23,7 @@ fn figure_2_in_each_language() {
 #[test]
 fn figure_2_under_other_readings() {
     let readings = Readings::DEFAULT.with(Choice::CommsNoArrow).with(Choice::FaultEdge);
-    let machine = Machine::new(Edition::V3_0, readings);
+    let machine = Machine::new(*Edition::DEFAULT, readings);
     let printed =
         run(&["diagram", "--reading", "comms-lost=no-arrow", "--reading", "fault-trigger=edge"]).stdout;
     assert_eq!(printed, Mermaid(&machine).to_string());

@@ -217,7 +217,7 @@ fn script(seed: u64, steps: u32) -> Vec<(String, Option<Shown>)> {
 
 /// The whole test suite.
 fn suite() -> impl Iterator<Item = (String, Option<Shown>)> {
-    adsdv_oracle::suite::generate(&Edition::V3_0).into_iter().flat_map(|test| {
+    adsdv_oracle::suite::generate(Edition::DEFAULT).into_iter().flat_map(|test| {
         let steps = test.scenario.steps.iter().zip(test.scenario.shown(&Machine::REFERENCE));
         let steps = steps.map(|(&Step { dt_ms, inputs }, shown)| {
             (Request::Step { dt_ms, inputs }.to_string(), Some(shown))

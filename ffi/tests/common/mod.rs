@@ -81,6 +81,7 @@ impl Run {
         (vehicle.front_axle_trq_max, vehicle.rear_axle_trq_max) = (self.any(), self.any());
         (vehicle.hyd_press_f, vehicle.hyd_press_r) = (self.any(), self.any());
         vehicle.speed = self.any();
+        *inputs = inputs.held_by(&adsdv_spec::Edition::DEFAULT.bus);
     }
 
     fn any<T: SignalValue>(&mut self) -> T {

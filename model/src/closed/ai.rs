@@ -4,9 +4,11 @@
 
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, AmiState, AnyMessage, AsState, AxleTorqueRequest,
-    BrakePressure, DirectionRequest, Frame, Message, MissionStatus, MotorSpeedMax, Vcu2AiWheelSpeeds,
+    BrakePressure, DirectionRequest, Frame, MissionStatus, MotorSpeedMax,
 };
 use adsdv_spec::{AiMessages, Atom, Edition, VcuMessages};
+
+use super::bus::decoded;
 
 /// The AI Computer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -75,47 +77,52 @@ pub enum Conduct {
 }
 
 /// The frames that the AI Computer listens to.
-pub(super) fn listens_to(messages: &VcuMessages) -> [Frame; 5] {
-    let VcuMessages { status, drive_f, drive_r, brake, wheel_speeds, .. } = messages;
-    [status.encode(), drive_f.encode(), drive_r.encode(), brake.encode(), wheel_speeds.encode()]
+pub(super) fn listens_to(messages: &VcuMessages, bus: &adsdv_spec::Bus) -> [Option<Frame>; 5] {
+    let VcuMessages { status, drive_f, drive_r, brake, wheel_speeds, .. } = *messages;
+    let all: [AnyMessage; 5] =
+        [status.into(), drive_f.into(), drive_r.into(), brake.into(), wheel_speeds.into()];
+    all.map(|message| bus.encode(message))
 }
 
 /// The frames that carry these messages, in the order in which they win the bus.
-pub(super) fn frames(messages: &AiMessages) -> [Frame; 5] {
-    let AiMessages { status, drive_f, drive_r, steer, brake } = messages;
-    [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()]
+pub(super) fn frames(messages: &AiMessages, bus: &adsdv_spec::Bus) -> [Option<Frame>; 5] {
+    messages.all().map(|message| bus.encode(message))
 }
 
 impl FromVcu {
     /// What is known after one more frame; one that does not decode changes nothing.
     #[must_use]
     pub fn with(self, frame: &Frame) -> Self {
-        let after = self.with_values(frame);
-        let outdated = match frame.id {
-            Vcu2AiWheelSpeeds::ID => false,
+        decoded(frame).map_or(self, |message| self.with_message(message))
+    }
+
+    fn with_message(self, message: AnyMessage) -> Self {
+        let after = self.with_values(message);
+        let outdated = match message {
+            AnyMessage::Vcu2AiWheelSpeeds(_) => false,
             _ => self.outdated || (after.torque, after.brake) != (self.torque, self.brake),
         };
         Self { outdated, ..after }
     }
 
-    fn with_values(self, frame: &Frame) -> Self {
+    fn with_values(self, message: AnyMessage) -> Self {
         let Self { torque: [front, rear], .. } = self;
-        match AnyMessage::decode(frame.id, frame.data()) {
-            Ok(AnyMessage::Vcu2AiStatus(status)) => {
+        match message {
+            AnyMessage::Vcu2AiStatus(status) => {
                 Self { handshake: status.handshake, as_state: status.as_state, ami: status.ami_state, ..self }
             }
-            Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+            AnyMessage::Vcu2AiDriveF(drive) => {
                 Self { torque: [drive.front_axle_trq_request.raw() > 0, rear], ..self }
             }
-            Ok(AnyMessage::Vcu2AiDriveR(drive)) => {
+            AnyMessage::Vcu2AiDriveR(drive) => {
                 Self { torque: [front, drive.rear_axle_trq_request.raw() > 0], ..self }
             }
-            Ok(AnyMessage::Vcu2AiBrake(brake)) => {
+            AnyMessage::Vcu2AiBrake(brake) => {
                 let axles = [brake.hyd_press_f_req.raw(), brake.hyd_press_r_req.raw()];
                 Self { brake: !axles.contains(&0), ..self }
             }
-            Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => {
-                let at_rest = speeds.atoms(&Edition::V3_0.rules.thresholds).has(Atom::AtRest);
+            AnyMessage::Vcu2AiWheelSpeeds(speeds) => {
+                let at_rest = speeds.atoms(&Edition::DEFAULT.rules.thresholds).has(Atom::AtRest);
                 Self { turning: !at_rest, ..self }
             }
             _ => self,
@@ -204,7 +211,7 @@ impl AiComputer {
 #[cfg(test)]
 mod tests {
     use adsdv_spec::messages::{
-        AsState, AxleTorqueRequest, BrakePressure, Message, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiStatus,
+        AsState, AxleTorqueRequest, BrakePressure, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiStatus,
         Vcu2AiWheelSpeeds, WheelSpeed,
     };
 
@@ -217,20 +224,23 @@ mod tests {
     #[test]
     fn the_vehicle_has_stopped_when_that_is_measured_after_the_brakes_are_on() {
         let (on, off) = (BrakePressure::MAX, AxleTorqueRequest::MIN);
-        let brake =
-            Vcu2AiBrake { hyd_press_f_req: on, hyd_press_r_req: on, ..Vcu2AiBrake::default() }.encode();
-        let rest = wheels(9).encode();
-        let before = FromVcu::default().with(&rest).with(&brake);
+        let brake = Vcu2AiBrake { hyd_press_f_req: on, hyd_press_r_req: on, ..Vcu2AiBrake::default() }.into();
+        let rest = wheels(9).into();
+        let before = FromVcu::default().with_message(rest).with_message(brake);
         assert!(!before.has_stopped(), "the wheels may have turned since");
-        assert!(before.with(&rest).has_stopped());
-        assert!(!before.with(&wheels(10).encode()).has_stopped(), "exactly 10 rpm is not at rest (D-24)");
+        assert!(before.with_message(rest).has_stopped());
+        assert!(
+            !before.with_message(wheels(10).into()).has_stopped(),
+            "exactly 10 rpm is not at rest (D-24)"
+        );
         let torque = |front_axle_trq_request| {
-            Vcu2AiDriveF { front_axle_trq_request, ..Vcu2AiDriveF::default() }.encode()
+            Vcu2AiDriveF { front_axle_trq_request, ..Vcu2AiDriveF::default() }.into()
         };
-        let pulled = before.with(&torque(AxleTorqueRequest::MAX)).with(&rest);
+        let pulled = before.with_message(torque(AxleTorqueRequest::MAX)).with_message(rest);
         assert!(!pulled.has_stopped(), "a torque request is still in force");
         assert!(
-            !pulled.with(&torque(off)).has_stopped() && pulled.with(&torque(off)).with(&rest).has_stopped()
+            !pulled.with_message(torque(off)).has_stopped()
+                && pulled.with_message(torque(off)).with_message(rest).has_stopped()
         );
     }
 
@@ -240,8 +250,10 @@ mod tests {
         for as_state in AsState::ALL {
             for handshake in [false, true] {
                 let status = Vcu2AiStatus { as_state, handshake, ..Vcu2AiStatus::default() };
-                let mut ai =
-                    AiComputer { heard: FromVcu::default().with(&status.encode()), ..AiComputer::default() };
+                let mut ai = AiComputer {
+                    heard: FromVcu::default().with_message(status.into()),
+                    ..AiComputer::default()
+                };
                 for _ in 0..8 {
                     ai = ai.cycle(Conduct::Reference);
                     let messages = ai.messages();
@@ -262,7 +274,8 @@ mod tests {
 
         let after = |ai: AiComputer, as_state, ami_state| {
             let status = Vcu2AiStatus { as_state, ami_state, ..Vcu2AiStatus::default() };
-            let ai = AiComputer { heard: ai.heard.with(&status.encode()), ..ai }.cycle(Conduct::Reference);
+            let ai =
+                AiComputer { heard: ai.heard.with_message(status.into()), ..ai }.cycle(Conduct::Reference);
             let AiMessages { status, brake, .. } = ai.messages();
             (ai, status.mission_status, status.direction_request, brake.hyd_press_f_req.raw() > 0)
         };
@@ -275,7 +288,7 @@ mod tests {
         let (ai, status, direction, braked) = after(ai, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Running, forward, false));
         let ai = AiComputer { stage: Stage::Braking, ..ai };
-        let turning = AiComputer { heard: ai.heard.with(&wheels(11).encode()), ..ai };
+        let turning = AiComputer { heard: ai.heard.with_message(wheels(11).into()), ..ai };
         let (ai, status, direction, braked) = after(turning, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Running, forward, true));
         let returned = Vcu2AiBrake {
@@ -283,7 +296,7 @@ mod tests {
             hyd_press_r_req: BrakePressure::MAX,
             ..Vcu2AiBrake::default()
         };
-        let heard = ai.heard.with(&returned.encode()).with(&wheels(0).encode());
+        let heard = ai.heard.with_message(returned.into()).with_message(wheels(0).into());
         let (_, status, direction, braked) = after(AiComputer { heard, ..ai }, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Finished, forward, true));
     }
@@ -291,7 +304,8 @@ mod tests {
     #[test]
     fn it_drives_only_after_it_has_asked_for_forward() {
         let driving = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() };
-        let ai = AiComputer { heard: FromVcu::default().with(&driving.encode()), ..AiComputer::default() };
+        let ai =
+            AiComputer { heard: FromVcu::default().with_message(driving.into()), ..AiComputer::default() };
         let started = ai.cycle(Conduct::Reference);
         assert_eq!(started.stage, Stage::Started);
         assert_eq!(started.messages().drive_f.front_axle_trq_request, AxleTorqueRequest::MIN);

@@ -1,9 +1,15 @@
 //! The bus: real frames that have been sent and have not arrived yet.
 
-use adsdv_spec::messages::Frame;
+use adsdv_spec::Edition;
+use adsdv_spec::messages::{AnyMessage, Frame};
 
 /// How many messages a sender has that matter to the other one: 510h to 514h, and 520h, 521h, 522h, 524h and 525h.
 const MESSAGES: usize = 5;
+
+/// What a frame says. The last edition reads those of all: what stands here has the same bits in each.
+pub(super) fn decoded(frame: &Frame) -> Option<AnyMessage> {
+    Edition::ALL.last()?.bus.decode(frame.id, frame.data()).ok()
+}
 
 /// Both directions of the bus.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -24,10 +30,8 @@ pub struct WaitingFrames {
 
 impl WaitingFrames {
     /// Sends frames, one for each identifier: they replace those that wait. Frames without news are left out.
-    pub(super) fn send(&mut self, frames: &[Frame; MESSAGES], is_news: impl Fn(&Frame) -> bool) {
-        for (place, frame) in self.waiting.iter_mut().zip(frames) {
-            *place = Some(*frame).filter(&is_news);
-        }
+    pub(super) fn send(&mut self, frames: [Option<Frame>; MESSAGES], is_news: impl Fn(&Frame) -> bool) {
+        self.waiting = frames.map(|frame| frame.filter(&is_news));
         self.old &= !self.is_empty();
     }
 
@@ -75,9 +79,9 @@ mod tests {
     #[test]
     fn the_lowest_identifier_arrives_first_and_newer_frames_replace_older_ones() {
         let mut line = WaitingFrames::default();
-        line.send(&frames(1), |frame| frame.id != 0x521);
+        line.send(frames(1).map(Some), |frame| frame.id != 0x521);
         assert_eq!(line.next().map(|frame| frame.id), Some(0x520));
-        line.send(&frames(2), |frame| frame.id == 0x524);
+        line.send(frames(2).map(Some), |frame| frame.id == 0x524);
         assert_eq!(
             (line.next(), line.next()),
             (Some(frames(2)[3]), None),
@@ -89,10 +93,10 @@ mod tests {
     fn what_waits_when_a_cycle_ends_has_to_arrive_before_the_next_one_does() {
         let mut line = WaitingFrames::default();
         line.a_cycle_ends();
-        line.send(&frames(1), |frame| frame.id == 0x520);
+        line.send(frames(1).map(Some), |frame| frame.id == 0x520);
         assert!(!line.is_overdue(), "it was sent in this cycle");
         line.a_cycle_ends();
-        line.send(&frames(2), |frame| frame.id == 0x520);
+        line.send(frames(2).map(Some), |frame| frame.id == 0x520);
         assert!(line.is_overdue(), "a newer frame does not take more time");
         line.next();
         assert!(!line.is_overdue() && line.is_empty());

@@ -71,7 +71,7 @@ mod words;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
-use adsdv_spec::messages::{AsState, DirectionRequest, ShutdownCause};
+use adsdv_spec::messages::{AsState, DirectionRequest, Frame, ShutdownCause};
 use adsdv_spec::{AiMessages, Control, Edition, Inputs, Machine, Outputs, Readings, Timing};
 use stateright::{Model, Path, Property};
 
@@ -89,12 +89,12 @@ pub use state::{ClosedState, Mission, Motion, Rank, Wheels};
 pub const DAWDLE_CYCLES: u16 = 2;
 
 /// How many steps of the VCU the dwell takes when it is scaled: one more than an answer may.
-pub const DWELL_CYCLES: u16 = V3_0.rules.timing.handshake_ms / V3_0.rules.timing.cycle_ms + 1;
+pub const DWELL_CYCLES: u16 = EDITION.rules.timing.handshake_ms / EDITION.rules.timing.cycle_ms + 1;
 
 /// How many steps of the VCU the EBS timer takes when it is scaled.
 pub const EBS_CYCLES: u16 = 2;
 
-const V3_0: Edition = Edition::V3_0;
+const EDITION: Edition = *Edition::DEFAULT;
 
 /// The closed model.
 #[derive(Clone, Debug)]
@@ -120,7 +120,7 @@ impl Closed {
     pub fn new(machine: Machine, operator: Operator) -> Self {
         Self {
             machine,
-            timing: V3_0.rules.timing,
+            timing: EDITION.rules.timing,
             operator,
             faults: matches!(operator, Operator::Any),
             conduct: Conduct::Reference,
@@ -134,14 +134,14 @@ impl Closed {
     /// ```
     /// use adsdv_model::closed::{Closed, Operator, DWELL_CYCLES};
     /// use adsdv_spec::{Edition, Readings};
-    /// let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+    /// let model = Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::WellBehaved);
     /// assert_eq!(model.timing.ready_dwell_ms, DWELL_CYCLES * model.timing.cycle_ms);
     /// assert_eq!(model.timing.handshake_ms, 50);
     /// ```
     pub fn scaled(edition: Edition, readings: Readings, operator: Operator) -> Self {
         let timing = scaled(edition.rules.timing);
         let machine = Machine::new(edition.with_timing(timing), readings);
-        Self { timing: scaled(V3_0.rules.timing), ..Self::new(machine, operator) }
+        Self { timing: scaled(EDITION.rules.timing), ..Self::new(machine, operator) }
     }
 
     /// The model for people: real times, any operator, faults, and a way to let time pass.
@@ -236,7 +236,7 @@ impl Closed {
         }
         let messages = outputs.messages(&inputs);
         let heard = state.ai.heard;
-        state.bus.to_ai.send(&ai::listens_to(&messages), |frame| heard.with(frame) != heard);
+        state.bus.to_ai.send(ai::listens_to(&messages, self.bus()), |frame| heard.with(frame) != heard);
         let actuation = outputs.actuation(&inputs);
         let pressed =
             [actuation.hyd_press_f, actuation.hyd_press_r].iter().any(|pressure| pressure.raw() > 0);
@@ -256,13 +256,15 @@ impl Closed {
             ClosedAction::VcuCycle => self.vcu_cycle(&mut state),
             ClosedAction::AiCycle => {
                 state.ai = state.ai.cycle(self.conduct);
-                ai_sends(&mut state);
+                self.ai_sends(&mut state);
             }
             ClosedAction::FrameToAi => state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?),
-            ClosedAction::FrameToVcu => state.received = with(&state.received, &state.bus.to_vcu.next()?),
+            ClosedAction::FrameToVcu => {
+                state.received = self.received(&state.received, &state.bus.to_vcu.next()?);
+            }
             ClosedAction::AiDecidesToStop => {
                 state.ai.stage = Stage::Braking;
-                ai_sends(&mut state);
+                self.ai_sends(&mut state);
             }
             ClosedAction::Operator(act) => {
                 state.switches.turn(act);
@@ -285,23 +287,29 @@ impl Closed {
         self.count_patience(before, action, &mut state);
         Some(state)
     }
-}
 
-fn ai_sends(state: &mut ClosedState) {
-    let received = state.received;
-    state.bus.to_vcu.send(&ai::frames(&state.ai.messages()), |frame| with(&received, frame) != received);
-}
+    /// What the edition has on the bus.
+    const fn bus(&self) -> &adsdv_spec::Bus {
+        &self.machine.edition().bus
+    }
 
-/// What the VCU has received, after one more frame.
-fn with(received: &AiMessages, frame: &adsdv_spec::messages::Frame) -> AiMessages {
-    let mut after = *received;
-    // A frame that does not decode changes nothing (D-20).
-    let _ = after.receive(frame.id, frame.data());
-    after
+    fn ai_sends(&self, state: &mut ClosedState) {
+        let received = state.received;
+        let is_news = |frame: &Frame| self.received(&received, frame) != received;
+        state.bus.to_vcu.send(ai::frames(&state.ai.messages(), self.bus()), is_news);
+    }
+
+    /// What the VCU has received, after one more frame.
+    fn received(&self, before: &AiMessages, frame: &Frame) -> AiMessages {
+        let mut after = *before;
+        // A frame that does not decode changes nothing (D-20).
+        let _ = after.receive(self.bus(), frame.id, frame.data());
+        after
+    }
 }
 
 const fn scaled(timing: Timing) -> Timing {
-    let cycle = V3_0.rules.timing.cycle_ms;
+    let cycle = EDITION.rules.timing.cycle_ms;
     Timing { ready_dwell_ms: DWELL_CYCLES * cycle, ebs_timer_ms: EBS_CYCLES * cycle, ..timing }
 }
 

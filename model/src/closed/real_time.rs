@@ -80,9 +80,9 @@ mod tests {
     /// The dwell is waited for in the cycle after AS_READY is entered, and only if the run lasts as long.
     #[test]
     fn a_run_waits_where_a_timer_elapses() {
-        let timing = Edition::V3_0.rules.timing;
+        let timing = Edition::DEFAULT.rules.timing;
         let missing = timing.ready_dwell_ms / timing.cycle_ms - DWELL_CYCLES;
-        let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::WellBehaved);
+        let model = Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::WellBehaved);
         let mission = model.clone().run_for("mission-can-be-finished").expect("it can");
         let states = mission.clone().into_states();
         let begin = states.first().expect("it begins").clone();
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn a_stretched_run_goes_through_the_same_states() {
         for name in ["mission-can-be-finished", "emergency-can-happen"] {
-            let model = || Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::Any);
+            let model = || Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::Any);
             let run = model().run_for(name).expect("it can");
             let machine = Machine::REFERENCE;
             let (mut control, mut states) = (Control::INITIAL, vec![AsState::Off]);

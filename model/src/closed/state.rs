@@ -46,7 +46,7 @@ impl ClosedState {
     /// What the VCU sees.
     pub(super) fn inputs(&self) -> Inputs {
         let switches = self.switches;
-        let limit = Edition::V3_0.rules.thresholds.wheel_speed;
+        let limit = Edition::DEFAULT.rules.thresholds.wheel_speed;
         let speed = self.motion.wheels.speed(limit);
         Inputs {
             asms: switches.asms,
@@ -237,7 +237,7 @@ mod tests {
         ] {
             let motion = Motion { wheels, ..Motion::default() };
             let state = ClosedState { motion, ..ClosedState::default() };
-            let atoms = state.inputs().observe(&Edition::V3_0.rules.thresholds).atoms();
+            let atoms = state.inputs().observe(&Edition::DEFAULT.rules.thresholds).atoms();
             assert_eq!((atoms.has(Atom::AtRest), atoms.has(Atom::Moving)), (at_rest, moving), "{wheels:?}");
         }
     }

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use adsdv_spec::messages::{AmiState, AnyMessage, BrakePressure, Frame, ShutdownCause};
-use adsdv_spec::{Atom, Timing};
+use adsdv_spec::{Atom, Rules};
 
 use super::action::on_off;
+use super::bus::decoded;
 use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels};
 
 /// A frame as `candump` writes it, and what it says.
@@ -16,18 +17,19 @@ pub(super) fn frame(frame: &Frame) -> String {
 /// What a frame says, as far as it matters here.
 pub(super) fn meaning(frame: &Frame) -> String {
     let pressed = |front: BrakePressure, rear: BrakePressure| format!("brakes {front} front, {rear} rear");
-    match AnyMessage::decode(frame.id, frame.data()) {
-        Ok(AnyMessage::Ai2VcuStatus(status)) => format!(
+    let Some(message) = decoded(frame) else { return "not a message".to_owned() };
+    match message {
+        AnyMessage::Ai2VcuStatus(status) => format!(
             "HANDSHAKE {}, {}, {}",
             u8::from(status.handshake),
             status.mission_status,
             status.direction_request
         ),
-        Ok(AnyMessage::Ai2VcuDriveF(drive)) => format!("front torque {}", drive.front_axle_trq_request),
-        Ok(AnyMessage::Ai2VcuDriveR(drive)) => format!("rear torque {}", drive.rear_axle_trq_request),
-        Ok(AnyMessage::Ai2VcuSteer(steer)) => format!("steer {}", steer.steer_request),
-        Ok(AnyMessage::Ai2VcuBrake(brake)) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
-        Ok(AnyMessage::Vcu2AiStatus(status)) => {
+        AnyMessage::Ai2VcuDriveF(drive) => format!("front torque {}", drive.front_axle_trq_request),
+        AnyMessage::Ai2VcuDriveR(drive) => format!("rear torque {}", drive.rear_axle_trq_request),
+        AnyMessage::Ai2VcuSteer(steer) => format!("steer {}", steer.steer_request),
+        AnyMessage::Ai2VcuBrake(brake) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
+        AnyMessage::Vcu2AiStatus(status) => {
             let mut words =
                 vec![format!("HANDSHAKE {}", u8::from(status.handshake)), status.as_state.to_string()];
             if status.ami_state != AmiState::NotSelected {
@@ -38,20 +40,19 @@ pub(super) fn meaning(frame: &Frame) -> String {
             }
             words.join(", ")
         }
-        Ok(AnyMessage::Vcu2AiDriveF(drive)) => {
+        AnyMessage::Vcu2AiDriveF(drive) => {
             format!("front torque request {}", drive.front_axle_trq_request)
         }
-        Ok(AnyMessage::Vcu2AiDriveR(drive)) => format!("rear torque request {}", drive.rear_axle_trq_request),
-        Ok(AnyMessage::Vcu2AiBrake(brake)) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
-        Ok(AnyMessage::Vcu2AiWheelSpeeds(speeds)) => format!("wheels at {}", speeds.fl_wheel_speed),
-        Ok(other) => other.def().name.to_owned(),
-        Err(error) => error.to_string(),
+        AnyMessage::Vcu2AiDriveR(drive) => format!("rear torque request {}", drive.rear_axle_trq_request),
+        AnyMessage::Vcu2AiBrake(brake) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
+        AnyMessage::Vcu2AiWheelSpeeds(speeds) => format!("wheels at {}", speeds.fl_wheel_speed),
+        other => format!("{:03X}h", other.id()),
     }
 }
 
 impl fmt::Display for Wheels {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let limit = adsdv_spec::Edition::V3_0.rules.thresholds.wheel_speed;
+        let limit = adsdv_spec::Edition::DEFAULT.rules.thresholds.wheel_speed;
         match self {
             Self::AtRest => f.write_str("wheels at rest"),
             Self::AtThreshold => write!(f, "wheels at exactly {limit}"),
@@ -65,9 +66,9 @@ const WIDTH: usize = 13;
 
 impl ClosedState {
     /// The state, a line for each party: its name, and how it is.
-    fn lines(&self, timing: Option<&Timing>) -> [(&'static str, String); 8] {
+    fn lines(&self, rules: Option<&Rules>) -> [(&'static str, String); 8] {
         [
-            ("VCU", self.vcu(timing)),
+            ("VCU", self.vcu(rules)),
             ("handshake", self.handshake()),
             ("AI Computer", self.ai_computer()),
             ("  has heard", self.heard()),
@@ -78,13 +79,16 @@ impl ClosedState {
         ]
     }
 
-    fn vcu(&self, timing: Option<&Timing>) -> String {
+    fn vcu(&self, rules: Option<&Rules>) -> String {
         let control = &self.control;
         let lasted = control.in_state_ms;
         let mut words = vec![control.state.to_string()];
         if let Some(atom) = Atom::of_timer(control.state) {
-            words.push(match timing.map(|timing| lasted >= timing.in_state_limit(control.state)) {
-                Some(elapsed) => format!("{} ({lasted} ms)", atom.text(elapsed)),
+            words.push(match rules {
+                Some(rules) => {
+                    let elapsed = lasted >= rules.timing.in_state_limit(control.state);
+                    format!("{} ({lasted} ms)", rules.text(atom, elapsed))
+                }
                 None => format!("{lasted} ms counted"),
             });
         }
@@ -95,7 +99,7 @@ impl ClosedState {
             words.push(format!("SHUTDOWN_CAUSE {}", control.shutdown_cause));
         }
         if control.power_cycle_needed {
-            words.push(Atom::PowerCycleNeeded.text(true).to_owned());
+            words.push("power cycle needed".to_owned());
         }
         words.join(", ")
     }
@@ -176,10 +180,10 @@ pub(super) fn step(
     action: ClosedAction,
     after: &ClosedState,
 ) -> String {
-    let timing = Some(&model.machine.edition().rules.timing);
+    let rules = Some(&model.machine.edition().rules);
     let mut lines =
         vec![super::sequence::event(model, before, action, after).words.join(", "), String::new()];
-    for ((name, now), (_, was)) in after.lines(timing).into_iter().zip(before.lines(timing)) {
+    for ((name, now), (_, was)) in after.lines(rules).into_iter().zip(before.lines(rules)) {
         let mark = if now == was { ' ' } else { '>' };
         lines.push(format!("{mark} {name:WIDTH$}{now}"));
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{FIGURE_2, Fault};
+use adsdv_spec::{Edition, Fault};
 
 use super::words::{cause, is_one_of, one_of, shows};
 use crate::goals::GOALS;
@@ -141,7 +141,7 @@ fn breaks(property: &Property, from: AsState) -> Option<String> {
         }
         Claim::Leads { .. } | Claim::Only { .. } => None,
         Claim::Each { .. } if property.name == ARROWS => {
-            let arrows = FIGURE_2.rows().iter().filter(|row| row.from == from);
+            let arrows = Edition::DEFAULT.rules.table.rows().iter().filter(|row| row.from == from);
             let to: Vec<AsState> = arrows.map(|row| row.to).chain([from]).collect();
             Some(format!("!({})", is_one_of("state", &to)))
         }
@@ -232,7 +232,12 @@ pub(super) fn of_step(f: &mut fmt::Formatter<'_>, from: AsState) -> fmt::Result 
 /// What reaches a goal in a step from a state that changes the state or the cause.
 fn reached(goal: &str, from: AsState) -> Option<String> {
     if let Some(section) = goal.strip_prefix("arrow-") {
-        let rows = FIGURE_2.rows().iter().filter(|row| row.section == section && row.from == from);
+        let rows = Edition::DEFAULT
+            .rules
+            .table
+            .rows()
+            .iter()
+            .filter(|row| row.section == section && row.from == from);
         let to: Vec<AsState> = rows.map(|row| row.to).collect();
         (!to.is_empty()).then(|| is_one_of("state", &to))
     } else if let Some(number) = goal.strip_prefix("cause-") {

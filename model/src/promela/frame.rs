@@ -188,7 +188,7 @@ pub(super) fn step(f: &mut fmt::Formatter<'_>, machine: &Machine, from: AsState)
         if"
     )?;
     for (row, terms) in rows(machine, from) {
-        let words = in_words(terms.iter().copied(), row.section);
+        let words = in_words(&machine.edition().rules, terms.iter().copied(), row.section);
         writeln!(f, "        /* {}: {words} */", row.section)?;
         write!(f, "        :: {} -> next = {}", any(terms.iter().copied()), row.to)?;
         if row.to == AsState::EmergencyBrake && row.to != from {

@@ -20,7 +20,7 @@ mod words;
 use std::fmt;
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Edition, Machine, Readings, Timing};
+use adsdv_spec::{Edition, Machine, Timing};
 
 use crate::vectors::Vectors;
 
@@ -33,7 +33,7 @@ use crate::vectors::Vectors;
 /// use adsdv_model::{Promela, Vectors};
 /// use adsdv_spec::{Edition, Machine};
 ///
-/// let document = Edition::V3_0.rules.timing;
+/// let document = Edition::DEFAULT.rules.timing;
 /// let text = Promela { machine: &Machine::REFERENCE, document, vectors: Vectors::Read }.to_string();
 /// assert!(text.contains("/* 3.6: AS master switch OFF */\n        :: !asms -> next = AS_OFF\n"));
 /// ```
@@ -53,7 +53,7 @@ impl fmt::Display for Promela<'_> {
         self.head(f)?;
         frame::constants(f, self)?;
         frame::control_state(f, machine)?;
-        words::inputs(f)?;
+        words::inputs(f, &machine.edition().rules)?;
         frame::conditions(f)?;
         checks::reports(f)?;
         choice::inlines(f)?;
@@ -72,13 +72,13 @@ impl fmt::Display for Promela<'_> {
 
 impl Promela<'_> {
     fn head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Edition { version, .. } = self.machine.edition();
+        let Edition { version, readings: usual, .. } = self.machine.edition();
         let readings = self.machine.readings();
         writeln!(
             f,
             "/* The AS state machine of the ADS-DV Software Interface Specification {version}, sections 2.4 and 3,"
         )?;
-        if readings != Readings::DEFAULT {
+        if readings != *usual {
             writeln!(f, " * read with {readings},")?;
         }
         f.write_str(HEAD)?;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::Term;
-use adsdv_spec::{Atom, Atoms, Fault, Faults, Observation};
+use adsdv_spec::{Atom, Atoms, Fault, Faults, Observation, Rules};
 
 /// The name of an atom in Promela: `go_on` for `go-on`.
 pub(super) fn name(atom: Atom) -> String {
@@ -58,9 +58,9 @@ fn bracketed(expressions: impl Iterator<Item = String>) -> Vec<String> {
 }
 
 /// A guard in the words of Figure 2.
-pub(super) fn in_words<'a>(terms: impl Iterator<Item = &'a Term>, section: &str) -> String {
+pub(super) fn in_words<'a>(rules: &Rules, terms: impl Iterator<Item = &'a Term>, section: &str) -> String {
     let alternatives = terms.map(|term| {
-        let words: Vec<_> = term.literals().map(|(atom, on)| atom.text(on)).collect();
+        let words: Vec<_> = term.literals().map(|(atom, on)| rules.text(atom, on).to_string()).collect();
         let words =
             if words.is_empty() { "always".into() } else { wrapped(&words, " and ", "\n         *   and ") };
         if term.section == section { words } else { format!("{words} ({})", term.section) }
@@ -85,10 +85,10 @@ pub(super) const INPUTS: Atoms = {
 };
 
 /// Writes the inputs: what the environment chooses, and what follows from it.
-pub(super) fn inputs(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(super) fn inputs(f: &mut fmt::Formatter<'_>, rules: &Rules) -> fmt::Result {
     f.write_str("/* The inputs of a step, chosen anew in each cycle: conditions, and faults by their flags in 520h. */\n")?;
     for atom in INPUTS.iter() {
-        writeln!(f, "hidden byte {};  /* {} */", name(atom), atom.text(true))?;
+        writeln!(f, "hidden byte {};  /* {} */", name(atom), rules.text(atom, true))?;
     }
     for fault in Observation::FAULTS.iter() {
         writeln!(f, "hidden byte {};", fault.flag())?;

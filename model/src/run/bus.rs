@@ -1,11 +1,10 @@
 //! What a recorder on the bus sees of a run.
 //!
 //! In each cycle the AI Computer's frames come first, half a cycle before the step that sees them; the VCU's come right
-//! after the step. 502h comes in some cycles only, and out of turn when the EBS changes: a path may change it faster than
+//! after the step. A slow message, such as 502h, comes in some cycles only; 502h also out of turn when the EBS changes: a path may change it faster than
 //! 502h comes, and no other message shows it.
 
-use adsdv_spec::AiMessages;
-use adsdv_spec::messages::{EbsState, Frame, Message, Vcu2LogStatus};
+use adsdv_spec::messages::{EbsState, Frame, Vcu2LogStatus};
 
 use super::{CYCLE_NS, MS, Run};
 
@@ -15,22 +14,26 @@ const FRAME_NS: i64 = MS / 4;
 impl Run {
     /// The frames on the bus with their times, in nanoseconds since the log begins, in the order of time.
     pub fn frames(&self) -> impl Iterator<Item = (i64, Frame)> + '_ {
-        let log_status_ns = i64::from(self.machine.edition().rules.timing.log_status_cycle_ms) * MS;
+        let bus = self.machine.edition().bus;
+        let cycle_ms = self.machine.edition().rules.timing.cycle_ms;
+        // How often a slow message comes; `None` for one that comes in each cycle.
+        let slow_ns = move |frame: &Frame| {
+            let def = bus.message(frame.id).filter(|def| def.cycle_ms > cycle_ms)?;
+            Some(i64::from(def.cycle_ms) * MS)
+        };
         let ebs_before =
             std::iter::once(EbsState::default()).chain(self.cycles.iter().map(|cycle| cycle.inputs.ebs));
         self.cycles.iter().zip(ebs_before).flat_map(move |(cycle, ebs_before)| {
             let begin_ns = cycle.t_ns - CYCLE_NS / 2;
-            let log_status = begin_ns.checked_rem(log_status_ns) == Some(0) || cycle.inputs.ebs != ebs_before;
-            let sent = move |frame: &Frame| log_status || frame.id != Vcu2LogStatus::ID;
-            let vcu = cycle.outputs.messages(&cycle.inputs).frames();
-            at(begin_ns, ai_frames(&cycle.inputs.ai)).chain(at(cycle.t_ns, vcu.into_iter().filter(sent)))
+            let news = cycle.inputs.ebs != ebs_before;
+            let sent = move |frame: &Frame| {
+                slow_ns(frame).is_none_or(|slow_ns| begin_ns % slow_ns == 0)
+                    || news && frame.id == Vcu2LogStatus::ID
+            };
+            let vcu = cycle.outputs.messages(&cycle.inputs).frames(&bus);
+            at(begin_ns, cycle.inputs.ai.frames(&bus)).chain(at(cycle.t_ns, vcu.filter(sent)))
         })
     }
-}
-
-fn ai_frames(ai: &AiMessages) -> [Frame; 5] {
-    let AiMessages { status, drive_f, drive_r, steer, brake } = ai;
-    [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()]
 }
 
 /// Frames that are sent one after the other from a time on.

@@ -23,8 +23,14 @@ const MS: i64 = 1_000_000;
 /// The VCU's cycle in nanoseconds.
 const CYCLE_NS: i64 = CYCLE_MS as i64 * MS;
 
+/// The cycle of 502h, the slowest message.
+const LOG_STATUS_MS: u32 = match Edition::DEFAULT.bus.message(adsdv_spec::messages::Vcu2LogStatus::ID) {
+    Some(message) => message.cycle_ms as u32,
+    None => 0,
+};
+
 /// For how long a VCU shows `AS_OFF` after it was switched on, before it acts: 502h comes often enough to be known.
-const POWER_UP_MS: u32 = 3 * Edition::V3_0.rules.timing.log_status_cycle_ms as u32;
+const POWER_UP_MS: u32 = 3 * LOG_STATUS_MS;
 
 /// For how long nobody sends when the power is cycled. After half a second of silence a judge of logs takes nothing for
 /// granted that the VCU may have remembered; this is twice as long.
@@ -76,7 +82,7 @@ pub enum Phase {
 impl Run {
     /// How long inputs should stay after the last step, in milliseconds, for a judge of logs to see what that step was:
     /// longer than its deadline, and than some cycles of 502h, the slowest message.
-    pub const AFTERMATH_MS: u32 = 5 * Edition::V3_0.rules.timing.log_status_cycle_ms as u32;
+    pub const AFTERMATH_MS: u32 = 5 * LOG_STATUS_MS;
 
     /// The run of a machine along a path from the power cycle.
     ///
@@ -246,7 +252,7 @@ fn plan(machine: &Machine, path: impl IntoIterator<Item = Action>) -> Vec<Option
                 let reads = if unheeded.contains(&place) {
                     machine.reads(&control, CYCLE_MS)
                 } else {
-                    varied(machine, &Edition::V3_0.rules.timing, &control, Vectors::Read)
+                    varied(machine, &Edition::DEFAULT.rules.timing, &control, Vectors::Read)
                 };
                 control = machine.react(&control, seen, CYCLE_MS).control;
                 Some(Planned { seen, reads, ahead: Knowledge::NOTHING })

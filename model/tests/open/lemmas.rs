@@ -12,7 +12,7 @@ use crate::{SHORT, each_choice_alone, machine, reachable};
 /// on how long it has run.
 #[test]
 fn from_80_ms_on_a_running_timer_changes_nothing_else() {
-    let timing = Edition::V3_0.rules.timing;
+    let timing = Edition::DEFAULT.rules.timing;
     let short = |state| SHORT.in_state_limit(state);
     for readings in each_choice_alone() {
         let mut beside: BTreeMap<(AsState, u16), HashSet<Control>> = BTreeMap::new();

@@ -19,7 +19,7 @@ fn each_choice_alone() -> impl Iterator<Item = Readings> {
 }
 
 fn machine(timing: Timing, readings: Readings) -> Machine {
-    Machine::new(Edition::V3_0.with_timing(timing), readings)
+    Machine::new(Edition::DEFAULT.with_timing(timing), readings)
 }
 
 fn options(vectors: Vectors, document: Timing) -> Options {

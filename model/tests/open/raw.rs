@@ -13,7 +13,7 @@ fn value(random: &mut Random, from: i32, to: i32) -> i32 {
 
 /// Inputs that wander: mostly towards what lets a mission go on, sometimes anywhere.
 fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
-    let thresholds = &Edition::V3_0.rules.thresholds;
+    let thresholds = &Edition::DEFAULT.rules.thresholds;
     let input_atoms: Vec<Atom> = Observation::SCOPE.iter().filter(|atom| *atom != Atom::SdcOpen).collect();
     if random.one_in(400) {
         let atom = input_atoms[random.below(input_atoms.len())];
@@ -79,7 +79,7 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
 #[test]
 fn random_raw_inputs_stay_within_what_was_explored() {
     let machine = Machine::REFERENCE;
-    let cycle_ms = u32::from(Edition::V3_0.rules.timing.cycle_ms);
+    let cycle_ms = u32::from(Edition::DEFAULT.rules.timing.cycle_ms);
     let explored = reachable(&machine, Vectors::Read);
     let mut random = Random(3);
     let (mut control, mut inputs) = (Control::INITIAL, Inputs::default());
@@ -87,7 +87,7 @@ fn random_raw_inputs_stay_within_what_was_explored() {
     for step in 0..4_000_000 {
         wander(&mut inputs, &control, &mut random);
         let seen = inputs.observe(&machine.edition().rules.thresholds);
-        let observed = Step::of(&machine, &Edition::V3_0.rules.timing, control, seen);
+        let observed = Step::of(&machine, &Edition::DEFAULT.rules.timing, control, seen);
         let (after, outputs) = machine.step(&control, &inputs, cycle_ms);
         assert_eq!(after, *observed.after(), "a step sees its inputs only through their observation");
         for property in PROPERTIES {

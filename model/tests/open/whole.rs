@@ -9,7 +9,8 @@ use crate::{SHORT, each_choice_alone, machine, options, reachable};
 
 #[test]
 fn the_reference_keeps_every_property_with_the_real_times() {
-    let exploration = explore(Machine::REFERENCE, options(Vectors::Read, Edition::V3_0.rules.timing), |_| {});
+    let exploration =
+        explore(Machine::REFERENCE, options(Vectors::Read, Edition::DEFAULT.rules.timing), |_| {});
     let broken: Vec<_> = exploration.broken.iter().map(|property| property.name).collect();
     let missed: Vec<_> = exploration.missed.iter().map(|goal| goal.name).collect();
     let dead: Vec<_> =
@@ -34,8 +35,8 @@ fn an_exploration_with_two_threads_finds_the_same() {
 /// What a broken table does to everything else must not end the exploration early.
 #[test]
 fn an_exploration_that_finds_much_still_goes_to_its_end() {
-    let mutation = adsdv_spec::Mutation::all(&Edition::V3_0).find(|m| m.to_string() == "3.7: dropped");
-    let edition = mutation.expect("3.7 is a row").apply(&Edition::V3_0.with_timing(SHORT));
+    let mutation = adsdv_spec::Mutation::all(Edition::DEFAULT).find(|m| m.to_string() == "3.7: dropped");
+    let edition = mutation.expect("3.7 is a row").apply(&Edition::DEFAULT.with_timing(SHORT));
     let machine = Machine::new(edition, Readings::DEFAULT);
     let exploration = explore(machine, options(Vectors::Read, SHORT), |_| {});
     assert!(exploration.broken.len() >= 7, "much is broken");

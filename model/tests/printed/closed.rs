@@ -11,11 +11,11 @@ use expect_test::expect_file;
 use fnv::FnvHasher;
 use stateright::{Model as _, Path};
 
-const V3_0: Edition = Edition::V3_0;
+const EDITION: Edition = *Edition::DEFAULT;
 const CONDUCTS: [Conduct; 4] = [Conduct::Reference, Conduct::Mute, Conduct::Hasty, Conduct::Coasting];
 
 fn scaled(operator: Operator) -> Closed {
-    Closed::scaled(V3_0, Readings::DEFAULT, operator)
+    Closed::scaled(EDITION, Readings::DEFAULT, operator)
 }
 
 /// A model explored to its end: its size, and what was found of each property.
@@ -42,7 +42,7 @@ fn every_state_with_a_well_behaved_operator() {
         let _ = writeln!(told, "{conduct:?}: {}", explored(model().with_conduct(conduct)));
     }
     for handshake_ms in [20, 40, 100] {
-        let edition = V3_0.with_timing(Timing { handshake_ms, ..V3_0.rules.timing });
+        let edition = EDITION.with_timing(Timing { handshake_ms, ..EDITION.rules.timing });
         let impatient = Closed::scaled(edition, Readings::DEFAULT, Operator::WellBehaved);
         let _ = writeln!(told, "{handshake_ms} ms to answer: {}", explored(impatient));
     }

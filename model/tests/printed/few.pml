@@ -354,7 +354,7 @@ inline step_AS_READY() {
             fi
         /* 3.6: AS master switch OFF */
         :: !asms -> next = AS_OFF
-        /* 3.2: 5 second timer elapsed and front axle torque request == 0 and rear axle torque request == 0 and steer angle request == 0
+        /* 3.2: 0.08 second timer elapsed and front axle torque request == 0 and rear axle torque request == 0 and steer angle request == 0
          *   and abs(steer angle) < 5 deg and DIRECTION_REQUEST == NEUTRAL and "Go" signal OFF -> ON */
         :: dwell_elapsed && front_torque_zero && rear_torque_zero && steer_request_zero &&
             steer_straight && direction_neutral && go_edge -> next = AS_DRIVING

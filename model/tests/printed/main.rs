@@ -22,7 +22,7 @@ use expect_test::expect_file;
 use fnv::FnvHasher;
 use stateright::{Model as _, Path};
 
-const SHORTENED: Edition = Edition::V3_0.with_timing(SHORT_TIMERS);
+const SHORTENED: Edition = Edition::DEFAULT.with_timing(SHORT_TIMERS);
 const SHORT: Machine = Machine::new(SHORTENED, Readings::DEFAULT);
 
 fn verified(machine: &Machine) -> Report {
@@ -40,7 +40,7 @@ fn lines(story: Vec<StoryLine>) -> String {
 /// The shortest run to everything that is to be possible, and a short one to an emergency.
 fn closed_runs() -> Vec<(&'static str, Closed, Path<ClosedState, ClosedAction>)> {
     const EMERGENCY: &str = "emergency-can-happen";
-    let scaled = |operator| Closed::scaled(Edition::V3_0, Readings::DEFAULT, operator);
+    let scaled = |operator| Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, operator);
     let anybody = scaled(Operator::Any);
     let emergency = anybody.clone().run_for(EMERGENCY).expect("it is possible");
     let model = scaled(Operator::WellBehaved);

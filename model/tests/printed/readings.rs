@@ -29,7 +29,7 @@ fn printed(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String 
 
 #[test]
 fn what_the_readings_cost() {
-    let model = Closed::scaled(Edition::V3_0, Readings::DEFAULT, Operator::Any);
+    let model = Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::Any);
     let run = model.clone().run_for("emergency-can-happen").expect("it can");
     let inputs = model.inputs_for(&Machine::REFERENCE, &run);
     let closed = ClosedCost {

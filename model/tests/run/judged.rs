@@ -22,9 +22,9 @@ fn mission() -> Path {
 
 /// The reference VCU with one thing changed.
 fn mutant(name: &str) -> Machine {
-    let mutation = Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == name);
+    let mutation = Mutation::all(Edition::DEFAULT).find(|mutation| mutation.to_string() == name);
     let mutation = mutation.unwrap_or_else(|| panic!("there is a mutation {name:?}"));
-    Machine::new(mutation.apply(&Edition::V3_0), Readings::DEFAULT)
+    Machine::new(mutation.apply(Edition::DEFAULT), Readings::DEFAULT)
 }
 
 /// What the judge lays to the VCU.
@@ -49,8 +49,9 @@ fn frames_come_in_the_order_of_time_and_502h_only_now_and_then() {
     assert!(frames.first().is_some_and(|(t_ns, _)| *t_ns == 0));
     assert!(frames.windows(2).all(|pair| pair[0].0 < pair[1].0));
     let cycles = run.cycles().len();
-    let timing = Edition::V3_0.rules.timing;
-    let each = usize::from(timing.log_status_cycle_ms / timing.cycle_ms);
+    let Edition { rules, bus, .. } = *Edition::DEFAULT;
+    let slow = bus.message(0x502).expect("502h").cycle_ms;
+    let each = usize::from(slow / rules.timing.cycle_ms);
     let count = |id| frames.iter().filter(|(_, frame)| frame.id == id).count();
     assert_eq!(count(0x502), cycles.div_ceil(each) + 1, "and once when the EBS is armed");
     for id in [0x500, 0x510, 0x511, 0x512, 0x513, 0x514, 0x520, 0x521, 0x522, 0x523, 0x524, 0x525, 0x526] {
@@ -111,9 +112,9 @@ fn lost_communication_goes_on_until_it_is_seen_to_be_ignored() {
     let mut path = Path::new(&mutant("3.7 term 7: dropped"));
     path.driving();
     path.answers = false;
-    let limit = u32::from(Edition::V3_0.rules.timing.handshake_ms);
+    let limit = u32::from(Edition::DEFAULT.rules.timing.handshake_ms);
     path.hold(limit + CYCLE_MS);
-    assert!(path.control.handshake.is_lost(Edition::V3_0.rules.timing.handshake_ms));
+    assert!(path.control.handshake.is_lost(Edition::DEFAULT.rules.timing.handshake_ms));
     path.arrives(Driving);
     let report = path.judged();
     assert_eq!(found(&report), [(Rule::Due, "3.7")], "{:#?}", report.findings);

@@ -8,7 +8,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Fault, Faults, Machine, Observation, Readings};
 
 /// The cycle in milliseconds.
-pub(crate) const CYCLE_MS: u32 = Edition::V3_0.rules.timing.cycle_ms as u32;
+pub(crate) const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
 
 /// A path under construction: a vehicle whose AI Computer answers the handshake, until it does not.
 #[derive(Clone)]
@@ -106,7 +106,7 @@ impl Path {
 
 /// The reference VCU with one choice made otherwise.
 pub(crate) fn with_choice(choice: Choice) -> Machine {
-    Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice))
+    Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice))
 }
 
 /// What the judge says of the log of a run, of a VCU that is to follow these readings.

@@ -79,7 +79,9 @@ fn path(random: &mut Random, machine: &Machine, rate: u64, steps: u32) -> Vec<Ac
 fn machines() -> impl Iterator<Item = Machine> {
     let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
     let readings = others.map(|&choice| Readings::DEFAULT.with(choice));
-    std::iter::once(Readings::DEFAULT).chain(readings).map(|readings| Machine::new(Edition::V3_0, readings))
+    std::iter::once(Readings::DEFAULT)
+        .chain(readings)
+        .map(|readings| Machine::new(*Edition::DEFAULT, readings))
 }
 
 /// The chance of one machine: other chance for each, and for each seed.

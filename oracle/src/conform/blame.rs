@@ -187,7 +187,7 @@ mod tests {
     /// Alternatives of one row have requirements of their own.
     #[test]
     fn a_random_scenario_breaks_what_the_test_of_the_alternative_is_about() {
-        let tests = suite::generate(&Edition::V3_0);
+        let tests = suite::generate(Edition::DEFAULT);
         let blame = Blame::of(&Machine::REFERENCE, &tests);
         let (mut of_their_own, mut shared) = (0, 0);
         for (row, ids) in &blame.rows {
@@ -201,7 +201,7 @@ mod tests {
             assert_eq!(not_taken, expected, "{row}: {ids:?}");
             assert_eq!(not_taken, blame.broken(&[], &lost(Why::Taken(row.clone(), Vec::new()))));
             // A table in which the row has an alternative more: what all of them have in common, if anything.
-            let more = Row { guard: vec!["something else"], ..row.clone() };
+            let more = Row { guard: vec!["something else".to_owned()], ..row.clone() };
             let in_common = blame.broken(&[], &lost(Why::NotTaken(more)));
             let nothing = in_common == [STATE_MACHINE];
             assert!(nothing || in_common.iter().all(|id| not_taken.contains(id)), "{row}: {in_common:?}");

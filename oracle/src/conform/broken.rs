@@ -28,7 +28,7 @@ pub enum Why {
     /// This row had to be taken, and was not.
     NotTaken(Row),
     /// This row was taken, and its guard does not hold: the conditions that it lacks, as they were.
-    Taken(Row, Vec<&'static str>),
+    Taken(Row, Vec<String>),
     /// The figure has no row from the one state to the other.
     NoRow(AsState, AsState),
     /// This row was taken, as it had to be, and what is shown with it is wrong.
@@ -49,14 +49,14 @@ pub struct Row {
     /// The section of the document.
     pub section: &'static str,
     /// The conditions of the alternative, in words.
-    pub guard: Vec<&'static str>,
+    pub guard: Vec<String>,
 }
 
 impl Row {
     fn of(machine: &Machine, taken: Taken) -> Option<Self> {
-        let table = &machine.edition().rules.table;
-        let (row, term) = (taken.row(table)?, taken.term(table)?);
-        let guard = term.literals().map(|(atom, value)| atom.text(value)).collect();
+        let rules = &machine.edition().rules;
+        let (row, term) = (taken.row(&rules.table)?, taken.term(&rules.table)?);
+        let guard = term.literals().map(|(atom, value)| rules.text(atom, value).to_string()).collect();
         Some(Self { place: taken.row.into(), from: row.from, to: row.to, section: term.section, guard })
     }
 }
@@ -186,11 +186,13 @@ fn nearest(
     outputs: &Outputs,
     to: AsState,
     cause: Option<ShutdownCause>,
-) -> Option<(Row, Vec<&'static str>)> {
-    let table = &machine.edition().rules.table;
-    let lacking = |term: &Term| -> Vec<&'static str> {
-        let as_it_was =
-            |(atom, value): (Atom, bool)| (outputs.atoms.has(atom) != value).then(|| atom.text(!value));
+) -> Option<(Row, Vec<String>)> {
+    let rules = &machine.edition().rules;
+    let table = &rules.table;
+    let lacking = |term: &Term| -> Vec<String> {
+        let as_it_was = |(atom, value): (Atom, bool)| {
+            (outputs.atoms.has(atom) != value).then(|| rules.text(atom, !value).to_string())
+        };
         term.literals().filter_map(as_it_was).collect()
     };
     let tells_another = |term: &Term| match (cause.and_then(Fault::of_cause), term.fault) {

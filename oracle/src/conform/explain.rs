@@ -23,6 +23,8 @@ const ASKED: [Reading; 5] = [
 /// Combinations of readings, ready to be held against answers.
 #[derive(Debug)]
 pub(super) struct Explain {
+    /// The default readings.
+    usual: Readings,
     readings: Vec<Readings>,
     machines: Vec<Machine>,
     /// By state: machines of which each stands for all that do the same in that state, and for whom.
@@ -32,14 +34,20 @@ pub(super) struct Explain {
 impl Explain {
     /// Every combination of choices that are possible.
     pub(super) fn every(edition: &Edition, possible: Choices) -> Self {
-        Self::new(edition, possible.combinations(Reading::ALL).collect())
+        let questions: Vec<Reading> = edition.questions().collect();
+        Self::new(edition, possible.intersection(edition.choices).combinations(&questions).collect())
     }
 
     /// These combinations, the ones that are preferred first.
     pub(super) fn new(edition: &Edition, readings: Vec<Readings>) -> Self {
         let machines: Vec<_> = readings.iter().map(|&answers| Machine::new(*edition, answers)).collect();
         let classes = AsState::ALL.into_iter().map(|state| (state, classes(&machines, state))).collect();
-        Self { readings, machines, classes }
+        Self { usual: edition.readings, readings, machines, classes }
+    }
+
+    /// How many questions these readings answer otherwise than the default ones do.
+    pub(super) fn unusual(&self, readings: &Readings) -> usize {
+        readings.choices().difference(self.usual.choices()).iter().count()
     }
 
     /// The combinations.
@@ -146,7 +154,7 @@ mod tests {
     /// One machine of a class stands for all of it: at every step of walks through every state.
     #[test]
     fn machines_of_a_class_do_the_same() {
-        let explain = Explain::every(&Edition::V3_0, Choices::ALL);
+        let explain = Explain::every(Edition::DEFAULT, Choices::ALL);
         assert_eq!(explain.readings.len(), 3072);
         assert_eq!(explain.readings[0], Readings::DEFAULT);
         let mut steps = 0;
@@ -170,7 +178,7 @@ mod tests {
 
     #[test]
     fn stepping_together_is_stepping_one_by_one() {
-        let explain = Explain::every(&Edition::V3_0, Choices::ALL);
+        let explain = Explain::every(Edition::DEFAULT, Choices::ALL);
         for seed in 0..10 {
             let machine = &explain.machines[(seed * 1009) % explain.machines.len()];
             let scenario = Walker::new(machine, None, Rng::new(seed as u64, 1)).scenario();

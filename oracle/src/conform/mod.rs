@@ -28,8 +28,8 @@
 //! use adsdv_spec::{Choice, Edition, Machine, Readings};
 //!
 //! // A program that takes a rising edge of "Go" for enough conforms: the document can be read so.
-//! let vcu = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::GoEdgeEnough));
-//! let tests = suite::generate(&Edition::V3_0);
+//! let vcu = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(Choice::GoEdgeEnough));
+//! let tests = suite::generate(Edition::DEFAULT);
 //! let report = conform(&mut InProcess(vcu), &tests, &ConformOptions::default(), &mut |_| {})?;
 //! assert!(report.conforms() && report.readings.is(Choice::GoEdgeEnough));
 //! # Ok::<(), adsdv_oracle::conform::ProgramError>(())

@@ -26,8 +26,8 @@ pub struct ConformOptions {
 impl Default for ConformOptions {
     fn default() -> Self {
         Self {
-            edition: Edition::V3_0,
-            possible: Choices::ALL,
+            edition: *Edition::DEFAULT,
+            possible: Edition::DEFAULT.choices,
             latency: 0,
             cycle_ms: None,
             seed: 1,

@@ -62,9 +62,9 @@ impl Run<'_> {
 
         let Failures { told, more, wrong, broken } = in_suite;
         let follows = if suite.failed.is_empty() {
-            verdict::follows(&in_random.readings)
+            verdict::follows(&options.edition, &in_random.readings)
         } else {
-            verdict::mixes(&suite.explain, &suite.names, &suite.explained_by_state, &wrong)
+            verdict::mixes(&options.edition, &suite.explain, &suite.names, &suite.explained_by_state, &wrong)
         };
         let failures: Vec<Failure> = told.into_iter().chain(in_random.failures).collect();
         let Suite { failed, late, not_told, asked, shown, .. } = suite;

@@ -83,7 +83,7 @@ impl Run<'_> {
     pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, ProgramError> {
         let options = self.options;
         let explain = Explain::every(&options.edition, options.possible);
-        let reference = Machine::new(options.edition, Readings::DEFAULT);
+        let reference = Machine::new(options.edition, options.edition.readings);
         let told = |test: &Test| match options.cycle_ms {
             Some(cycle_ms) => in_cycles(&reference, &test.scenario, cycle_ms),
             None => Some(test.scenario.clone()),

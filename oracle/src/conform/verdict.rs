@@ -1,6 +1,6 @@
 //! Which combination of readings the answers follow, and which readings they mix.
 
-use adsdv_spec::{Choice, Reading, Readings};
+use adsdv_spec::{Choice, Edition, Reading, Readings};
 
 use super::explain::Explain;
 use super::set::Set;
@@ -43,10 +43,8 @@ pub(super) fn best<'a>(
     };
     let (mut all, mut states) = (all, states);
     let counts = count(&mut all).into_iter().zip(count(&mut states));
-    let unusual =
-        |readings: &Readings| readings.choices().difference(Readings::DEFAULT.choices()).iter().count();
     let best = counts.zip(explain.readings()).enumerate().max_by_key(|(place, (counts, readings))| {
-        (*counts, std::cmp::Reverse(unusual(readings)), std::cmp::Reverse(*place))
+        (*counts, std::cmp::Reverse(explain.unusual(readings)), std::cmp::Reverse(*place))
     });
     best.map_or((0, (0, 0)), |(place, (counts, _))| (place, counts))
 }
@@ -57,25 +55,26 @@ pub(super) fn all(explain: &Explain, explained: &[Set]) -> Set {
 }
 
 /// How each question is answered by these combinations.
-pub(super) fn follows(readings: &[Readings]) -> Vec<Follows> {
+pub(super) fn follows(edition: &Edition, readings: &[Readings]) -> Vec<Follows> {
     let possible = |reading: Reading| {
         let made = |choice: &Choice| readings.iter().any(|readings| readings.is(*choice));
         reading.choices().iter().copied().filter(made).collect()
     };
-    let one = |&reading| Follows { reading, possible: possible(reading), mixes: Vec::new() };
-    Reading::ALL.iter().map(one).collect()
+    let one = |reading| Follows { reading, possible: possible(reading), mixes: Vec::new() };
+    edition.questions().map(one).collect()
 }
 
 /// How each question is answered where no combination explains everything: a question of which some tests need one
 /// choice and others need another is mixed; of every other, the choices that none of the tests rules out that any
 /// combination explains. Tests that are known to be `wrong` whatever the readings say nothing of them.
 pub(super) fn mixes(
+    edition: &Edition,
     explain: &Explain,
     names: &[String],
     explained: &[Set],
     wrong: &[String],
 ) -> Vec<Follows> {
-    let one = |&reading: &Reading| {
+    let one = |reading: Reading| {
         let with = |choice: Choice| {
             let mut set = explain.none();
             let members = explain.readings().iter().enumerate().filter(|(_, readings)| readings.is(choice));
@@ -105,5 +104,5 @@ pub(super) fn mixes(
         }
         Follows { reading, possible, mixes: sides }
     };
-    Reading::ALL.iter().map(one).collect()
+    edition.questions().map(one).collect()
 }

@@ -264,7 +264,7 @@ mod tests {
     #[test]
     fn the_walks_of_a_seed_are_these() {
         let readings = Choices::ALL.iter().fold(Readings::DEFAULT, Readings::with);
-        let other = Machine::new(Edition::V3_0, readings);
+        let other = Machine::new(*Edition::DEFAULT, readings);
         let mut told = String::new();
         for (machine, cycle_ms) in
             [(&Machine::REFERENCE, None), (&Machine::REFERENCE, Some(10)), (&other, None), (&other, Some(50))]

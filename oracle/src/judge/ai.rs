@@ -224,7 +224,7 @@ impl Judge {
         };
         let message = format!(
             "{} in AS_DRIVING; expected {expected}{reservation}",
-            super::transitions::conditions(&term, known)
+            super::transitions::conditions(&self.edition.rules, &term, known)
         );
         // Section 3.7 is where both readings meet.
         self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, section: "3.7", rule, message });
@@ -245,8 +245,8 @@ impl Judge {
     pub(super) fn report_held(&mut self) {
         self.ai.held_reported = true;
         let Some(since) = self.ai.held_since else { return };
-        let failed: Vec<&str> =
-            self.requests.intersection(self.known.off()).iter().map(|atom| atom.text(false)).collect();
+        let text = |atom| self.edition.rules.text(atom, false).to_string();
+        let failed: Vec<String> = self.requests.intersection(self.known.off()).iter().map(text).collect();
         let message = format!(
             "{} after the dwell of AS_READY: the VCU must not go on to AS_DRIVING; expected zero requests and NEUTRAL",
             failed.join(" and ")

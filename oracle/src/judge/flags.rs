@@ -1,6 +1,6 @@
 //! Fault flags, `FAULT_STATUS`, `SHUTDOWN_CAUSE`, and `AI_COMMS_LOST`: whether 520h tells the truth (section 2.2).
 
-use adsdv_spec::messages::{Message, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
 use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Term, Truth};
 
 use super::Judge;
@@ -225,11 +225,16 @@ impl Judge {
         }
         let off = window.of(Atom::Tsms) == Truth::False
             && self.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
+        let rules = &self.edition.rules;
         let (section, why) = match (fault, missing) {
-            (Fault::AiCommsFault, _) if off => ("2.4", Atom::Tsms.text(false).to_owned()),
+            (Fault::AiCommsFault, _) if off => ("2.4", rules.text(Atom::Tsms, false).to_string()),
             (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
-            (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", Atom::AiEstop.text(false))),
-            (_, Some(term)) => (section, format!("never {}", conditions(term, Knowledge::exact(term.on)))),
+            (Fault::AiComputerRequest, _) => {
+                ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
+            }
+            (_, Some(term)) => {
+                (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on))))
+            }
             (_, None) => (section, "nothing can be its reason".to_owned()),
         };
         let message = format!("{fault} was raised, but {why}; expected 0");
@@ -360,7 +365,8 @@ impl Judge {
             Some(AssiSuspect { since, .. }) if self.state_stood(since - self.window, t) => {
                 let message =
                     format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
-                self.vcu_violation(since, Vcu2LogStatus::DEF.section, Rule::AssiDiffers, message);
+                let section = self.edition.bus.message(Vcu2LogStatus::ID).map_or("", |def| def.section);
+                self.vcu_violation(since, section, Rule::AssiDiffers, message);
                 i64::MAX
             }
             // It begins, or what 502h shows may have been so when it was sent.

@@ -20,11 +20,12 @@
 //! use adsdv_spec::{Control, Inputs, Machine};
 //!
 //! let mut judge = Judge::new(JudgeOptions::default());
+//! let vcu = Machine::REFERENCE;
 //! let (mut control, inputs) = (Control::INITIAL, Inputs::default());
 //! for cycle in 0..100 {
-//!     let (next, outputs) = Machine::REFERENCE.step(&control, &inputs, 10);
+//!     let (next, outputs) = vcu.step(&control, &inputs, 10);
 //!     control = next;
-//!     for frame in outputs.messages(&inputs).frames() {
+//!     for frame in outputs.messages(&inputs).frames(&vcu.edition().bus) {
 //!         judge.frame(cycle * 10_000_000, frame.id.into(), frame.data());
 //!     }
 //! }
@@ -50,7 +51,7 @@ mod values;
 mod variants;
 
 use adsdv_spec::messages::{
-    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MESSAGES, Node, Vcu2AiStatus, Vcu2AiSteer,
+    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MessageDef, Node, Vcu2AiStatus, Vcu2AiSteer,
     Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
 use adsdv_spec::{AsState, Atom, Atoms, Edition, Knowledge, Reading};
@@ -63,7 +64,7 @@ use events::Pending;
 use handshake::Watch;
 use history::History;
 use output::Output;
-use slots::{Slot, SlotOf};
+use slots::{Slot, SlotOf, slot_of};
 use status::VcuSide;
 use variants::Variants;
 
@@ -72,14 +73,6 @@ const MS: i64 = 1_000_000;
 
 /// After a silence of this length nothing is known of a VCU any more; it may have been power-cycled.
 const SILENCE_NS: i64 = 500 * MS;
-
-const fn slot_of(id: u16) -> usize {
-    let mut index = 0;
-    while index < MESSAGES.len() && MESSAGES[index].id != id {
-        index += 1;
-    }
-    index
-}
 
 const STATUS: usize = slot_of(Vcu2AiStatus::ID);
 const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
@@ -155,6 +148,7 @@ impl Judge {
     /// A judge that has seen nothing yet.
     pub fn new(options: JudgeOptions) -> Self {
         let edition = *options.edition;
+        let options = JudgeOptions { readings: edition.choices.intersection(options.readings), ..options };
         let variants = Variants::new(&edition, options.readings);
         let window = i64::from(options.window_ms) * MS;
         // Most messages come once a cycle, all at once: one frame may be missing.
@@ -169,8 +163,8 @@ impl Judge {
             window,
             pause,
             deadline: i64::from(options.deadline_ms) * MS,
-            slot_of: SlotOf::new(),
-            slots: Slot::all(),
+            slot_of: SlotOf::new(&edition.bus),
+            slots: Slot::all(&edition.bus),
             known: Knowledge::NOTHING,
             history: History::new(),
             vcu: VcuSide::default(),
@@ -209,7 +203,7 @@ impl Judge {
         let before = slot.last;
         let same = slot.fresh && slot.word == word && slot.len == len;
         // The AI Computer's program may well leave cycles out; the VCU keeps its own.
-        let missing = slot.seen(t) && slot.def.sender == Node::Vcu;
+        let missing = slot.seen(t) && slot.is_from(Node::Vcu);
         if slot.is_lossy() {
             // It may be too old sooner than it was before.
             self.next_event = self.next_event.min(slot.stale_at());
@@ -226,6 +220,16 @@ impl Judge {
         } else if index == LOG_STATUS {
             self.assi_repeated(t);
         }
+    }
+
+    /// The edition of the interface that is judged by.
+    pub const fn edition(&self) -> &Edition {
+        &self.edition
+    }
+
+    /// What the edition says of the message with this identifier, if it is one that is judged.
+    pub(crate) fn message(&self, id: u32) -> Option<&'static MessageDef> {
+        self.slots.get(self.slot_of.get(id)?)?.def
     }
 
     /// Counts a frame that is not judged, and lets time pass. Returns the time that the judge gives it.

@@ -17,6 +17,6 @@ pub struct JudgeOptions {
 
 impl Default for JudgeOptions {
     fn default() -> Self {
-        Self { edition: &Edition::V3_0, window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
+        Self { edition: Edition::DEFAULT, window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
     }
 }

@@ -1,10 +1,19 @@
 //! The last frame of every message: what it said, when, and how often it comes.
 
-use adsdv_spec::Atoms;
-use adsdv_spec::messages::{MESSAGES, MessageDef};
+use adsdv_spec::messages::{AnyMessage, MessageDef, Node};
+use adsdv_spec::{Atoms, Bus};
 
-/// How many messages there are.
-pub(super) const COUNT: usize = MESSAGES.len();
+/// How many messages there are, in all editions.
+pub(super) const COUNT: usize = AnyMessage::IDS.len();
+
+/// The slot of a message.
+pub(super) const fn slot_of(id: u16) -> usize {
+    let mut index = 0;
+    while index < COUNT && AnyMessage::IDS[index] != id {
+        index += 1;
+    }
+    index
+}
 
 /// Shorter and longer periods than these are not believed.
 const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
@@ -30,7 +39,8 @@ const fn longest(period: i64) -> i64 {
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
-    pub(super) def: &'static MessageDef,
+    /// What the edition says of the message; `None` if it has no such message.
+    pub(super) def: Option<&'static MessageDef>,
     /// The data of the last frame, as far as a word holds it.
     pub(super) word: u64,
     pub(super) len: u8,
@@ -64,7 +74,7 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    const fn new(def: &'static MessageDef) -> Self {
+    const fn new(def: Option<&'static MessageDef>) -> Self {
         Self {
             def,
             word: 0,
@@ -87,12 +97,13 @@ impl Slot {
         }
     }
 
-    pub(super) fn all() -> [Self; COUNT] {
-        let mut slots = [Self::new(MESSAGES[0]); COUNT];
-        for (slot, def) in slots.iter_mut().zip(MESSAGES) {
-            slot.def = def;
-        }
-        slots
+    /// Whether this node sends the message.
+    pub(super) fn is_from(&self, node: Node) -> bool {
+        self.def.is_some_and(|def| def.sender == node)
+    }
+
+    pub(super) fn all(bus: &Bus) -> [Self; COUNT] {
+        AnyMessage::IDS.map(|id| Self::new(bus.message(id)))
     }
 
     /// When the last frame will be too old to speak for now: a frame that is missing may have said something else.
@@ -180,10 +191,10 @@ impl Slot {
 pub(super) struct SlotOf(Box<[u8; 0x800]>);
 
 impl SlotOf {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(bus: &Bus) -> Self {
         let mut slots = Box::new([u8::MAX; 0x800]);
-        for (index, def) in (0..).zip(MESSAGES) {
-            if let Some(slot) = slots.get_mut(usize::from(def.id)) {
+        for (index, id) in (0..).zip(AnyMessage::IDS).filter(|(_, id)| bus.message(*id).is_some()) {
+            if let Some(slot) = slots.get_mut(usize::from(id)) {
                 *slot = index;
             }
         }
@@ -200,13 +211,13 @@ impl SlotOf {
 
 #[cfg(test)]
 mod tests {
-    use super::{CONFIRMING, LEARNING, MESSAGES, PERIOD_NS, Slot, longest};
+    use super::{CONFIRMING, LEARNING, PERIOD_NS, Slot, longest};
 
     const MS: i64 = 1_000_000;
 
     /// A message every 10 ms, give or take 1 ms, of which enough has been seen.
     fn usual() -> Slot {
-        Slot { period: 10 * MS, spread: MS, learnt: LEARNING, last: Some(0), ..Slot::new(MESSAGES[0]) }
+        Slot { period: 10 * MS, spread: MS, learnt: LEARNING, last: Some(0), ..Slot::new(None) }
     }
 
     /// Neither jitter nor somebody who does not send looks like a frame that is missing.
@@ -249,7 +260,7 @@ mod tests {
     /// Frames that come faster than any period that is believed are a run of short intervals that does not end.
     #[test]
     fn a_run_longer_than_can_be_counted_is_still_a_change_of_rate() {
-        let mut slot = Slot::new(MESSAGES[0]);
+        let mut slot = Slot::new(None);
         for frame in 0..300 {
             slot.seen(frame * 500_000);
         }

@@ -1,7 +1,7 @@
 //! Transitions: those that were seen, and those that were due.
 
 use adsdv_spec::messages::Node;
-use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Term, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Rules, Term, Truth};
 
 use super::events::{Pending, PendingKind};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
@@ -41,7 +41,7 @@ impl Due {
 
 /// Behind a silence of that length no state is known: none that has to last fits into a gap.
 const _: () = {
-    let timing = adsdv_spec::Edition::V3_0.rules.timing;
+    let timing = adsdv_spec::Edition::DEFAULT.rules.timing;
     assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * super::MS);
     assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * super::MS);
 };
@@ -120,9 +120,10 @@ impl Judge {
             }
         }
         if justified == Truth::False {
+            let rules = &self.edition.rules;
             let (rule, message) = match &arrow {
                 None => (Rule::NoArrow, self.no_arrow(from, to)),
-                Some(guard) => (Rule::Unjustified, unjustified(from, to, guard, window, &judged)),
+                Some(guard) => (Rule::Unjustified, unjustified(rules, (from, to), guard, window, &judged)),
             };
             self.out.finding(Finding {
                 t_ns: t,
@@ -249,7 +250,7 @@ impl Judge {
         let Some(state) = self.vcu.state else { return };
         // What the VCU measures is only certain up to the last frame that shows it.
         let confirmed = self.slots.iter().enumerate().all(|(index, slot)| {
-            slot.def.sender != Node::Vcu
+            !slot.is_from(Node::Vcu)
                 || !touches(&due.term, scope(index))
                 || slot.last.is_some_and(|last| last >= due.since + self.window)
         });
@@ -267,7 +268,7 @@ impl Judge {
             rule: Rule::Due,
             message: format!(
                 "{state} was not left, though {} for more than {} ms; expected {state} -> {}",
-                conditions(&due.term, Knowledge::exact(due.term.on)),
+                conditions(&self.edition.rules, &due.term, Knowledge::exact(due.term.on)),
                 self.options.deadline_ms,
                 due.to
             ),
@@ -315,30 +316,36 @@ fn judge_variant(variant: &Variant, to: AsState, window: Knowledge, instants: &[
 }
 
 /// Why a transition was wrong: the condition that failed in each alternative, or the row that comes first.
-fn unjustified(from: AsState, to: AsState, guard: &Guard, window: Knowledge, judged: &[Judged]) -> String {
+fn unjustified(
+    rules: &Rules,
+    (from, to): (AsState, AsState),
+    guard: &Guard,
+    window: Knowledge,
+    judged: &[Judged],
+) -> String {
     let overtaking = judged.iter().find_map(|j| j.decided).filter(|_| guard.truth(window) != Truth::False);
     if let Some((term, _)) = overtaking {
         return format!(
             "{from} -> {to}, though {}: another arrow comes first; expected that one",
-            conditions(&term, window)
+            conditions(rules, &term, window)
         );
     }
     let all = |of: fn(&Term) -> Atoms| guard.terms.iter().fold(Atoms::NONE, |all, term| all.union(of(term)));
     let (off, on) =
         (all(|term| term.on).intersection(window.off()), all(|term| term.off).intersection(window.on()));
-    let failed = off.iter().map(|atom| atom.text(false)).chain(on.iter().map(|atom| atom.text(true)));
-    let failed: Vec<&str> = failed.collect();
+    let text = |value| move |atom| rules.text(atom, value).to_string();
+    let failed: Vec<String> = off.iter().map(text(false)).chain(on.iter().map(text(true))).collect();
     format!("{from} -> {to}, but {}; expected {from} to stay", failed.join(" and "))
 }
 
 /// A term's conditions with their values, as far as they are known.
-pub(super) fn conditions(term: &Term, known: Knowledge) -> String {
+pub(super) fn conditions(rules: &Rules, term: &Term, known: Knowledge) -> String {
     let texts: Vec<String> = term
         .literals()
         .map(|(atom, value)| match known.of(atom) {
-            Truth::True => atom.text(true).to_owned(),
-            Truth::False => atom.text(false).to_owned(),
-            Truth::Unknown => format!("{} (not certain)", atom.text(value)),
+            Truth::True => rules.text(atom, true).to_string(),
+            Truth::False => rules.text(atom, false).to_string(),
+            Truth::Unknown => format!("{} (not certain)", rules.text(atom, value)),
         })
         .collect();
     texts.join(" and ")

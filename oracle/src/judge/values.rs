@@ -1,11 +1,11 @@
 //! Frames as such: lengths, ranges, and which message goes where.
 
-use adsdv_spec::Atoms;
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState, Message, Node,
-    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
-    Vcu2LogStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState, Message,
+    MessageDef, Node, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus,
 };
+use adsdv_spec::{Atoms, Bus};
 
 use super::finding::{Finding, Party, Rule, Severity};
 use super::lenient::{self, Lenient};
@@ -25,8 +25,8 @@ const ECHOES: [(u16, u16); 4] = [
 impl Judge {
     /// A frame came with another content than the one before, or after a silence.
     pub(super) fn changed(&mut self, index: usize, t: i64, word: u64, len: u8, before: Option<i64>) {
+        let Some(def) = self.def_of(index) else { return };
         let Some(slot) = self.slots.get_mut(index) else { return };
-        let def = slot.def;
         let was_fresh = slot.fresh;
         slot.word = word;
         slot.len = len;
@@ -65,13 +65,13 @@ impl Judge {
         match index {
             STATUS => {
                 let Lenient { mut message, bad } = self.read::<Vcu2AiStatus>(index, t, word);
-                if is_bad::<Vcu2AiStatus>(bad, "SHUTDOWN_CAUSE") {
+                if is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "SHUTDOWN_CAUSE") {
                     // A cause that cannot be read says nothing about the one before.
                     message.shutdown_cause =
                         self.vcu.status.map_or(message.shutdown_cause, |s| s.shutdown_cause);
                 }
-                let state_bad = is_bad::<Vcu2AiStatus>(bad, "AS_STATE");
-                let ami_bad = is_bad::<Vcu2AiStatus>(bad, "AMI_STATE");
+                let state_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "AS_STATE");
+                let ami_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "AMI_STATE");
                 let readable =
                     if ami_bad { scope(index).without(adsdv_spec::Atom::AmiSelected) } else { scope(index) };
                 self.status(t, message, !state_bad, readable, before);
@@ -100,7 +100,7 @@ impl Judge {
             }
             STEER => {
                 let Lenient { message, bad } = self.read::<Vcu2AiSteer>(index, t, word);
-                let bad = u32::from(is_bad::<Vcu2AiSteer>(bad, "STEER_ANGLE_deg"));
+                let bad = u32::from(is_bad::<Vcu2AiSteer>(&self.edition.bus, bad, "STEER_ANGLE_deg"));
                 self.measured(
                     index,
                     t,
@@ -116,10 +116,11 @@ impl Judge {
                 //= D-28
                 let hidden = message.state_assi == AsState::EmergencyBrake
                     && message.state_ebs == EbsState::Triggered
-                    && !is_bad::<Vcu2LogStatus>(bad, "State_ASSI");
-                let ebs_bad = u32::from(hidden || is_bad::<Vcu2LogStatus>(bad, "State_EBS"));
+                    && !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_ASSI");
+                let ebs_bad =
+                    u32::from(hidden || is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_EBS"));
                 self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
-                if !is_bad::<Vcu2LogStatus>(bad, "State_ASSI") {
+                if !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_ASSI") {
                     self.assi_seen(t, message.state_assi);
                 }
             }
@@ -141,7 +142,7 @@ impl Judge {
 
     /// The messages of which only the values are checked.
     fn only_values(&mut self, index: usize, t: i64, word: u64) {
-        match self.slots.get(index).map(|slot| slot.def.id) {
+        match self.def_of(index).map(|def| def.id) {
             Some(Vcu2LogDynamics1::ID) => drop(self.read::<Vcu2LogDynamics1>(index, t, word)),
             Some(Ai2VcuBrake::ID) => drop(self.read::<Ai2VcuBrake>(index, t, word)),
             Some(Vcu2AiDriveF::ID) => drop(self.read::<Vcu2AiDriveF>(index, t, word)),
@@ -172,7 +173,7 @@ impl Judge {
     /// Reads a message, and reports the signals whose values have become wrong.
     #[inline]
     fn read<M: Message>(&mut self, index: usize, t: i64, word: u64) -> Lenient<M> {
-        let lenient = lenient::decode::<M>(word.to_le_bytes());
+        let lenient = lenient::decode::<M>(&self.edition.bus, word.to_le_bytes());
         if let Some(slot) = self.slots.get_mut(index).filter(|slot| slot.bad != lenient.bad) {
             let new = lenient.bad & !slot.bad;
             slot.bad = lenient.bad;
@@ -183,21 +184,22 @@ impl Judge {
 
     #[cold]
     fn bad_values<M: Message>(&mut self, t: i64, word: u64, new: u32) {
-        for (place, signal) in M::DEF.signals.iter().enumerate() {
+        let Some(def) = self.edition.bus.message(M::ID) else { return };
+        for (place, signal) in def.signals.iter().enumerate() {
             let Some(raw) = signal.raw(&word.to_le_bytes()).filter(|_| new >> place & 1 == 1) else {
                 continue;
             };
             // The logging messages show the database's start value until what they log is there.
-            let start = lenient::is_start_value(signal, raw) && M::DEF.id == Vcu2LogStatus::ID;
-            let echo = self.echoes_bad_request(M::DEF.id, signal.name);
+            let start = lenient::is_start_value(signal, raw) && M::ID == Vcu2LogStatus::ID;
+            let echo = self.echoes_bad_request(M::ID, signal.name);
             let (severity, rule) = match (start, echo) {
                 (true, _) => (Severity::Note, Rule::StartValue),
                 (_, true) => (Severity::Note, Rule::Value),
                 _ => (Severity::Violation, Rule::Value),
             };
             let error = adsdv_spec::messages::ValueError {
-                message: M::DEF.name,
-                id: M::DEF.id,
+                message: def.name,
+                id: M::ID,
                 signal: signal.name,
                 given: raw,
                 def: signal,
@@ -210,12 +212,17 @@ impl Judge {
             self.out.finding(Finding {
                 t_ns: t,
                 severity,
-                party: M::DEF.sender.into(),
-                section: M::DEF.section,
+                party: def.sender.into(),
+                section: def.section,
                 rule,
                 message,
             });
         }
+    }
+
+    /// What the edition says of the message of a slot.
+    fn def_of(&self, index: usize) -> Option<&'static MessageDef> {
+        self.slots.get(index)?.def
     }
 
     /// Whether this signal tells the AI Computer's own request back, and that is out of range.
@@ -227,7 +234,7 @@ impl Judge {
 
     #[cold]
     fn too_short(&mut self, t: i64, index: usize, len: u8) {
-        let Some(def) = self.slots.get(index).map(|slot| slot.def) else { return };
+        let Some(def) = self.def_of(index) else { return };
         let message = format!(
             "{} ({:03X}h) has {len} bytes; expected at least {} for its signals",
             def.name,
@@ -246,7 +253,7 @@ impl Judge {
 
     #[cold]
     fn other_length(&mut self, t: i64, index: usize, len: u8) {
-        let Some(def) = self.slots.get(index).map(|slot| slot.def) else { return };
+        let Some(def) = self.def_of(index) else { return };
         let message = format!(
             "{} ({:03X}h) has {len} bytes; the CAN database says {}, its signals need {}",
             def.name,
@@ -266,7 +273,7 @@ impl Judge {
 
     /// A frame of no message of the document.
     pub(super) fn other_id(&mut self, t: i64, id: u32) {
-        let reserved = u16::try_from(id).is_ok_and(adsdv_spec::is_reserved);
+        let reserved = u16::try_from(id).is_ok_and(|id| self.edition.bus.is_reserved(id));
         if reserved && self.out.first_of_id(id) {
             self.out.finding(Finding {
                 t_ns: t,
@@ -286,7 +293,7 @@ impl Judge {
     pub fn sent_by_ai(&mut self, t_ns: i64, id: u32) {
         let t = self.other_frame(t_ns);
         let short = u16::try_from(id).unwrap_or(u16::MAX);
-        if adsdv_spec::is_reserved(short) && self.out.first_by_ai(id) {
+        if self.edition.bus.is_reserved(short) && self.out.first_by_ai(id) {
             self.out.finding(Finding {
                 t_ns: t,
                 severity: Severity::Violation,
@@ -296,7 +303,7 @@ impl Judge {
                 message: format!("the AI Computer sent {id:03X}h, which is reserved; expected it not to"),
             });
         }
-        let def = adsdv_spec::messages::message_by_id(short);
+        let def = self.edition.bus.message(short);
         if let Some(def) = def.filter(|def| def.sender == Node::Vcu && self.out.first_by_ai(id)) {
             self.out.finding(Finding {
                 t_ns: t,
@@ -314,7 +321,7 @@ impl Judge {
 
     /// The end of the log: says which side was not there.
     pub(super) fn note_one_sided(&mut self) {
-        let seen = |node| self.slots.iter().any(|slot| slot.def.sender == node && slot.last.is_some());
+        let seen = |node| self.slots.iter().any(|slot| slot.is_from(node) && slot.last.is_some());
         let (severity, message) = match (seen(Node::Ai), seen(Node::Vcu)) {
             (true, true) => return,
             (false, false) => (
@@ -334,7 +341,8 @@ impl Judge {
     }
 }
 
-fn is_bad<M: Message>(bad: u32, signal: &str) -> bool {
-    bad != 0
-        && M::DEF.signals.iter().position(|s| s.name == signal).is_some_and(|place| bad >> place & 1 == 1)
+/// Whether the signal with this name has a value that is not allowed.
+fn is_bad<M: Message>(bus: &Bus, bad: u32, signal: &str) -> bool {
+    let place = || bus.message(M::ID)?.signals.iter().position(|s| s.name == signal);
+    bad != 0 && place().is_some_and(|place| bad >> place & 1 == 1)
 }

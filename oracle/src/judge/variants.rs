@@ -3,15 +3,16 @@
 //! Readings change which terms a row has and which row comes first. Most combinations of readings make no
 //! difference to a given state, so each state keeps the few variants that do.
 
-use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Machine, Reading, Rules, Taken, Term, Truth};
+use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Machine, Reading, Taken, Term, Truth};
 
 /// The readings that change the table, rather than what an atom means.
-fn table_readings(rules: &Rules) -> Vec<Reading> {
+fn table_readings(edition: &Edition) -> Vec<Reading> {
+    let rules = &edition.rules;
     let terms = rules.table.rows().iter().flat_map(adsdv_spec::Row::terms);
     let in_terms = terms.flat_map(|term| term.readings.iter());
     let in_order = rules.priorities.iter().map(|priority| priority.choice);
     let changing: Vec<Reading> = in_terms.chain(in_order).map(adsdv_spec::Choice::reading).collect();
-    Reading::ALL.iter().copied().filter(|reading| changing.contains(reading)).collect()
+    edition.questions().filter(|reading| changing.contains(reading)).collect()
 }
 
 /// One row under one set of readings.
@@ -46,7 +47,7 @@ pub(super) struct Variants {
 impl Variants {
     pub(super) fn new(edition: &Edition, readings: Choices) -> Self {
         let machines: Vec<Machine> = readings
-            .combinations(&table_readings(&edition.rules))
+            .combinations(&table_readings(edition))
             .map(|answer| Machine::new(*edition, answer))
             .collect();
         let by_state: Vec<Vec<Variant>> = AsState::ALL

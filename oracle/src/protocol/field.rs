@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use adsdv_spec::Edition;
 use adsdv_spec::messages::SignalValue;
 
 use super::bad_line::Given;
@@ -23,6 +24,14 @@ pub enum Domain {
 }
 
 impl Domain {
+    /// The same, but a number has the range that the edition gives to the signal of this field, where there is one.
+    pub(super) const fn on_the_bus(self, field: &str) -> Self {
+        match (self, Edition::DEFAULT.bus.signal_of(field)) {
+            (Self::Number { .. }, Some(signal)) => Self::Number { min: signal.min, max: signal.max },
+            _ => self,
+        }
+    }
+
     /// The values of a type.
     pub(super) const fn of<T: SignalValue>() -> Self {
         if !T::VALUES.is_empty() {

@@ -1,7 +1,7 @@
 //! The inputs of a step that a program under test is told: everything that decides what it shows.
 
-use adsdv_spec::Inputs;
-use adsdv_spec::messages::SignalValue;
+use adsdv_spec::messages::{SignalDef, SignalValue};
+use adsdv_spec::{Bus, Edition, Inputs};
 
 use super::field::Domain;
 
@@ -24,6 +24,13 @@ pub struct InputField {
 
 const fn domain_of<T: SignalValue>(_: fn(&Inputs) -> &T) -> Domain {
     Domain::of::<T>()
+}
+
+const BUS: &Bus = &Edition::DEFAULT.bus;
+
+/// Whether a raw value is in the range that the edition gives to a signal.
+fn in_range(raw: i32, signal: Option<&SignalDef>) -> bool {
+    signal.is_none_or(|signal| (signal.min..=signal.max).contains(&raw))
 }
 
 fn unit_of<T: SignalValue>(_: fn(&Inputs) -> &T) -> String {
@@ -66,16 +73,16 @@ macro_rules! inputs {
         pub const INPUTS: &[InputField] = &[$(
             InputField {
                 key: stringify!($field),
-                domain: domain_of(|inputs| &at!(inputs $part $field)),
+                domain: domain_of(|inputs| &at!(inputs $part $field)).on_the_bus(stringify!($field)),
                 part: name!($part),
                 unit: || unit_of(|inputs| &at!(inputs $part $field)),
                 get: |inputs| SignalValue::to_raw(at!(inputs $part $field)),
                 set: |inputs, raw| match SignalValue::from_raw(raw) {
-                    Some(value) => {
+                    Some(value) if in_range(raw, const { BUS.signal_of(stringify!($field)) }) => {
                         at!(inputs $part $field) = value;
                         true
                     }
-                    None => false,
+                    _ => false,
                 },
             },
         )+];

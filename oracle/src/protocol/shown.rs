@@ -41,7 +41,8 @@ macro_rules! shown {
             $(
                 ShownField {
                     key: stringify!($nullable),
-                    domain: domain_of(|status, actuation| from!($source status actuation).$nullable),
+                    domain: domain_of(|status, actuation| from!($source status actuation).$nullable)
+                        .on_the_bus("steer_request"),
                     nullable: true,
                     get: |status, actuation| {
                         from!($source status actuation).$nullable.map(SignalValue::to_raw)

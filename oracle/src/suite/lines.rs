@@ -205,8 +205,12 @@ fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
 /// The identifiers of all requirements that there are.
 fn requirements(edition: &Edition) -> Cow<'static, HashSet<String>> {
     // Making all tests takes longer than reading most suites.
-    static OF_V3_0: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(&Edition::V3_0));
-    if *edition == Edition::V3_0 { Cow::Borrowed(&OF_V3_0) } else { Cow::Owned(requirements_of(edition)) }
+    static OF_DEFAULT: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(Edition::DEFAULT));
+    if *edition == *Edition::DEFAULT {
+        Cow::Borrowed(&OF_DEFAULT)
+    } else {
+        Cow::Owned(requirements_of(edition))
+    }
 }
 
 fn requirements_of(edition: &Edition) -> HashSet<String> {

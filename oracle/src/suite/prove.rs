@@ -63,7 +63,7 @@ pub fn prove(edition: &Edition, tests: &[Test]) -> Proof {
 /// The default readings, and, for a term that only some readings have, those that have it; for one that is put into all, the
 /// others.
 fn readings(edition: &Edition, mutation: &Mutation) -> Vec<Readings> {
-    let mut readings = vec![Readings::DEFAULT];
+    let mut readings = vec![edition.readings];
     let Change::Term(row, term, change) = mutation.change else { return readings };
     let term = edition.rules.table.rows().get(row).and_then(|row| row.terms().get(term));
     for choice in term.into_iter().flat_map(|term| term.readings.iter()) {
@@ -72,7 +72,7 @@ fn readings(edition: &Edition, mutation: &Mutation) -> Vec<Readings> {
         } else {
             vec![choice]
         };
-        readings.extend(answers.into_iter().map(|choice| Readings::DEFAULT.with(choice)));
+        readings.extend(answers.into_iter().map(|choice| edition.readings.with(choice)));
     }
     readings
 }

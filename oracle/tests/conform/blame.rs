@@ -72,7 +72,7 @@ fn a_wrong_output_does_not_hide_which_readings_are_followed() {
         let readings = Readings::DEFAULT.with(choice);
         let mut vcu = Erring {
             tampers: |_, _, outputs| flip(outputs, "as_switch_status"),
-            ..Erring::new(&Machine::new(Edition::V3_0, readings))
+            ..Erring::new(&Machine::new(*Edition::DEFAULT, readings))
         };
         let report = conform(&mut vcu, tests(), &suite_only(), &mut |_| {}).expect("it answers");
         assert_eq!((report.readings, failed(&report)), (readings, vec!["MSG-44"]));
@@ -83,8 +83,8 @@ fn a_wrong_output_does_not_hide_which_readings_are_followed() {
 
 #[test]
 fn a_wrong_row_breaks_what_is_about_the_state() {
-    let mutation = Mutation::all(&Edition::V3_0).find(|one| one.to_string() == "3.7 term 1: dropped");
-    let mutant = mutation.expect("a mutation").apply(&Edition::V3_0);
+    let mutation = Mutation::all(Edition::DEFAULT).find(|one| one.to_string() == "3.7 term 1: dropped");
+    let mutant = mutation.expect("a mutation").apply(Edition::DEFAULT);
     let report = machine(&Machine::new(mutant, Readings::DEFAULT), &suite_only());
     let row = failed(&report);
     assert!(row.contains(&"SM-13") && row.contains(&"DTE-2"), "{row:?}");

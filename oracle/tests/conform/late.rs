@@ -70,9 +70,9 @@ fn at_a_fixed_cycle_every_step_takes_it() {
 
 #[test]
 fn a_mutant_at_a_fixed_cycle_fails_in_its_row() {
-    let mutation = adsdv_spec::Mutation::all(&adsdv_spec::Edition::V3_0)
+    let mutation = adsdv_spec::Mutation::all(adsdv_spec::Edition::DEFAULT)
         .find(|one| one.to_string() == "3.7 term 1: dropped");
-    let mutant = mutation.expect("a mutation").apply(&adsdv_spec::Edition::V3_0);
+    let mutant = mutation.expect("a mutation").apply(adsdv_spec::Edition::DEFAULT);
     let options = ConformOptions { cycle_ms: Some(100), runs: 0, ..ConformOptions::default() };
     let report = machine(&Machine::new(mutant, adsdv_spec::Readings::DEFAULT), &options);
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();

@@ -15,7 +15,7 @@ pub(crate) const TIMEOUT: Duration = Duration::from_secs(20);
 
 pub(crate) fn tests() -> &'static [Test] {
     static TESTS: OnceLock<Vec<Test>> = OnceLock::new();
-    TESTS.get_or_init(|| suite::generate(&Edition::V3_0))
+    TESTS.get_or_init(|| suite::generate(Edition::DEFAULT))
 }
 
 /// Only the suite.

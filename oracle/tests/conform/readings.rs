@@ -6,13 +6,13 @@ use adsdv_spec::{Choice, Choices, Edition, Machine, Mutation, Reading, Readings}
 use crate::programs::{machine, suite_only};
 
 fn with(choices: &[Choice]) -> Machine {
-    Machine::new(Edition::V3_0, choices.iter().copied().fold(Readings::DEFAULT, Readings::with))
+    Machine::new(*Edition::DEFAULT, choices.iter().copied().fold(Readings::DEFAULT, Readings::with))
 }
 
 /// A machine with a mutation of the table, under some readings.
 fn mutant(mutation: &str, choices: &[Choice]) -> Machine {
-    let named = Mutation::all(&Edition::V3_0).find(|one| one.to_string() == mutation);
-    Machine::new(named.expect(mutation).apply(&Edition::V3_0), with(choices).readings())
+    let named = Mutation::all(Edition::DEFAULT).find(|one| one.to_string() == mutation);
+    Machine::new(named.expect(mutation).apply(Edition::DEFAULT), with(choices).readings())
 }
 
 fn of(report: &ConformReport, reading: Reading) -> &Follows {
@@ -45,7 +45,7 @@ fn each_choice_of_each_reading_is_recognised_by_the_suite_alone() {
 #[test]
 fn combinations_of_choices_conform_and_are_recognised() {
     for (place, readings) in Choices::ALL.combinations(Reading::ALL).enumerate().step_by(173) {
-        let report = machine(&Machine::new(Edition::V3_0, readings), &suite_only());
+        let report = machine(&Machine::new(*Edition::DEFAULT, readings), &suite_only());
         assert!(report.conforms(), "{place}: {readings}");
         for &reading in Reading::ALL {
             let possible = &of(&report, reading).possible;

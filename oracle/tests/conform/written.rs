@@ -141,10 +141,10 @@ fn failed(failure: &Failure) -> String {
 /// Mutants of the table, and what a fixed cycle, late outputs and other readings change.
 fn mutants() -> String {
     let mut text = String::new();
-    for (place, mutation) in Mutation::all(&Edition::V3_0).enumerate().step_by(5) {
+    for (place, mutation) in Mutation::all(Edition::DEFAULT).enumerate().step_by(5) {
         let cycle_ms = (place % 40 == 10).then_some(50);
         let late = if place % 4 == 3 { 2 } else { 0 };
-        let machine = Machine::new(mutation.apply(&Edition::V3_0), Readings::DEFAULT);
+        let machine = Machine::new(mutation.apply(Edition::DEFAULT), Readings::DEFAULT);
         let program = Erring { late, nothing: place % 8 == 3, ..Erring::new(&machine) };
         let options = ConformOptions { cycle_ms, latency: late, ..by_default() };
         text += &name(&format!("{mutation}, cycle {cycle_ms:?}, {late} late"), program, &options);
@@ -157,12 +157,12 @@ fn readings() -> String {
     let mut text = String::new();
     for reading in Reading::ALL {
         let choice = reading.choices().last().copied().expect("each has several");
-        let machine = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
+        let machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice));
         text += &name(&format!("follows {choice}"), Erring::new(&machine), &usual());
     }
-    for (place, mutation) in Mutation::all(&Edition::V3_0).enumerate().skip(2).step_by(23) {
+    for (place, mutation) in Mutation::all(Edition::DEFAULT).enumerate().skip(2).step_by(23) {
         let choice = if place % 2 == 0 { Choice::FaultEdge } else { Choice::GoEdgeEnough };
-        let machine = Machine::new(mutation.apply(&Edition::V3_0), Readings::DEFAULT.with(choice));
+        let machine = Machine::new(mutation.apply(Edition::DEFAULT), Readings::DEFAULT.with(choice));
         text += &name(&format!("{mutation}, all readings"), Erring::new(&machine), &usual());
     }
     let mute = |_, _: &Inputs, outputs: &mut Outputs| {
@@ -171,7 +171,7 @@ fn readings() -> String {
     let mute = Erring { tampers: mute, ..Erring::new(&Machine::REFERENCE) };
     text += &name("shows no GO_SIGNAL, so that one question stays open", mute, &usual());
     let pinned = ConformOptions { possible: Choices::ALL.pin(Choice::FaultLevel), ..usual() };
-    let edge = Machine::new(Edition::V3_0, Readings::DEFAULT.with(Choice::FaultEdge));
+    let edge = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(Choice::FaultEdge));
     text += &name("another reading than the one that is pinned", Erring::new(&edge), &pinned);
     let (_, tampers) = TAMPERINGS[6];
     let wrong = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };

@@ -9,14 +9,14 @@ use crate::tests;
 
 /// The rows and terms that the default readings have.
 fn terms() -> impl Iterator<Item = (&'static Row, &'static Term)> {
-    let rows = adsdv_spec::FIGURE_2.rows().iter();
+    let rows = adsdv_spec::Edition::DEFAULT.rules.table.rows().iter();
     let terms = rows.flat_map(|row| row.terms().iter().map(move |term| (row, term)));
     terms.filter(|(_, term)| term.readings.is_subset(Readings::DEFAULT.choices()))
 }
 
 #[test]
 fn every_mutation_is_killed_but_those_that_change_nothing() {
-    let proof = suite::prove(&Edition::V3_0, &tests());
+    let proof = suite::prove(Edition::DEFAULT, &tests());
     assert_eq!(proof.survivors, Vec::<String>::new());
     assert_eq!(proof.equivalent.len(), 3);
     assert!(proof.is_complete() && proof.killed() == proof.mutants && proof.mutants > 190);
@@ -27,11 +27,11 @@ fn every_mutation_is_killed_but_those_that_change_nothing() {
 fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
     for kind in [Kind::Condition, Kind::Limit, Kind::Reading] {
         let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != kind).collect();
-        let proof = suite::prove(&Edition::V3_0, &less);
+        let proof = suite::prove(Edition::DEFAULT, &less);
         assert!(!proof.is_complete(), "without {kind}");
         assert_eq!(proof.killed() + proof.survivors.len(), proof.mutants);
     }
-    let proof = suite::prove(&Edition::V3_0, &[]);
+    let proof = suite::prove(Edition::DEFAULT, &[]);
     assert_eq!(proof.killed(), 0);
 }
 
@@ -39,8 +39,8 @@ fn a_suite_without_some_of_its_tests_lets_a_mutation_live() {
 #[test]
 fn what_changes_nothing_is_found_out_for_each_table() {
     let weaker =
-        Mutation::all(&Edition::V3_0).find(|mutation| mutation.to_string() == "3.1 term 0: asms dropped");
-    let proof = suite::prove(&weaker.expect("it is one").apply(&Edition::V3_0), &tests());
+        Mutation::all(Edition::DEFAULT).find(|mutation| mutation.to_string() == "3.1 term 0: asms dropped");
+    let proof = suite::prove(&weaker.expect("it is one").apply(Edition::DEFAULT), &tests());
     assert_eq!(proof.survivors, Vec::<String>::new());
     let equivalent: Vec<&str> = proof.equivalent.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(equivalent, ["3.7 term 4: in every reading", "3.7 term 6: in every reading"]);
@@ -62,7 +62,7 @@ fn taken() -> BTreeMap<(u8, u8), usize> {
 #[test]
 fn every_row_and_every_alternative_is_taken() {
     let taken = taken();
-    for (place, row) in (0u8..).zip(adsdv_spec::FIGURE_2.rows()) {
+    for (place, row) in (0u8..).zip(adsdv_spec::Edition::DEFAULT.rules.table.rows()) {
         for (alternative, term) in (0u8..).zip(row.terms()) {
             if term.readings.is_subset(Readings::DEFAULT.choices()) {
                 assert!(taken.contains_key(&(place, alternative)), "{} term {alternative}", row.section);
@@ -123,7 +123,7 @@ fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
     }
     let tests = tests();
     for &choice in Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice)) {
-        let other = Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice));
+        let other = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice));
         let tells = |test: &&Test| test.scenario.shown(&machine).ne(test.scenario.shown(&other));
         assert!(tests.iter().filter(tells).any(|test| test.reading == Some(choice.reading())), "{choice}");
     }
@@ -132,7 +132,7 @@ fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
 #[test]
 fn every_limit_is_tried_below_at_and_above() {
     let names: HashSet<String> = tests().into_iter().map(|test| test.name).collect();
-    let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
+    let Rules { timing, thresholds, .. } = Edition::DEFAULT.rules;
     for rpm in [-1, 0, 1].map(|beside| thresholds.wheel_speed.raw() + beside) {
         for wheel in ["fl", "fr", "rl", "rr"] {
             assert!(names.contains(&format!("wheel-{wheel}-{rpm}-rpm")));

@@ -10,5 +10,5 @@ use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::Edition;
 
 fn tests() -> Vec<Test> {
-    suite::generate(&Edition::V3_0)
+    suite::generate(Edition::DEFAULT)
 }

@@ -73,7 +73,7 @@ fn what_is_about_the_vcu_is_what_its_sentences_are() {
         .map(str::to_owned)
         .collect();
     expected.insert("HS-13".to_owned());
-    assert_eq!(suite::about_the_vcu(&Edition::V3_0), expected);
+    assert_eq!(suite::about_the_vcu(Edition::DEFAULT), expected);
 }
 
 #[test]

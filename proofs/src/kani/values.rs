@@ -5,9 +5,9 @@ use std::fmt;
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState,
     AnyMessage, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
-    LapCounter, MESSAGES, MissionStatus, MotorSpeedMax, Node, ShutdownCause, SpeedKmh, SteerAngle,
-    SteerAngleMax, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
-    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
+    LapCounter, MissionStatus, MotorSpeedMax, Node, ShutdownCause, SpeedKmh, SteerAngle, SteerAngleMax,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{
     AiMessages, Atom, Atoms, Control, Edition, Fault, Faults, Handshake, Inputs, Knowledge, Observation,
@@ -33,7 +33,7 @@ const fn small(raw: i32) -> u16 {
 
 /// The numbers at which the document's behaviour changes.
 const LIMITS: [u16; 5] = {
-    let Rules { timing, thresholds, .. } = Edition::V3_0.rules;
+    let Rules { timing, thresholds, .. } = Edition::DEFAULT.rules;
     [
         timing.ready_dwell_ms,
         timing.ebs_timer_ms,
@@ -72,15 +72,7 @@ fn number(source: &mut Source, bits: u32) -> u64 {
 }
 
 /// The identifiers of the messages.
-const IDENTIFIERS: [u16; MESSAGES.len()] = {
-    let mut ids = [0; MESSAGES.len()];
-    let mut i = 0;
-    while i < ids.len() {
-        ids[i] = MESSAGES[i].id;
-        i += 1;
-    }
-    ids
-};
+const IDENTIFIERS: [u16; AnyMessage::IDS.len()] = AnyMessage::IDS;
 
 macro_rules! numbers {
     ($($type:ty: $bits:literal),+) => {$(
@@ -248,7 +240,7 @@ impl Arbitrary for Handshake {
 }
 
 const fn handshake_ms() -> u16 {
-    Edition::V3_0.rules.timing.handshake_ms
+    Edition::DEFAULT.rules.timing.handshake_ms
 }
 
 /// Mostly a control state that keeps the invariant under the default readings: few others would.
@@ -267,7 +259,7 @@ impl Arbitrary for Control {
         if source.below(8) == 0 {
             return drawn;
         }
-        let limit = Edition::V3_0.rules.timing.in_state_limit(drawn.state);
+        let limit = Edition::DEFAULT.rules.timing.in_state_limit(drawn.state);
         drawn.in_state_ms = drawn.in_state_ms.min(limit);
         source.note_timers(Some(drawn.in_state_ms), drawn.handshake.unanswered_ms);
         drawn.go_seen_low &= drawn.state == AsState::Ready && drawn.in_state_ms == limit;
@@ -314,15 +306,19 @@ impl Arbitrary for Inputs {
             drawn.sdc = ShutdownCircuit::default();
             drawn.reports = Reports::default();
             drawn.ai.status.estop_request &= bool::any(source);
+            // One fault by itself, as the cause of a step.
+            if source.below(4) == 0 {
+                drawn.show_fault(Fault::any(source), true);
+            }
         }
         // Half of them are a vehicle of which nearly everything is as it should be.
         let kind = source.below(4);
         let mostly = if kind % 2 == 1 { 2 } else { 16 };
         for atom in Observation::SCOPE.difference(SPREAD).iter() {
             match source.below(mostly) {
-                0 => drawn.show(atom, false, &Edition::V3_0.rules.thresholds),
+                0 => drawn.show(atom, false, &Edition::DEFAULT.rules.thresholds),
                 1 => {}
-                _ => drawn.show(atom, true, &Edition::V3_0.rules.thresholds),
+                _ => drawn.show(atom, true, &Edition::DEFAULT.rules.thresholds),
             }
         }
         // What is shown is to the left; half of them have it to the right.

@@ -3,15 +3,15 @@
 
 use adsdv_proofs::subject::Subject;
 use adsdv_proofs::theorems::Theorem;
-use adsdv_spec::messages::{
-    Ai2VcuDriveF, Ai2VcuStatus, Frame, MESSAGES, MessageDef, Node, SignalDef, message_by_id,
-};
-use adsdv_spec::{AiMessages, is_reserved};
+use adsdv_spec::messages::{Ai2VcuDriveF, Ai2VcuStatus, Frame, MessageDef, Node, SignalDef};
+use adsdv_spec::{AiMessages, Bus, Edition};
 
 use crate::Mutant;
 
+const BUS: &Bus = &Edition::DEFAULT.bus;
+
 pub(crate) fn mutants() -> Vec<Mutant> {
-    let mut mutants: Vec<Mutant> = MESSAGES.iter().flat_map(|message| of_message(message)).collect();
+    let mut mutants: Vec<Mutant> = BUS.messages.iter().flat_map(|message| of_message(message)).collect();
     mutants.extend(of_any());
     mutants.extend(of_the_table());
     mutants.extend(of_identifiers());
@@ -155,23 +155,23 @@ fn of_any() -> Vec<Mutant> {
     let of = |what, change| Mutant::new(takes, what, Receiving(change));
     vec![
         of("what does not decode is the default", |ai, id, data| {
-            let done = ai.receive(id, data);
+            let done = ai.receive(BUS, id, data);
             if done.is_err() && id == 0x510 {
                 ai.status = Ai2VcuStatus::default();
             }
             done == Ok(true)
         }),
         of("a new mission forgets the torque", |ai, id, data| {
-            let done = ai.receive(id, data) == Ok(true);
+            let done = ai.receive(BUS, id, data) == Ok(true);
             if done && id == 0x510 {
                 ai.drive_f = Ai2VcuDriveF::default();
             }
             done
         }),
         of("513h is 514h too", |ai, id, data| {
-            ai.receive(if id == 0x514 { 0x513 } else { id }, data) == Ok(true)
+            ai.receive(BUS, if id == 0x514 { 0x513 } else { id }, data) == Ok(true)
         }),
-        of("500h is taken too", |ai, id, data| ai.receive(id, data) == Ok(true) || id == 0x500),
+        of("500h is taken too", |ai, id, data| ai.receive(BUS, id, data) == Ok(true) || id == 0x500),
         received("a_frame_is_read_as_the_message_of_its_identifier", "the first byte is lost", |_, data| {
             head(data, |bytes| (u64::from_le_bytes(bytes) & !0xFF).to_le_bytes())
         }),
@@ -253,7 +253,7 @@ fn of_the_table() -> Vec<Mutant> {
         ("the_table_agrees_with_the_decoder_on_the_vcu_feedback", 0x521..=0x526),
         ("the_table_agrees_with_the_decoder_on_the_log", 0x500..=0x502),
     ] {
-        let messages = MESSAGES.iter().filter(|message| ids.contains(&message.id));
+        let messages = BUS.messages.iter().filter(|message| ids.contains(&message.id));
         mutants.extend(messages.flat_map(|message| {
             let id = message.id;
             message.signals.iter().map(move |signal| {
@@ -289,21 +289,23 @@ impl Subject for Identifiers {
 
 fn of_identifiers() -> Vec<Mutant> {
     let reserved = |what, is_reserved| {
-        let subject = Identifiers { is_reserved, may_send: Node::may_send };
+        let subject = Identifiers { is_reserved, may_send: |node, id| BUS.may_send(node, id) };
         Mutant::new("reserved_is_what_section_2_3_lists", what, subject)
     };
-    let sends =
-        |what, may_send| Mutant::new("who_may_send_what", what, Identifiers { is_reserved, may_send });
+    let sends = |what, may_send| {
+        let subject = Identifiers { is_reserved: |id| BUS.is_reserved(id), may_send };
+        Mutant::new("who_may_send_what", what, subject)
+    };
     vec![
-        reserved("470h is not", |id| is_reserved(id) && id != 0x470),
-        reserved("185h is", |id| is_reserved(id) || id == 0x185),
-        reserved("what is longer than 11 bits is", |id| is_reserved(id) || id > 0x7FF),
+        reserved("470h is not", |id| BUS.is_reserved(id) && id != 0x470),
+        reserved("185h is", |id| BUS.is_reserved(id) || id == 0x185),
+        reserved("what is longer than 11 bits is", |id| BUS.is_reserved(id) || id > 0x7FF),
         sends("the AI Computer may send what is reserved", |node, id| {
-            node.may_send(id) || node == Node::Ai && is_reserved(id)
+            BUS.may_send(node, id) || node == Node::Ai && BUS.is_reserved(id)
         }),
-        sends("the VCU may send 514h", |node, id| node.may_send(id) || node == Node::Vcu && id == 0x514),
+        sends("the VCU may send 514h", |node, id| BUS.may_send(node, id) || node == Node::Vcu && id == 0x514),
         sends("the VCU may send its own messages only", |node, id| {
-            node.may_send(id) && (node == Node::Ai || message_by_id(id).is_some())
+            BUS.may_send(node, id) && (node == Node::Ai || BUS.message(id).is_some())
         }),
     ]
 }

@@ -116,6 +116,6 @@ impl Subject for LoggerSteers {
         if id == 0x501 {
             ai.steer.steer_request = SteerAngle::clamped(data.first().copied().unwrap_or(0).into());
         }
-        matches!(ai.receive(id, data), Ok(true))
+        matches!(ai.receive(&self.machine().edition().bus, id, data), Ok(true))
     }
 }

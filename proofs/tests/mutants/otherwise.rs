@@ -27,7 +27,7 @@ pub(crate) struct ReadAs(Machine);
 
 impl ReadAs {
     pub(crate) const fn new(choice: Choice) -> Self {
-        Self(Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
+        Self(Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice)))
     }
 }
 

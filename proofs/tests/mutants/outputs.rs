@@ -2,10 +2,12 @@
 //! actuators or do not get there.
 
 use adsdv_proofs::subject::Subject;
+use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
-    BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, LogBrake, LogDriveTorque, LogSteerAngle,
-    Message, MessageDef, MotorSpeedMax, SignalDef, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR,
-    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
+    BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, Layout, LogBrake, LogDriveTorque,
+    LogSteerAngle, Message, MessageDef, MotorSpeedMax, SignalDef, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF,
+    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
+    Vcu2LogStatus,
 };
 use adsdv_spec::{Actuation, AsState, Control, Inputs, Machine, Outputs, VcuMessages};
 
@@ -50,17 +52,23 @@ fn theorem(id: u16, signal: &str) -> &'static str {
 }
 
 /// The message with the value of a signal that comes next.
-fn next<M: Message>(message: M, signal: &SignalDef) -> M {
-    let data = message.encode().data;
+fn next<M: Message>(message: M, signal: &SignalDef) -> M
+where
+    V3_0: Layout<M>,
+{
+    let data = V3_0::encode(&message).data;
     let raw = signal.raw(&data).map_or(signal.min, |raw| raw + 1);
     let raw = if signal.allows(raw) { raw } else { signal.min };
-    M::decode(&signal.put(data, raw)).unwrap_or(message)
+    V3_0::decode(&signal.put(data, raw)).unwrap_or(message)
 }
 
 /// Each signal that the VCU sends, with another value.
 fn of_each_signal() -> Vec<Mutant> {
-    fn of<M: Message + 'static>(part: fn(&mut VcuMessages) -> &mut M) -> Vec<Mutant> {
-        let MessageDef { id, signals, .. } = *M::DEF;
+    fn of<M: Message + 'static>(part: fn(&mut VcuMessages) -> &mut M) -> Vec<Mutant>
+    where
+        V3_0: Layout<M>,
+    {
+        let MessageDef { id, signals, .. } = *<V3_0 as Layout<M>>::DEF;
         let of_signal = |signal: &'static SignalDef| {
             let what = format!("{id:03X}h, {}: another value", signal.name);
             let change = move |messages: &mut VcuMessages, _: &Outputs, _: &Inputs| {

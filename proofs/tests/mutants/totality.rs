@@ -2,10 +2,10 @@
 //! that there are not.
 
 use adsdv_proofs::subject::Subject;
-use adsdv_spec::messages::{Frame, MESSAGES, SignalDef};
+use adsdv_spec::messages::{Frame, SignalDef};
 use adsdv_spec::{
-    Actuation, AsState, Atom, Atoms, Control, Edition, FIGURE_2, Inputs, Machine, Observation, Outputs,
-    Reaction, Reads, Row, Table, Taken, VcuMessages,
+    Actuation, AsState, Atom, Atoms, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction,
+    Reads, Row, Table, Taken, VcuMessages,
 };
 
 use crate::otherwise::Otherwise;
@@ -146,9 +146,9 @@ impl Subject for ReadsMemory {
 
 /// Figure 2 with its last arrow twice.
 fn one_row_more() -> Edition {
-    let rows = FIGURE_2.rows();
+    let rows = Edition::DEFAULT.rules.table.rows();
     let twice: Vec<Row> = rows.iter().chain(rows.last()).copied().collect();
-    Edition::V3_0.with_table(Table::new(&twice))
+    Edition::DEFAULT.with_table(Table::new(&twice))
 }
 
 /// The torque is doubled on its way, in as many bits as one axle needs.
@@ -204,7 +204,7 @@ struct LooksUp;
 
 impl Subject for LooksUp {
     fn sent(&self, frame: Frame) -> Frame {
-        assert!(MESSAGES.get(usize::from(frame.data[0])).is_some(), "out of bounds");
+        assert!(Edition::DEFAULT.bus.messages.get(usize::from(frame.data[0])).is_some(), "out of bounds");
         frame
     }
 }

@@ -7,7 +7,7 @@ use adsdv_spec::{Control, Edition, Inputs, Machine};
 use adsdv_proofs::words::{self, Arrow, Verdict};
 
 /// How many rows Figure 2 has.
-pub(crate) const ROWS: usize = Edition::V3_0.rules.table.rows().len();
+pub(crate) const ROWS: usize = Edition::DEFAULT.rules.table.rows().len();
 
 /// How often each row of the table was taken.
 pub(crate) type Count = [u32; ROWS];

@@ -101,7 +101,7 @@ fn all_inputs(atoms: Atoms) -> Vec<Inputs> {
         .enumerate()
         .map(|(index, atoms)| {
             let inputs = inputs_with(atoms, index);
-            let seen = inputs.observe(&Edition::V3_0.rules.thresholds).atoms();
+            let seen = inputs.observe(&Edition::DEFAULT.rules.thresholds).atoms();
             assert_eq!(seen, atoms, "inputs meant to show {atoms:?} show {seen:?}: {inputs:#?}");
             inputs
         })

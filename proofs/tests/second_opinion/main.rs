@@ -39,7 +39,7 @@ fn assert_agreement(run: &Run, readings: Readings) {
     if let Some(disagreement) = &run.disagreement {
         panic!("readings [{readings}]: {disagreement}");
     }
-    for (row, taken) in Edition::V3_0.rules.table.rows().iter().zip(run.taken) {
+    for (row, taken) in Edition::DEFAULT.rules.table.rows().iter().zip(run.taken) {
         assert!(
             taken >= OFTEN,
             "readings [{readings}]: section {} was taken only {taken} times",
@@ -61,7 +61,7 @@ fn random_runs_agree_under_the_default_readings() {
 #[test]
 fn random_runs_agree_under_each_choice_alone() {
     for (seed, readings) in (2..).zip(one_choice_each()) {
-        let run = Run::of(&Machine::new(Edition::V3_0, readings), &mut Prng::new(seed), 100_000);
+        let run = Run::of(&Machine::new(*Edition::DEFAULT, readings), &mut Prng::new(seed), 100_000);
         assert_agreement(&run, readings);
     }
 }
@@ -71,7 +71,7 @@ fn random_runs_agree_under_random_combinations_of_choices() {
     let mut prng = Prng::new(100);
     for _ in 0..40 {
         let readings = any_readings(&mut prng);
-        let run = Run::of(&Machine::new(Edition::V3_0, readings), &mut prng, 40_000);
+        let run = Run::of(&Machine::new(*Edition::DEFAULT, readings), &mut prng, 40_000);
         assert_agreement(&run, readings);
     }
 }
@@ -80,11 +80,11 @@ fn random_runs_agree_under_random_combinations_of_choices() {
 #[test]
 fn every_combination_of_conditions_agrees() {
     for readings in one_choice_each() {
-        let exploration = explore(&Machine::new(Edition::V3_0, readings));
+        let exploration = explore(&Machine::new(*Edition::DEFAULT, readings));
         if let Some(disagreement) = exploration.disagreement {
             panic!("readings [{readings}]: {disagreement}");
         }
-        for (row, taken) in Edition::V3_0.rules.table.rows().iter().zip(exploration.taken) {
+        for (row, taken) in Edition::DEFAULT.rules.table.rows().iter().zip(exploration.taken) {
             assert!(taken >= OFTEN, "readings [{readings}]: section {} was taken {taken} times", row.section);
         }
     }
@@ -110,7 +110,8 @@ fn survives(mutant: &mutants::Mutant) -> bool {
 /// Whether the readings are the default, or bring a term into the table that the default does not have. To what other
 /// readings take away or reorder, the random runs are enough.
 fn has_terms_of_its_own(machine: &Machine) -> bool {
-    let names =
-        |choice| Edition::V3_0.rules.table.rows().iter().flat_map(Row::terms).any(|t| t.readings.has(choice));
+    let names = |choice| {
+        Edition::DEFAULT.rules.table.rows().iter().flat_map(Row::terms).any(|t| t.readings.has(choice))
+    };
     machine.readings().choices().iter().all(|choice| Readings::DEFAULT.is(choice) || names(choice))
 }

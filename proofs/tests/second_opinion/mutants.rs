@@ -17,6 +17,6 @@ pub(crate) const EQUIVALENT: &[(&str, &str)] = &[
 
 /// Every mutant.
 pub(crate) fn all() -> impl Iterator<Item = Mutant> {
-    let mutations = Mutation::all(&Edition::V3_0);
-    mutations.map(|mutation| Mutant { name: mutation.to_string(), edition: mutation.apply(&Edition::V3_0) })
+    let mutations = Mutation::all(Edition::DEFAULT);
+    mutations.map(|mutation| Mutant { name: mutation.to_string(), edition: mutation.apply(Edition::DEFAULT) })
 }

@@ -4,7 +4,6 @@ use core::fmt;
 
 use crate::machine::Taken;
 use crate::messages::AsState;
-use crate::readings::Readings;
 use crate::table::{Row, Term};
 use crate::{Edition, Machine};
 
@@ -63,7 +62,7 @@ impl fmt::Display for Guard<'_> {
                     n if n % self.wrap == 0 => "\nand ",
                     _ => " and ",
                 })?;
-                f.write_str(atom.text(value))?;
+                write!(f, "{}", self.arrow.machine.edition().rules.text(atom, value))?;
             }
             if term.section != self.arrow.row.section {
                 write!(f, " ({})", term.section)?;
@@ -90,9 +89,13 @@ pub(super) struct Title<'a>(pub(super) &'a Machine);
 
 impl fmt::Display for Title<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Edition { version, .. } = self.0.edition();
+        let Edition { version, readings, .. } = self.0.edition();
         write!(f, "Figure 2 of the ADS-DV Software Interface Specification {version}")?;
-        let readings = self.0.readings();
-        if readings == Readings::DEFAULT { Ok(()) } else { write!(f, ", read with {readings}") }
+        let others = self.0.readings().choices().difference(readings.choices());
+        if others.is_empty() {
+            return Ok(());
+        }
+        f.write_str(", read with ")?;
+        crate::named::separated(f, " ", others.iter())
     }
 }

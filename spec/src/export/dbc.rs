@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::escape::Escaped;
 use crate::Edition;
-use crate::messages::{Decimal, MESSAGES, Message, MessageDef, Node, SignalDef, Vcu2LogStatus};
+use crate::messages::{Decimal, MessageDef, Node, SignalDef};
 
 /// The keywords that a database may use; readers expect the list, whether they are used or not.
 const NEW_SYMBOLS: [&str; 22] = [
@@ -38,10 +38,10 @@ const NODES: [(Node, &str); 2] = [(Node::Ai, "AI Computer"), (Node::Vcu, "Vehicl
 /// The attribute that tools read as the cycle time of a message, in milliseconds.
 const CYCLE_TIME: &str = "GenMsgCycleTime";
 
-/// Displays all messages as a CAN database (DBC), for the tools of a CAN bus.
+/// Displays all messages of an edition as a CAN database (DBC), for the tools of a CAN bus.
 ///
 /// Scales and ranges are exact decimals, in physical units. A range is what the codec allows, so a tool that checks
-/// ranges refuses what [`Message::decode`] refuses, but for the numbers between the values of an enumeration.
+/// ranges refuses what [`Bus::decode`](crate::Bus::decode) refuses, but for the numbers between the values of an enumeration.
 ///
 /// ```
 /// use adsdv_spec::{Edition, export::Dbc};
@@ -56,12 +56,12 @@ pub struct Dbc<'a>(pub &'a Edition);
 impl fmt::Display for Dbc<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.head(f)?;
-        for message in MESSAGES {
+        for message in self.0.bus.messages {
             layout(f, message)?;
         }
         self.comments(f)?;
         self.cycle_times(f)?;
-        for message in MESSAGES {
+        for message in self.0.bus.messages {
             for signal in message.signals.iter().filter(|signal| !signal.values.is_empty()) {
                 value_names(f, message, signal)?;
             }
@@ -90,7 +90,7 @@ impl Dbc<'_> {
         for (node, what) in NODES {
             writeln!(f, "CM_ BU_ {node} {};", Quoted(what))?;
         }
-        for message in MESSAGES {
+        for message in self.0.bus.messages {
             writeln!(f, "CM_ BO_ {} {};", message.id, Quoted(message.doc))?;
             for signal in message.signals {
                 writeln!(f, "CM_ SG_ {} {} {};", message.id, signal.name, Quoted(signal.doc))?;
@@ -102,15 +102,10 @@ impl Dbc<'_> {
     fn cycle_times(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "BA_DEF_ BO_ \"{CYCLE_TIME}\" INT 0 {};", u16::MAX)?;
         writeln!(f, "BA_DEF_DEF_ \"{CYCLE_TIME}\" 0;")?;
-        for message in MESSAGES {
-            writeln!(f, "BA_ \"{CYCLE_TIME}\" BO_ {} {};", message.id, self.cycle_ms(message))?;
+        for message in self.0.bus.messages {
+            writeln!(f, "BA_ \"{CYCLE_TIME}\" BO_ {} {};", message.id, message.cycle_ms)?;
         }
         Ok(())
-    }
-
-    fn cycle_ms(self, message: &MessageDef) -> u16 {
-        let timing = &self.0.rules.timing;
-        if message.id == Vcu2LogStatus::DEF.id { timing.log_status_cycle_ms } else { timing.cycle_ms }
     }
 }
 

@@ -5,7 +5,7 @@
 //!
 //! | export | of | format |
 //! |---|---|---|
-//! | [`Dbc`] | [`MESSAGES`](crate::messages::MESSAGES) and [`Timing`](crate::Timing) | CAN database (DBC) |
+//! | [`Dbc`] | [`Bus::messages`](crate::Bus::messages) | CAN database (DBC) |
 //! | [`Figure2`] | [`table`](crate::table) | Markdown table |
 //! | [`Mermaid`] | [`table`](crate::table) | Mermaid `stateDiagram-v2` |
 //! | [`Dot`] | [`table`](crate::table) | Graphviz digraph |

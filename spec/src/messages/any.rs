@@ -1,32 +1,17 @@
-//! All messages at once: the whole table, and a frame of any of them.
+//! Any of the messages, as one type.
 
 use super::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, DecodeError, Frame,
-    Message, MessageDef, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
-    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, ai, log, vcu,
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Message, Node,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus,
 };
 
 macro_rules! any_message {
     ($($message:ident),+ $(,)?) => {
-        /// Every message of section 2, by ascending identifier.
-        pub static MESSAGES: [&MessageDef; ai::COUNT + vcu::COUNT + log::COUNT] = [$($message::DEF),+];
-
-        /// The message with this identifier.
+        /// A message of any edition, whichever it is.
         ///
-        /// ```
-        /// use adsdv_spec::messages::message_by_id;
-        ///
-        /// assert_eq!(message_by_id(0x520).map(|message| message.name), Some("VCU2AI_Status"));
-        /// assert_eq!(message_by_id(0x527), None);
-        /// ```
-        pub const fn message_by_id(id: u16) -> Option<&'static MessageDef> {
-            match id {
-                $($message::ID => Some($message::DEF),)+
-                _ => None,
-            }
-        }
-
-        /// A message of section 2, whichever it is.
+        /// [`Edition::decode`](crate::Edition::decode) makes one of a frame, and [`Edition::encode`](crate::Edition::encode)
+        /// a frame of one.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -38,29 +23,20 @@ macro_rules! any_message {
         }
 
         impl AnyMessage {
-            /// Reads the data of a frame with this identifier; see [`Message::decode`].
-            #[inline]
-            pub fn decode(id: u16, data: &[u8]) -> Result<Self, DecodeError> {
-                $(
-                    if id == $message::ID {
-                        return $message::decode(data).map(Self::$message);
-                    }
-                )+
-                Err(DecodeError::UnknownId { id })
-            }
+            /// The identifiers of all messages, ascending.
+            pub const IDS: [u16; [$($message::ID),+].len()] = [$($message::ID),+];
 
-            /// The frame of this message; see [`Message::encode`].
-            #[inline]
-            pub fn encode(&self) -> Frame {
+            /// The CAN identifier.
+            pub const fn id(&self) -> u16 {
                 match self {
-                    $(Self::$message(message) => message.encode(),)+
+                    $(Self::$message(_) => $message::ID,)+
                 }
             }
 
-            /// The message's row.
-            pub const fn def(&self) -> &'static MessageDef {
+            /// Who sends it.
+            pub const fn sender(&self) -> Node {
                 match self {
-                    $(Self::$message(_) => $message::DEF,)+
+                    $(Self::$message(_) => <$message as Message>::SENDER,)+
                 }
             }
         }
@@ -111,15 +87,4 @@ any_message! {
     Vcu2AiBrake,
     Vcu2AiWheelSpeeds,
     Vcu2AiWheelCounts,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::AnyMessage;
-    use crate::messages::DecodeError;
-
-    #[test]
-    fn what_is_no_message_is_refused() {
-        assert_eq!(AnyMessage::decode(0x7FF, &[0; 8]), Err(DecodeError::UnknownId { id: 0x7FF }));
-    }
 }

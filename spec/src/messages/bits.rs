@@ -9,7 +9,7 @@ pub(super) const FRAME_BYTES: usize = 8;
 
 /// The first `N` bytes as a word, or `None` if there are fewer. `N` is at most [`FRAME_BYTES`].
 #[inline]
-pub(super) fn load<const N: usize>(data: &[u8]) -> Option<u64> {
+pub(crate) fn load<const N: usize>(data: &[u8]) -> Option<u64> {
     data.first_chunk::<N>().map(|head| load_slice(head))
 }
 
@@ -28,7 +28,7 @@ pub(super) const fn load_slice(data: &[u8]) -> u64 {
 /// The value of a run of bits.
 #[inline]
 #[expect(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "width is at most 32")]
-pub(super) const fn extract(word: u64, start: u8, width: u8, signed: bool) -> i32 {
+pub(crate) const fn extract(word: u64, start: u8, width: u8, signed: bool) -> i32 {
     let left = word << (64 - start - width);
     if signed { (left as i64 >> (64 - width)) as i32 } else { (left >> (64 - width)) as i32 }
 }
@@ -36,7 +36,7 @@ pub(super) const fn extract(word: u64, start: u8, width: u8, signed: bool) -> i3
 /// A word in which a run of bits holds `raw`, and every other bit is zero.
 #[inline]
 #[expect(clippy::cast_sign_loss, reason = "two's complement is what goes on the bus")]
-pub(super) const fn place(raw: i32, start: u8, width: u8) -> u64 {
+pub(crate) const fn place(raw: i32, start: u8, width: u8) -> u64 {
     (raw as i64 as u64 & (u64::MAX >> (64 - width))) << start
 }
 

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::any::message_by_id;
 use super::bits::{self, FRAME_BYTES};
+use super::content::same;
 use super::{Decimal, OutOfRange, Scale, SignalValue};
 
 /// Who sends a message.
@@ -22,22 +22,6 @@ pub enum Node {
 }
 
 impl Node {
-    /// Whether this node may send frames with this identifier: its own messages, and, as far as this document goes,
-    /// identifiers that it neither gives to the other node nor reserves (sections 2.1 to 2.3).
-    ///
-    /// ```
-    /// use adsdv_spec::messages::Node;
-    /// assert!(Node::Ai.may_send(0x510) && !Node::Ai.may_send(0x520) && !Node::Ai.may_send(0x181));
-    /// assert!(Node::Vcu.may_send(0x520) && !Node::Vcu.may_send(0x510));
-    /// ```
-    pub const fn may_send(self, id: u16) -> bool {
-        match (self, message_by_id(id)) {
-            (_, Some(message)) => message.sender as u8 == self as u8,
-            (Self::Ai, None) => !crate::is_reserved(id),
-            (Self::Vcu, None) => true,
-        }
-    }
-
     /// The name of the node in the CAN database.
     pub const fn name(self) -> &'static str {
         match self {
@@ -60,6 +44,8 @@ impl fmt::Display for Node {
 pub struct SignalDef {
     /// The name, as in the CAN database.
     pub name: &'static str,
+    /// The field of the message that carries it, the same in all editions; empty where none does.
+    pub field: &'static str,
     /// The lowest bit; bit 0 is the lowest bit of the first byte (little endian).
     pub start: u8,
     /// The number of bits.
@@ -82,7 +68,7 @@ pub struct SignalDef {
 
 impl SignalDef {
     /// A row for a signal that carries a `T`. Only tables call this, when they are compiled.
-    pub(super) const fn of<T: SignalValue>(
+    pub(crate) const fn of<T: SignalValue>(
         name: &'static str,
         start: u8,
         width: u8,
@@ -90,6 +76,7 @@ impl SignalDef {
     ) -> Self {
         let signal = Self {
             name,
+            field: "",
             start,
             width,
             signed: T::SIGNED,
@@ -108,9 +95,20 @@ impl SignalDef {
     }
 
     /// The same row for a flag whose two values have names of their own.
-    pub(super) const fn with_flag_names(self, values: &'static [(i32, &'static str); 2]) -> Self {
+    pub(crate) const fn with_flag_names(self, values: &'static [(i32, &'static str); 2]) -> Self {
         assert!(self.min == 0 && self.max == 1, "only a flag is named value by value");
         Self { values, ..self }
+    }
+
+    /// The same row, carried by a field.
+    pub(crate) const fn carried_by(self, field: &'static str) -> Self {
+        Self { field, ..self }
+    }
+
+    /// The same row with a range of its own, inside that of the type.
+    pub(crate) const fn within(self, min: i32, max: i32) -> Self {
+        assert!(self.min <= min && min <= max && max <= self.max, "the type has no such values");
+        Self { min, max, ..self }
     }
 
     /// The length that data must have to hold this signal: the number of its last byte, from 1.
@@ -128,9 +126,10 @@ impl SignalDef {
     /// before the signal does.
     ///
     /// ```
-    /// use adsdv_spec::messages::{Message, Vcu2AiSteer};
+    /// use adsdv_spec::Edition;
     ///
-    /// let angle = Vcu2AiSteer::DEF.signal("STEER_ANGLE_deg").expect("a signal of 523h");
+    /// let steer = Edition::V3_0.bus.message(0x523).expect("VCU2AI_Steer");
+    /// let angle = steer.signal("STEER_ANGLE_deg").expect("a signal of 523h");
     /// assert_eq!(angle.raw(&[0xF6, 0xFF]), Some(-10));
     /// assert_eq!(angle.raw(&[0xF6]), None);
     /// ```
@@ -143,7 +142,7 @@ impl SignalDef {
 
     /// The data of a frame with this signal set to a raw value, allowed or not; all other bits stay.
     ///
-    /// For writing what the strict [`Message`](super::Message) codec cannot represent.
+    /// For writing what the strict [`Layout`](super::Layout) cannot represent.
     #[must_use]
     pub const fn put(&self, data: [u8; bits::FRAME_BYTES], raw: i32) -> [u8; bits::FRAME_BYTES] {
         if !self.fits_a_frame() {
@@ -186,12 +185,13 @@ impl SignalDef {
     /// Displays a raw value: by its name where it has one, otherwise as a number with its unit.
     ///
     /// ```
-    /// use adsdv_spec::messages::{Message, Vcu2AiDriveF, Vcu2AiStatus};
+    /// use adsdv_spec::Edition;
     ///
-    /// let state = Vcu2AiStatus::DEF.signal("AS_STATE").expect("a signal of 520h");
+    /// let message = |id| Edition::V3_0.bus.message(id).expect("a message of the VCU");
+    /// let state = message(0x520).signal("AS_STATE").expect("a signal of 520h");
     /// assert_eq!(state.display(2).to_string(), "AS_READY");
     /// assert_eq!(state.display(7).to_string(), "7");
-    /// let torque = Vcu2AiDriveF::DEF.signal("FRONT_AXLE_TRQ_Nm").expect("a signal of 521h");
+    /// let torque = message(0x521).signal("FRONT_AXLE_TRQ_Nm").expect("a signal of 521h");
     /// assert_eq!(torque.display(-125).to_string(), "-12.5 Nm");
     /// ```
     pub const fn display(&self, raw: i32) -> DisplayRaw<'_> {
@@ -234,6 +234,8 @@ pub struct MessageDef {
     pub sender: Node,
     /// The number of data bytes, as in the CAN database.
     pub len: u8,
+    /// How often it is sent, in milliseconds.
+    pub cycle_ms: u16,
     /// The section of the document that lists it.
     pub section: &'static str,
     /// The signals, by ascending start bit.
@@ -244,7 +246,7 @@ pub struct MessageDef {
 
 impl MessageDef {
     /// A message made of these signals. Only tables call this, when they are compiled.
-    pub(super) const fn checked(self) -> Self {
+    pub(crate) const fn checked(self) -> Self {
         assert!(self.len as usize <= FRAME_BYTES, "longer than a frame");
         assert!(are_in_order(self.signals), "signals overlap, or are not in the order of their bits");
         assert!(self.bytes_needed() <= self.len as usize, "a signal ends after the message does");
@@ -254,6 +256,18 @@ impl MessageDef {
     /// The signal with this name.
     pub fn signal(&self, name: &str) -> Option<&'static SignalDef> {
         self.signals.iter().find(|signal| signal.name == name)
+    }
+
+    /// The signal that this field carries.
+    pub const fn signal_of(&self, field: &str) -> Option<&'static SignalDef> {
+        let mut i = 0;
+        while i < self.signals.len() {
+            if same(self.signals[i].field.as_bytes(), field.as_bytes()) {
+                return Some(&self.signals[i]);
+            }
+            i += 1;
+        }
+        None
     }
 
     /// The length that data must have to hold every signal. It may be less than `len`: some messages
@@ -288,7 +302,11 @@ const fn held_by(width: u8, signed: bool) -> (i64, i64) {
 #[cfg(test)]
 mod tests {
     use super::{MessageDef, SignalDef, are_in_order, held_by};
-    use crate::messages::{MESSAGES, SteerAngle};
+    use crate::editions::V3_0;
+    use crate::messages::{Layout, SteerAngle, Vcu2LogDynamics1};
+
+    /// A message as tables have it.
+    const MESSAGE: &MessageDef = <V3_0 as Layout<Vcu2LogDynamics1>>::DEF;
 
     #[test]
     fn bits_hold_what_the_integers_of_their_width_hold() {
@@ -328,27 +346,40 @@ mod tests {
     }
 
     #[test]
+    fn a_row_may_allow_less_than_its_type() {
+        let angle = SignalDef::of::<SteerAngle>("angle", 0, 16, "");
+        let narrow = angle.within(-240, 239);
+        assert_eq!((narrow.min, narrow.max), (-240, 239));
+    }
+
+    #[test]
+    #[should_panic(expected = "the type has no such values")]
+    fn a_row_that_allows_more_than_its_type_does_not_compile() {
+        let _ = SignalDef::of::<SteerAngle>("angle", 0, 16, "").within(0, SteerAngle::MAX.raw() + 1);
+    }
+
+    #[test]
     fn a_message_is_checked() {
-        let message = MessageDef { doc: " What it is for. ", ..*MESSAGES[0] }.checked();
-        assert_eq!((message.doc, message.signals), ("What it is for.", MESSAGES[0].signals));
+        let message = MessageDef { doc: " What it is for. ", ..*MESSAGE }.checked();
+        assert_eq!((message.doc, message.signals), ("What it is for.", MESSAGE.signals));
         assert_eq!(MessageDef { signals: &[], ..message }.checked().bytes_needed(), 0);
     }
 
     #[test]
     #[should_panic(expected = "longer than a frame")]
     fn a_message_longer_than_a_frame_does_not_compile() {
-        let _ = MessageDef { len: 9, ..*MESSAGES[0] }.checked();
+        let _ = MessageDef { len: 9, ..*MESSAGE }.checked();
     }
 
     #[test]
     #[should_panic(expected = "ends after the message")]
     fn a_message_shorter_than_its_signals_does_not_compile() {
-        let _ = MessageDef { len: 0, ..*MESSAGES[0] }.checked();
+        let _ = MessageDef { len: 0, ..*MESSAGE }.checked();
     }
 
     #[test]
     fn signals_are_in_order_that_neither_overlap_nor_change_places() {
-        let MessageDef { signals, .. } = MESSAGES[0];
+        let MessageDef { signals, .. } = MESSAGE;
         let first = signals[0];
         let at = |start, width| SignalDef { start, width, ..first };
         assert!(are_in_order(&[]) && are_in_order(&[at(3, 2)]));

@@ -62,7 +62,7 @@ pub struct OutOfRange {
 impl DecodeError {
     /// Data of `given` bytes is too short for this message.
     #[cold]
-    pub(super) fn too_short(message: &'static MessageDef, given: usize) -> Self {
+    pub(crate) fn too_short(message: &'static MessageDef, given: usize) -> Self {
         let mut signals = message.signals.iter();
         let missing = signals.find_map(|signal| (signal.bytes_needed() > given).then_some(signal.name));
         Self::TooShort {
@@ -76,7 +76,7 @@ impl DecodeError {
 
     /// A signal of this message must not have this raw value.
     #[cold]
-    pub(super) const fn refused(message: &'static MessageDef, def: &'static SignalDef, given: i32) -> Self {
+    pub(crate) const fn refused(message: &'static MessageDef, def: &'static SignalDef, given: i32) -> Self {
         Self::Value(ValueError { message: message.name, id: message.id, signal: def.name, given, def })
     }
 }

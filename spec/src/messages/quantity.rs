@@ -216,9 +216,13 @@ macro_rules! quantities {
 //= D-31
 quantities! {
     /// Steer angle of the bicycle model; positive turns the front wheels to the left (ISO 8855).
-    SteerAngle(i16): -240..=240, 1/10 "deg", from_deg; //= MSG-25
+    ///
+    /// This is the widest range of all editions; that of one edition stands with its signals.
+    SteerAngle(i16): -300..=300, 1/10 "deg", from_deg;
     /// The largest steer angle, to either side.
-    SteerAngleMax(u16): 0..=240, 1/10 "deg", from_deg;
+    ///
+    /// This is the widest range of all editions; that of one edition stands with its signals.
+    SteerAngleMax(u16): 0..=300, 1/10 "deg", from_deg;
     /// Torque at an axle (motor torque times gear ratio); negative brakes.
     AxleTorque(i16): -1950..=1950, 1/10 "Nm", from_nm;
     /// The size of a torque at an axle that is requested or allowed.

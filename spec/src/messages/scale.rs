@@ -7,11 +7,11 @@ use core::fmt;
 /// It displays as the decimal that the CAN database prints.
 ///
 /// ```
-/// use adsdv_spec::messages::{Message, Vcu2LogDynamics1, Ai2LogDynamics2};
+/// use adsdv_spec::Edition;
 ///
-/// let scale_of = |signal: Option<&adsdv_spec::messages::SignalDef>| signal.map(|s| s.scale.to_string());
-/// assert_eq!(scale_of(Vcu2LogDynamics1::DEF.signal("Steer_actual_deg")).as_deref(), Some("0.5"));
-/// assert_eq!(scale_of(Ai2LogDynamics2::DEF.signal("Yaw_rate_degps")).as_deref(), Some("0.0078125"));
+/// let scale_of = |id, signal| Some(Edition::V3_0.bus.message(id)?.signal(signal)?.scale.to_string());
+/// assert_eq!(scale_of(0x500, "Steer_actual_deg").as_deref(), Some("0.5"));
+/// assert_eq!(scale_of(0x501, "Yaw_rate_degps").as_deref(), Some("0.0078125"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -25,7 +25,7 @@ impl Scale {
     pub const ONE: Self = Self::new(1, 1);
 
     /// The fraction `num / den`. Only tables call this, when they are compiled.
-    pub(super) const fn new(num: u32, den: u32) -> Self {
+    pub(crate) const fn new(num: u32, den: u32) -> Self {
         assert!(num > 0 && den > 0, "a scale is a positive fraction");
         Self { num, den }
     }

@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
-use adsdv_spec::table::{MAX_ROWS, PRIORITIES};
+use adsdv_spec::table::MAX_ROWS;
 use adsdv_spec::{Atom, Control, Edition, Inputs, Machine, Readings};
 
 #[test]
@@ -27,7 +27,7 @@ fn a_row_or_a_term_that_is_not_there_cannot_be_changed() {
 /// A reading lets one row of a state come first. Where the row is missing, the others are what they were.
 #[test]
 fn a_row_that_is_not_there_overtakes_none() {
-    for &priority in PRIORITIES {
+    for &priority in Edition::V3_0.rules.priorities {
         let readings = Readings::DEFAULT.with(priority.choice);
         let rows = Edition::V3_0.rules.table.rows();
         let row = rows.iter().position(|row| (row.from, row.to) == (priority.from, priority.first));

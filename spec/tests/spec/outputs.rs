@@ -363,7 +363,8 @@ fn the_service_brake_is_engaged_available_or_disengaged() {
 #[test]
 fn every_message_is_sent_under_its_identifier() {
     let inputs = busy();
-    let frames = in_state(AsState::Driving, &inputs).messages(&inputs).frames();
-    let ids = frames.map(|frame| frame.id);
+    let frames =
+        in_state(AsState::Driving, &inputs).messages(&inputs).frames(&Machine::REFERENCE.edition().bus);
+    let ids: Vec<u16> = frames.map(|frame| frame.id).collect();
     assert_eq!(ids, [0x520, 0x521, 0x522, 0x523, 0x524, 0x525, 0x526, 0x500, 0x502]);
 }

@@ -1,10 +1,12 @@
 //! What the VCU makes of the frames of the AI Computer.
 
-use adsdv_spec::AiMessages;
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AxleTorqueRequest, BrakePressure,
-    Message, MissionStatus, MotorSpeedMax, SteerAngle,
+    MissionStatus, MotorSpeedMax, SteerAngle,
 };
+use adsdv_spec::{AiMessages, Bus, Edition};
+
+const BUS: Bus = Edition::V3_0.bus;
 
 /// Messages of which none is the default.
 fn requests() -> AiMessages {
@@ -27,10 +29,9 @@ fn requests() -> AiMessages {
 }
 
 fn received(sent: &AiMessages) -> AiMessages {
-    let AiMessages { status, drive_f, drive_r, steer, brake } = sent;
     let mut received = AiMessages::default();
-    for frame in [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()] {
-        assert_eq!(received.receive(frame.id, frame.data()), Ok(true), "{frame}");
+    for frame in sent.frames(&BUS) {
+        assert_eq!(received.receive(&BUS, frame.id, frame.data()), Ok(true), "{frame}");
     }
     received
 }
@@ -44,12 +45,13 @@ fn each_frame_brings_its_message() {
 #[test]
 fn the_last_values_stay_until_new_ones_come() {
     let mut ai = received(&requests());
-    let steer = Ai2VcuSteer { steer_request: SteerAngle::MAX };
-    assert_eq!(ai.receive(Ai2VcuSteer::ID, steer.encode().data()), Ok(true));
+    let steer = Ai2VcuSteer { steer_request: SteerAngle::clamped(240) };
+    let frame = BUS.encode(steer).expect("513h");
+    assert_eq!(ai.receive(&BUS, frame.id, frame.data()), Ok(true));
     assert_eq!(ai, AiMessages { steer, ..requests() });
     // Messages of the VCU, and of nobody.
     for id in [0x520, 0x501, 0x000, 0x7FF] {
-        assert_eq!(ai.receive(id, &[0xFF; 8]), Ok(false), "{id:03X}h");
+        assert_eq!(ai.receive(&BUS, id, &[0xFF; 8]), Ok(false), "{id:03X}h");
     }
     assert_eq!(ai, AiMessages { steer, ..requests() });
 }
@@ -68,7 +70,7 @@ fn a_frame_that_does_not_decode_changes_nothing() {
     ];
     for (id, data) in bad {
         let mut ai = received(&requests());
-        assert!(ai.receive(id, data).is_err(), "{id:03X}h {data:02X?}");
+        assert!(ai.receive(&BUS, id, data).is_err(), "{id:03X}h {data:02X?}");
         assert_eq!(ai, requests(), "{id:03X}h {data:02X?}");
     }
 }

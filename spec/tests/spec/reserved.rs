@@ -1,7 +1,9 @@
 //! The identifiers that the AI Computer must not use, against the list of section 2.3.
 
-use adsdv_spec::is_reserved;
-use adsdv_spec::messages::{MESSAGES, Node};
+use adsdv_spec::messages::Node;
+use adsdv_spec::{Bus, Edition};
+
+const BUS: Bus = Edition::V3_0.bus;
 
 /// Section 2.3, as it lists them: first and last, in hexadecimal.
 const LISTED: [(u16, u16); 17] = [
@@ -28,15 +30,15 @@ const LISTED: [(u16, u16); 17] = [
 fn exactly_the_identifiers_of_the_list_are_reserved() {
     for id in 0..=u16::MAX {
         let listed = LISTED.iter().any(|&(first, last)| first <= id && id <= last);
-        assert_eq!(is_reserved(id), listed, "{id:03X}h");
-        assert!(!listed || !Node::Ai.may_send(id), "{id:03X}h is not for the AI Computer");
+        assert_eq!(BUS.is_reserved(id), listed, "{id:03X}h");
+        assert!(!listed || !BUS.may_send(Node::Ai, id), "{id:03X}h is not for the AI Computer");
     }
 }
 
 #[test]
 fn no_message_of_the_document_has_a_reserved_identifier() {
-    for message in MESSAGES {
-        assert!(!is_reserved(message.id), "{}", message.name);
-        assert!(message.sender.may_send(message.id), "{}", message.name);
+    for message in BUS.messages {
+        assert!(!BUS.is_reserved(message.id), "{}", message.name);
+        assert!(BUS.may_send(message.sender, message.id), "{}", message.name);
     }
 }

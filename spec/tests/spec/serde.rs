@@ -1,11 +1,11 @@
 //! What is serialised stays readable: every name is the one that people see, and what contradicts is refused.
 
 use adsdv_spec::messages::{
-    AnyMessage, DecodeError, DirectionRequest, Frame, GivenValue, MESSAGES, MissionStatus, Node, SteerAngle,
+    DecodeError, DirectionRequest, Frame, GivenValue, MissionStatus, Node, SteerAngle,
 };
 use adsdv_spec::{
-    AiMessages, AsState, Assi, Atom, Atoms, Choice, Choices, Control, Edition, FIGURE_2, Fault, Faults,
-    Inputs, Knowledge, Machine, Observation, Reaction, Reading, Readings, Taken, Thresholds, Timing, Truth,
+    AiMessages, AsState, Assi, Atom, Atoms, Bus, Choice, Choices, Control, Edition, Fault, Faults, Inputs,
+    Knowledge, Machine, Observation, Reaction, Reading, Readings, Taken, Thresholds, Timing, Truth,
     UnknownName,
 };
 use serde::Serialize;
@@ -35,6 +35,8 @@ fn refused<T: DeserializeOwned + Debug>(value: &Value) -> String {
 }
 
 // Names
+
+const BUS: Bus = Edition::V3_0.bus;
 
 #[test]
 fn the_names_of_atoms() {
@@ -327,9 +329,9 @@ fn what_a_step_takes_and_gives_round_trips() {
     round_trip(&Observation::default());
     round_trip(&Edition::V3_0.rules.timing);
     round_trip(&Edition::V3_0.rules.thresholds);
-    for frame in outputs.messages(&inputs).frames() {
+    for frame in outputs.messages(&inputs).frames(&BUS) {
         round_trip(&frame);
-        round_trip(&AnyMessage::decode(frame.id, frame.data()).expect("what the VCU sends"));
+        round_trip(&BUS.decode(frame.id, frame.data()).expect("what the VCU sends"));
     }
 }
 
@@ -337,15 +339,23 @@ fn what_a_step_takes_and_gives_round_trips() {
 
 #[test]
 fn the_table_is_a_list_of_arrows() {
-    let table = written(&FIGURE_2);
-    assert_eq!(table.as_array().map(Vec::len), Some(FIGURE_2.rows().len()));
+    let table = written(&Edition::V3_0.rules.table);
+    assert_eq!(table.as_array().map(Vec::len), Some(Edition::V3_0.rules.table.rows().len()));
     assert_eq!(
         table[2],
         json!({
             "from": "AS_READY",
             "to": "AS_OFF",
             "section": "3.6",
-            "terms": [{"on": [], "off": ["asms"], "readings": [], "fault": null, "section": "3.6"}],
+            "cites": {"requirements": ["SM-10", "RTO-1"], "conditions": [], "order": ["D-22"]},
+            "terms": [{
+                "on": [],
+                "off": ["asms"],
+                "readings": [],
+                "fault": null,
+                "section": "3.6",
+                "cites": {"requirements": [], "conditions": [], "order": []},
+            }],
         })
     );
     assert_eq!(table[1]["terms"][1]["fault"], "AI_COMMS_LOST");
@@ -363,7 +373,7 @@ fn the_table_is_a_list_of_arrows() {
 
 #[test]
 fn the_messages_are_written_with_their_signals() {
-    let messages = written(&MESSAGES);
+    let messages = written(&BUS)["messages"].clone();
     let status = messages.as_array().and_then(|all| all.iter().find(|one| one["id"] == 0x520));
     let status = status.expect("520h");
     assert_eq!((&status["name"], &status["sender"]), (&json!("VCU2AI_Status"), &json!("VCU")));
@@ -376,7 +386,7 @@ fn the_messages_are_written_with_their_signals() {
 #[test]
 fn an_error_is_its_fields() {
     assert_eq!(written(&DecodeError::UnknownId { id: 0x527 }), json!({"unknown-id": {"id": 0x527}}));
-    let short = AnyMessage::decode(0x513, &[0]).expect_err("too short");
+    let short = BUS.decode(0x513, &[0]).expect_err("too short");
     assert_eq!(
         written(&short),
         json!({"too-short": {
@@ -387,11 +397,11 @@ fn an_error_is_its_fields() {
             "signal": "STEER_REQUEST_deg",
         }})
     );
-    let value = written(&AnyMessage::decode(0x513, &[0xF1, 0]).expect_err("too far"));
+    let value = written(&BUS.decode(0x513, &[0xF1, 0]).expect_err("too far"));
     assert_eq!(value["value"]["given"], 241);
     assert_eq!(value["value"]["def"]["max"], 240);
-    let error = SteerAngle::from_raw(241).expect_err("too far");
-    assert_eq!(written(&error)["given"], json!({"raw": 241}));
+    let error = SteerAngle::from_raw(301).expect_err("too far");
+    assert_eq!(written(&error)["given"], json!({"raw": 301}));
     assert_eq!(written(&error)["unit"], "deg");
     assert_eq!(written(&GivenValue::Physical(0.5)), json!({"physical": 0.5}));
     assert_eq!(written(&UnknownName::ChoiceOf(Reading::GoEdge)), json!({"choice-of": "go-edge"}));

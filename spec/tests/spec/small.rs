@@ -1,7 +1,8 @@
 //! Small functions that the tables use when they are compiled, or that only other crates call: what they do at run time.
 
+use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
-    AmiState, AsState, DecodeError, EbsState, Message, Node, ShutdownCause, SteerAngle, Vcu2AiStatus,
+    AmiState, AsState, DecodeError, EbsState, Layout, Node, ShutdownCause, SteerAngle, Vcu2AiStatus,
     Vcu2LogStatus,
 };
 use adsdv_spec::{
@@ -66,8 +67,8 @@ fn a_cause_names_its_fault_and_a_flag_shows_it() {
         assert_eq!(Faults::NONE.with(fault).cause(), cause);
         let mut status = Vcu2AiStatus::default();
         assert!(Faults::shown_by(&status).is_empty());
-        let flag = Vcu2AiStatus::DEF.signal(fault.flag()).expect("a signal of 520h");
-        status = Vcu2AiStatus::decode(&flag.put(status.encode().data, 1)).expect("a flag is 0 or 1");
+        let flag = <V3_0 as Layout<Vcu2AiStatus>>::DEF.signal(fault.flag()).expect("a signal of 520h");
+        status = V3_0::decode(&flag.put(V3_0::encode(&status).data, 1)).expect("a flag is 0 or 1");
         assert_eq!(Faults::shown_by(&status), Faults::NONE.with(fault));
     }
 }
@@ -107,9 +108,9 @@ fn a_set_is_made_of_the_bits_of_its_elements_alone() {
 
 #[test]
 fn a_value_that_is_not_allowed_is_refused() {
-    let signal = Vcu2AiStatus::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
-    let data = signal.put(Vcu2AiStatus::default().encode().data, signal.max + 1);
-    let error = Vcu2AiStatus::decode(&data).expect_err("no such cause");
+    let signal = <V3_0 as Layout<Vcu2AiStatus>>::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
+    let data = signal.put(V3_0::encode(&Vcu2AiStatus::default()).data, signal.max + 1);
+    let error = <V3_0 as Layout<Vcu2AiStatus>>::decode(&data).expect_err("no such cause");
     let DecodeError::Value(value) = error else { panic!("{error}") };
     assert_eq!(DecodeError::from(value), error);
 }
@@ -123,6 +124,7 @@ fn a_number_is_held_within_its_range() {
 /// The VCU may send what is nobody's, also where it is reserved; the AI Computer may not.
 #[test]
 fn identifiers_of_no_message_are_for_those_who_may_send_them() {
-    assert!(Node::Vcu.may_send(0x7FF) && Node::Vcu.may_send(0x181));
-    assert!(Node::Ai.may_send(0x7FF) && !Node::Ai.may_send(0x181));
+    let bus = Edition::V3_0.bus;
+    assert!(bus.may_send(Node::Vcu, 0x7FF) && bus.may_send(Node::Vcu, 0x181));
+    assert!(bus.may_send(Node::Ai, 0x7FF) && !bus.may_send(Node::Ai, 0x181));
 }

@@ -6,10 +6,11 @@ use adsdv_can::car::{Action, Car, Switch, missing_for};
 use adsdv_can::live::Watch;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_oracle::log::LogOptions;
-use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES, Node, Vcu2LogStatus, WheelSpeed};
+use adsdv_spec::messages::{AnyMessage, AsState, Frame, Node, Vcu2LogStatus, WheelSpeed};
 use adsdv_spec::{Edition, Machine};
 
 use super::Bytes;
+use crate::bus::{BUS, encoded};
 use crate::world::Chance;
 
 /// Nothing goes on for longer than this many times.
@@ -25,7 +26,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
     let mut reached = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
-    let mut car = Car::new(Machine::new(Edition::V3_0, readings));
+    let mut car = Car::new(Machine::new(*Edition::DEFAULT, readings));
     let mut ai = Ai::new(Plan::DEFAULT);
     let mut watch = Watch::new("can0", LogOptions::default());
     let switches: Vec<Switch> = Switch::all().collect();
@@ -46,7 +47,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
             1 if bytes.one_in(8) => car.act(&Action::PowerCycle),
             2 => {
                 let frame = frame(&mut bytes);
-                let known = AnyMessage::decode(frame.id, frame.data());
+                let known = BUS.decode(frame.id, frame.data());
                 if let Err(error) = car.receive(&frame) {
                     assert_eq!(known, Err(error));
                 }
@@ -114,9 +115,9 @@ fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: 
 
 /// Whoever sends sends what is theirs, and can be read.
 fn sent(frame: &Frame, node: Node) {
-    assert!(node.may_send(frame.id), "{frame}");
-    let message = AnyMessage::decode(frame.id, frame.data()).expect("what is sent can be read");
-    assert_eq!(message.def().sender, node);
+    assert!(BUS.may_send(node, frame.id), "{frame}");
+    let message = BUS.decode(frame.id, frame.data()).expect("what is sent can be read");
+    assert_eq!(message.sender(), node);
     assert!(frame.id != Vcu2LogStatus::ID || node == Node::Vcu);
 }
 
@@ -167,8 +168,8 @@ fn frame(bytes: &mut Bytes<'_>) -> Frame {
     if bytes.one_in(2)
         && let Ok(message) = bytes.0.arbitrary::<AnyMessage>()
     {
-        return message.encode();
+        return encoded(message);
     }
-    let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(&MESSAGES).id };
+    let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(BUS.messages).id };
     Frame::new(id, bytes.some(8)).expect("the identifier and the length are those of a frame")
 }

@@ -13,8 +13,8 @@ use adsdv_spec::{Control, Edition, Machine, Mutation, Readings};
 use super::Bytes;
 use crate::world::Chance;
 
-static TESTS: LazyLock<Vec<Test>> = LazyLock::new(|| suite::generate(&Edition::V3_0));
-static MUTATIONS: LazyLock<Vec<Mutation>> = LazyLock::new(|| Mutation::all(&Edition::V3_0).collect());
+static TESTS: LazyLock<Vec<Test>> = LazyLock::new(|| suite::generate(Edition::DEFAULT));
+static MUTATIONS: LazyLock<Vec<Mutation>> = LazyLock::new(|| Mutation::all(Edition::DEFAULT).collect());
 
 /// A run has at most so many tests.
 const TESTS_OF_A_RUN: u64 = 4;
@@ -48,8 +48,8 @@ pub fn body(bytes: &[u8]) {
         right(readings, &tests, &options);
     } else {
         let machine = match bytes.below(3) {
-            0 => Machine::new(Edition::V3_0, readings),
-            1 => Machine::new(bytes.pick(&MUTATIONS).apply(&Edition::V3_0), readings),
+            0 => Machine::new(*Edition::DEFAULT, readings),
+            1 => Machine::new(bytes.pick(&MUTATIONS).apply(Edition::DEFAULT), readings),
             _ => Machine::REFERENCE,
         };
         let late = usize::try_from(bytes.pick(&[0, 0, 1, 2])).unwrap_or(0);
@@ -63,7 +63,7 @@ pub fn body(bytes: &[u8]) {
 
 /// The reference under any readings conforms, whatever it is asked, and the judge finds out nothing else of it.
 fn right(readings: Readings, tests: &[Test], options: &ConformOptions) {
-    let mut vcu = InProcess(Machine::new(Edition::V3_0, readings));
+    let mut vcu = InProcess(Machine::new(*Edition::DEFAULT, readings));
     let report = conform(&mut vcu, tests, options, &mut |_| {}).expect("it answers");
     assert!(report.conforms(), "{readings}: {:#?}", report.failures);
     assert_eq!((report.failed_tests, report.failed_runs, report.late), (0, 0, 0));

@@ -3,9 +3,10 @@
 use adsdv_oracle::candump::{Direction, Dropped, FrameKind, Record, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{LogJudge, LogOptions, judge_log};
-use adsdv_spec::messages::{AnyMessage, Frame, MESSAGES};
+use adsdv_spec::messages::{AnyMessage, Frame};
 
 use super::Bytes;
+use crate::bus::{BUS, encoded};
 use crate::world::{Chance, MS};
 
 /// The interfaces of the logs.
@@ -108,7 +109,7 @@ fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
     let mut all = LiveLog { judge, log: Vec::new(), complete: true, news: (0, Vec::new()) };
     let mut time_ns: i64 = 1_000_000_000;
     let mut fed = 0;
-    let mut data = [[0; 8]; MESSAGES.len()];
+    let mut data = [[0; 8]; BUS.messages.len()];
     while bytes.are_left() && fed < 4000 {
         time_ns = match bytes.below(16) {
             0 => bytes.any(),
@@ -157,15 +158,15 @@ fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
 }
 
 /// The identifier, the data and its length: mostly a message with what it said last, or one signal changed.
-fn any_frame(bytes: &mut Bytes<'_>, said: &mut [[u8; 8]; MESSAGES.len()]) -> (u32, [u8; 8], usize) {
-    let place = usize::try_from(bytes.below(MESSAGES.len() as u64)).unwrap_or(0);
-    let (def, last) = (MESSAGES[place], &mut said[place]);
+fn any_frame(bytes: &mut Bytes<'_>, said: &mut [[u8; 8]; BUS.messages.len()]) -> (u32, [u8; 8], usize) {
+    let place = usize::try_from(bytes.below(BUS.messages.len() as u64)).unwrap_or(0);
+    let (def, last) = (BUS.messages[place], &mut said[place]);
     match bytes.below(16) {
         0 => return (bytes.any(), bytes.any(), usize::try_from(bytes.below(9)).unwrap_or(8)),
         1 => *last = bytes.any(),
         2 => {
-            let allowed = bytes.0.arbitrary::<AnyMessage>().ok().filter(|message| message.def().id == def.id);
-            let frame = allowed.map(|message| message.encode());
+            let allowed = bytes.0.arbitrary::<AnyMessage>().ok().filter(|message| message.id() == def.id);
+            let frame = allowed.map(encoded);
             frame.iter().flat_map(Frame::data).zip(last).for_each(|(byte, place)| *place = *byte);
             return (def.id.into(), said[place], def.len.into());
         }

@@ -24,7 +24,7 @@ pub fn body(bytes: &[u8]) {
     let (jitter_ms, loss, seed) = (bytes.below(JITTER_MS + 1), bytes.pick(&LOSSES), bytes.any());
     let choices = if bytes.one_in(2) { readings.choices() } else { Choices::ALL };
     let from_the_start = bytes.one_in(4);
-    let mut world = World::new(Machine::new(Edition::V3_0, readings));
+    let mut world = World::new(Machine::new(*Edition::DEFAULT, readings));
     world.sets_out(&mut bytes);
     if !from_the_start {
         // The recorder was switched on late.

@@ -10,6 +10,8 @@ use adsdv_spec::{
     Knowledge, Observation, Outputs, Reaction, Reading, Readings, Taken, Thresholds, Timing, Truth,
     UnknownName, VcuMessages,
 };
+
+use crate::bus::{BUS, encoded};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -70,8 +72,8 @@ fn json(bytes: &[u8]) {
         assert!(frame.is_valid(), "{frame:?}");
     }
     if let Ok(message) = serde_json::from_slice::<AnyMessage>(bytes) {
-        let frame = message.encode();
-        assert_eq!(AnyMessage::decode(frame.id, frame.data()), Ok(message));
+        let frame = encoded(message);
+        assert_eq!(BUS.decode(frame.id, frame.data()), Ok(message));
     }
 }
 

@@ -123,8 +123,9 @@ fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &st
 /// Any step, told to a program, is the step that it gets; and what it shows is read as it was shown.
 fn any_step(bytes: &mut Bytes<'_>) {
     let readings = bytes.readings();
-    let machine = Machine::new(Edition::V3_0, readings);
+    let machine = Machine::new(*Edition::DEFAULT, readings);
     let (inputs, dt_ms): (Inputs, u32) = (bytes.any(), bytes.any());
+    let inputs = inputs.held_by(&machine.edition().bus);
     let given = Request::Step { dt_ms, inputs }.to_string();
     // What a VCU measures itself, and the protocol has no key for, is left at its default.
     let Ok(Request::Step { dt_ms: again, inputs: read }) = given.parse() else { panic!("{given} is a step") };

@@ -11,7 +11,7 @@ use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
 use adsdv_oracle::protocol::{INPUTS, InputsAsJson, Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_proofs::theorems;
-use adsdv_spec::messages::{AnyMessage, AsState, Frame, MESSAGES};
+use adsdv_spec::messages::{AnyMessage, AsState, Frame};
 use adsdv_spec::{
     AiMessages, Atom, Choice, Choices, Control, Edition, Fault, Inputs, Knowledge, Machine, Observation,
     Outputs, Reading, Readings, Timing, Truth, VcuMessages,
@@ -20,6 +20,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::{car, codec, judge_any, protocol, step};
+use crate::bus::{BUS, encoded};
 use crate::world::Random;
 
 /// The logs that the project has, each with its name.
@@ -60,7 +61,7 @@ pub fn corpus() -> Corpus {
     }
     let long = format!("0 asms on\n1 go on #{}\n2 asms off\n", "x".repeat(scenario::MAX_LINE));
     add("scenario", "longer-than-a-line-may-be", with(long.as_bytes(), &with(&[0], &any_bytes(7, 60))));
-    let tests = suite::generate(&Edition::V3_0);
+    let tests = suite::generate(Edition::DEFAULT);
     for kind in Kind::ALL {
         // The shortest of each kind says as much as a longer one.
         let shortest = tests.iter().filter(|test| test.kind == kind).min_by_key(|test| line(test).len());
@@ -75,7 +76,7 @@ pub fn corpus() -> Corpus {
         add("names", name, text.into_bytes());
     }
     add("names", "names", words("names").into_iter().collect::<Vec<String>>().join("\n").into_bytes());
-    for def in MESSAGES {
+    for def in BUS.messages {
         let first = (LOGS.iter()).find_map(|(_, log)| log.lines().find_map(|line| data_of(line, def.id)));
         let data = first.unwrap_or_else(|| vec![0; def.len.into()]);
         add("codec", &format!("{:03X}", def.id), codec::as_data(def.id, &data));
@@ -129,7 +130,7 @@ fn words(target: &str) -> BTreeSet<String> {
     let mut words = BTreeSet::new();
     match target {
         "candump" | "judge_any" => {
-            words.extend(MESSAGES.iter().map(|def| format!("{:03X}#", def.id)));
+            words.extend(BUS.messages.iter().map(|def| format!("{:03X}#", def.id)));
             for (_, line) in other_lines() {
                 let parts = line.split_inclusive(' ').filter(|part| part.len() <= WORD);
                 words.extend(parts.map(str::to_owned));
@@ -149,7 +150,7 @@ fn words(target: &str) -> BTreeSet<String> {
             words.extend([Action::POWER_CYCLE, "end", "+", ", ", "#", "0.5", "\n"].map(str::to_owned));
         }
         "protocol" | "suite" => {
-            let tests = suite::generate(&Edition::V3_0);
+            let tests = suite::generate(Edition::DEFAULT);
             if target == "suite" {
                 tests.first().into_iter().for_each(|test| parts(&line(test), &mut words));
                 words.extend(Kind::ALL.map(|kind| kind.name().to_owned()));
@@ -163,7 +164,7 @@ fn words(target: &str) -> BTreeSet<String> {
             }
             words.extend(INPUTS.iter().map(|field| quoted(field.key)));
             words.extend(SHOWN.iter().map(|field| quoted(field.key)));
-            let values = MESSAGES.iter().flat_map(|def| def.signals).flat_map(|signal| signal.values);
+            let values = BUS.messages.iter().flat_map(|def| def.signals).flat_map(|signal| signal.values);
             words.extend(values.map(|(_, name)| (*name).to_owned()));
             words.extend(["{", "}", "[", "]", ":", ",", "null", "true", "false"].map(str::to_owned));
         }
@@ -288,11 +289,11 @@ fn jsons() -> Vec<(&'static str, String)> {
     }
     let inputs = Inputs::default();
     let (control, outputs): (Control, Outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
-    let seen: Observation = inputs.observe(&Edition::V3_0.rules.thresholds);
+    let seen: Observation = inputs.observe(&Edition::DEFAULT.rules.thresholds);
     let messages: VcuMessages = outputs.messages(&inputs);
     let message = AnyMessage::from(messages.status);
-    let frame: Frame = message.encode();
-    let timing: Timing = Edition::V3_0.rules.timing;
+    let frame: Frame = encoded(message);
+    let timing: Timing = Edition::DEFAULT.rules.timing;
     vec![
         ("inputs", text(&inputs)),
         ("ai", text(&AiMessages::default())),
@@ -305,7 +306,7 @@ fn jsons() -> Vec<(&'static str, String)> {
         ("message", text(&message)),
         ("frame", text(&frame)),
         ("timing", text(&timing)),
-        ("thresholds", text(&Edition::V3_0.rules.thresholds)),
+        ("thresholds", text(&Edition::DEFAULT.rules.thresholds)),
         ("readings", text(&Readings::DEFAULT)),
         ("choices", text(&Choices::ALL)),
         ("knowledge", text(&Knowledge::exact(outputs.atoms))),

@@ -1,15 +1,16 @@
 //! Sequences of any inputs, under any readings: each step is what the document's words say, and what it leads to is consistent.
 
 use adsdv_proofs::words::{self, Verdict};
-use adsdv_spec::messages::{AnyMessage, AsState};
+use adsdv_spec::messages::AsState;
 use adsdv_spec::{Control, Edition, Inputs, Machine, Observation, Readings, Rules, Taken, Timing};
 
 use super::Bytes;
+use crate::bus::BUS;
 use crate::world::Chance;
 
 /// The times between two steps that matter; others are drawn as well.
 fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
-    let timing = Edition::V3_0.rules.timing;
+    let timing = Edition::DEFAULT.rules.timing;
     let limits =
         [timing.cycle_ms, timing.handshake_ms, timing.ready_dwell_ms, timing.ebs_timer_ms].map(u32::from);
     match bytes.below(4) {
@@ -76,7 +77,7 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
     let mut taken = Vec::new();
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
-    let machine = Machine::new(Edition::V3_0, readings);
+    let machine = Machine::new(*Edition::DEFAULT, readings);
     let timing = &machine.edition().rules.timing;
     let mut control =
         if bytes.one_in(2) { any_control(&mut bytes, timing, readings) } else { Control::INITIAL };
@@ -96,8 +97,8 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
             (after, outputs.taken, outputs.faults)
         );
         assert_eq!((control.state, after.state), (outputs.from, outputs.state));
-        for frame in outputs.messages(&inputs).frames() {
-            assert!(AnyMessage::decode(frame.id, frame.data()).is_ok(), "{frame}");
+        for frame in outputs.messages(&inputs).frames(BUS) {
+            assert!(BUS.decode(frame.id, frame.data()).is_ok(), "{frame}");
         }
         taken.extend(outputs.taken);
         control = after;

@@ -15,7 +15,7 @@ mod recording;
 mod routes;
 
 use adsdv_oracle::judge::{JudgeOptions, Report};
-use adsdv_spec::messages::{Message, Vcu2AiStatus};
+use adsdv_spec::messages::Vcu2AiStatus;
 use adsdv_spec::{AiMessages, Choice, Control, Edition, Inputs, Machine, Readings};
 
 pub use deeds::{Chance, any_readings};
@@ -24,9 +24,8 @@ pub use recording::{Recorded, judge, violations};
 
 /// Nanoseconds in a millisecond.
 pub const MS: i64 = 1_000_000;
-const CYCLE_MS: u16 = Edition::V3_0.rules.timing.cycle_ms;
+const CYCLE_MS: u16 = Edition::DEFAULT.rules.timing.cycle_ms;
 const CYCLE: i64 = CYCLE_MS as i64 * MS;
-const LOG_STATUS_CYCLE: i64 = Edition::V3_0.rules.timing.log_status_cycle_ms as i64 * MS;
 
 /// The simulated world.
 #[derive(Clone, Debug)]
@@ -77,7 +76,7 @@ impl World {
 
     /// A world with a VCU that takes one reading differently.
     pub fn with_reading(choice: Choice) -> Self {
-        Self::new(Machine::new(Edition::V3_0, Readings::DEFAULT.with(choice)))
+        Self::new(Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice)))
     }
 
     /// One cycle.
@@ -86,9 +85,9 @@ impl World {
         self.control = control;
         let mut messages = outputs.messages(&self.inputs);
         (self.shows)(&mut messages.status);
-        let slow = self.t % LOG_STATUS_CYCLE == 0;
-        for (place, frame) in (0..).zip(messages.frames()) {
-            if slow || frame.id != adsdv_spec::messages::Vcu2LogStatus::ID {
+        let bus = &self.vcu.edition().bus;
+        for (place, frame) in (0..).zip(messages.frames(bus)) {
+            if bus.message(frame.id).is_some_and(|message| self.t % (i64::from(message.cycle_ms) * MS) == 0) {
                 self.log.push(Recorded { t: self.t + place * MS / 4, frame });
             }
         }
@@ -96,10 +95,7 @@ impl World {
             self.ai.status.handshake = messages.status.handshake;
         }
         if self.ai_sends {
-            let AiMessages { status, drive_f, drive_r, steer, brake } = self.ai;
-            let frames =
-                [status.encode(), drive_f.encode(), drive_r.encode(), steer.encode(), brake.encode()];
-            for (place, frame) in (0..).zip(frames) {
+            for (place, frame) in (0..).zip(self.ai.frames(bus)) {
                 self.log.push(Recorded { t: self.t + CYCLE / 2 + place * MS / 4, frame });
             }
             self.inputs.ai = self.ai;

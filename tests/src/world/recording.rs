@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 
 use adsdv_oracle::judge::{Judge, JudgeOptions, Report, Severity};
-use adsdv_spec::messages::{Frame, MessageDef, Node, message_by_id};
+use adsdv_spec::messages::{Frame, MessageDef, Node};
 
 use super::random::Random;
 use super::{Chance, World};
+use crate::bus::BUS;
 
 /// A frame of the recording.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,7 @@ pub struct Recorded {
 impl Recorded {
     /// Who sends such frames, if they are of a message of the document.
     pub fn sender(&self) -> Option<Node> {
-        message_by_id(self.frame.id).map(|message| message.sender)
+        BUS.message(self.frame.id).map(|message| message.sender)
     }
 }
 

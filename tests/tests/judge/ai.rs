@@ -178,7 +178,7 @@ fn an_ai_computer_that_was_never_heard_is_not_blamed() {
     world.inputs.tsms = true;
     world.wait(1000);
     assert!(
-        world.control.handshake.is_lost(adsdv_spec::Edition::V3_0.rules.timing.handshake_ms),
+        world.control.handshake.is_lost(adsdv_spec::Edition::DEFAULT.rules.timing.handshake_ms),
         "it is missed"
     );
     is_reported(&world, JudgeOptions::default(), Party::Ai, &[], "never heard");

@@ -6,10 +6,9 @@
 use std::sync::LazyLock;
 
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_spec::messages::{
-    Ai2VcuStatus, Frame, MESSAGES, Message, MessageDef, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus,
-};
+use adsdv_spec::messages::{Ai2VcuStatus, Frame, MessageDef, ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
 use adsdv_spec::{AsState, Choices, Edition, Machine, Mutation};
+use adsdv_tests::bus::{BUS, def_of};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, any_readings};
 
 use crate::reports::{Event, is_as_written, what_happens_is_as_written};
@@ -28,10 +27,10 @@ const LIES: [fn(&mut Vcu2AiStatus); 8] = [
 
 fn any_vcu(random: &mut Random) -> Machine {
     let readings = any_readings(random);
-    let mutations: Vec<Mutation> = Mutation::all(&Edition::V3_0).collect();
+    let mutations: Vec<Mutation> = Mutation::all(Edition::DEFAULT).collect();
     let errs = random.one_in(2);
     let mutation = &mutations[index(random, mutations.len())];
-    let interface = if errs { mutation.apply(&Edition::V3_0) } else { Edition::V3_0 };
+    let interface = if errs { mutation.apply(Edition::DEFAULT) } else { *Edition::DEFAULT };
     Machine::new(interface, readings)
 }
 
@@ -40,7 +39,8 @@ fn index(random: &mut Random, len: usize) -> usize {
 }
 
 /// The messages that tell most.
-const TELLING: [&MessageDef; 3] = [Vcu2AiStatus::DEF, Vcu2LogStatus::DEF, Ai2VcuStatus::DEF];
+const TELLING: [&MessageDef; 3] =
+    [def_of::<Vcu2AiStatus>(), def_of::<Vcu2LogStatus>(), def_of::<Ai2VcuStatus>()];
 
 /// Where runs begin.
 static BEGINNINGS: LazyLock<Vec<World>> = LazyLock::new(|| {
@@ -160,7 +160,7 @@ fn damage(random: &mut Random, log: &mut Vec<Recorded>, place: usize) {
         }
         // For a while, a signal says something else.
         _ => {
-            let message = if random.one_in(4) { random.pick(&MESSAGES) } else { random.pick(&TELLING) };
+            let message = if random.one_in(4) { random.pick(BUS.messages) } else { random.pick(&TELLING) };
             let signal = &message.signals[index(random, message.signals.len())];
             let any = |random: &mut Random| i32::try_from(random.below(1 << signal.width)).unwrap_or(0);
             let mut raw = any(random);

@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::messages::Vcu2LogStatus;
-use adsdv_spec::{Atom, Atoms, Choice, Choices, Edition, FIGURE_2, Machine, Readings, Row, Term};
+use adsdv_spec::{Atom, Atoms, Choice, Choices, Edition, Machine, Readings, Row, Term};
 use adsdv_tests::world::World;
 
 use crate::check::all_pinned;
@@ -24,14 +24,15 @@ const SHOWN_BY: [(Atom, Choice); 2] =
 
 /// Every term of the table.
 pub(crate) fn all() -> impl Iterator<Item = Case> {
-    static TABLE: adsdv_spec::Table = FIGURE_2;
+    static TABLE: adsdv_spec::Table = Edition::DEFAULT.rules.table;
     TABLE.rows().iter().flat_map(|row| row.terms().iter().map(move |term| Case { row, term }))
 }
 
 impl Case {
     /// Where the case is in the table.
     pub(crate) fn name(&self) -> String {
-        let conditions: Vec<&str> = self.term.literals().map(|(atom, value)| atom.text(value)).collect();
+        let text = |(atom, value)| Edition::DEFAULT.rules.text(atom, value).to_string();
+        let conditions: Vec<String> = self.term.literals().map(text).collect();
         format!("{} -> {}: {}", self.row.from, self.row.to, conditions.join(" and "))
     }
 
@@ -51,7 +52,7 @@ impl Case {
     /// term wants it, but for the literal that is `broken`.
     pub(crate) fn world(&self, broken: Option<Atom>) -> World {
         let readings = self.choices().fold(Readings::DEFAULT, Readings::with);
-        let mut world = World::new(Machine::new(Edition::V3_0, readings));
+        let mut world = World::new(Machine::new(*Edition::DEFAULT, readings));
         if broken == Some(Atom::PowerCycleNeeded) {
             world.after_emergency();
         } else {

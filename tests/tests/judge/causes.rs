@@ -2,7 +2,8 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::Choice;
-use adsdv_spec::messages::{AsState, Message, MissionStatus, ShutdownCause, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, MissionStatus, ShutdownCause, Vcu2AiStatus};
+use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{Blame, is_reported, is_silent, pinned};
@@ -92,7 +93,7 @@ fn an_undefined_cause_hides_nothing_else() {
     world.inputs.go = false;
     let stopped = world.t;
     world.wait(500);
-    let signal = Vcu2AiStatus::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
+    let signal = def_of::<Vcu2AiStatus>().signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
     let undefined = signal.max + 1;
     for recorded in world.log.iter_mut().filter(|r| r.t >= since && r.frame.id == Vcu2AiStatus::ID) {
         recorded.frame.data = signal.put(recorded.frame.data, undefined);

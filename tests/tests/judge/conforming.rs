@@ -61,13 +61,13 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
     let mut states = std::collections::BTreeSet::new();
     let mut transitions = 0;
     for seed in 0..WRITTEN {
-        let Recording { name, log, options } = Recording::new(&Edition::V3_0, seed, jitter_ms, loss);
+        let Recording { name, log, options } = Recording::new(Edition::DEFAULT, seed, jitter_ms, loss);
         is_as_written(&name, &log, options);
     }
     for place in 0..runs {
         // Far apart, so that no run is tried twice when the next seed is the next number.
         let seed = seed().wrapping_mul(1 << 32).wrapping_add(place);
-        let Recording { name, log, options } = Recording::new(&Edition::V3_0, seed, jitter_ms, loss);
+        let Recording { name, log, options } = Recording::new(Edition::DEFAULT, seed, jitter_ms, loss);
         let report = judge(&log, options);
         assert!(by(&report, Party::Vcu).is_empty(), "{name}: {:#?}", violations(&report));
         transitions += report.transitions.len();
@@ -80,10 +80,10 @@ fn never_blames_the_vcu(jitter_ms: i64, loss: u64) {
 /// Of VCUs that do something else than the document says.
 #[test]
 fn the_reports_on_mutants_are_as_written() {
-    for (seed, mutation) in (0..).zip(Mutation::all(&Edition::V3_0).step_by(3)) {
+    for (seed, mutation) in (0..).zip(Mutation::all(Edition::DEFAULT).step_by(3)) {
         let (jitter_ms, loss) = [(0, 0), (5, 0), (0, 20), (15, 10)][usize::try_from(seed % 4).unwrap_or(0)];
         let Recording { name, log, options } =
-            Recording::new(&mutation.apply(&Edition::V3_0), seed, jitter_ms, loss);
+            Recording::new(&mutation.apply(Edition::DEFAULT), seed, jitter_ms, loss);
         is_as_written(&format!("{mutation}: {name}"), &log, options);
         // What is reported then need not be so, but it may not change by itself.
         let (window_ms, deadline_ms) = [(0, 0), (5, 20), (100, 200)][usize::try_from(seed % 3).unwrap_or(0)];

@@ -1,10 +1,9 @@
 //! Changes, where the change counts and not the value: what is only so at the change is never due later.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{
-    Ai2VcuStatus, AsState, DirectionRequest, Message, MissionStatus, Node, SteerAngle,
-};
+use adsdv_spec::messages::{Ai2VcuStatus, AsState, DirectionRequest, MissionStatus, Node, SteerAngle};
 use adsdv_spec::{Choice, Readings};
+use adsdv_tests::bus::encoded;
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{all_pinned, by, is_reported, is_silent, pinned};
@@ -116,7 +115,7 @@ fn a_value_that_lasts_for_less_than_a_cycle_is_no_change_to_the_vcu() {
     let neutral = world.log.iter().rev().find(|recorded| recorded.frame.id == Ai2VcuStatus::ID).copied();
     let neutral = neutral.expect("510h is in the log");
     let status = Ai2VcuStatus { direction_request: DirectionRequest::Forward, ..world.ai.status };
-    world.log.push(Recorded { t: world.t - 4 * MS, frame: status.encode() });
+    world.log.push(Recorded { t: world.t - 4 * MS, frame: encoded(status) });
     world.log.push(Recorded { t: world.t - MS, ..neutral });
     goes_on_driving(world, "FORWARD for a moment");
 }
@@ -132,7 +131,7 @@ fn running_for_less_than_a_cycle_is_no_change_to_the_vcu_either() {
     let place = world.log.iter().rposition(|recorded| recorded.frame.id == Ai2VcuStatus::ID);
     let place = place.expect("510h is in the log");
     let status = Ai2VcuStatus { mission_status: MissionStatus::Running, ..world.ai.status };
-    world.log.insert(place, Recorded { t: world.log[place].t - MS, frame: status.encode() });
+    world.log.insert(place, Recorded { t: world.log[place].t - MS, frame: encoded(status) });
     goes_on_driving(world, "RUNNING for a moment");
 }
 

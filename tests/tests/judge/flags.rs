@@ -2,7 +2,8 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::Atom;
-use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{Blame, blames, is_reported, is_reported_if_seen, is_silent};
@@ -109,8 +110,8 @@ fn the_logger_shows_another_state() {
     let since = world.t;
     world.wait(1000);
     is_silent(&world, JudgeOptions::default(), "the same state");
-    world.falsify(Vcu2LogStatus::DEF, "State_ASSI", since, AsState::Ready as i32);
-    let expected = [(Rule::AssiDiffers, Vcu2LogStatus::DEF.section)];
+    world.falsify(def_of::<Vcu2LogStatus>(), "State_ASSI", since, AsState::Ready as i32);
+    let expected = [(Rule::AssiDiffers, def_of::<Vcu2LogStatus>().section)];
     is_reported_if_seen(&world, JudgeOptions::default(), Party::Vcu, &expected, "State_ASSI");
 }
 

@@ -3,6 +3,7 @@
 use adsdv_oracle::judge::{JudgeOptions, Meter, Party, Rule};
 use adsdv_spec::Choice;
 use adsdv_spec::messages::{AnyMessage, AsState, Node};
+use adsdv_tests::bus::BUS;
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{is_reported, is_reported_if_seen, is_silent, only, pinned};
@@ -49,7 +50,7 @@ fn an_answer_at_the_limit_is_in_time() {
     let world = unanswered(40, |_| {});
     let mut meter = Meter::default();
     let slow = world.log.iter().position(|Recorded { t, frame }| {
-        match AnyMessage::decode(frame.id, frame.data()) {
+        match BUS.decode(frame.id, frame.data()) {
             Ok(AnyMessage::Vcu2AiStatus(status)) => meter.vcu(*t, status.handshake),
             Ok(AnyMessage::Ai2VcuStatus(status)) => return meter.ai(*t, status.handshake) == Some(45 * MS),
             _ => {}

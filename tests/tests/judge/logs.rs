@@ -2,7 +2,8 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity, Verdict};
 use adsdv_proofs::seed::seed;
-use adsdv_spec::messages::{AsState, MESSAGES, Message as _, Node, Vcu2AiStatus, Vcu2AiSteer, message_by_id};
+use adsdv_spec::messages::{AsState, Node, Vcu2AiStatus, Vcu2AiSteer};
+use adsdv_tests::bus::{BUS, def_of};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::{by, is_reported};
@@ -23,7 +24,7 @@ fn notes(report: &Report, rule: Rule) -> usize {
 }
 
 fn only_of(log: &[Recorded], node: Node) -> Vec<Recorded> {
-    let sent_by = |id| message_by_id(id).is_some_and(|message| message.sender == node);
+    let sent_by = |id| BUS.message(id).is_some_and(|message| message.sender == node);
     log.iter().copied().filter(|recorded| sent_by(recorded.frame.id)).collect()
 }
 
@@ -90,9 +91,10 @@ fn a_log_that_runs_backwards_blames_nobody() {
 #[test]
 fn states_that_changed_places_blame_nobody() {
     let world = run();
-    let id = Vcu2AiStatus::DEF.id;
-    let state =
-        |place: &usize| Vcu2AiStatus::decode(world.log[*place].frame.data()).map(|status| status.as_state);
+    let id = def_of::<Vcu2AiStatus>().id;
+    let state = |place: &usize| {
+        BUS.decode_as::<Vcu2AiStatus>(world.log[*place].frame.data()).map(|status| status.as_state)
+    };
     let places: Vec<usize> = (0..world.log.len()).filter(|&place| world.log[place].frame.id == id).collect();
     let changes = places.windows(2).filter(|pair| state(&pair[0]) != state(&pair[1]));
     let mut count = 0;
@@ -129,7 +131,7 @@ fn an_ai_computer_that_leaves_cycles_out_excuses_no_vcu() {
     world.inputs.asms = false;
     world.wait(2000);
     let mut random = Random(1);
-    let is_ai = |id| message_by_id(id).is_some_and(|message| message.sender == Node::Ai);
+    let is_ai = |id| BUS.message(id).is_some_and(|message| message.sender == Node::Ai);
     world.log.retain(|recorded| !is_ai(recorded.frame.id) || !random.one_in(3));
     is_reported(
         &world,
@@ -154,7 +156,7 @@ fn resized(world: &World, id: u16, len: usize) -> Report {
 #[test]
 fn frames_too_short_are_reported_once() {
     let world = run();
-    for message in MESSAGES.iter().filter(|m| world.log.iter().any(|r| r.frame.id == m.id)) {
+    for message in BUS.messages.iter().filter(|m| world.log.iter().any(|r| r.frame.id == m.id)) {
         let report = resized(&world, message.id, message.bytes_needed() - 1);
         let party = message.sender.into();
         let found: Vec<Rule> = by(&report, party).iter().map(|finding| finding.rule).collect();
@@ -172,7 +174,7 @@ fn frames_that_become_too_short_are_reported_then() {
     let [before, short] = [1, 0].map(|back| places[places.len() / 2 - back]);
     assert_eq!(log[before].frame, log[short].frame);
     let (t, frame) = (log[short].t - log[0].t, &mut log[short].frame);
-    frame.len = u8::try_from(Vcu2AiSteer::DEF.bytes_needed() - 1).expect("a frame is short");
+    frame.len = u8::try_from(def_of::<Vcu2AiSteer>().bytes_needed() - 1).expect("a frame is short");
     let end = usize::from(frame.len);
     assert!(frame.data[end..].iter().all(|&byte| byte == 0), "nothing is lost");
     let report = judge(&log, JudgeOptions::default());
@@ -184,7 +186,7 @@ fn frames_that_become_too_short_are_reported_then() {
 fn another_length_that_holds_every_signal_is_a_note() {
     let world = run();
     let mut count = 0;
-    for message in MESSAGES.iter().filter(|m| m.bytes_needed() < usize::from(m.len)) {
+    for message in BUS.messages.iter().filter(|m| m.bytes_needed() < usize::from(m.len)) {
         if !world.log.iter().any(|r| r.frame.id == message.id) {
             continue;
         }
@@ -224,7 +226,7 @@ fn a_vcu_that_comes_back_in_off_is_a_note() {
     world.driving();
     let since = world.t;
     world.wait(2000);
-    world.log.retain(|r| r.t < since || message_by_id(r.frame.id).is_none_or(|m| m.sender == Node::Ai));
+    world.log.retain(|r| r.t < since || BUS.message(r.frame.id).is_none_or(|m| m.sender == Node::Ai));
     let mut vcu = World::reference();
     vcu.wait(1000);
     let offset = world.t;

@@ -1,8 +1,8 @@
 //! What is told once, and what is only counted because there is too much of it.
 
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity};
-use adsdv_spec::is_reserved;
-use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
+use adsdv_tests::bus::{BUS, encoded};
 use adsdv_tests::world::MS;
 
 fn of(report: &Report, rule: Rule) -> Vec<&Finding> {
@@ -12,7 +12,7 @@ fn of(report: &Report, rule: Rule) -> Vec<&Finding> {
 //= ID-1, ID-2
 #[test]
 fn each_reserved_identifier_is_reported_once_for_each_sender() {
-    let reserved: Vec<u16> = (0..0x800).filter(|&id| is_reserved(id)).take(2).collect();
+    let reserved: Vec<u16> = (0..0x800).filter(|&id| BUS.is_reserved(id)).take(2).collect();
     let mut judge = Judge::new(JudgeOptions::default());
     for t in 0..3 {
         for &id in &reserved {
@@ -43,7 +43,7 @@ fn transitions(count: usize) -> Report {
     let mut judge = Judge::new(JudgeOptions::default());
     for (place, t) in (0..=count).zip(0..) {
         let as_state = if place % 2 == 0 { AsState::Off } else { AsState::Finished };
-        let frame = Vcu2AiStatus { as_state, ..Vcu2AiStatus::default() }.encode();
+        let frame = encoded(Vcu2AiStatus { as_state, ..Vcu2AiStatus::default() });
         judge.frame(t * 10 * MS, frame.id.into(), frame.data());
     }
     judge.finish()

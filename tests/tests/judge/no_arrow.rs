@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::{AsState, Vcu2AiStatus};
-use adsdv_spec::{Atom, FIGURE_2, Truth};
+use adsdv_spec::{Atom, Edition, Truth};
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{is_at, is_reported, is_silent, only};
@@ -11,7 +11,7 @@ use crate::check::{is_at, is_reported, is_silent, only};
 fn pairs() -> impl Iterator<Item = (AsState, AsState)> {
     let all = AsState::ALL.iter().flat_map(|&from| AsState::ALL.iter().map(move |&to| (from, to)));
     all.filter(|&(from, to)| {
-        from != to && !FIGURE_2.rows().iter().any(|row| (row.from, row.to) == (from, to))
+        from != to && !Edition::DEFAULT.rules.table.rows().iter().any(|row| (row.from, row.to) == (from, to))
     })
 }
 

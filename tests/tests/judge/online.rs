@@ -1,8 +1,9 @@
 //! The judge while the bus goes on: what it knows, what it shows, and what it makes of silence and of losses.
 
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{AsState, Message, Vcu2AiStatus};
+use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 use adsdv_spec::{Atom, Knowledge, Truth};
+use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{MS, World};
 
 /// A judge of a run into `AS_DRIVING`, and the time of its last frame.
@@ -58,7 +59,7 @@ fn a_state_that_cannot_be_read_is_not_known() {
     let (mut judge, last, world) = driving();
     let status = world.log.iter().rev().find(|recorded| recorded.frame.id == Vcu2AiStatus::ID);
     let mut frame = status.expect("the VCU has sent its status").frame;
-    let signal = Vcu2AiStatus::DEF.signal("AS_STATE").expect("a signal of 520h");
+    let signal = def_of::<Vcu2AiStatus>().signal("AS_STATE").expect("a signal of 520h");
     let readable = frame;
     frame.data = signal.put(frame.data, signal.max + 1);
     judge.frame(last + 5 * MS, frame.id.into(), frame.data());
@@ -161,7 +162,7 @@ fn losses_one_after_the_other_are_reported_as_one() {
 fn what_is_still_wrong_behind_losses_is_reported_again_once() {
     let mut world = World::reference();
     world.wait(1000);
-    let signal = Vcu2AiStatus::DEF.signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
+    let signal = def_of::<Vcu2AiStatus>().signal("SHUTDOWN_CAUSE").expect("a signal of 520h");
     let mut judge = Judge::new(JudgeOptions::default());
     for (place, recorded) in world.log.iter_mut().enumerate() {
         if recorded.frame.id == Vcu2AiStatus::ID {

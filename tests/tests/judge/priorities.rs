@@ -2,8 +2,8 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::AsState;
-use adsdv_spec::table::{PRIORITIES, Priority};
-use adsdv_spec::{Atom, Choice, FIGURE_2};
+use adsdv_spec::table::Priority;
+use adsdv_spec::{Atom, Choice, Edition};
 use adsdv_tests::world::{World, judge};
 
 use crate::check::{blames, is_reported, is_silent, pinned};
@@ -23,7 +23,13 @@ fn pinned_to(choice: Choice) -> JudgeOptions {
 }
 
 fn section(from: AsState, to: AsState) -> &'static str {
-    FIGURE_2.rows().iter().find(|row| (row.from, row.to) == (from, to)).map_or("", |row| row.section)
+    Edition::DEFAULT
+        .rules
+        .table
+        .rows()
+        .iter()
+        .find(|row| (row.from, row.to) == (from, to))
+        .map_or("", |row| row.section)
 }
 
 /// An emergency and the other arrow at once; after 50 ms the VCU goes to one of the two states.
@@ -46,7 +52,7 @@ fn both_open(priority: Priority, emergency: Atom, to: AsState) -> World {
 }
 
 fn each(test: impl Fn(Priority, Atom, &str)) {
-    for &priority in PRIORITIES {
+    for &priority in Edition::DEFAULT.rules.priorities {
         for emergency in EMERGENCIES {
             test(priority, emergency, &format!("{} with {emergency}", priority.from));
         }

@@ -23,7 +23,7 @@ fn wait_in_state(world: &mut World, entered: i64, ms: i64) {
 //= DRV-4
 #[test]
 fn ready_lasts_five_seconds() {
-    let dwell = i64::from(Edition::V3_0.rules.timing.ready_dwell_ms);
+    let dwell = i64::from(Edition::DEFAULT.rules.timing.ready_dwell_ms);
     for (early, in_time) in EARLY_MS {
         let mut world = World::reference();
         world.prepare();
@@ -41,7 +41,7 @@ fn ready_lasts_five_seconds() {
 //= ETO-1
 #[test]
 fn emergency_brake_lasts_fifteen_seconds() {
-    let timer = i64::from(Edition::V3_0.rules.timing.ebs_timer_ms);
+    let timer = i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms);
     for (early, in_time) in EARLY_MS {
         let mut world = World::reference();
         world.driving();
@@ -66,7 +66,7 @@ fn emergency_brake_ends_when_the_timer_does() {
     world.wait(1000);
     world.inputs.asms = false;
     world.hold_state();
-    world.wait(i64::from(Edition::V3_0.rules.timing.ebs_timer_ms));
+    world.wait(i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms));
     is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
 }
 
@@ -83,7 +83,7 @@ fn a_clock_that_is_set_forward_makes_no_timer_longer() {
         if hold {
             world.hold_state();
         }
-        world.wait(i64::from(Edition::V3_0.rules.timing.ebs_timer_ms));
+        world.wait(i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms));
         for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= set) {
             recorded.t += 400 * MS;
         }

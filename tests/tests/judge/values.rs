@@ -1,10 +1,8 @@
 //! Every signal whose bits can hold a value that is not allowed.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{
-    Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, MESSAGES, Message, Node, SignalDef, Vcu2AiDriveF,
-    message_by_id,
-};
+use adsdv_spec::messages::{Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, Node, SignalDef, Vcu2AiDriveF};
+use adsdv_tests::bus::{BUS, def_of, encoded};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::reports::is_as_written;
@@ -23,13 +21,13 @@ fn each_is_reported_once_with_its_name() {
     let since = world.t;
     world.wait(500);
     // The simulated AI Computer does not send the logger's 501h.
-    let dynamics = Ai2LogDynamics2::default().encode();
+    let dynamics = encoded(Ai2LogDynamics2::default());
     world.log.extend((0..world.t / (100 * MS)).map(|n| Recorded { t: n * 100 * MS, frame: dynamics }));
     world.log.sort_by_key(|recorded| recorded.t);
     assert_eq!(judge(&world.log, JudgeOptions::default()).findings, []);
 
     let mut count = 0;
-    for message in MESSAGES {
+    for message in BUS.messages {
         for signal in message.signals {
             let Some(raw) = refused(signal) else { continue };
             let mut log = world.log.clone();
@@ -63,7 +61,7 @@ fn each_is_reported_once_with_its_name() {
 fn what_is_still_wrong_in_another_recording_is_reported_again() {
     let mut world = World::reference();
     world.wait(2000);
-    let signal = Ai2VcuStatus::DEF.signals.iter().find(|signal| refused(signal).is_some());
+    let signal = def_of::<Ai2VcuStatus>().signals.iter().find(|signal| refused(signal).is_some());
     let signal = signal.expect("510h has a signal that does not allow every value");
     let raw = refused(signal).expect("a value");
     for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Ai2VcuStatus::ID) {
@@ -85,7 +83,7 @@ fn the_vcu_is_not_blamed_for_returning_a_request_out_of_range() {
     let mut world = World::reference();
     world.driving();
     let refuse = |log: &mut [Recorded], id, name: &str| {
-        let message = message_by_id(id).expect("a message");
+        let message = BUS.message(id).expect("a message");
         let is_it = |signal: &&SignalDef| signal.name.contains(name) && refused(signal).is_some();
         let signal = message.signals.iter().find(is_it).expect("a signal that does not allow every value");
         let raw = refused(signal).expect("a value");

@@ -1,8 +1,9 @@
 //! A transition that is taken though one literal of the guard is false.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
-use adsdv_spec::messages::{AsState, EbsState, Message, Vcu2LogStatus};
-use adsdv_spec::{Atom, Row, Truth};
+use adsdv_spec::messages::{AsState, EbsState, Vcu2LogStatus};
+use adsdv_spec::{Atom, Edition, Row, Truth};
+use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{MS, World, judge};
 
 use crate::cases::{self, Case, HISTORY, shows_slowly};
@@ -68,8 +69,8 @@ fn every_literal_that_fails_is_reported() {
             (case.row.from, case.row.to, Truth::False),
             "{name}"
         );
-        let text = literal.text(fails_as(case, literal));
-        assert!(finding.message.contains(text), "{name}: {}", finding.message);
+        let text = Edition::DEFAULT.rules.text(literal, fails_as(case, literal)).to_string();
+        assert!(finding.message.contains(&text), "{name}: {}", finding.message);
         is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.section)], &name);
         count += 1;
     }
@@ -171,7 +172,7 @@ fn an_ebs_that_cannot_be_read_is_not_known() {
     world.inputs.asms = true;
     world.wait(500);
     assert_eq!(world.control.state, AsState::Ready);
-    world.falsify(Vcu2LogStatus::DEF, "State_EBS", 0, 0);
+    world.falsify(def_of::<Vcu2LogStatus>(), "State_EBS", 0, 0);
     is_silent(&world, JudgeOptions::default(), "an EBS that cannot be read");
 }
 
@@ -185,7 +186,7 @@ fn an_ebs_is_read_whatever_else_cannot_be() {
     world.wait(500);
     world.force(AsState::Ready);
     world.wait(500);
-    world.falsify(Vcu2LogStatus::DEF, "State_ASSI", 0, 0);
+    world.falsify(def_of::<Vcu2LogStatus>(), "State_ASSI", 0, 0);
     let expected = [(Rule::Unjustified, "3.1")];
     is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
 }

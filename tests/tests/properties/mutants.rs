@@ -27,7 +27,7 @@ struct All(Clocks, Handshake, Power, SecondOpinion);
 
 impl All {
     fn new(readings: Readings) -> Self {
-        let timing = Edition::V3_0.rules.timing;
+        let timing = Edition::DEFAULT.rules.timing;
         Self(
             Clocks::new(timing, readings),
             Handshake::new(timing, readings),
@@ -55,7 +55,7 @@ fn runner() -> TestRunner {
 }
 
 fn mutant(mutation: &Mutation, run: &Run) -> Machine {
-    Machine::new(mutation.apply(&Edition::V3_0), run.readings)
+    Machine::new(mutation.apply(Edition::DEFAULT), run.readings)
 }
 
 /// The run, as it shows most of a mutation: with readings under which it matters, and with short steps only where times count.
@@ -65,9 +65,9 @@ fn telling(run: &Run, mutation: &Mutation) -> Run {
         run.cycle_ms = 1;
         return run;
     }
-    run.cycle_ms = Edition::V3_0.rules.timing.cycle_ms.into();
+    run.cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms.into();
     if let Change::Term(row, term, change) = mutation.change {
-        let row = Edition::V3_0.rules.table.rows().get(row).expect("a row");
+        let row = Edition::DEFAULT.rules.table.rows().get(row).expect("a row");
         for choice in row.terms().get(term).expect("a term").readings.iter() {
             let others = choice.reading().choices().iter().copied().filter(|&other| other != choice);
             run.readings = match change {
@@ -91,9 +91,9 @@ fn every_mutant_is_found() {
         })
     };
     let alive: Vec<_> =
-        Mutation::all(&Edition::V3_0).filter(lives).map(|mutation| mutation.to_string()).collect();
+        Mutation::all(Edition::DEFAULT).filter(lives).map(|mutation| mutation.to_string()).collect();
     // Those that behave like the specification, which the test suite lists with the reasons.
-    let proof = suite::prove(&Edition::V3_0, &suite::generate(&Edition::V3_0));
+    let proof = suite::prove(Edition::DEFAULT, &suite::generate(Edition::DEFAULT));
     let equivalent: Vec<_> = proof.equivalent.into_iter().map(|(name, _)| name).collect();
     assert_eq!(alive, equivalent);
 }
@@ -112,7 +112,7 @@ const SHRUNK: [(&str, usize); 8] = [
 
 /// The shortest run that was found to show a mutant, as a timeline.
 fn shown(name: &str, most: usize) -> String {
-    let mutation = Mutation::all(&Edition::V3_0)
+    let mutation = Mutation::all(Edition::DEFAULT)
         .find(|mutation| mutation.to_string() == name)
         .unwrap_or_else(|| panic!("{name} is a mutation"));
     let property = |run: &Run| All::new(run.readings);

@@ -10,7 +10,7 @@ use proptest::strategy::Union;
 use proptest::{bool, collection, sample};
 
 /// The data of the interface, which every number here comes from.
-const V3_0: Edition = Edition::V3_0;
+const EDITION: Edition = *Edition::DEFAULT;
 
 /// Something short that happens in a run.
 #[derive(Clone, Copy, Debug)]
@@ -111,12 +111,12 @@ impl fmt::Debug for Run {
 
 /// A cycle or two.
 fn soon() -> Operation {
-    Operation::Wait(u32::from(V3_0.rules.timing.cycle_ms) * 2)
+    Operation::Wait(u32::from(EDITION.rules.timing.cycle_ms) * 2)
 }
 
 /// AS_READY lasts for this long.
 fn ready_dwell() -> Operation {
-    Operation::Wait(V3_0.rules.timing.ready_dwell_ms.into())
+    Operation::Wait(EDITION.rules.timing.ready_dwell_ms.into())
 }
 
 /// What ends a mission, and how it is undone: each fault alone, and what is done at once with it where the order of the arrows
@@ -127,8 +127,8 @@ fn stops() -> Vec<[Vec<Operation>; 2]> {
     let faults = faults.map(|field| [vec![Operation::Set(field, 1)], vec![Operation::Set(field, 0)]]);
     let finished = set("mission_status", MissionStatus::Finished.to_raw());
     let neutral = set("direction_request", DirectionRequest::Neutral.to_raw());
-    let moving = Operation::Wheels(V3_0.rules.thresholds.wheel_speed.raw() + 1);
-    let at_rest = Operation::Wheels(V3_0.rules.thresholds.wheel_speed.raw() - 1);
+    let moving = Operation::Wheels(EDITION.rules.thresholds.wheel_speed.raw() + 1);
+    let at_rest = Operation::Wheels(EDITION.rules.thresholds.wheel_speed.raw() - 1);
     iter::once([vec![], vec![]])
         .chain(faults)
         .chain([
@@ -157,7 +157,7 @@ fn mission(upto: AsState, [stop, undo]: &[Vec<Operation>; 2]) -> Vec<Operation> 
     ];
     let driving = [
         // Only just straight.
-        set("steer_angle", V3_0.rules.thresholds.straight.raw() - 1),
+        set("steer_angle", EDITION.rules.thresholds.straight.raw() - 1),
         ready_dwell(),
         set("go", 1),
         soon(),
@@ -173,7 +173,7 @@ fn mission(upto: AsState, [stop, undo]: &[Vec<Operation>; 2]) -> Vec<Operation> 
         AsState::Driving => &[&ready, &driving],
         _ => &[&ready, &driving, &finished],
     };
-    let ebs_timer = Operation::Wait(V3_0.rules.timing.ebs_timer_ms.into());
+    let ebs_timer = Operation::Wait(EDITION.rules.timing.ebs_timer_ms.into());
     let off = [set("go", 0), set("asms", 0), soon()];
     [&way.concat(), stop, &[soon()][..], undo, &[ebs_timer], &off].concat()
 }
@@ -185,8 +185,8 @@ fn values(field: &InputField) -> Vec<i32> {
         Domain::Names(names) => names.iter().map(|&(raw, _)| raw).collect(),
         Domain::Number { min, max } => {
             let threshold = match field.part {
-                "vehicle" => V3_0.rules.thresholds.straight.raw(),
-                "vehicle.wheel_speeds" => V3_0.rules.thresholds.wheel_speed.raw(),
+                "vehicle" => EDITION.rules.thresholds.straight.raw(),
+                "vehicle.wheel_speeds" => EDITION.rules.thresholds.wheel_speed.raw(),
                 _ => 1,
             };
             let near =
@@ -200,7 +200,7 @@ fn values(field: &InputField) -> Vec<i32> {
 
 /// Times that are worth waiting for, the shortest first: a little, and each limit of the document, just missed and just met.
 fn waits() -> Vec<u32> {
-    let timing = &V3_0.rules.timing;
+    let timing = &EDITION.rules.timing;
     let limits = [timing.handshake_ms, timing.ready_dwell_ms, timing.ebs_timer_ms].map(u32::from);
     let near = limits.into_iter().flat_map(|limit| [limit - 1, limit, limit + 1]);
     [1, timing.cycle_ms.into()].into_iter().chain(near).collect()
@@ -213,7 +213,7 @@ fn anything() -> impl Strategy<Value = Operation> {
     let any_field = sample::select(fields).prop_flat_map(set_to_any);
     let often = ["asms", "go", "mission_status", "direction_request"];
     let often: Vec<_> = INPUTS.iter().filter(|field| often.contains(&field.key)).collect();
-    let wheel_speed = V3_0.rules.thresholds.wheel_speed.raw();
+    let wheel_speed = EDITION.rules.thresholds.wheel_speed.raw();
     prop_oneof![
         5 => sample::select(waits()).prop_map(Operation::Wait),
         5 => any_field,
@@ -278,7 +278,7 @@ pub(crate) fn operations() -> impl Strategy<Value = Vec<Operation>> {
 /// Any run, of a VCU with any readings.
 pub(crate) fn runs() -> impl Strategy<Value = Run> {
     let readings = prop_oneof![Just(Readings::DEFAULT), any::<Readings>()];
-    let cycle_ms = prop_oneof![Just(u32::from(V3_0.rules.timing.cycle_ms)), Just(1), 2..=20_u32];
+    let cycle_ms = prop_oneof![Just(u32::from(EDITION.rules.timing.cycle_ms)), Just(1), 2..=20_u32];
     (readings, cycle_ms, operations()).prop_map(|(readings, cycle_ms, operations)| Run {
         readings,
         cycle_ms,

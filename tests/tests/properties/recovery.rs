@@ -23,7 +23,7 @@ fn all_off() -> Vec<Operation> {
     let off = Inputs::default();
     let fields = INPUTS.iter().filter(|field| field.key != "handshake");
     let mut operations: Vec<_> = fields.map(|field| Operation::Set(field, (field.get)(&off))).collect();
-    let ebs_timer_ms = Edition::V3_0.rules.timing.ebs_timer_ms.into();
+    let ebs_timer_ms = Edition::DEFAULT.rules.timing.ebs_timer_ms.into();
     operations.extend([Operation::Answers(true), A_WHILE, Operation::Wait(ebs_timer_ms), A_WHILE]);
     operations
 }
@@ -43,7 +43,7 @@ fn to_ready() -> Vec<Operation> {
 
 /// Section 3.2.
 fn to_driving() -> Vec<Operation> {
-    let ready_dwell_ms = Edition::V3_0.rules.timing.ready_dwell_ms.into();
+    let ready_dwell_ms = Edition::DEFAULT.rules.timing.ready_dwell_ms.into();
     vec![Operation::Wait(ready_dwell_ms), A_WHILE, Operation::set("go", 1), A_WHILE]
 }
 

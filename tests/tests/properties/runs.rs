@@ -19,7 +19,7 @@ const CASES: u32 = 400;
 
 /// The machine of a run.
 pub(crate) fn machine(run: &Run) -> Machine {
-    Machine::new(Edition::V3_0, run.readings)
+    Machine::new(*Edition::DEFAULT, run.readings)
 }
 
 /// Tries a property of every step; `property` makes one that has seen nothing yet.
@@ -40,7 +40,7 @@ fn the_machine_does_what_the_text_says() {
 
 #[test]
 fn ready_and_emergency_last_for_their_times() {
-    always(|run| Clocks::new(Edition::V3_0.rules.timing, run.readings));
+    always(|run| Clocks::new(Edition::DEFAULT.rules.timing, run.readings));
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn the_motors_obey_only_while_the_vehicle_drives() {
 
 #[test]
 fn comms_are_lost_when_nobody_answers() {
-    always(|run| Handshake::new(Edition::V3_0.rules.timing, run.readings));
+    always(|run| Handshake::new(Edition::DEFAULT.rules.timing, run.readings));
 }
 
 /// The runs are worth trying: each arrow of Figure 2 is taken in some of them.
@@ -70,6 +70,6 @@ fn every_arrow_is_taken() {
         played.map(drop)
     };
     holds(CASES, regressions!("runs"), &runs(), runs_of, |run| format!("{run:?}"));
-    let rows = Edition::V3_0.rules.table.rows().iter().map(|row| row.section);
+    let rows = Edition::DEFAULT.rules.table.rows().iter().map(|row| row.section);
     assert_eq!(taken.into_inner(), rows.collect(), "the sections whose arrow is taken");
 }

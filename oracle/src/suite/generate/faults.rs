@@ -3,9 +3,8 @@
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Fault, Faults, Inputs, Machine};
 
-use super::{Walk, test, walk_cycle};
+use super::{Walk, test, walk_cycle, words};
 use crate::protocol::{Domain, INPUTS, InputField};
-use crate::suite::requirements::of_fault;
 use crate::suite::{Kind, Test};
 
 /// The tests of what opens the shutdown circuit, and of what 520h tells of it.
@@ -53,7 +52,8 @@ fn of_cause(machine: &Machine, field: &'static InputField) -> Vec<Test> {
             (field.set)(inputs, value);
         }
     };
-    let ids = || faults.iter().map(of_fault).chain(cause_of_3_5(key)).chain(["MSG-50", "MSG-64", "D-40"]);
+    let ids =
+        || faults.iter().map(Fault::requirement).chain(cause_of_3_5(key)).chain(["MSG-50", "MSG-64", "D-40"]);
     let live = Walk::new(machine)
         .set(|inputs| inputs.tsms = true)
         .step(walk_cycle(machine), set(1))
@@ -92,7 +92,7 @@ fn switches(machine: &Machine) -> Vec<Test> {
     [(Atom::Asms, "DTE-3"), (Atom::GoOn, "DTE-2")]
         .map(|(atom, id)| {
             let walk = Walk::to(machine, AsState::Driving).show(atom, false).cycle().show(atom, true).cycle();
-            let about = format!("{} in AS_DRIVING is told as an open circuit", atom.text(false));
+            let about = format!("{} in AS_DRIVING is told as an open circuit", words(machine, atom, false));
             test(Kind::Fault, format!("fault-{atom}-off"), about, "3.7", walk).checks([id, "D-13", "D-17"])
         })
         .into()

@@ -12,14 +12,14 @@ mod pairs;
 mod readings;
 mod rows;
 
-use adsdv_spec::{Atom, Choice, Edition, Machine, Readings, Row, Term};
+use adsdv_spec::{Atom, Choice, Edition, Machine, Row, Term};
 
 use super::walk::{Walk, walk_cycle};
 use super::{Kind, Test};
 
 /// Every test of a version of the interface, each scenario once.
 pub(super) fn all(edition: &Edition) -> Vec<Test> {
-    let machine = Machine::new(*edition, Readings::DEFAULT);
+    let machine = Machine::new(*edition, edition.readings);
     let mut tests = rows::tests(&machine);
     tests.extend(limits::tests(&machine));
     tests.extend(pairs::tests(&machine));
@@ -103,19 +103,19 @@ fn attempt<'a>(machine: &'a Machine, walk: Walk<'a>, term: &Term, but: Option<At
 }
 
 /// A condition in the words of the table.
-fn words(atom: Atom, value: bool) -> String {
-    atom.text(value).to_owned()
+fn words(machine: &Machine, atom: Atom, value: bool) -> String {
+    machine.edition().rules.text(atom, value).to_string()
 }
 
 /// A term in the words of the table.
-fn term_words(term: &Term) -> String {
-    let conditions: Vec<String> = term.literals().map(|(atom, value)| words(atom, value)).collect();
+fn term_words(machine: &Machine, term: &Term) -> String {
+    let conditions: Vec<String> = term.literals().map(|(atom, value)| words(machine, atom, value)).collect();
     conditions.join(" and ")
 }
 
 /// The machine under another choice.
 fn under(machine: &Machine, choice: Choice) -> Machine {
-    Machine::new(*machine.edition(), Readings::DEFAULT.with(choice))
+    Machine::new(*machine.edition(), machine.edition().readings.with(choice))
 }
 
 /// The tests, each scenario once: what two tests with the same steps check, one checks.

@@ -5,10 +5,9 @@ use adsdv_spec::messages::{
     AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MissionStatus, MotorSpeedMax,
     SteerAngle,
 };
-use adsdv_spec::{Inputs, Machine};
+use adsdv_spec::{Actuation, Bus, Inputs, Machine};
 
 use super::{Walk, test, walk_cycle};
-use crate::suite::requirements::of_actuators;
 use crate::suite::{Kind, Test};
 
 /// The tests of what a program shows beside its state, its handshake and its faults.
@@ -23,23 +22,23 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 /// Every request of the AI Computer, in the step in which a state is entered, where its arrow allows that, and in the next
 /// one the other way round.
 fn requests(machine: &Machine, state: AsState) -> Test {
-    let cycle = walk_cycle(machine);
-    let start = Walk::new(machine).set(|inputs| request(inputs, Axle::Front));
+    let (cycle, bus) = (walk_cycle(machine), &machine.edition().bus);
+    let start = Walk::new(machine).set(|inputs| request(inputs, bus, Axle::Front));
     let walk = match state {
         AsState::Off => start.cycle(),
         AsState::Ready => start.into_ready(),
         // Its arrow asks for zero.
-        AsState::Driving => Walk::to(machine, state).step(cycle, |inputs| request(inputs, Axle::Front)),
+        AsState::Driving => Walk::to(machine, state).step(cycle, |inputs| request(inputs, bus, Axle::Front)),
         AsState::Finished => Walk::to(machine, AsState::Driving).step(cycle, |inputs| {
             inputs.ai.status.mission_status = MissionStatus::Finished;
-            request(inputs, Axle::Front);
+            request(inputs, bus, Axle::Front);
         }),
         AsState::EmergencyBrake => start.into_ready().step(cycle, |inputs| inputs.sdc.vehicle_estop = true),
     };
-    let walk = walk.step(cycle, |inputs| request(inputs, Axle::Rear));
+    let walk = walk.step(cycle, |inputs| request(inputs, bus, Axle::Rear));
     let about = format!("which requests of the AI Computer reach the actuators in {state}");
     test(Kind::Output, format!("requests-in-{state}"), about, "2.1", walk)
-        .checks(of_actuators(state).iter().copied())
+        .checks(Actuation::requirements(state).iter().copied())
 }
 
 /// An axle of the vehicle.
@@ -51,7 +50,7 @@ enum Axle {
 
 /// Requests the most of one axle and the least of the other that is not nothing; with the front axle, FORWARD and a turn to
 /// the left, with the rear axle NEUTRAL and a turn to the right.
-fn request(inputs: &mut Inputs, most: Axle) {
+fn request(inputs: &mut Inputs, bus: &Bus, most: Axle) {
     let forward = most == Axle::Front;
     let of = |axle: Axle, all: i32| if axle == most { all } else { 1 };
     let ai = &mut inputs.ai;
@@ -63,7 +62,8 @@ fn request(inputs: &mut Inputs, most: Axle) {
     ai.drive_r.rear_motor_speed_max = MotorSpeedMax::clamped(of(Axle::Rear, speed));
     ai.brake.hyd_press_f_req = BrakePressure::clamped(of(Axle::Front, pressure));
     ai.brake.hyd_press_r_req = BrakePressure::clamped(of(Axle::Rear, pressure));
-    ai.steer.steer_request = if forward { SteerAngle::MAX } else { SteerAngle::MIN };
+    let steer = bus.signal_of("steer_request").map_or((0, 0), |signal| (signal.min, signal.max));
+    ai.steer.steer_request = SteerAngle::clamped(if forward { steer.1 } else { steer.0 });
     ai.status.direction_request = if forward { DirectionRequest::Forward } else { DirectionRequest::Neutral };
 }
 

@@ -4,7 +4,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Machine, Row, Term};
 
 use super::rows::name;
-use super::{Walk, attempt, before, terms, test, walk_cycle};
+use super::{Walk, attempt, before, terms, test, walk_cycle, words};
 use crate::suite::requirements::of_pair;
 use crate::suite::{Kind, Test};
 
@@ -29,7 +29,10 @@ fn one_after_the_other(machine: &Machine) -> [Test; 2] {
     let lost = Walk::new(machine).step(walk_cycle(machine), |inputs| inputs.tsms = true).answering(false);
     let lost = lost.step(machine.edition().rules.timing.handshake_ms.into(), |_| {});
     [(Atom::SdcOpen, open), (Atom::AiCommsLost, lost)].map(|(atom, walk)| {
-        let about = format!("{} before AS_READY is entered, and only then EMERGENCY_BRAKE", atom.text(true));
+        let about = format!(
+            "{} before AS_READY is entered, and only then EMERGENCY_BRAKE",
+            words(machine, atom, true)
+        );
         test(Kind::Pair, format!("3.1-with-{atom}"), about, "3.1", walk.into_ready().cycle()).checks(["D-45"])
     })
 }

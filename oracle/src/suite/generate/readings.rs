@@ -1,16 +1,15 @@
 //! What tells the answers to each open question apart.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Choice, Machine, Readings};
+use adsdv_spec::{Choice, Machine};
 
 use super::{Walk, rows, terms, test, under, walk_cycle};
-use crate::suite::requirements::of_choice;
 use crate::suite::{Kind, Scenario, Test};
 
 /// For each choice that is not the default, what it adds to the table, and one scenario that it does otherwise.
 pub(super) fn tests(machine: &Machine) -> Vec<Test> {
-    let others = Choice::ALL.iter().copied().filter(|&choice| !Readings::DEFAULT.is(choice));
-    others.flat_map(|choice| of_other(machine, choice)).collect()
+    let others = machine.edition().alternatives();
+    others.iter().flat_map(|choice| of_other(machine, choice)).collect()
 }
 
 fn of_other(machine: &Machine, choice: Choice) -> Vec<Test> {
@@ -19,7 +18,7 @@ fn of_other(machine: &Machine, choice: Choice) -> Vec<Test> {
         name: format!("{choice}/{}", test.name),
         kind: Kind::Reading,
         reading: Some(choice.reading()),
-        ..test.checks([of_choice(choice)])
+        ..test.checks([choice.reading().decision()])
     };
     let own = terms(&other).filter(|(_, term)| term.readings.has(choice));
     let mut tests: Vec<Test> = own.flat_map(|(row, term)| rows::of(&other, row, term)).map(named).collect();

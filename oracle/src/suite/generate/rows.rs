@@ -15,14 +15,14 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 pub(super) fn of(machine: &Machine, row: &Row, term: &Term) -> Vec<Test> {
     let name = name(row, term);
     let taken = attempt(machine, before(machine, row, term), term, None);
-    let about = format!("{} leads from {} to {}", term_words(term), row.from, row.to);
+    let about = format!("{} leads from {} to {}", term_words(machine, term), row.from, row.to);
     // What stands beside the figure is not the figure's.
     let figure = (term.section == row.section).then_some("SM-1");
     let mut tests = vec![
         test(Kind::Row, name.clone(), about, term.section, taken).checks(of_term(row, term)).checks(figure),
     ];
     for (atom, value) in term.literals() {
-        let about = format!("{}: {} is not left for {}", words(atom, !value), row.from, row.to);
+        let about = format!("{}: {} is not left for {}", words(machine, atom, !value), row.from, row.to);
         let walk = without(machine, row, term, atom);
         tests.push(
             test(Kind::Condition, format!("{name}-but-{atom}"), about, term.section, walk)

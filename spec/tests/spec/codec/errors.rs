@@ -6,7 +6,7 @@ use super::*;
 fn errors_print_what_was_given_and_what_is_allowed() {
     let error = |text: &str| {
         let frame = frame(text);
-        AnyMessage::decode(frame.id, frame.data()).expect_err(text).to_string()
+        BUS.decode(frame.id, frame.data()).expect_err(text).to_string()
     };
     assert_eq!(error("527#"), "527h is not the identifier of a message of section 2");
     assert_eq!(
@@ -22,8 +22,8 @@ fn errors_print_what_was_given_and_what_is_allowed() {
         "AI2VCU_Brake (514h): HYD_PRESS_F_REQ_pct is 100.5 % (raw 201), allowed: 0 to 100 % (raw 0 to 200)",
     );
     assert_eq!(
-        SteerAngle::from_deg(25.0).expect_err("too far").to_string(),
-        "SteerAngle cannot be 25 deg, allowed: -24 to 24 deg in steps of 0.1 (raw -240 to 240)",
+        SteerAngle::from_deg(31.0).expect_err("too far").to_string(),
+        "SteerAngle cannot be 31 deg, allowed: -30 to 30 deg in steps of 0.1 (raw -300 to 300)",
     );
     assert_eq!(
         LapCounter::from_raw(16).expect_err("too many").to_string(),

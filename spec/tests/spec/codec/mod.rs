@@ -10,17 +10,29 @@ mod recorded;
 mod round_trips;
 mod table;
 
+use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
     Acceleration, Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer,
     AmiState, AnyMessage, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ConesCountAll, DecodeError,
-    DirectionRequest, EbsState, Frame, LapCounter, LogBrake, LogDriveTorque, LogSteerAngle, MESSAGES,
-    Message, MessageDef, MissionStatus, MotorSpeedMax, Node, QuantityError, ServiceBrake, ShutdownCause,
-    SignalDef, SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus,
-    Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed, YawRate,
-    message_by_id,
+    DirectionRequest, EbsState, Frame, LapCounter, Layout, LogBrake, LogDriveTorque, LogSteerAngle,
+    MessageDef, MissionStatus, MotorSpeedMax, Node, QuantityError, ServiceBrake, ShutdownCause, SignalDef,
+    SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
+    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed, YawRate,
 };
 
+use adsdv_spec::{Bus, Edition};
+
 use crate::random::Random;
+
+/// The bus of version 3.0.
+const BUS: Bus = Edition::V3_0.bus;
+
+/// Every message of every edition, with its bus.
+fn messages() -> impl Iterator<Item = (&'static Bus, &'static MessageDef)> {
+    Edition::ALL
+        .iter()
+        .flat_map(|edition| edition.bus.messages.iter().map(|&message| (&edition.bus, message)))
+}
 
 /// Bit `index` of a frame's data, bit 0 being the lowest of the first byte.
 fn bit(data: &[u8], index: u8) -> bool {
@@ -60,8 +72,12 @@ fn allowed(signal: &SignalDef, raw: i32) -> bool {
     (signal.min..=signal.max).contains(&raw) && (signal.values.is_empty() || named)
 }
 
-fn decode(message: &MessageDef, data: &[u8]) -> Result<AnyMessage, DecodeError> {
-    AnyMessage::decode(message.id, data)
+fn decode(bus: &Bus, message: &MessageDef, data: &[u8]) -> Result<AnyMessage, DecodeError> {
+    bus.decode(message.id, data)
+}
+
+fn encode(bus: &Bus, message: impl Into<AnyMessage>) -> Frame {
+    bus.encode(message).expect("the edition has the message")
 }
 
 /// Data in which every signal has the lowest value it may have.

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn physical_values_are_rounded_to_the_nearest_step() {
-    for raw in -240..=240 {
+    for raw in -300..=300 {
         let angle = SteerAngle::from_raw(raw).expect("in range");
         assert_eq!(SteerAngle::from_deg(f64::from(raw) / 10.0), Ok(angle));
         assert_eq!(SteerAngle::from_deg(f64::from(raw) / 10.0 + 0.04), Ok(angle));
@@ -20,14 +20,14 @@ fn physical_values_are_rounded_to_the_nearest_step() {
 
 #[test]
 fn quantities_refuse_what_is_out_of_range() {
-    assert!(SteerAngle::from_raw(241).is_err() && SteerAngle::from_raw(-241).is_err());
+    assert!(SteerAngle::from_raw(301).is_err() && SteerAngle::from_raw(-301).is_err());
     assert!(SteerAngle::from_raw(i32::MIN).is_err() && SteerAngle::from_raw(65536).is_err());
-    for degrees in [24.06, -24.06, 1e300, -1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+    for degrees in [30.06, -30.06, 1e300, -1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         assert!(SteerAngle::from_deg(degrees).is_err(), "{degrees}");
     }
     assert!(AxleTorqueRequest::from_nm(-0.1).is_err());
-    assert_eq!(SteerAngle::from_deg(24.04), Ok(SteerAngle::MAX));
-    assert_eq!(SteerAngle::from_deg(-24.04), Ok(SteerAngle::MIN));
+    assert_eq!(SteerAngle::from_deg(30.04), Ok(SteerAngle::MAX));
+    assert_eq!(SteerAngle::from_deg(-30.04), Ok(SteerAngle::MIN));
     assert_eq!(i32::from(LapCounter::MAX), 15);
     assert_eq!(LapCounter::try_from(15), Ok(LapCounter::MAX));
     assert!(LapCounter::try_from(16).is_err());
@@ -45,12 +45,12 @@ fn values_display_with_their_units() {
     assert_eq!(LapCounter::default().to_string(), "0");
     assert_eq!(format!("{:>10}|", AsState::Ready), "  AS_READY|");
 
-    let signal = |name| Vcu2AiStatus::DEF.signal(name).expect(name);
+    let signal = |name| <V3_0 as Layout<Vcu2AiStatus>>::DEF.signal(name).expect(name);
     assert_eq!(signal("GO_SIGNAL").display(1).to_string(), "GO");
     assert_eq!(signal("SHUTDOWN_CAUSE").display(10).to_string(), "BMS FAULT");
     assert_eq!(signal("SHUTDOWN_CAUSE").display(11).to_string(), "11");
     assert_eq!(signal("HANDSHAKE").display(1).to_string(), "1");
-    let speed = Vcu2LogDynamics1::DEF.signal("Steer_actual_deg").expect("a signal of 500h");
+    let speed = <V3_0 as Layout<Vcu2LogDynamics1>>::DEF.signal("Steer_actual_deg").expect("a signal of 500h");
     assert_eq!(speed.display(-128).to_string(), "-64 deg");
     assert!((speed.physical(127) - 63.5).abs() < 1e-9);
 }

@@ -29,12 +29,12 @@ fn each_flag_of_the_vcu_status_has_its_own_bit() {
         (49, "BMS_FAULT", |m| m.bms_fault),
     ];
     for (index, name, _) in flags {
-        let mut data = Vcu2AiStatus::default().encode().data;
+        let mut data = encode(&BUS, Vcu2AiStatus::default()).data;
         set_bit(&mut data, index, true);
-        let decoded = Vcu2AiStatus::decode(&data).expect("a flag may be set");
+        let decoded = BUS.decode_as::<Vcu2AiStatus>(&data).expect("a flag may be set");
         for (_, other, field) in flags {
             assert_eq!(field(&decoded), name == other, "{other} with bit {index}");
-            let raw = Vcu2AiStatus::DEF.signal(other).and_then(|signal| signal.raw(&data));
+            let raw = <V3_0 as Layout<Vcu2AiStatus>>::DEF.signal(other).and_then(|signal| signal.raw(&data));
             assert_eq!(raw, Some(i32::from(name == other)), "{other} with bit {index}");
         }
     }
@@ -45,7 +45,7 @@ fn each_flag_of_the_vcu_status_has_its_own_bit() {
 fn ranges_end_where_the_document_says() {
     let ok = |text: &str| {
         let frame = frame(text);
-        AnyMessage::decode(frame.id, frame.data()).is_ok()
+        BUS.decode(frame.id, frame.data()).is_ok()
     };
     for (within, beyond) in [
         ("511#9E070000", "511#9F070000"),                 // 195 Nm

@@ -4,28 +4,40 @@ use super::*;
 
 #[test]
 fn every_message_stands_once_by_ascending_identifier() {
-    let ids: Vec<u16> = MESSAGES.iter().map(|message| message.id).collect();
+    let ids: Vec<u16> = BUS.messages.iter().map(|message| message.id).collect();
     let expected: Vec<u16> = (0x500..=0x502).chain(0x510..=0x514).chain(0x520..=0x526).collect();
     assert_eq!(ids, expected);
-    for (index, message) in MESSAGES.iter().enumerate() {
-        assert!(MESSAGES[..index].iter().all(|other| other.name != message.name), "{} twice", message.name);
+    for edition in Edition::ALL {
+        let messages = edition.bus.messages;
+        assert!(messages.windows(2).all(|two| two[0].id < two[1].id), "{}", edition.version);
+        for (index, message) in messages.iter().enumerate() {
+            assert!(
+                messages[..index].iter().all(|other| other.name != message.name),
+                "{} twice",
+                message.name
+            );
+            assert_eq!(edition.bus.named(message.name), Some(*message));
+        }
+        assert_eq!(edition.bus.named("NO_SUCH_MESSAGE"), None);
     }
 }
 
 #[test]
 fn an_identifier_finds_its_message_and_no_other() {
-    for id in 0..=u16::MAX {
-        let found = message_by_id(id);
-        assert_eq!(found, MESSAGES.iter().copied().find(|message| message.id == id), "{id:03X}h");
-        if found.is_none() {
-            assert_eq!(AnyMessage::decode(id, &[0; 8]), Err(DecodeError::UnknownId { id }));
+    for bus in Edition::ALL.iter().map(|edition| &edition.bus) {
+        for id in 0..=u16::MAX {
+            let found = bus.message(id);
+            assert_eq!(found, bus.messages.iter().copied().find(|message| message.id == id), "{id:03X}h");
+            if found.is_none() {
+                assert_eq!(bus.decode(id, &[0; 8]), Err(DecodeError::UnknownId { id }));
+            }
         }
     }
 }
 
 #[test]
 fn the_sender_is_in_the_name() {
-    for message in MESSAGES {
+    for (_, message) in messages() {
         let sender = if message.name.starts_with("AI2") { Node::Ai } else { Node::Vcu };
         let section = if sender == Node::Ai { "2.1" } else { "2.2" };
         assert_eq!((message.sender, message.section), (sender, section), "{}", message.name);
@@ -36,7 +48,7 @@ fn the_sender_is_in_the_name() {
 
 #[test]
 fn no_two_signals_of_a_message_share_a_bit_or_a_name() {
-    for message in MESSAGES {
+    for (_, message) in messages() {
         let mut bits = used_bits(message);
         assert!(bits.iter().all(|&bit| bit < message.len * 8), "{}: a signal ends after it", message.name);
         let count = bits.len();
@@ -57,7 +69,7 @@ fn no_two_signals_of_a_message_share_a_bit_or_a_name() {
 
 #[test]
 fn every_row_is_well_formed() {
-    for signal in MESSAGES.iter().flat_map(|message| message.signals) {
+    for signal in messages().flat_map(|(_, message)| message.signals) {
         let name = signal.name;
         assert!(signal.min < signal.max, "{name}");
         assert_eq!(signal.signed, signal.min < 0, "{name}");
@@ -80,7 +92,7 @@ fn every_row_is_well_formed() {
 //= D-30
 #[test]
 fn lengths_are_those_of_the_database() {
-    for message in MESSAGES {
+    for message in BUS.messages {
         let len = match message.id {
             0x501 => 6,
             0x502 => 5,
@@ -92,7 +104,7 @@ fn lengths_are_those_of_the_database() {
 
 #[test]
 fn the_bytes_needed_end_with_the_last_signal() {
-    for message in MESSAGES {
+    for (_, message) in messages() {
         let last = used_bits(message).into_iter().max().expect("every message has signals");
         assert_eq!(message.bytes_needed(), usize::from(last / 8) + 1, "{}", message.name);
         for signal in message.signals {
@@ -106,7 +118,7 @@ fn the_bytes_needed_end_with_the_last_signal() {
 
 #[test]
 fn between_two_values_that_have_names_none_is_allowed() {
-    let mut gap = *Vcu2AiSteer::DEF.signals.first().expect("a signal of 523h");
+    let mut gap = *<V3_0 as Layout<Vcu2AiSteer>>::DEF.signals.first().expect("a signal of 523h");
     (gap.min, gap.max, gap.values) = (0, 2, &[(0, "ZERO"), (2, "TWO")]);
     assert_eq!([-1, 0, 1, 2, 3].map(|raw| gap.allows(raw)), [false, true, false, true, false]);
     assert_eq!([0, 1, 2].map(|raw| gap.display(raw).to_string()), ["ZERO", "0.1 deg", "TWO"]);
@@ -115,7 +127,7 @@ fn between_two_values_that_have_names_none_is_allowed() {
 /// Fields are public, so that a row can be changed; what is changed for nonsense reads nothing and writes nothing.
 #[test]
 fn a_signal_that_lies_in_no_frame_is_not_there() {
-    let mut changed = *Vcu2AiSteer::DEF.signals.first().expect("a signal of 523h");
+    let mut changed = *<V3_0 as Layout<Vcu2AiSteer>>::DEF.signals.first().expect("a signal of 523h");
     let ones = [0xFF; 8];
     for (start, width, there) in [
         (56, 8, true),
