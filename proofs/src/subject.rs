@@ -2,6 +2,7 @@
 //!
 //! Kani proves them of [`Specification`]. Tests put something else in its place, a mutant, to see that a theorem can fail.
 
+use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{AsState, Frame, Node, SignalDef};
 use adsdv_spec::{
     Actuation, AiMessages, Atom, Atoms, Control, Handshake, Inputs, Knowledge, Machine, Observation, Outputs,
@@ -92,9 +93,9 @@ pub trait Subject {
         Frame::new(id, data)
     }
 
-    /// [`AiMessages::receive`].
+    /// [`AiMessages::receive_with`], of version 3.0.
     fn receive(&self, ai: &mut AiMessages, id: u16, data: &[u8]) -> bool {
-        matches!(ai.receive(&self.machine().edition().bus, id, data), Ok(true))
+        matches!(ai.receive_with(V3_0::read, id, data), Ok(true))
     }
 
     /// [`Bus::is_reserved`](adsdv_spec::Bus::is_reserved).

@@ -1,8 +1,6 @@
 //! The codec: `decode`, `encode`, the frames of a step, and the reserved identifiers.
 
-use adsdv_spec::messages::{
-    Decimal, DecodeError, Frame, MessageDef, Scale, SignalDef,
-};
+use adsdv_spec::messages::{Decimal, DecodeError, Frame, MessageDef, Scale, SignalDef};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFloat, PyInt};
 

@@ -1,8 +1,8 @@
 //! The tables as lists of flat dicts: inputs, outputs, messages and readings.
 
 use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN};
-use adsdv_spec::messages::SignalDef;
 use adsdv_spec::Inputs;
+use adsdv_spec::messages::SignalDef;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 

@@ -126,6 +126,16 @@ impl AiMessages {
     /// assert_eq!(ai.receive(&bus, 0x520, &[]), Ok(false)); // the VCU's
     /// ```
     pub fn receive(&mut self, bus: &Bus, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
+        self.receive_with(|id, data| bus.decode(id, data), id, data)
+    }
+
+    /// The same, for who knows how frames are read: [`Bus::read`] of an edition.
+    pub fn receive_with(
+        &mut self,
+        read: impl FnOnce(u16, &[u8]) -> Result<AnyMessage, DecodeError>,
+        id: u16,
+        data: &[u8],
+    ) -> Result<bool, DecodeError> {
         //= D-20
         if !matches!(
             id,
@@ -133,7 +143,7 @@ impl AiMessages {
         ) {
             return Ok(false);
         }
-        Ok(self.take(bus.decode(id, data)?))
+        Ok(self.take(read(id, data)?))
     }
 
     /// Takes over a message, and tells whether it is one of these.

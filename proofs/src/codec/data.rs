@@ -41,10 +41,6 @@ impl Layout {
 
 impl Data {
     /// Any data.
-    #[cfg_attr(
-        kani,
-        expect(clippy::extra_unused_type_parameters, reason = "what stands in for Kani asks for it")
-    )]
     pub(super) fn any<M: Coded + kani::Arbitrary>() -> Self {
         let data = Self { bytes: kani::any(), len: kani::any_where(|len| *len <= 9) };
         #[cfg(not(kani))]

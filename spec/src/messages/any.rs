@@ -10,7 +10,7 @@ macro_rules! any_message {
     ($($message:ident),+ $(,)?) => {
         /// A message of any edition, whichever it is.
         ///
-        /// [`Edition::decode`](crate::Edition::decode) makes one of a frame, and [`Edition::encode`](crate::Edition::encode)
+        /// [`Bus::decode`](crate::Bus::decode) makes one of a frame, and [`Bus::encode`](crate::Bus::encode)
         /// a frame of one.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]

@@ -28,7 +28,7 @@ pub(crate) const fn doc_of(
     while !same(fields[i].0.as_bytes(), name.as_bytes()) {
         i += 1;
     }
-    fields[i].1.trim_ascii()
+    fields[i].1
 }
 
 /// Whether two names are the same.
@@ -89,7 +89,7 @@ macro_rules! contents {
         impl $crate::messages::Message for $message {
             const ID: u16 = $id;
             const SENDER: $crate::messages::Node = $crate::messages::Node::$sender;
-            const FIELDS: &'static [(&'static str, &'static str)] = &[$((stringify!($field), $field_doc)),+];
+            const FIELDS: &'static [(&'static str, &'static str)] = &[$((stringify!($field), $field_doc.trim_ascii())),+];
 
             fn of(message: $crate::messages::AnyMessage) -> Option<Self> {
                 match message {

@@ -2,6 +2,7 @@
 
 mod codec;
 mod consistent;
+mod edition;
 mod faults;
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
 mod generators;
