@@ -51,6 +51,8 @@ pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Mistake
     match (folders.next(), folders.next(), form) {
         (_, Some("tests"), Form::Comment) => Ok(Kind::Test),
         (Some("proofs"), Some("src"), _) | (Some("model"), Some("src"), Form::Data) => Ok(Kind::Proof),
+        // The tables of the editions cite what stands behind their rows.
+        (Some("spec"), Some("src"), Form::Data) => Ok(Kind::Implementation),
         // The AI Computers of the closed model and of the virtual bus, and the operator, do what binds these.
         (Some("spec" | "oracle" | "can" | "cli" | "model"), Some("src"), Form::Comment) => {
             let only_tests = path.ends_with("/tests.rs");
@@ -59,7 +61,7 @@ pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Mistake
         _ => Err(Mistake::new(
             format!("{} does not count here", form.name()),
             "//= in src of spec, oracle, can, cli or model, or in tests of any crate; `/// Requirements:` in src \
-             of proofs; `requirements: &[..]` in src of model or proofs",
+             of proofs; `requirements: &[..]` in src of spec, model or proofs",
         )),
     }
 }
@@ -83,6 +85,7 @@ mod tests {
             ("tests/tests/figure2.rs", Comment, false, Some(Kind::Test)),
             ("tests/src/world/mod.rs", Comment, false, None),
             ("spec/benches/spec.rs", Comment, false, None),
+            ("spec/src/editions/v3_0/figure2.rs", Data, false, Some(Kind::Implementation)),
             ("spec/src/control.rs", Doc, false, None),
             ("tests/tests/figure2.rs", Data, false, None),
         ] {
