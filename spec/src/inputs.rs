@@ -112,6 +112,10 @@ pub struct AiMessages {
 }
 
 impl AiMessages {
+    /// The identifiers of these messages, ascending.
+    pub const IDS: [u16; 5] =
+        [Ai2VcuStatus::ID, Ai2VcuDriveF::ID, Ai2VcuDriveR::ID, Ai2VcuSteer::ID, Ai2VcuBrake::ID];
+
     /// Takes over what a frame of the bus says, and tells whether it is one of these messages.
     ///
     /// A frame that does not decode changes nothing, as if it had not come; the error says what is wrong with it.
@@ -137,10 +141,7 @@ impl AiMessages {
         data: &[u8],
     ) -> Result<bool, DecodeError> {
         //= D-20
-        if !matches!(
-            id,
-            Ai2VcuStatus::ID | Ai2VcuDriveF::ID | Ai2VcuDriveR::ID | Ai2VcuSteer::ID | Ai2VcuBrake::ID
-        ) {
+        if !Self::IDS.contains(&id) {
             return Ok(false);
         }
         Ok(self.take(read(id, data)?))

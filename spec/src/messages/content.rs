@@ -130,3 +130,28 @@ macro_rules! contents {
 }
 
 pub(super) use contents;
+
+#[cfg(test)]
+mod tests {
+    use super::{doc_of, same};
+
+    #[test]
+    fn a_field_has_its_own_words() {
+        let fields = &[("one", "The first."), ("two", "The second."), ("twofold", "The third.")];
+        assert_eq!(["one", "two", "twofold"].map(|name| doc_of(fields, name)), fields.map(|(_, doc)| doc));
+    }
+
+    #[test]
+    #[should_panic(expected = "out of bounds")]
+    fn a_field_that_is_not_there_does_not_compile() {
+        let _ = doc_of(&[("one", "The first.")], "two");
+    }
+
+    #[test]
+    fn names_are_the_same_to_the_last_letter() {
+        for (one, other) in [("", "a"), ("a", ""), ("a", "b"), ("ab", "a"), ("a", "ab")] {
+            assert!(!same(one.as_bytes(), other.as_bytes()), "{one} {other}");
+        }
+        assert!(same(b"", b"") && same(b"ab", b"ab"));
+    }
+}

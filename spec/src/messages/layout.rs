@@ -53,10 +53,10 @@ pub(crate) const fn row_of<M, T: SignalValue>(
 /// The value of a raw number, if its type and its row have it.
 #[inline]
 pub(crate) fn value_of<T: SignalValue>(row: &SignalDef, raw: i32) -> Option<T> {
-    if raw < row.min || raw > row.max {
-        return None;
+    match T::from_raw(raw) {
+        Some(value) if row.min <= raw && raw <= row.max => Some(value),
+        _ => None,
     }
-    T::from_raw(raw)
 }
 
 /// The raw number of a value, or the nearest that its row has.
@@ -192,3 +192,25 @@ macro_rules! layouts {
 }
 
 pub(crate) use layouts;
+
+#[cfg(test)]
+mod tests {
+    use super::{raw_of, row_of, value_of};
+    use crate::messages::{Ai2VcuSteer, SteerAngle};
+
+    #[test]
+    fn a_row_is_of_the_type_of_its_field() {
+        let row = row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, "What it says.");
+        assert_eq!((row.min, row.max, row.signed), (SteerAngle::MIN.raw(), SteerAngle::MAX.raw(), true));
+        assert_eq!((row.carried_by("steer").field, row.field), ("steer", ""));
+    }
+
+    #[test]
+    fn a_value_stays_in_the_range_of_its_row() {
+        let row = row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, "").within(-20, 10);
+        let read = |raw| value_of::<SteerAngle>(&row, raw).map(SteerAngle::raw);
+        assert_eq!([-21, -20, 10, 11].map(read), [None, Some(-20), Some(10), None]);
+        let written = |raw| raw_of(&row, SteerAngle::clamped(raw));
+        assert_eq!([-300, -21, -20, 10, 11, 300].map(written), [-20, -20, -20, 10, 10, 10]);
+    }
+}

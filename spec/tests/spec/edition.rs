@@ -1,12 +1,15 @@
 //! What an edition is asked: its questions, its answers, its bus, and what stands behind its table.
 
 use adsdv_spec::editions::V3_0;
+use adsdv_spec::export::Dot;
 use adsdv_spec::messages::{
     Ai2VcuDriveF, Ai2VcuSteer, AnyMessage, AsState, DecodeError, Layout, Message, Node, SteerAngle,
     SteerAngleMax, Vcu2AiSteer,
 };
+use adsdv_spec::table::Cites;
 use adsdv_spec::{
     Actuation, AiMessages, Atom, Bus, Choice, Choices, Edition, Fault, Inputs, Machine, Reading, Readings,
+    Row, Table, Term,
 };
 
 const EDITION: Edition = Edition::V3_0;
@@ -111,6 +114,26 @@ fn inputs_are_held_within_the_ranges_of_an_edition() {
     let raw = (held.ai.steer.steer_request.raw(), held.vehicle.steer_angle.raw());
     assert_eq!((raw, held.vehicle.steer_angle_max.raw()), ((-240, 240), 240));
     assert_eq!(inputs.held_by(&Bus { messages: &[], ..BUS }), inputs);
+}
+
+#[test]
+fn a_diagram_names_the_answers_that_are_not_the_default() {
+    let title = |readings| Dot(&Machine::new(EDITION, readings)).to_string();
+    assert!(
+        title(Readings::DEFAULT)
+            .starts_with("// Figure 2 of the ADS-DV Software Interface Specification 3.0\n")
+    );
+    let other = Readings::DEFAULT.with(Choice::FaultEdge).with(Choice::GoRaw);
+    assert!(title(other).contains("Specification 3.0, read with fault-trigger=edge go-signal=raw\n"));
+}
+
+#[test]
+fn rows_and_terms_are_given_what_they_cite() {
+    const CITES: &Cites = &Cites { requirements: &["SM-1"], ..Cites::NONE };
+    let term = Term::on("3", &[Atom::Asms]).cites(CITES);
+    let row = Row::of(AsState::Off, AsState::Ready, "3", &[term]).cites(CITES);
+    assert_eq!((row.cites, row.terms()[0].cites), (CITES, CITES));
+    assert_eq!(Table::of(&[row]).rows(), [row]);
 }
 
 /// Every row, every term beside the figure, every fault, question and state cites something.
