@@ -129,7 +129,7 @@ fn a_diagram_names_the_answers_that_are_not_the_default() {
 
 #[test]
 fn rows_and_terms_are_given_what_they_cite() {
-    const CITES: &Cites = &Cites { requirements: &["SM-1"], ..Cites::NONE };
+    const CITES: &Cites = &Cites { order: &["D-22"], ..Cites::NONE };
     let term = Term::on("3", &[Atom::Asms]).cites(CITES);
     let row = Row::of(AsState::Off, AsState::Ready, "3", &[term]).cites(CITES);
     assert_eq!((row.cites, row.terms()[0].cites), (CITES, CITES));
