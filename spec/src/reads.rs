@@ -6,9 +6,9 @@
 use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
 use crate::faults::{Fault, Faults};
-use crate::inputs::Observation;
 use crate::machine::{Machine, Taken};
 use crate::messages::AsState;
+use crate::observation::Observation;
 use crate::readings::Choice;
 use crate::table::{Row, Term};
 use crate::truth::{Knowledge, Truth};

@@ -6,11 +6,12 @@
 use crate::atoms::{Atom, Atoms};
 use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
-use crate::inputs::{Inputs, Observation, ShutdownCircuit};
+use crate::inputs::{Inputs, ShutdownCircuit};
 use crate::messages::{
     AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds,
     WheelSpeed,
 };
+use crate::observation::Observation;
 use crate::reads::Reads;
 
 impl Inputs {
