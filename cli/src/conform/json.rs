@@ -41,8 +41,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         readings: report
             .follows
             .iter()
-            .map(|Follows { reading, .. }| *reading)
-            .map(|reading| (reading.id(), report.readings.choice(reading).id()))
+            .map(|Follows { reading, .. }| (reading.id(), report.readings.choice(*reading).id()))
             .collect(),
         follows: report.follows.iter().map(FollowsJson::from).collect(),
         not_shown: &report.not_shown,
