@@ -1,5 +1,5 @@
 #!/bin/sh
-# Whether every requirement has an implementation, a proof and a test, and the report that shows which.
+# Whether every requirement of each edition that the code has is implemented, proven and tested, and the report that shows which.
 set -eu
 
 usage() {
@@ -8,6 +8,7 @@ Usage: scripts/trace.sh
 
 Collects the citations of requirements in the sources, lets duvet hold them against spec/REQUIREMENTS.md, and
 names every requirement that lacks an implementation, a proof or a test. The report is target/duvet/report.html.
+What holds only in an edition that the code does not have yet is counted, and may lack anything.
 
 Where duvet is not installed there is no report, and what is missing is named all the same. Where the environment
 variable CI is set, .duvet/snapshot.txt has to be up to date; elsewhere it is brought up to date.

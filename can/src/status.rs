@@ -18,6 +18,10 @@ pub const KEPT: usize = 200;
 pub struct Status {
     /// The name of the bus.
     pub bus: String,
+    /// The version of the edition that the node follows; empty as long as there is no node.
+    pub edition: &'static str,
+    /// For how long an edge of the HANDSHAKE bit may be unanswered in that edition, in milliseconds.
+    pub answer_limit_ms: u64,
     /// What is wrong with the bus; `None` while it is well.
     pub trouble: Option<Disturbance>,
     /// What the VCU sees.

@@ -252,7 +252,7 @@ fn a_plan_that_makes_no_sense_does_no_harm() {
             brake_pct: value,
             settle_ms: u32::MAX,
         };
-        let mut ai = Ai::new(plan);
+        let mut ai = Ai::new(Edition::DEFAULT, plan);
         let mut said = cycle(&mut ai, vcu(AsState::Ready), &AiMessages::default());
         for _ in 0..100 {
             said = cycle(&mut ai, Vcu { rpm: 50, ..vcu(AsState::Driving) }, &said);

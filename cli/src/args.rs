@@ -10,10 +10,12 @@ use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
 mod bus;
 mod conform;
+mod edition;
 mod verify;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
 pub(crate) use conform::{ConformArgs, SuiteArgs};
+pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
 
 /// The longest window and deadline that make sense, in milliseconds.
@@ -23,7 +25,7 @@ const LONGEST: u32 = 60_000;
 ///
 /// The ADS-DV is the car that Formula Student AI teams share. Its AI Computer talks over CAN to a Vehicle Control
 /// Unit (VCU) that runs the Autonomous System state machine. adsdv holds a recorded log of that bus, a live one or a program
-/// against the ADS-DV Software Interface Specification 3.0 and says who broke which section, when, and why; it is a virtual
+/// against the ADS-DV Software Interface Specification and says who broke which section, when, and why; it is a virtual
 /// VCU that an AI stack can be driven against; it shows that the state machine it judges by keeps the document's promises;
 /// and it prints its tables.
 #[derive(Debug, Parser)]
@@ -53,6 +55,10 @@ EXAMPLES
       adsdv dbc > adsdv.dbc
       adsdv diagram --format dot | dot -Tsvg > figure2.svg
 
+  By another edition of the interface, for one command or for all:
+      adsdv dbc --edition 3.0
+      export ADSDV_EDITION=3.0
+
   What each command does, in full:
       adsdv check --help
 
@@ -73,19 +79,7 @@ pub(crate) enum Command {
     Ai(AiArgs),
     Check(CheckArgs),
     Conform(ConformArgs),
-    /// Print the CAN database (DBC).
-    ///
-    /// Every message of the interface with its identifier, sender, length and cycle, and every signal with its
-    /// place, scale, unit, range and value names. For cantools, SavvyCAN, Kvaser and Vector tools, and the like.
-    #[command(after_long_help = "\
-EXAMPLES
-  adsdv dbc > adsdv.dbc
-  adsdv dbc > adsdv.dbc && candump can0 | cantools decode adsdv.dbc
-
-EXIT STATUS
-  0  the database has been printed
-  2  it could not be written, or the arguments are wrong")]
-    Dbc,
+    Dbc(DbcArgs),
     Demo(DemoArgs),
     Diagram(DiagramArgs),
     Explore(ExploreArgs),
@@ -96,6 +90,30 @@ EXIT STATUS
     Vcu(VcuArgs),
     Verify(VerifyArgs),
     Watch(WatchArgs),
+}
+
+/// Print the CAN database (DBC).
+///
+/// Every message of the interface with its identifier, sender, length and cycle, and every signal with its
+/// place, scale, unit, range and value names. For cantools, SavvyCAN, Kvaser and Vector tools, and the like.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv dbc > adsdv.dbc
+  adsdv dbc > adsdv.dbc && candump can0 | cantools decode adsdv.dbc
+
+OUTPUT
+  VERSION, in the first line, is the edition.
+
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
+
+EXIT STATUS
+  0  the database has been printed
+  2  it could not be written, or the arguments are wrong")]
+pub(crate) struct DbcArgs {
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 /// Print the JSON Schema of what a command prints with `--json`.
@@ -133,6 +151,8 @@ pub(crate) enum WithJson {
     Prove,
     /// adsdv verify.
     Verify,
+    /// adsdv readings.
+    Readings,
 }
 
 /// Judge a recorded CAN log.
@@ -143,6 +163,9 @@ pub(crate) enum WithJson {
 ///
 /// A log is sampled and silent about the shutdown circuit. What cannot be known from it is called "not certain" and
 /// never a violation; a violation is what is one under every reading of the document that is still possible.
+///
+/// Which edition of the interface the log speaks is recognised by its frames: how long they are, which there are, and what
+/// they say. The first line says which it is and by what, and a note what does not fit it. --edition overrides.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -154,7 +177,10 @@ EXAMPLES
       candump -L can0 | adsdv check -
 
   The VCU takes the change to FINISHED as the fault, not the value:
-      adsdv check --reading fault-trigger=edge run.log
+      adsdv check --edition 3.0 --reading fault-trigger=edge run.log
+
+  By another edition than the one that the log speaks:
+      adsdv check --edition 4.0 run.log
 
   List the violations for a program:
       adsdv check --json run.log | jq '.findings[] | select(.severity == \"violation\")'
@@ -174,7 +200,8 @@ OUTPUT
   came within it), and the verdict.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  the log conforms: no violation was found
@@ -218,6 +245,9 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) interface: Option<String>,
 
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
+
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
     pub(crate) color: ColorChoice,
@@ -233,6 +263,9 @@ EXAMPLES
   adsdv diagram --format dot | dot -Tsvg > figure2.svg
   adsdv diagram --reading comms-lost=no-arrow > figure2.mmd
 
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
+
 EXIT STATUS
   0  the diagram has been printed
   2  it could not be written, or the arguments are wrong")]
@@ -246,6 +279,9 @@ pub(crate) struct DiagramArgs {
     /// Without it, the default. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 /// The languages that Figure 2 is printed in.
@@ -267,15 +303,21 @@ pub(crate) enum Format {
 #[command(after_long_help = "\
 EXAMPLES
   adsdv readings
-  adsdv readings --json | jq -r '.[] | .id as $id | .choices[] | $id + \"=\" + .id'
+  adsdv readings --json | jq -r '.readings[] | .id as $id | .choices[] | $id + \"=\" + .id'
+
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
 
 EXIT STATUS
   0  the list has been printed
   2  it could not be written, or the arguments are wrong")]
 pub(crate) struct ReadingsArgs {
-    /// Print a JSON array instead of text.
+    /// Print one JSON object instead of text; `adsdv schema readings` prints its schema.
     #[arg(long)]
     pub(crate) json: bool,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 fn milliseconds(text: &str) -> Result<u32, String> {

@@ -10,16 +10,17 @@ use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Write as _};
 use std::path::Path;
 
-use adsdv_can::ai::Ai;
+use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::car::Action;
 use adsdv_can::demo::{self, BUS, DemoOptions, LocalBus, Run, RunError};
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario, Stuck, Unreadable};
 use adsdv_oracle::candump::{FrameKind, Record, write_record};
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogJudge, LogOptions};
 use adsdv_spec::Machine;
 
-use crate::args::DemoArgs;
+use crate::args::{ChosenEdition, DemoArgs};
 use crate::error::Error;
 use crate::layout::{Seconds, wrapped};
 use crate::report::style::{self, Styled};
@@ -42,22 +43,28 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
         Some(file) => Some(create(file, args.scenario.as_deref())?),
         None => None,
     };
-    let options = LogOptions::default();
+    let chosen = args.edition.chosen()?;
+    let options = LogOptions { judge: JudgeOptions::of(chosen.edition()), ..LogOptions::default() };
     let mut judge = LogJudge::new(options.clone());
-    let made = demo::run(&scenario, Ai::default(), &DemoOptions::default(), |time_ns, frame| {
-        let record = Record {
-            line: 0,
-            time_ns,
-            interface: BUS,
-            kind: FrameKind::Standard,
-            id: frame.id.into(),
-            data: frame.data(),
-            direction: None,
-            terminated: true,
-        };
-        judge.frame(&record);
-        log.as_mut().map_or(Ok(()), |log| write_record(log, &record))
-    });
+    let made = demo::run(
+        &scenario,
+        Ai::new(chosen.edition(), Plan::DEFAULT),
+        &DemoOptions::default(),
+        |time_ns, frame| {
+            let record = Record {
+                line: 0,
+                time_ns,
+                interface: BUS,
+                kind: FrameKind::Standard,
+                id: frame.id.into(),
+                data: frame.data(),
+                direction: None,
+                terminated: true,
+            };
+            judge.frame(&record);
+            log.as_mut().map_or(Ok(()), |log| write_record(log, &record))
+        },
+    );
     let name = args.log.as_ref().map_or_else(|| BUS.to_owned(), |log| log.display().to_string());
     let flushed = log.map_or(Ok(()), |mut log| log.flush());
     let written = |result: io::Result<()>| result.map_err(|error| write_error(&name, &error));
@@ -72,11 +79,11 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     written(flushed)?;
     let report = judge.finish(run.frames).map_err(|error| Error::log(&name, &error))?;
     if args.json {
-        output::plain(&json::text(&report))?;
+        output::plain(&json::text(chosen.edition(), None, &report))?;
     } else {
         let width = output::width();
-        let subject = JudgedLog { name: &name, options: &options, pins: &[] };
-        let text = story(args, &run, width) + &report::text(&subject, &report, width);
+        let subject = JudgedLog { edition: None, name: &name, options: &options, pins: &[] };
+        let text = story(args, chosen, &run, width) + &report::text(&subject, &report, width);
         output::styled(&text, args.color)?;
     }
     Ok(report.verdict().into())
@@ -84,17 +91,19 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
 
 /// The car in real time, with the switches as keys; a scenario is only played if there is one.
 fn on_screen(args: &DemoArgs) -> Result<Status, Error> {
+    let chosen = args.edition.chosen()?;
     let scenario = args.scenario.as_deref().map(read).transpose()?;
-    let bus = LocalBus::new(Ai::default());
-    let vcu = Vcu::new(bus, Machine::REFERENCE, scenario.as_ref().map(Player::new));
-    operate::on_screen(vcu, args.color)?;
+    let bus = LocalBus::new(Ai::new(chosen.edition(), Plan::DEFAULT));
+    let machine = Machine::new(*chosen.edition(), chosen.edition().readings);
+    let vcu = Vcu::new(bus, machine, scenario.as_ref().map(Player::new));
+    operate::on_screen(vcu, chosen, args.color)?;
     Ok(Status::Conforms)
 }
 
 /// What was done: the lines before the report.
-fn story(args: &DemoArgs, run: &Run, width: usize) -> String {
+fn story(args: &DemoArgs, chosen: ChosenEdition, run: &Run, width: usize) -> String {
     let scenario = printed(args.scenario.as_deref());
-    let mut text = String::new();
+    let mut text = format!("{chosen}\n");
     let about = format!(
         "A virtual VCU with its car, and a small AI Computer, on a bus within this program: {scenario}, {} s of \
          simulated time, {:.1} m driven.",

@@ -2,7 +2,6 @@
 
 use adsdv_model::closed::Closed;
 use adsdv_model::serve;
-use adsdv_spec::{Edition, Machine};
 
 use crate::args::ExploreArgs;
 use crate::error::Error;
@@ -10,10 +9,11 @@ use crate::status::Status;
 use crate::{output, pins};
 
 pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
-    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
+    let chosen = args.edition.chosen()?;
+    let machine = pins::machine(chosen.edition(), &args.readings)?;
     let told = |address| {
         // Nobody may be listening, or the address may not be written, and the Explorer is still there.
-        if let Err(error) = output::plain(&format!("http://{address}/ (stop with Ctrl-C)\n")) {
+        if let Err(error) = output::plain(&format!("{chosen}\nhttp://{address}/ (stop with Ctrl-C)\n")) {
             error.print();
         }
     };

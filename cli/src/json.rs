@@ -3,8 +3,15 @@
 
 use adsdv_can::live::{Outage, Traffic};
 use adsdv_oracle::judge::{Finding, Report, ResponseTimes, Transition};
+use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Edition, Reading};
 use serde::Serialize;
+
+/// The number of the form that every answer in JSON has, which is its first key; `schema/README.md` says when it changes.
+pub(crate) const SCHEMA: u32 = 1;
+
+/// The JSON Schema of what [`readings`] writes.
+pub(crate) const READINGS_SCHEMA: &str = include_str!("../schema/readings.schema.json");
 
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
@@ -25,13 +32,13 @@ pub(crate) const SUITE_SCHEMA: &str = include_str!("../schema/suite.schema.json"
 pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json");
 
 /// A report as one JSON object on one line.
-pub(crate) fn text(report: &Report) -> String {
-    line(&CheckJson::from(report))
+pub(crate) fn text(edition: &Edition, recognised: Option<&Recognised>, report: &Report) -> String {
+    line(&CheckJson { recognised: recognised.map(RecognisedJson::of), ..CheckJson::new(edition, report) })
 }
 
 /// A report of a live bus, and what went over it, as one JSON object on one line.
-pub(crate) fn watched(report: &Report, bus: &Bus<'_>) -> String {
-    line(&WatchJson { report: report.into(), bus: BusJson::new(bus, report.duration_ns) })
+pub(crate) fn watched(edition: &Edition, report: &Report, bus: &Bus<'_>) -> String {
+    line(&WatchJson { report: CheckJson::new(edition, report), bus: BusJson::new(bus, report.duration_ns) })
 }
 
 /// What a live bus was like.
@@ -41,9 +48,13 @@ pub(crate) struct Bus<'a> {
     pub(crate) outages: &'a [Outage],
 }
 
-/// The readings as one JSON array on one line.
-pub(crate) fn readings() -> String {
-    line(&Edition::DEFAULT.questions().map(ReadingJson::from).collect::<Vec<_>>())
+/// The questions that an edition leaves open as one JSON object on one line.
+pub(crate) fn readings(edition: &Edition) -> String {
+    line(&ReadingsJson {
+        schema: SCHEMA,
+        edition: edition.version,
+        readings: edition.questions().map(|reading| ReadingJson::of(edition, reading)).collect(),
+    })
 }
 
 /// Nothing here can fail to be written: all keys are text, and all numbers finite.
@@ -55,12 +66,30 @@ pub(crate) fn line(value: &impl Serialize) -> String {
 
 #[derive(Serialize)]
 struct CheckJson<'a> {
+    schema: u32,
+    edition: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recognised: Option<RecognisedJson<'a>>,
     frames: u64,
     duration_s: f64,
     transitions: Vec<TransitionJson>,
     findings: Vec<FindingJson<'a>>,
     handshake_response_ms: Option<ResponseJson>,
     verdict: &'static str,
+}
+
+#[derive(Serialize)]
+struct RecognisedJson<'a> {
+    certain: bool,
+    evidence: &'a [String],
+    against: &'a [String],
+}
+
+impl<'a> RecognisedJson<'a> {
+    fn of(recognised: &'a Recognised) -> Self {
+        let Recognised { certain, evidence, against, .. } = recognised;
+        Self { certain: *certain, evidence, against }
+    }
 }
 
 #[derive(Serialize)]
@@ -121,6 +150,13 @@ struct ResponseJson {
 }
 
 #[derive(Serialize)]
+struct ReadingsJson {
+    schema: u32,
+    edition: &'static str,
+    readings: Vec<ReadingJson>,
+}
+
+#[derive(Serialize)]
 struct ReadingJson {
     id: &'static str,
     section: &'static str,
@@ -135,9 +171,12 @@ struct ChoiceJson {
     default: bool,
 }
 
-impl<'a> From<&'a Report> for CheckJson<'a> {
-    fn from(report: &'a Report) -> Self {
+impl<'a> CheckJson<'a> {
+    fn new(edition: &Edition, report: &'a Report) -> Self {
         Self {
+            schema: SCHEMA,
+            edition: edition.version,
+            recognised: None,
             frames: report.frames,
             duration_s: seconds(report.duration_ns),
             transitions: report.transitions.iter().map(TransitionJson::from).collect(),
@@ -216,20 +255,24 @@ impl ResponseJson {
     }
 }
 
-impl From<Reading> for ReadingJson {
-    fn from(reading: Reading) -> Self {
+impl ReadingJson {
+    fn of(edition: &Edition, reading: Reading) -> Self {
         Self {
             id: reading.id(),
             section: reading.section(),
             question: reading.question(),
-            choices: reading.choices().iter().map(|&choice| ChoiceJson::from(choice)).collect(),
+            choices: edition
+                .choices
+                .of_reading(reading)
+                .map(|choice| ChoiceJson::of(edition, choice))
+                .collect(),
         }
     }
 }
 
-impl From<Choice> for ChoiceJson {
-    fn from(choice: Choice) -> Self {
-        Self { id: choice.id(), text: choice.text(), default: Edition::DEFAULT.readings.is(choice) }
+impl ChoiceJson {
+    fn of(edition: &Edition, choice: Choice) -> Self {
+        Self { id: choice.id(), text: choice.text(), default: edition.readings.is(choice) }
     }
 }
 

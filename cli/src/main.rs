@@ -65,7 +65,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Check(args) => check::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
-        Command::Dbc => tables::dbc(),
+        Command::Dbc(args) => tables::dbc(args),
         Command::Diagram(args) => tables::diagram(args),
         Command::Readings(args) => tables::readings(args),
         Command::Schema(args) => tables::schema(args),

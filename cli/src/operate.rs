@@ -9,6 +9,7 @@ use adsdv_can::live::{Handle, Runner};
 use adsdv_can::status::Status;
 use clap::ColorChoice;
 
+use crate::args::ChosenEdition;
 use crate::error::Error;
 use crate::screen::{self, Source};
 use crate::{interrupt, output, plain};
@@ -21,6 +22,7 @@ pub(crate) fn has_screen() -> bool {
 /// Runs it on the terminal screen until the operator leaves it, then prints how it went, and tells how everything stood.
 pub(crate) fn on_screen(
     runner: impl Runner + Send + 'static,
+    chosen: ChosenEdition,
     color: ColorChoice,
 ) -> Result<Arc<Status>, Error> {
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
@@ -29,7 +31,7 @@ pub(crate) fn on_screen(
     let operated = Operated { handle: &handle, told: &told };
     screen::run(&operated, output::is_colored(color)).map_err(|error| Error::screen(&error))?;
     let status = handle.join().map_err(|error| Error::mistake(&bus, error))?;
-    plain::conclude(&status, color)?;
+    plain::conclude(&status, chosen, color)?;
     Ok(status)
 }
 

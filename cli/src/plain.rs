@@ -9,6 +9,7 @@ use adsdv_can::live::{Handle, Runner};
 use adsdv_can::status::{Happening, HappeningKind, Status};
 use clap::ColorChoice;
 
+use crate::args::ChosenEdition;
 use crate::error::Error;
 use crate::layout::{Seconds, counted};
 use crate::report::style::{self, Styled};
@@ -20,12 +21,16 @@ const PACE: Duration = Duration::from_millis(20);
 
 /// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of whoever reads the output. Tells
 /// how everything stood in the end.
-pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> Result<Arc<Status>, Error> {
+pub(crate) fn run(
+    runner: impl Runner + Send + 'static,
+    chosen: ChosenEdition,
+    color: ColorChoice,
+) -> Result<Arc<Status>, Error> {
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
     let mut seen = 0;
-    let mut read = output::follow(&format!("on {bus}; Ctrl-C stops\n"), color)?;
+    let mut read = output::follow(&format!("{chosen}\non {bus}; Ctrl-C stops\n"), color)?;
     while read && handle.is_running() && !told.load(Ordering::Relaxed) {
         std::thread::sleep(PACE);
         read = show(&handle.status(), &mut seen, color)?;
@@ -38,8 +43,8 @@ pub(crate) fn run(runner: impl Runner + Send + 'static, color: ColorChoice) -> R
 }
 
 /// Prints how it went.
-pub(crate) fn conclude(status: &Status, color: ColorChoice) -> Result<(), Error> {
-    output::styled(summary(status).trim_start(), color)
+pub(crate) fn conclude(status: &Status, chosen: ChosenEdition, color: ColorChoice) -> Result<(), Error> {
+    output::styled(&format!("{chosen}{}", summary(status)), color)
 }
 
 /// Prints what is new. Tells whether anybody still reads.

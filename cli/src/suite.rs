@@ -3,26 +3,28 @@
 use std::fmt::Write as _;
 
 use adsdv_oracle::suite::{self, Kind, Proof, Test};
-use adsdv_spec::{Edition, Machine};
+use adsdv_spec::Edition;
 use serde::Serialize;
 
-use crate::args::SuiteArgs;
+use crate::args::{ChosenEdition, SuiteArgs};
 use crate::error::Error;
 use crate::status::Status;
 use crate::{json, output, pins};
 
 pub(crate) fn run(args: &SuiteArgs) -> Result<Status, Error> {
-    let tests = suite::generate(Edition::DEFAULT);
+    let chosen = args.edition.chosen()?;
+    let edition = chosen.edition();
+    let tests = suite::generate(edition);
     if args.prove {
-        let proof = suite::prove(Edition::DEFAULT, &tests);
+        let proof = suite::prove(edition, &tests);
         output::plain(&if args.json {
-            json::line(&ProofJson::of(&tests, &proof))
+            json::line(&ProofJson::of(edition, &tests, &proof))
         } else {
-            text(&tests, &proof)
+            text(chosen, &tests, &proof)
         })?;
         return Ok(if proof.is_complete() { Status::Conforms } else { Status::Violates });
     }
-    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
+    let machine = pins::machine(edition, &args.readings)?;
     let lines: Vec<String> = tests.iter().map(|test| test.to_line(&machine) + "\n").collect();
     output::plain(&lines.concat())?;
     Ok(Status::Conforms)
@@ -38,6 +40,8 @@ struct KindJson {
 
 #[derive(Serialize)]
 struct ProofJson<'a> {
+    schema: u32,
+    edition: &'static str,
     tests: usize,
     steps: usize,
     kinds: Vec<KindJson>,
@@ -54,9 +58,11 @@ struct EquivalentJson<'a> {
 }
 
 impl<'a> ProofJson<'a> {
-    fn of(tests: &[Test], proof: &'a Proof) -> Self {
+    fn of(edition: &Edition, tests: &[Test], proof: &'a Proof) -> Self {
         let equivalent = |(mutation, reason): &'a (String, &'static str)| EquivalentJson { mutation, reason };
         Self {
+            schema: json::SCHEMA,
+            edition: edition.version,
             tests: tests.len(),
             steps: steps(tests.iter()),
             kinds: kinds(tests),
@@ -79,8 +85,8 @@ fn steps<'a>(tests: impl Iterator<Item = &'a Test>) -> usize {
 }
 
 /// The proof for a person.
-fn text(tests: &[Test], proof: &Proof) -> String {
-    let mut text = format!("ADS-DV Software Interface Specification {}\n\n", Edition::DEFAULT.version);
+fn text(chosen: ChosenEdition, tests: &[Test], proof: &Proof) -> String {
+    let mut text = format!("{chosen}\n\n");
     let longest = tests.iter().map(|test| test.scenario.steps.len()).max().unwrap_or_default();
     // Writing to a string does not fail.
     let _ = writeln!(

@@ -4,29 +4,34 @@ use std::fmt::Write as _;
 
 use adsdv_model::Promela;
 use adsdv_spec::export::{Dbc, Dot, Figure2, Mermaid};
-use adsdv_spec::{Edition, Machine};
 
-use crate::args::{DiagramArgs, ExportArgs, Exported, Format, ReadingsArgs, SchemaArgs, WithJson};
+use crate::args::{
+    ChosenEdition, DbcArgs, DiagramArgs, ExportArgs, Exported, Format, ReadingsArgs, SchemaArgs, WithJson,
+};
 use crate::error::Error;
 use crate::layout::wrapped;
 use crate::status::Status;
 use crate::{json, output, pins};
 
-pub(crate) fn dbc() -> Result<Status, Error> {
-    print(&Dbc(Edition::DEFAULT).to_string())
+/// The database says its edition itself, as its version.
+pub(crate) fn dbc(args: &DbcArgs) -> Result<Status, Error> {
+    print(&Dbc(args.edition.chosen()?.edition()).to_string())
 }
 
 pub(crate) fn diagram(args: &DiagramArgs) -> Result<Status, Error> {
-    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
+    let chosen = args.edition.chosen()?;
+    let machine = pins::machine(chosen.edition(), &args.readings)?;
+    // The first line is a comment of the language.
     print(&match args.format {
-        Format::Mermaid => Mermaid(&machine).to_string(),
-        Format::Dot => Dot(&machine).to_string(),
-        Format::Markdown => Figure2(&machine).to_string(),
+        Format::Mermaid => format!("%% {chosen}\n{}", Mermaid(&machine)),
+        Format::Dot => format!("// {chosen}\n{}", Dot(&machine)),
+        Format::Markdown => format!("<!-- {chosen} -->\n\n{}", Figure2(&machine)),
     })
 }
 
 pub(crate) fn readings(args: &ReadingsArgs) -> Result<Status, Error> {
-    print(&if args.json { json::readings() } else { questions() })
+    let chosen = args.edition.chosen()?;
+    print(&if args.json { json::readings(chosen.edition()) } else { questions(chosen) })
 }
 
 pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
@@ -37,14 +42,18 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
         WithJson::Suite => json::SUITE_SCHEMA,
         WithJson::Prove => json::PROVE_SCHEMA,
         WithJson::Verify => json::VERIFY_SCHEMA,
+        WithJson::Readings => json::READINGS_SCHEMA,
     })
 }
 
 pub(crate) fn export(args: &ExportArgs) -> Result<Status, Error> {
-    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
-    let (document, vectors) = (Edition::DEFAULT.rules.timing, args.vectors.into());
+    let chosen = args.edition.chosen()?;
+    let machine = pins::machine(chosen.edition(), &args.readings)?;
+    let (document, vectors) = (chosen.edition().rules.timing, args.vectors.into());
     print(&match args.format {
-        Exported::Promela => Promela { machine: &machine, document, vectors }.to_string(),
+        Exported::Promela => {
+            format!("/* {chosen} */\n{}", Promela { machine: &machine, document, vectors })
+        }
     })
 }
 
@@ -54,12 +63,12 @@ fn print(text: &str) -> Result<Status, Error> {
 }
 
 /// The readings for a person; a star marks the default.
-fn questions() -> String {
-    let edition = Edition::DEFAULT;
+fn questions(chosen: ChosenEdition) -> String {
+    let edition = chosen.edition();
     let choices = |reading| edition.choices.of_reading(reading);
     let ids = edition.questions().flat_map(choices).map(|choice| choice.id().len());
     let width = ids.max().unwrap_or_default();
-    let mut text = String::new();
+    let mut text = format!("{chosen}\n\n");
     for reading in edition.questions() {
         // Writing to a string does not fail.
         let _ = writeln!(text, "{} (section {})", reading.id(), reading.section());

@@ -6,22 +6,26 @@ use adsdv_can::bus::Bus;
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{PATIENCE_MS, Player, Stuck};
 use adsdv_can::socket;
-use adsdv_spec::{Edition, Machine};
 
-use crate::args::VcuArgs;
+use crate::args::{ChosenEdition, VcuArgs};
 use crate::error::Error;
 use crate::status::Status;
 use crate::{demo, operate, pins, plain};
 
 pub(crate) fn run(args: &VcuArgs) -> Result<Status, Error> {
-    let machine = Machine::new(*Edition::DEFAULT, pins::answers(&args.readings)?);
+    let chosen = args.edition.chosen()?;
+    let machine = pins::machine(chosen.edition(), &args.readings)?;
     let scenario = args.scenario.as_deref().map(demo::read).transpose()?;
     let bus = socket::open(&args.interface)?;
-    drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), args)
+    drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), chosen, args)
 }
 
 /// Lets the VCU run until it is told to stop, or its scenario is over or given up.
-fn drive<B: Bus + Send + 'static>(vcu: Vcu<B>, args: &VcuArgs) -> Result<Status, Error> {
+fn drive<B: Bus + Send + 'static>(
+    vcu: Vcu<B>,
+    chosen: ChosenEdition,
+    args: &VcuArgs,
+) -> Result<Status, Error> {
     let asked = args.patience.map(|seconds| u64::from(seconds) * 1000);
     let status = if !args.plain && operate::has_screen() {
         // An operator at the keys can do what the scenario waits for.
@@ -29,9 +33,9 @@ fn drive<B: Bus + Send + 'static>(vcu: Vcu<B>, args: &VcuArgs) -> Result<Status,
             Some(patience_ms) => vcu.with_patience(patience_ms),
             None => vcu,
         };
-        operate::on_screen(vcu, args.color)?
+        operate::on_screen(vcu, chosen, args.color)?
     } else {
-        plain::run(vcu.with_patience(asked.unwrap_or(PATIENCE_MS)), args.color)?
+        plain::run(vcu.with_patience(asked.unwrap_or(PATIENCE_MS)), chosen, args.color)?
     };
     match &status.stuck {
         Some(stuck) => Err(given_up(args.scenario.as_deref(), stuck)),
@@ -59,6 +63,7 @@ mod tests {
     use clap::ColorChoice;
 
     use super::*;
+    use crate::args::EditionArgs;
 
     #[test]
     fn a_scenario_that_waits_in_vain_is_given_up_with_what_it_waits_for()
@@ -69,11 +74,14 @@ mod tests {
             patience: Some(1),
             readings: Vec::new(),
             plain: true,
+            edition: EditionArgs::default(),
             color: ColorChoice::Never,
         };
         let scenario: Scenario = "0 ebs ARMED, asms on\nAS_READY end\n".parse()?;
-        let vcu = Vcu::new(LocalBus::new(Ai::default()), Machine::REFERENCE, Some(Player::new(&scenario)));
-        let error = drive(vcu, &args).expect_err("no mission is selected").to_string();
+        let chosen = args.edition.chosen()?;
+        let machine = pins::machine(chosen.edition(), &[])?;
+        let vcu = Vcu::new(LocalBus::new(Ai::default()), machine, Some(Player::new(&scenario)));
+        let error = drive(vcu, chosen, &args).expect_err("no mission is selected").to_string();
         let told = "in-vain.txt: line 2: expected AS_READY, found AS_OFF after 1 s; AS_READY (section 3.1) still needs: ";
         assert!(error.starts_with(told) && error.contains("TS master switch ON"), "{error}");
         assert!(error.contains("--patience"), "{error}");

@@ -28,6 +28,8 @@ const CASES: u32 = 100;
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Read {
+    schema: u32,
+    edition: String,
     frames: u64,
     duration_s: f64,
     transitions: Vec<ReadTransition>,
@@ -79,6 +81,8 @@ fn expected(report: &Report) -> Read {
     let ms = |ms: Option<f64>| ms.map(|ms| (ms * 1e3).round() / 1e3).unwrap_or_default();
     let times = &report.responses;
     Read {
+        schema: 1,
+        edition: LogOptions::default().judge.edition.version.to_owned(),
         frames: report.frames,
         duration_s: seconds(report.duration_ns),
         transitions: report
@@ -203,7 +207,7 @@ static SCHEMA: LazyLock<Validator> = LazyLock::new(|| {
 
 fn round_trip(lines: &[Line]) -> Result<(), String> {
     let log = text(lines);
-    let (status, printed) = adsdv(&["check", "-", "--json"], &log);
+    let (status, printed) = adsdv(&["check", "--edition", "3.0", "-", "--json"], &log);
     let report = match judge_log(log.as_slice(), &LogOptions::default(), |_| {}) {
         Ok(report) => report,
         Err(LogError::Read(error)) => return Err(error.to_string()),

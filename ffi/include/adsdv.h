@@ -31,7 +31,7 @@
 #define ADSDV_MOST_SIGNALS 23
 
 // How many choices there are, of all readings together.
-#define ADSDV_CHOICES 23
+#define ADSDV_CHOICES 30
 
 // What a function answers. 0 is success; a function that fails changes nothing but the error, unless its comment says so.
 typedef enum adsdv_status {
@@ -153,6 +153,8 @@ typedef enum adsdv_shutdown_cause {
     ADSDV_CAUSE_CHARGE_PROCEDURE_FAULT = 9,
     // BMS FAULT
     ADSDV_CAUSE_BMS_FAULT = 10,
+    // BRAKE PLAUSIBILITY FAULT, since version 4.0
+    ADSDV_CAUSE_BRAKE_PLAUSIBILITY_FAULT = 11,
 } adsdv_shutdown_cause;
 
 // The enumerations of the interface.
@@ -299,6 +301,16 @@ typedef struct adsdv_inputs {
     uint8_t hyd_press_f_req;
     // AI Computer, 514h: requested rear brake pressure, in 0.5 %.
     uint8_t hyd_press_r_req;
+    // For how long there has been no valid 510h, in milliseconds; version 3.0 does not look at it.
+    uint16_t status_silence_ms;
+    // For how long there has been no valid 511h, in milliseconds; version 3.0 does not look at it.
+    uint16_t drive_f_silence_ms;
+    // For how long there has been no valid 512h, in milliseconds; version 3.0 does not look at it.
+    uint16_t drive_r_silence_ms;
+    // For how long there has been no valid 513h, in milliseconds; version 3.0 does not look at it.
+    uint16_t steer_silence_ms;
+    // For how long there has been no valid 514h, in milliseconds; version 3.0 does not look at it.
+    uint16_t brake_silence_ms;
     // Measured: the steer angle, positive to the left, in 0.1 degrees.
     int16_t steer_angle;
     // The largest steer angle that is allowed, in 0.1 degrees.
@@ -394,6 +406,8 @@ typedef struct adsdv_outputs {
     uint8_t charge_procedure_fault;
     // 520h, fault: the battery management system reports a critical fault.
     uint8_t bms_fault;
+    // 520h, fault: torque and hydraulic braking were requested at once, since version 4.0.
+    uint8_t brake_plausibility_fault;
     // Actuators: the direction of driving, an adsdv_direction.
     uint8_t direction;
     // Actuators: the drive torque of the front axle, in 0.1 Nm.
@@ -569,7 +583,8 @@ enum adsdv_status adsdv_inputs_init(struct adsdv_inputs *inputs, struct adsdv_er
 
 // Takes over what a frame of the AI Computer (510h to 514h) says. `taken`, which may be NULL, is set to 1 if it is one,
 // and to 0 if it is any other frame, which changes nothing. A frame with too few bytes or a value that is not allowed
-// is an error, and changes nothing either, as if it had not come.
+// is an error, and changes nothing either, as if it had not come. A frame that is taken over ends the silence of its
+// message; the caller adds the time that passes to each silence before the frames of a step are received.
 enum adsdv_status adsdv_receive(struct adsdv_inputs *inputs,
                                 const struct adsdv_frame *frame,
                                 uint8_t *taken,

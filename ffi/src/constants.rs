@@ -167,6 +167,8 @@ pub enum adsdv_shutdown_cause {
     ADSDV_CAUSE_CHARGE_PROCEDURE_FAULT = 9,
     /// BMS FAULT
     ADSDV_CAUSE_BMS_FAULT = 10,
+    /// BRAKE PLAUSIBILITY FAULT, since version 4.0
+    ADSDV_CAUSE_BRAKE_PLAUSIBILITY_FAULT = 11,
 }
 
 same! {
@@ -181,4 +183,5 @@ same! {
     adsdv_shutdown_cause::ADSDV_CAUSE_MISSION_STATUS_FAULT = ShutdownCause::MissionStatusFault;
     adsdv_shutdown_cause::ADSDV_CAUSE_CHARGE_PROCEDURE_FAULT = ShutdownCause::ChargeProcedureFault;
     adsdv_shutdown_cause::ADSDV_CAUSE_BMS_FAULT = ShutdownCause::BmsFault;
+    adsdv_shutdown_cause::ADSDV_CAUSE_BRAKE_PLAUSIBILITY_FAULT = ShutdownCause::BrakePlausibilityFault;
 }

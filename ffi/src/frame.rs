@@ -42,9 +42,9 @@ pub(crate) fn message(id: u16) -> Result<&'static MessageDef, Refusal<'static>> 
     EDITION.bus.message(id).ok_or(Refusal::Decode(DecodeError::UnknownId { id }))
 }
 
-/// The signal of a message with this name.
+/// The signal of a message with this name, or to which another edition gives it.
 pub(crate) fn signal<'a>(message: &MessageDef, name: &'a str) -> Result<&'static SignalDef, Refusal<'a>> {
-    message.signal(name).ok_or(Refusal::NoSignal { given: name, message: message.name })
+    message.signal_known_as(name).ok_or(Refusal::NoSignal { given: name, message: message.name })
 }
 
 /// This data ends before a signal does.

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
 };
-use adsdv_spec::{AiMessages, Inputs, Reports, ShutdownCircuit, Vehicle};
+use adsdv_spec::{AiMessages, AiSilence, Inputs, Reports, ShutdownCircuit, Vehicle};
 
 use crate::EDITION;
 use crate::border::{Plain, answer, load, out};
@@ -89,6 +89,16 @@ pub struct adsdv_inputs {
     pub hyd_press_f_req: u8,
     /// AI Computer, 514h: requested rear brake pressure, in 0.5 %.
     pub hyd_press_r_req: u8,
+    /// For how long there has been no valid 510h, in milliseconds; version 3.0 does not look at it.
+    pub status_silence_ms: u16,
+    /// For how long there has been no valid 511h, in milliseconds; version 3.0 does not look at it.
+    pub drive_f_silence_ms: u16,
+    /// For how long there has been no valid 512h, in milliseconds; version 3.0 does not look at it.
+    pub drive_r_silence_ms: u16,
+    /// For how long there has been no valid 513h, in milliseconds; version 3.0 does not look at it.
+    pub steer_silence_ms: u16,
+    /// For how long there has been no valid 514h, in milliseconds; version 3.0 does not look at it.
+    pub brake_silence_ms: u16,
 
     /// Measured: the steer angle, positive to the left, in 0.1 degrees.
     pub steer_angle: i16,
@@ -170,6 +180,13 @@ plain::conversions!("inputs." adsdv_inputs: Inputs {
         steer: Ai2VcuSteer { steer_request },
         brake: Ai2VcuBrake { hyd_press_f_req, hyd_press_r_req },
     },
+    ai_silence: AiSilence {
+        status_silence_ms,
+        drive_f_silence_ms,
+        drive_r_silence_ms,
+        steer_silence_ms,
+        brake_silence_ms,
+    },
     vehicle: Vehicle {
         steer_angle,
         steer_angle_max,
@@ -202,7 +219,8 @@ pub unsafe extern "C" fn adsdv_inputs_init(
 
 /// Takes over what a frame of the AI Computer (510h to 514h) says. `taken`, which may be NULL, is set to 1 if it is one,
 /// and to 0 if it is any other frame, which changes nothing. A frame with too few bytes or a value that is not allowed
-/// is an error, and changes nothing either, as if it had not come.
+/// is an error, and changes nothing either, as if it had not come. A frame that is taken over ends the silence of its
+/// message; the caller adds the time that passes to each silence before the frames of a step are received.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_receive(
     inputs: *mut adsdv_inputs,
@@ -216,6 +234,9 @@ pub unsafe extern "C" fn adsdv_receive(
             unsafe { (load(inputs, "inputs")?, out(inputs, "inputs")?, load(frame, "frame")?) };
         let mut inputs = before.read()?;
         let received = inputs.ai.receive(&EDITION.bus, frame.id, frame.sent()?)?;
+        if received {
+            inputs.ai_silence.end(frame.id);
+        }
         if !taken.is_null() {
             // SAFETY: the caller promises it for `taken`.
             unsafe { out(taken, "taken")? }.set(u8::from(received));

@@ -60,6 +60,8 @@ pub struct adsdv_outputs {
     pub charge_procedure_fault: u8,
     /// 520h, fault: the battery management system reports a critical fault.
     pub bms_fault: u8,
+    /// 520h, fault: torque and hydraulic braking were requested at once, since version 4.0.
+    pub brake_plausibility_fault: u8,
 
     /// Actuators: the direction of driving, an adsdv_direction.
     pub direction: u8,
@@ -117,6 +119,7 @@ impl adsdv_outputs {
             ami_state, shutdown_cause, fault_status, warning_status, warn_batt_temp_high, warn_batt_soc_low,
             ai_estop_request, hvil_open_fault, hvil_short_fault, ebs_fault, offboard_charger_fault, ai_comms_lost,
             autonomous_braking_fault, mission_status_fault, charge_procedure_fault, bms_fault,
+            brake_plausibility_fault,
         });
         shown.actuate(outputs.actuation(inputs));
         if let Some(taken) = outputs.taken {

@@ -16,7 +16,7 @@ pub const ADSDV_MESSAGES: usize = 15;
 /// The most signals that a message has.
 pub const ADSDV_MOST_SIGNALS: usize = 23;
 /// How many choices there are, of all readings together.
-pub const ADSDV_CHOICES: usize = 23;
+pub const ADSDV_CHOICES: usize = 30;
 
 const _: () = assert!(ADSDV_MESSAGES == EDITION.bus.messages.len());
 const _: () = assert!(ADSDV_CHOICES == Choice::ALL.len());

@@ -1,5 +1,8 @@
 //! One step of the VCU.
 
+use adsdv_spec::messages::Node;
+
+use crate::EDITION;
 use crate::border::{answer, check, fill, get, load, out};
 use crate::control::adsdv_control;
 use crate::error::{adsdv_error, adsdv_status};
@@ -10,6 +13,16 @@ use crate::outputs::adsdv_outputs;
 
 /// How many frames the VCU sends after a step.
 pub const ADSDV_VCU_FRAMES: usize = 9;
+
+const _: () = {
+    let messages = EDITION.bus.messages;
+    let (mut frames, mut i) = (0, 0);
+    while i < messages.len() {
+        frames += matches!(messages[i].sender, Node::Vcu) as usize;
+        i += 1;
+    }
+    assert!(frames == ADSDV_VCU_FRAMES, "a place for each frame that the VCU sends");
+};
 
 /// One step of the VCU: what it does when it sees these inputs `dt_ms` milliseconds after its last step.
 ///
@@ -59,8 +72,8 @@ pub unsafe extern "C" fn adsdv_step(
             shown.set(adsdv_outputs::of(machine, &inputs, &stepped, messages.status));
         }
         if !frames.is_null() {
-            let sent = messages.all().map(|message| machine.edition().bus.encode(message));
-            let sent: [_; ADSDV_VCU_FRAMES] = sent.map(Option::unwrap_or_default);
+            let mut all = messages.frames(&machine.edition().bus);
+            let sent: [_; ADSDV_VCU_FRAMES] = core::array::from_fn(|_| all.next().unwrap_or_default());
             // SAFETY: the caller promises that many places.
             unsafe { fill(frames, ADSDV_VCU_FRAMES, "frames", sent.into_iter().map(adsdv_frame::from))? };
         }

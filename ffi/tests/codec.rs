@@ -75,6 +75,15 @@ fn same(signal: &adsdv_signal, def: &SignalDef, data: &[u8]) {
 }
 
 #[test]
+fn a_signal_is_known_by_the_names_of_other_editions() {
+    let frame = adsdv_frame { id: 0x513, len: 8, data: [0x9C, 0xFF, 0, 0, 0, 0, 0, 0] };
+    for name in ["STEER_REQUEST_deg", "STEER_REQUEST"] {
+        let (signal, outcome) = decode_one(&frame, name);
+        assert_eq!((signal.map(|signal| signal.raw), outcome), (Some(-100), Ok(())), "{name}");
+    }
+}
+
+#[test]
 fn the_messages_are_those_of_the_interface() {
     for (index, def) in BUS.messages.iter().enumerate() {
         let message = message_at(index).unwrap();

@@ -235,7 +235,7 @@ fn texts_are_cut_where_they_do_not_fit() {
         let (inputs, error) = (inputs(), &raw mut error);
         adsdv_step(null(), &raw mut control, &raw const inputs, 0, null_mut(), null_mut(), error);
     }
-    assert!(text(&error.text).ends_with("10 = BMS FAULT"), "{}", text(&error.text));
+    assert!(text(&error.text).ends_with("11 = BRAKE PLAUSIBILITY FAULT"), "{}", text(&error.text));
 }
 
 #[test]

@@ -5,10 +5,12 @@
 use std::sync::LazyLock;
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Control, Edition, Fault};
+use adsdv_spec::{Control, Edition};
 
+use crate::document::Document;
 use crate::open::{Open, State};
 use crate::properties::PROPERTIES;
+use crate::property::Property;
 
 /// Something that must be reachable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,28 +51,34 @@ impl Goal {
     }
 }
 
-/// Everything that must be reachable: a whole mission, each arrow, each cause.
-pub static GOALS: LazyLock<Vec<Goal>> = LazyLock::new(|| {
+/// Everything that must be reachable in an edition: a whole mission, each arrow, each cause.
+pub fn goals(edition: &Edition) -> &'static [Goal] {
+    static GOALS: LazyLock<Vec<Vec<Goal>>> =
+        LazyLock::new(|| Edition::ALL.iter().map(|edition| goals_of(edition)).collect());
+    GOALS.get(Document::of(edition).place).map_or(&[], Vec::as_slice)
+}
+
+fn goals_of(edition: &Edition) -> Vec<Goal> {
     let mission = Goal {
         name: "whole-mission",
         statement: "A whole mission without an emergency, from AS_OFF to AS_OFF",
         requirement: "SM-1",
         target: Target::Mission,
     };
-    let arrows = Edition::DEFAULT.rules.table.rows().iter().map(|row| Goal {
+    let arrows = edition.rules.table.rows().iter().map(|row| Goal {
         name: leak(format!("arrow-{}", row.section)),
         statement: leak(format!("The arrow from {} to {} is taken", row.from, row.to)),
         requirement: row.section,
         target: Target::Arrow(row.from, row.to),
     });
-    let causes = Fault::ALL.iter().map(|fault| Goal {
-        name: leak(format!("cause-{}", *fault as u8)),
+    let causes = edition.faults.iter().map(|fault| Goal {
+        name: leak(format!("cause-{}", fault as u8)),
         statement: leak(format!("An emergency is caused by {fault}")),
         requirement: "MSG-64",
         target: Target::Cause(fault.cause()),
     });
     std::iter::once(mission).chain(arrows).chain(causes).collect()
-});
+}
 
 /// For names that live as long as the program.
 fn leak(text: String) -> &'static str {
@@ -92,20 +100,29 @@ macro_rules! by_place {
 }
 
 /// For each place in [`PROPERTIES`].
-const KEEPS: [Condition; 40] = by_place!(keeps:
+const KEEPS: [Condition; 48] = by_place!(keeps:
     0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
-    32 33 34 35 36 37 38 39);
-/// For each place in [`GOALS`].
+    32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47);
+/// For each place in the list of an edition's goals.
 const REACHES: [Condition; 24] = by_place!(reaches:
     0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23);
 const _: () = assert!(PROPERTIES.len() <= KEEPS.len());
-const _: () = assert!(1 + Edition::DEFAULT.rules.table.rows().len() + Fault::ALL.len() <= REACHES.len());
+const _: () = {
+    let mut place = 0;
+    while place < Edition::ALL.len() {
+        let edition = Edition::ALL[place];
+        let goals = 1 + edition.rules.table.rows().len() + edition.faults.bits().count_ones() as usize;
+        assert!(goals <= REACHES.len(), "a function for each goal");
+        place += 1;
+    }
+};
 
-/// The properties and goals as stateright knows them.
-pub(crate) fn questions() -> Vec<stateright::Property<Open>> {
-    let always = PROPERTIES.iter().zip(KEEPS);
-    let always = always.map(|(property, keeps)| stateright::Property::always(property.name, keeps));
-    let sometimes = GOALS.iter().zip(REACHES);
+/// The properties and goals of an edition as stateright knows them.
+pub(crate) fn questions(edition: &Edition) -> Vec<stateright::Property<Open>> {
+    let always = Property::of_edition(edition).filter_map(|(place, property)| {
+        Some(stateright::Property::always(property.name, *KEEPS.get(place)?))
+    });
+    let sometimes = goals(edition).iter().zip(REACHES);
     let sometimes = sometimes.map(|(goal, reaches)| stateright::Property::sometimes(goal.name, reaches));
     always.chain(sometimes).chain([to_the_end()]).collect()
 }

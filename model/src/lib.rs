@@ -13,7 +13,7 @@
 //!
 //! | to read about | look in |
 //! |---|---|
-//! | the properties, as data | [`PROPERTIES`], [`GOALS`], [`closed::CLOSED_PROPERTIES`] |
+//! | the properties, as data | [`PROPERTIES`], [`goals`](goals()), [`closed::CLOSED_PROPERTIES`] |
 //! | which inputs are tried, and by which lemmas fewer would do | [`Vectors`] |
 //! | the open model as stateright sees it | [`Open`] |
 //! | which parts of the table decide a step | [`Part`] |
@@ -38,6 +38,7 @@
 
 mod action;
 pub mod closed;
+mod document;
 mod explore;
 mod goals;
 mod look;
@@ -58,16 +59,16 @@ mod verify;
 pub use action::Action;
 pub use closed::Closed;
 pub use explore::serve;
-pub use goals::{GOALS, Goal};
+pub use goals::{Goal, goals};
 pub use open::{Open, State};
 pub use parts::Part;
 pub use promela::Promela;
 pub use properties::PROPERTIES;
-pub use property::{Claim, Harm, Property, When};
+pub use property::{Claim, Harm, Property, When, properties};
 pub use reachable::reachable;
 pub use run::{Cycle, Phase, Run};
 pub use step::Step;
 pub use story::{StoryLine, story, story_of};
-pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, closed_models, sweep};
+pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, closed_models, short_timers, sweep};
 pub use vectors::Vectors;
 pub use verify::{Exploration, Options, Progress, Report, explore, verify};

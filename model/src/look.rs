@@ -5,7 +5,8 @@
 use adsdv_spec::{Control, Machine, Observation, Timing};
 
 use crate::action::Action;
-use crate::goals::GOALS;
+use crate::document::Document;
+use crate::goals::goals;
 use crate::property::Property;
 use crate::step::Step;
 
@@ -15,7 +16,7 @@ pub(crate) struct Look {
     /// The properties that some step breaks, a bit for each place in
     /// [`PROPERTIES`](crate::PROPERTIES).
     pub(crate) broken: u64,
-    /// The goals that some step reaches, a bit for each place in [`GOALS`].
+    /// The goals that some step reaches, a bit for each place in [`goals`].
     pub(crate) reached: u64,
     /// One way to each control state that comes next.
     pub(crate) ways: Vec<Action>,
@@ -25,7 +26,8 @@ pub(crate) struct Look {
 
 /// Looks at a control state with these input vectors; `document` has the times that the properties speak of.
 pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vectors: &[Observation]) -> Look {
-    let concerned = Property::of(control.state);
+    let edition = Document::of_machine(machine).edition;
+    let concerned = Property::of(edition, control.state);
     let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
     let mut next: Vec<Control> = Vec::new();
     // Most steps lead where the one before them led.
@@ -41,7 +43,7 @@ pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vect
         }
     }
     for after in &next {
-        for (place, goal) in GOALS.iter().enumerate() {
+        for (place, goal) in goals(edition).iter().enumerate() {
             look.reached |= u64::from(goal.is_reached(control, after)) << place;
         }
     }

@@ -11,6 +11,7 @@ use adsdv_spec::{Control, Machine, Observation, Timing};
 use stateright::Model;
 
 use crate::action::Action;
+use crate::document::Document;
 use crate::goals::{questions, to_the_end};
 use crate::look::{Look, look};
 use crate::parts::Parts;
@@ -88,7 +89,7 @@ pub(crate) struct Seen {
     pub(crate) expanded: AtomicU64,
     /// The properties that some step breaks, a bit for each place in [`PROPERTIES`](crate::PROPERTIES).
     pub(crate) broken: AtomicU64,
-    /// The goals that some step reaches, a bit for each place in [`GOALS`](crate::GOALS).
+    /// The goals that some step reaches, a bit for each place in [`goals`](crate::goals()).
     pub(crate) reached: AtomicU64,
 }
 
@@ -180,7 +181,7 @@ impl Model for Open {
     }
 
     fn properties(&self) -> Vec<stateright::Property<Self>> {
-        if self.unasked { vec![to_the_end()] } else { questions() }
+        if self.unasked { vec![to_the_end()] } else { questions(Document::of_machine(&self.machine).edition) }
     }
 }
 

@@ -4,7 +4,7 @@
 //! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version.
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Atom, Atoms, Control, Edition, Timing};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Timing};
 
 use crate::property::{Claim, Harm, Property, When};
 use crate::step::Step;
@@ -15,12 +15,27 @@ use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
 const STANDING: &[AsState] = &[Ready, Finished];
 const STOPPED: &[AsState] = &[EmergencyBrake];
 
-/// "AI_COMMS_LOST": the VCU's edge has been unanswered for 50 ms.
+/// "AI_COMMS_LOST": the VCU's edge has been unanswered, or a message that is watched has been missing, for too long.
 const COMMS_LOST: When = When::Step { holds: Step::comms_lost, reads: Atoms::NONE };
 
 /// For what does not look at the inputs, or only where the machine does anyway.
 fn nothing(_: &Control, _: &Timing) -> Atoms {
     Atoms::NONE
+}
+
+/// What every edition has.
+fn every(_: &Edition) -> bool {
+    true
+}
+
+/// An emergency stop that the AI Computer asks for acts outside of AS_DRIVING too.
+fn estop_acts_everywhere(edition: &Edition) -> bool {
+    edition.readings.is(Choice::EstopEveryState)
+}
+
+/// The conditions that version 4.0 added to the way from AS_DRIVING into EMERGENCY_BRAKE.
+fn driving_has_ten_alternatives(edition: &Edition) -> bool {
+    Atoms::of(&[Atom::BrakeRequestZero, Atom::BmsFault, Atom::EbsUnavailable]).is_subset(edition.scope())
 }
 
 /// What the text and Figure 2 together ask for before AS_READY.
@@ -43,11 +58,12 @@ pub const PROPERTIES: &[Property] = &[
         statement: "The state changes only along an arrow of Figure 2",
         requirements: &["SM-18"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 let (from, to) = (step.before.state, step.after().state);
-                from == to
-                    || Edition::DEFAULT.rules.table.rows().iter().any(|row| (row.from, row.to) == (from, to))
+                let rows = step.document.edition.rules.table.rows();
+                from == to || rows.iter().any(|row| (row.from, row.to) == (from, to))
             },
             reads: nothing,
         },
@@ -57,6 +73,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_READY is entered only with ASMS and TSMS on and the EBS ARMED",
         requirements: &["RDY-1", "RDY-2", "RDY-4"],
         harm: Harm::MadeReady,
+        holds_in: every,
         claim: Claim::Only {
             from: Off,
             to: Ready,
@@ -68,6 +85,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_READY is entered only with a mission selected on the AMI",
         requirements: &["RDY-3"],
         harm: Harm::MadeReady,
+        holds_in: every,
         claim: Claim::Only { from: Off, to: Ready, when: When::on(&[Atom::AmiSelected]) },
     },
     Property {
@@ -75,6 +93,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_READY is entered only with MISSION_STATUS SELECTED",
         requirements: &["SM-9"],
         harm: Harm::MadeReady,
+        holds_in: every,
         claim: Claim::Only { from: Off, to: Ready, when: When::on(&[Atom::MissionSelected]) },
     },
     Property {
@@ -82,6 +101,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_READY is entered as soon as all of its conditions hold, unless a power cycle is needed",
         requirements: &["RDY-5", "SM-9"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Leads {
             from: &[Off],
             when: When::Step {
@@ -99,6 +119,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_DRIVING is entered only after 5 s in AS_READY",
         requirements: &["DRV-4"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Only {
             from: Ready,
             to: Driving,
@@ -110,6 +131,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_DRIVING is entered only with zero torque and steering requests, straight wheels and NEUTRAL",
         requirements: &["DRV-5", "DRV-6", "DRV-7", "DRV-8", "DRV-9"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Only {
             from: Ready,
             to: Driving,
@@ -121,6 +143,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_DRIVING is entered only when \"Go\" comes on, just after it was seen off while all else held",
         requirements: &["DRV-11", "DRV-12", "D-6"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| match (step.before.state, step.after().state) {
                 (Ready, Driving) => step.before.go_seen_low && step.sees(Atom::GoOn),
@@ -146,6 +169,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_DRIVING is entered at the accepted edge of \"Go\", unless AS_READY has to be left otherwise",
         requirements: &["DRV-15", "SM-11"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Leads {
             from: &[Ready],
             when: When::Step {
@@ -165,6 +189,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "An open shutdown circuit in AS_DRIVING leads to EMERGENCY_BRAKE",
         requirements: &["DTE-1"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
     },
     Property {
@@ -172,6 +197,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ASMS off in AS_DRIVING leads to EMERGENCY_BRAKE",
         requirements: &["DTE-3"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: When::off(&[Atom::Asms]), to: STOPPED },
     },
     Property {
@@ -179,6 +205,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "\"Go\" off in AS_DRIVING leads to EMERGENCY_BRAKE",
         requirements: &["DTE-2"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: When::off(&[Atom::GoOn]), to: STOPPED },
     },
     Property {
@@ -186,6 +213,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "FINISHED while moving leads to EMERGENCY_BRAKE",
         requirements: &["DTE-4", "IMP-3", "IMP-4"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads {
             from: &[Driving],
             when: When::on(&[Atom::MissionFinished, Atom::Moving]),
@@ -197,6 +225,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "NEUTRAL while moving leads to EMERGENCY_BRAKE",
         requirements: &["DTE-5", "IMP-2", "IMP-4"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads {
             from: &[Driving],
             when: When::on(&[Atom::DirectionNeutral, Atom::Moving]),
@@ -205,9 +234,10 @@ pub const PROPERTIES: &[Property] = &[
     },
     Property {
         name: "driving-comms",
-        statement: "A handshake unanswered for 50 ms in AS_DRIVING leads to EMERGENCY_BRAKE",
+        statement: "A handshake or a message that is lost in AS_DRIVING leads to EMERGENCY_BRAKE",
         requirements: &["HS-9", "HS-10"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: COMMS_LOST, to: STOPPED },
     },
     Property {
@@ -215,13 +245,55 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE",
         requirements: &["D-9"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::AiEstop]), to: STOPPED },
+    },
+    Property {
+        name: "driving-front-brake",
+        statement: "Torque of the front axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
+        requirements: &["DTE-9", "IMP-8"],
+        harm: Harm::DrivesOn,
+        holds_in: driving_has_ten_alternatives,
+        claim: Claim::Leads {
+            from: &[Driving],
+            when: When::off(&[Atom::FrontTorqueZero, Atom::BrakeRequestZero]),
+            to: STOPPED,
+        },
+    },
+    Property {
+        name: "driving-rear-brake",
+        statement: "Torque of the rear axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
+        requirements: &["DTE-9", "IMP-8"],
+        harm: Harm::DrivesOn,
+        holds_in: driving_has_ten_alternatives,
+        claim: Claim::Leads {
+            from: &[Driving],
+            when: When::off(&[Atom::RearTorqueZero, Atom::BrakeRequestZero]),
+            to: STOPPED,
+        },
+    },
+    Property {
+        name: "driving-bms",
+        statement: "BMS_FAULT in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-12"],
+        harm: Harm::DrivesOn,
+        holds_in: driving_has_ten_alternatives,
+        claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::BmsFault]), to: STOPPED },
+    },
+    Property {
+        name: "driving-ebs",
+        statement: "An EBS that is UNAVAILABLE in AS_DRIVING leads to EMERGENCY_BRAKE",
+        requirements: &["DTE-13"],
+        harm: Harm::DrivesOn,
+        holds_in: driving_has_ten_alternatives,
+        claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::EbsUnavailable]), to: STOPPED },
     },
     Property {
         name: "ready-sdc",
         statement: "An open shutdown circuit in AS_READY leads to EMERGENCY_BRAKE",
         requirements: &["RTE-1", "SM-12"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Ready], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
     },
     Property {
@@ -229,6 +301,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "An open shutdown circuit in AS_FINISHED leads to EMERGENCY_BRAKE",
         requirements: &["FTE-1", "SM-15"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Finished], when: When::on(&[Atom::SdcOpen]), to: STOPPED },
     },
     Property {
@@ -236,6 +309,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ASMS off leads out of AS_READY",
         requirements: &["RTO-1", "SM-10"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Ready], when: When::off(&[Atom::Asms]), to: &[Off, EmergencyBrake] },
     },
     Property {
@@ -243,20 +317,23 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ASMS off leads out of AS_FINISHED",
         requirements: &["FTO-1", "SM-16"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Finished], when: When::off(&[Atom::Asms]), to: &[Off, EmergencyBrake] },
     },
     Property {
         name: "ready-comms",
-        statement: "A handshake unanswered for 50 ms in AS_READY leads to EMERGENCY_BRAKE",
+        statement: "A handshake or a message that is lost in AS_READY leads to EMERGENCY_BRAKE",
         requirements: &["HS-9", "HS-10"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Ready], when: COMMS_LOST, to: STOPPED },
     },
     Property {
         name: "finished-comms",
-        statement: "A handshake unanswered for 50 ms in AS_FINISHED leads to EMERGENCY_BRAKE",
+        statement: "A handshake or a message that is lost in AS_FINISHED leads to EMERGENCY_BRAKE",
         requirements: &["HS-9", "HS-10"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Leads { from: &[Finished], when: COMMS_LOST, to: STOPPED },
     },
     Property {
@@ -264,6 +341,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ESTOP_REQUEST in AS_READY leads to EMERGENCY_BRAKE",
         requirements: &["D-9"],
         harm: Harm::NotBraked,
+        holds_in: estop_acts_everywhere,
         claim: Claim::Leads { from: &[Ready], when: When::on(&[Atom::AiEstop]), to: STOPPED },
     },
     Property {
@@ -271,6 +349,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "ESTOP_REQUEST in AS_FINISHED leads to EMERGENCY_BRAKE",
         requirements: &["D-9"],
         harm: Harm::NotBraked,
+        holds_in: estop_acts_everywhere,
         claim: Claim::Leads { from: &[Finished], when: When::on(&[Atom::AiEstop]), to: STOPPED },
     },
     Property {
@@ -278,6 +357,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "With TSMS off, no silence of the AI Computer causes an emergency",
         requirements: &["D-8"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 step.sees(Atom::Tsms)
@@ -292,6 +372,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_FINISHED is entered only with FINISHED and all wheels at rest",
         requirements: &["FIN-4", "SM-14"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Only {
             from: Driving,
             to: Finished,
@@ -303,6 +384,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "FINISHED with all wheels at rest leads to AS_FINISHED, unless the vehicle has to brake",
         requirements: &["FIN-4", "SM-14"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Leads {
             from: &[Driving],
             when: When::Step {
@@ -320,6 +402,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "EMERGENCY_BRAKE is entered only for a reason that the document names",
         requirements: &["SM-12", "SM-13", "SM-15", "HS-10"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 step.before.state == EmergencyBrake
@@ -334,6 +417,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "AS_READY and AS_FINISHED are left for AS_OFF only with ASMS off",
         requirements: &["SM-10", "SM-16"],
         harm: Harm::NotBraked,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 !STANDING.contains(&step.before.state) || step.after().state != Off || !step.sees(Atom::Asms)
@@ -346,6 +430,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "Drive and steering requests reach the actuators only in AS_DRIVING, with ASMS and \"Go\" on and the shutdown circuit closed",
         requirements: &["DRV-2", "DRV-3", "FIN-5", "FIN-6", "D-21"],
         harm: Harm::DrivesOn,
+        holds_in: every,
         claim: Claim::Each {
             holds: |machine, step| {
                 !step.drives(machine)
@@ -360,6 +445,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "GO_SIGNAL is 1 exactly in AS_DRIVING while \"Go\" is on, once its rising edge has been accepted",
         requirements: &["DRV-14", "D-7"],
         harm: Harm::Misled,
+        holds_in: every,
         claim: Claim::Each {
             holds: |machine, step| {
                 let told = step.go_signal(machine);
@@ -374,6 +460,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "EMERGENCY_BRAKE lasts at least 15 s",
         requirements: &["ETO-1"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 step.before.state != EmergencyBrake
@@ -388,6 +475,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "EMERGENCY_BRAKE is left only with ASMS off",
         requirements: &["ETO-2"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Only { from: EmergencyBrake, to: Off, when: When::off(&[Atom::Asms]) },
     },
     Property {
@@ -395,6 +483,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "EMERGENCY_BRAKE is left for AS_OFF when it has lasted 15 s and ASMS is off",
         requirements: &["ETO-2", "SM-17", "D-23"],
         harm: Harm::RunLost,
+        holds_in: every,
         claim: Claim::Leads {
             from: STOPPED,
             when: When::Step {
@@ -409,6 +498,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "After EMERGENCY_BRAKE, AS_READY and all that follows need a power cycle",
         requirements: &["ETO-3", "ETO-4", "D-11"],
         harm: Harm::SetsOff,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 step.before.shutdown_cause == ShutdownCause::NoShutdown
@@ -422,6 +512,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "SHUTDOWN_CAUSE is never 0 after an emergency, and never changes",
         requirements: &["D-15"],
         harm: Harm::Misled,
+        holds_in: every,
         claim: Claim::Each {
             holds: |_, step| {
                 let (before, after) = (step.before.shutdown_cause, step.after().shutdown_cause);
@@ -439,6 +530,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "The control state keeps its invariant; the handshake and the time in a state are counted as they pass",
         requirements: &["HS-4", "HS-6", "HS-7", "HS-9", "D-8", "D-11", "D-44"],
         harm: Harm::Misled,
+        holds_in: every,
         claim: Claim::Each {
             holds: |machine, step| {
                 let timing = &machine.edition().rules.timing;

@@ -3,8 +3,9 @@
 use std::sync::LazyLock;
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Atoms, Control, Machine, Timing};
+use adsdv_spec::{Atom, Atoms, Control, Edition, Machine, Timing};
 
+use crate::document::Document;
 use crate::properties::PROPERTIES;
 use crate::step::Step;
 
@@ -19,6 +20,8 @@ pub struct Property {
     pub requirements: &'static [&'static str],
     /// What it can cost when the property does not hold.
     pub harm: Harm,
+    /// Whether an edition, with its default readings, has it.
+    pub holds_in: fn(&Edition) -> bool,
     /// What is checked at every step.
     pub claim: Claim,
 }
@@ -127,6 +130,11 @@ impl When {
     }
 }
 
+/// Every property of an edition, in the order of the document.
+pub fn properties(edition: &Edition) -> impl Iterator<Item = &'static Property> {
+    Property::of_edition(edition).map(|(_, property)| property)
+}
+
 impl Property {
     /// The property of this name.
     pub fn find(name: &str) -> Option<&'static Self> {
@@ -145,16 +153,25 @@ impl Property {
         }
     }
 
-    /// The properties to which steps from a state can matter, with their places in [`PROPERTIES`].
-    pub(crate) fn of(state: AsState) -> &'static [(usize, &'static Self)] {
-        static BY_STATE: LazyLock<Vec<Vec<(usize, &Property)>>> = LazyLock::new(|| {
-            let of = |state| {
-                PROPERTIES.iter().enumerate().filter(move |(_, property)| property.concerns(state)).collect()
+    /// The properties that an edition has, with their places in [`PROPERTIES`].
+    pub(crate) fn of_edition(edition: &Edition) -> impl Iterator<Item = (usize, &'static Self)> {
+        PROPERTIES.iter().enumerate().filter(move |(_, property)| (property.holds_in)(edition))
+    }
+
+    /// The properties of an edition to which steps from a state can matter, with their places in [`PROPERTIES`].
+    pub(crate) fn of(edition: &Edition, state: AsState) -> &'static [(usize, &'static Self)] {
+        type ByState = Vec<Vec<(usize, &'static Property)>>;
+
+        static BY_STATE: LazyLock<Vec<ByState>> = LazyLock::new(|| {
+            let of = |edition: &&Edition, state| {
+                Property::of_edition(edition).filter(move |(_, property)| property.concerns(state)).collect()
             };
-            AsState::ALL.iter().map(|&state| of(state)).collect()
+            let by_state = |edition| AsState::ALL.iter().map(|&state| of(edition, state)).collect();
+            Edition::ALL.iter().map(by_state).collect()
         });
+        let of_edition = BY_STATE.get(Document::of(edition).place);
         let place = AsState::ALL.iter().position(|&other| other == state);
-        place.and_then(|place| BY_STATE.get(place)).map_or(&[], Vec::as_slice)
+        of_edition.and_then(|states| states.get(place?)).map_or(&[], Vec::as_slice)
     }
 
     /// Whether steps from a state can matter to the property.
@@ -188,7 +205,9 @@ mod tests {
             ("ready-switches", &[AsState::Off]),
             ("ready-sdc", &[AsState::Ready]),
         ] {
-            let concerns = |state: AsState| Property::of(state).iter().any(|(_, one)| one.name == name);
+            let concerns = |state: AsState| {
+                Property::of(Edition::DEFAULT, state).iter().any(|(_, one)| one.name == name)
+            };
             let concerned: Vec<AsState> = AsState::ALL.into_iter().filter(|&state| concerns(state)).collect();
             assert_eq!(concerned, states, "{name}");
         }

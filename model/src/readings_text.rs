@@ -3,18 +3,17 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
-use adsdv_spec::{Choice, Choices, Readings};
+use adsdv_spec::{Choice, Choices};
 
 use crate::closed::ClosedProperty;
-use crate::goals::GOALS;
-use crate::properties::PROPERTIES;
-use crate::property::{Harm, Property};
+use crate::goals::goals;
+use crate::property::{Harm, Property, properties};
 use crate::story::{StoryLine, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};
 
-const INTRODUCTION: &str = "\
-# What each reading costs
+const TITLE: &str = "# What each reading costs";
 
+const INTRODUCTION: &str = "\
 The document leaves questions open, and `adsdv readings` lists them with their answers. Here is what the answers cost:
 the open model, in which the AI Computer, the driver and every fault do what they can, was explored under every
 combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each.
@@ -35,7 +34,7 @@ on, these fail.";
 
 impl Display for Sweep {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{INTRODUCTION}")?;
+        writeln!(f, "{TITLE}\n\nEdition {}.\n\n{INTRODUCTION}", self.edition.version)?;
         writeln!(
             f,
             "{} combinations, {} steps, every exploration {}.{}",
@@ -53,7 +52,7 @@ impl Display for Sweep {
         writeln!(f, "\n## The answers, ranked by what they can cost\n")?;
         self.ranking(f)?;
         writeln!(f, "\n## The properties that fail, and the shortest runs that show it")?;
-        for property in PROPERTIES {
+        for property in properties(self.edition) {
             let costs: Vec<&Cost> = self.costs.iter().filter(|cost| cost.name == property.name).collect();
             if !costs.is_empty() {
                 details(f, property, &costs)?;
@@ -89,11 +88,11 @@ impl Sweep {
                 "| {} | {} | {} | {harm} | {} |",
                 rank + 1,
                 listed(*choices, |choice| format!("`{choice}`: {}", choice.text())),
-                listed(*choices, |choice| Readings::DEFAULT.choice(choice.reading()).text().to_owned()),
+                listed(*choices, |choice| self.edition.readings.choice(choice.reading()).text().to_owned()),
                 names.join(", ")
             )?;
         }
-        let free = Choices::ALL.difference(Readings::DEFAULT.choices());
+        let free = self.edition.alternatives();
         let costly = self.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
         for choice in free.difference(costly).iter() {
             writeln!(f, "| - | `{choice}`: {} | | fails nothing | |", choice.text())?;
@@ -121,7 +120,7 @@ impl Sweep {
         let lost: Vec<_> = self
             .costs
             .iter()
-            .filter_map(|cost| Some((cost, GOALS.iter().find(|goal| goal.name == cost.name)?)))
+            .filter_map(|cost| Some((cost, goals(self.edition).iter().find(|goal| goal.name == cost.name)?)))
             .collect();
         if lost.is_empty() {
             return Ok(());
@@ -136,7 +135,7 @@ impl Sweep {
     fn holding(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "\n## The properties that hold under every combination\n")?;
         let holds = |property: &&Property| self.costs.iter().all(|cost| cost.name != property.name);
-        for property in PROPERTIES.iter().filter(holds) {
+        for property in properties(self.edition).filter(holds) {
             writeln!(
                 f,
                 "- `{}`: {} ({})",

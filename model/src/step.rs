@@ -4,8 +4,10 @@ use adsdv_spec::messages::{
     AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MotorSpeedMax, SteerAngle,
 };
 use adsdv_spec::{
-    Actuation, Atom, Atoms, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction, Timing,
+    Actuation, Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction, Timing,
 };
+
+use crate::document::Document;
 
 /// The reference VCU's cycle, which is the model's. That steps of any length are right is for the proofs.
 pub(crate) const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
@@ -13,8 +15,10 @@ pub(crate) const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
 /// A step: what was, what was seen, and what the VCU made of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// The times that the document gives.
-    pub document: Timing,
+    /// The document: what the machine should follow.
+    pub document: &'static Document,
+    /// The times that the document gives, or those of a model with other timers.
+    pub timing: Timing,
     /// The control state before the step.
     pub before: Control,
     /// What the VCU saw.
@@ -25,8 +29,9 @@ pub struct Step {
 
 impl Step {
     /// The step of a machine, one cycle after its last.
-    pub fn of(machine: &Machine, document: &Timing, before: Control, seen: Observation) -> Self {
-        Self { document: *document, before, seen, reaction: machine.react(&before, seen, CYCLE_MS) }
+    pub fn of(machine: &Machine, timing: &Timing, before: Control, seen: Observation) -> Self {
+        let document = Document::of_machine(machine);
+        Self { document, timing: *timing, before, seen, reaction: machine.react(&before, seen, CYCLE_MS) }
     }
 
     /// The control state after the step.
@@ -51,18 +56,26 @@ impl Step {
 
     /// Whether the state before the step has lasted for the time that the document gives it.
     pub fn has_lasted(&self) -> bool {
-        self.lasted_ms() >= u32::from(self.document.in_state_limit(self.before.state))
+        self.lasted_ms() >= u32::from(self.timing.in_state_limit(self.before.state))
     }
 
     /// Whether the state after the step will have lasted for its time at the next step.
     pub fn next_has_lasted(&self) -> bool {
         let next_ms = u32::from(self.after().in_state_ms) + CYCLE_MS;
-        next_ms >= u32::from(self.document.in_state_limit(self.after().state))
+        next_ms >= u32::from(self.timing.in_state_limit(self.after().state))
     }
 
-    /// Whether the handshake has been unanswered for as long as the document allows (section 2.4).
+    /// Whether the handshake has been unanswered for as long as the document allows, or, while it is performed, a message
+    /// has been missing for as long (section 2.4).
     pub fn comms_lost(&self) -> bool {
-        self.after().handshake.is_lost(self.document.handshake_ms)
+        let handshake = self.after().handshake;
+        handshake.is_lost(self.timing.handshake_ms)
+            || handshake.active && self.has(Atom::AiMessagesMissed) && self.sees(Atom::AiMessagesMissed)
+    }
+
+    /// Whether the document knows a condition at all.
+    fn has(&self, atom: Atom) -> bool {
+        self.document.scope.has(atom)
     }
 
     /// Whether the handshake went on as section 2.4 has it: an answer turns the bit round, and without one it stays, and
@@ -80,15 +93,26 @@ impl Step {
         }
     }
 
-    /// Whether the document names a reason for `EMERGENCY_BRAKE` in what is seen (sections 2.1, 2.4, 3.5, 3.7, 3.8).
+    /// Whether the document names a reason for `EMERGENCY_BRAKE` in what is seen (sections 2.1, 2.4, 3.5, 3.7, 3.8, 4).
     pub fn has_reason_to_brake(&self) -> bool {
         let driving = self.before.state == AsState::Driving;
-        let fast = self.sees(Atom::MissionFinished) || self.sees(Atom::DirectionNeutral);
+        let estop = driving || self.document.edition.readings.is(Choice::EstopEveryState);
         self.sees(Atom::SdcOpen)
-            || self.sees(Atom::AiEstop)
+            || estop && self.sees(Atom::AiEstop)
             || self.comms_lost()
-            || driving
-                && (!self.sees(Atom::Asms) || !self.sees(Atom::GoOn) || fast && self.sees(Atom::Moving))
+            || driving && self.has_reason_to_stop_driving()
+    }
+
+    /// Whether the document names a reason of `AS_DRIVING` alone (sections 3.7, 4).
+    fn has_reason_to_stop_driving(&self) -> bool {
+        let fast = self.sees(Atom::MissionFinished) || self.sees(Atom::DirectionNeutral);
+        let torque = !self.sees(Atom::FrontTorqueZero) || !self.sees(Atom::RearTorqueZero);
+        !self.sees(Atom::Asms)
+            || !self.sees(Atom::GoOn)
+            || fast && self.sees(Atom::Moving)
+            || self.has(Atom::BrakeRequestZero) && torque && !self.sees(Atom::BrakeRequestZero)
+            || self.has(Atom::EbsUnavailable) && self.sees(Atom::EbsUnavailable)
+            || self.has(Atom::BmsFault) && self.sees(Atom::BmsFault)
     }
 
     /// Whether drive or steering requests reach the actuators, were the AI Computer to request all it can.

@@ -16,12 +16,19 @@ use crate::verify::{Exploration, Options, explore_quietly, runs};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
-pub const SHORT_TIMERS: Timing =
-    Timing { ready_dwell_ms: 80, ebs_timer_ms: 80, ..Edition::DEFAULT.rules.timing };
+pub const SHORT_TIMERS: Timing = short_timers(Edition::DEFAULT);
+
+/// The [`SHORT_TIMERS`] of an edition.
+pub const fn short_timers(edition: &Edition) -> Timing {
+    let timer_ms = edition.rules.timing.handshake_ms + 3 * edition.rules.timing.cycle_ms;
+    Timing { ready_dwell_ms: timer_ms, ebs_timer_ms: timer_ms, ..edition.rules.timing }
+}
 
 /// Choices that together fail something, which fewer of them do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cost {
+    /// The edition whose readings they are.
+    pub edition: &'static Edition,
     /// The property or goal that fails, by name.
     pub name: &'static str,
     /// The choices, none of them the default; none at all: it fails under the defaults.
@@ -35,14 +42,13 @@ pub struct Cost {
 impl Cost {
     /// The machine that fails.
     pub fn machine(&self) -> Machine {
-        machine_with(Edition::DEFAULT, self.choices)
+        machine_with(self.edition, self.choices)
     }
 
     /// What the shortest run costs: that of the property, but a vehicle that has left AS_DRIVING does not drive on.
     pub fn harm(&self, property: &Property) -> Harm {
-        let run = self.run.as_deref().unwrap_or_default();
-        let end =
-            run.iter().fold(Control::INITIAL, |control, action| action.apply(&self.machine(), &control));
+        let (machine, run) = (self.machine(), self.run.as_deref().unwrap_or_default());
+        let end = run.iter().fold(Control::INITIAL, |control, action| action.apply(&machine, &control));
         if property.harm == Harm::DrivesOn && end.state != AsState::Driving {
             Harm::NotBraked
         } else {
@@ -59,6 +65,8 @@ fn machine_with(edition: &Edition, choices: Choices) -> Machine {
 /// What the readings cost.
 #[derive(Clone, Debug)]
 pub struct Sweep {
+    /// The edition whose readings they are.
+    pub edition: &'static Edition,
     /// How many combinations there are.
     pub combinations: usize,
     /// How many steps were made in all.
@@ -83,36 +91,39 @@ pub struct ClosedCost {
 }
 
 /// Each answer that is not the default, alone, with each operator: the closed models that [`sweep`] can explore.
-pub fn closed_models() -> impl Iterator<Item = (Choice, Operator)> {
-    alone().flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
+pub fn closed_models(edition: &Edition) -> impl Iterator<Item = (Choice, Operator)> {
+    edition
+        .alternatives()
+        .iter()
+        .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
 }
 
-/// Checks version 3.0 of the interface under every combination of readings in which at most so many are not the default,
+/// Checks an edition of the interface under every combination of readings in which at most so many are not the default,
 /// and in these closed models. `progress` gets how much is done, and of how much.
 pub fn sweep(
+    edition: &'static Edition,
     together: usize,
     models: &[(Choice, Operator)],
     threads: usize,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Sweep {
-    let edition = *Edition::DEFAULT;
-    let mut all = combinations();
-    all.retain(|readings| others(*readings).iter().count() <= together);
+    let mut all = combinations(edition);
+    all.retain(|readings| others(edition, *readings).iter().count() <= together);
     let work = Work { open: all.len(), closed: models.len(), done: AtomicUsize::new(0) };
     let done = |by| {
         let (done, all) = work.add(by);
         progress(done, all);
     };
-    let mut explored = explored(&all, threads, || done(1));
+    let mut explored = explored(edition, &all, threads, || done(1));
     for &(choice, operator) in models {
-        explored.add_closed(&edition, choice, operator, threads);
+        explored.add_closed(edition, choice, operator, threads);
         done(work.closed_each());
     }
     let Explored { transitions, complete, failing, closed } = explored;
-    let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
-    let mut costs = minimal(failing, &combinations);
-    add_runs(&mut costs, &edition);
-    Sweep { combinations: all.len(), transitions, complete, costs, closed }
+    let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(edition, *readings)).collect();
+    let mut costs = minimal(edition, failing, &combinations);
+    add_runs(&mut costs, edition);
+    Sweep { edition, combinations: all.len(), transitions, complete, costs, closed }
 }
 
 /// How much there is to do, as explorations of the open model.
@@ -148,17 +159,17 @@ impl Explored {
     const NOTHING: Self =
         Self { transitions: 0, complete: true, failing: BTreeMap::new(), closed: Vec::new() };
 
-    fn add(&mut self, readings: Readings, report: &Exploration) {
+    fn add(&mut self, others: Choices, report: &Exploration) {
         self.transitions += report.transitions;
         self.complete &= report.complete;
         for name in failed(report) {
-            self.failing.entry(name).or_default().insert(others(readings));
+            self.failing.entry(name).or_default().insert(others);
         }
     }
 
     /// Explores the closed model of an operator under a choice and otherwise the default readings.
     fn add_closed(&mut self, edition: &Edition, choice: Choice, operator: Operator, threads: usize) {
-        let readings = Readings::DEFAULT.with(choice);
+        let readings = edition.readings.with(choice);
         let model = Closed::scaled(*edition, readings, operator);
         let exploration = model.clone().explore(threads);
         self.transitions += exploration.transitions as u64;
@@ -178,17 +189,17 @@ impl Explored {
 }
 
 /// Explores the open model under these combinations, with the short timers.
-fn explored(all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
-    let short = Edition::DEFAULT.with_timing(SHORT_TIMERS);
+fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
+    let short = edition.with_timing(short_timers(edition));
     let next = AtomicUsize::new(0);
     let explored = Mutex::new(Explored::NOTHING);
     thread::scope(|scope| {
         for _ in 0..threads.max(1) {
             scope.spawn(|| {
                 while let Some(readings) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let report = explore_quietly(&Machine::new(short, *readings), &options());
+                    let report = explore_quietly(&Machine::new(short, *readings), &options(edition));
                     let mut explored = explored.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                    explored.add(*readings, &report);
+                    explored.add(others(edition, *readings), &report);
                     drop(explored);
                     done();
                 }
@@ -208,36 +219,37 @@ fn add_runs(costs: &mut [Cost], edition: &Edition) {
     }
 }
 
-/// Every choice that is not the default.
-fn alone() -> impl Iterator<Item = Choice> {
-    Choices::ALL.difference(Readings::DEFAULT.choices()).iter()
-}
-
 /// Every combination of the readings that can matter to each other. `go-signal` changes what 520h tells and no control
 /// state, so that its choices need no company.
-fn combinations() -> Vec<Readings> {
+fn combinations(edition: &Edition) -> Vec<Readings> {
     let together: Vec<Reading> =
         Reading::ALL.iter().copied().filter(|reading| *reading != Reading::GoSignal).collect();
-    let choices = together.iter().flat_map(|reading| reading.choices().iter().copied());
-    let any = choices.fold(Readings::DEFAULT.choices(), Choices::with);
-    let alone = alone().filter(|choice| Reading::GoSignal.choices().contains(choice));
-    alone.map(|choice| Readings::DEFAULT.with(choice)).chain(any.combinations(&together)).collect()
+    let alone = edition.alternatives().of_reading(Reading::GoSignal);
+    let alone = alone.map(|choice| edition.readings.with(choice));
+    // The answer to `go-signal` is the default in all of these.
+    let any = edition.choices.pin(edition.readings.choice(Reading::GoSignal));
+    alone.chain(any.combinations(&together)).collect()
 }
 
 /// Each exploration has one thread: there are enough explorations for all.
-const fn options() -> Options {
-    Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS }
+const fn options(edition: &Edition) -> Options {
+    Options { vectors: Vectors::Few, threads: 1, document: short_timers(edition) }
 }
 
 /// Of all combinations under which something fails, those that fail it with fewest choices.
-fn minimal(failing: BTreeMap<&'static str, BTreeSet<Choices>>, explored: &BTreeSet<Choices>) -> Vec<Cost> {
+fn minimal(
+    edition: &'static Edition,
+    failing: BTreeMap<&'static str, BTreeSet<Choices>>,
+    explored: &BTreeSet<Choices>,
+) -> Vec<Cost> {
     let mut costs = Vec::new();
     for (name, sets) in failing {
         // Of causes that differ in their number alone, one is tried.
         let by_lemma = Property::find(name).is_none() && sets.contains(&Choices::NONE);
         for &choices in sets.iter().filter(|_| !by_lemma) {
             if !sets.iter().any(|fewer| *fewer != choices && fewer.is_subset(choices)) {
-                costs.push(Cost { name, choices, undone_by: undone_by(choices, &sets, explored), run: None });
+                let undone_by = undone_by(choices, &sets, explored);
+                costs.push(Cost { edition, name, choices, undone_by, run: None });
             }
         }
     }
@@ -251,8 +263,8 @@ fn failed(exploration: &Exploration) -> impl Iterator<Item = &'static str> {
 }
 
 /// The choices that are not the default.
-fn others(readings: Readings) -> Choices {
-    readings.choices().difference(Readings::DEFAULT.choices())
+fn others(edition: &Edition, readings: Readings) -> Choices {
+    readings.choices().difference(edition.readings.choices())
 }
 
 /// The choices that, made as well, undo a failure.
@@ -270,9 +282,11 @@ mod tests {
 
     use super::*;
 
+    const EDITION: &Edition = Edition::DEFAULT;
+
     /// The sets of choices that have these places among all that are not the default.
     fn sets(places: &[&[usize]]) -> BTreeSet<Choices> {
-        let all: Vec<Choice> = alone().collect();
+        let all: Vec<Choice> = EDITION.alternatives().iter().collect();
         let set = |places: &&[usize]| {
             places.iter().filter_map(|&place| all.get(place).copied()).fold(Choices::NONE, Choices::with)
         };
@@ -288,7 +302,7 @@ mod tests {
         let explored = sets(&[&[], &[0], &[2], &[4], &[0, 2], &[0, 4], &[2, 4], &[0, 2, 4]]);
         // 0 fails alone, unless 4 is chosen as well; 2 and 4 fail only together, and with 0.
         let failing = sets(&[&[0], &[0, 2], &[2, 4], &[0, 2, 4]]);
-        let costs = minimal(BTreeMap::from([("ready-asms", failing.clone())]), &explored);
+        let costs = minimal(EDITION, BTreeMap::from([("ready-asms", failing.clone())]), &explored);
         let told: Vec<(Choices, Choices)> = costs.iter().map(|cost| (cost.choices, cost.undone_by)).collect();
         assert_eq!(told.len(), 2);
         assert!(told.contains(&(one(&[0]), one(&[4]))), "{told:?}");
@@ -301,26 +315,32 @@ mod tests {
     #[test]
     fn what_fails_anyway() {
         let explored = sets(&[&[], &[0]]);
-        let fail = |name| minimal(BTreeMap::from([(name, explored.clone())]), &explored);
+        let fail = |name| minimal(EDITION, BTreeMap::from([(name, explored.clone())]), &explored);
         assert_eq!(fail("cause-3"), [], "fewer causes are tried: the lemma `which-fault`");
-        let cost = Cost { name: "ready-asms", choices: Choices::NONE, undone_by: Choices::NONE, run: None };
+        let cost = Cost {
+            edition: EDITION,
+            name: "ready-asms",
+            choices: Choices::NONE,
+            undone_by: Choices::NONE,
+            run: None,
+        };
         assert_eq!(fail("ready-asms"), [cost]);
         let lost = BTreeMap::from([("arrow-3.1", sets(&[&[0]]))]);
-        assert_eq!(minimal(lost, &explored).len(), 1, "a goal that only another reading misses");
+        assert_eq!(minimal(EDITION, lost, &explored).len(), 1, "a goal that only another reading misses");
     }
 
     #[test]
     fn every_combination_that_can_matter_comes_once() {
-        let all = combinations();
-        let different: BTreeSet<Choices> = all.iter().map(|readings| others(*readings)).collect();
+        let all = combinations(EDITION);
+        let different: BTreeSet<Choices> = all.iter().map(|readings| others(EDITION, *readings)).collect();
         assert_eq!(all.len(), different.len());
         assert!(different.contains(&Choices::NONE));
         for readings in &all {
             let go_signal = !readings.is(Readings::DEFAULT.choice(Reading::GoSignal));
-            assert!(!go_signal || others(*readings).iter().count() == 1, "{readings:?}");
+            assert!(!go_signal || others(EDITION, *readings).iter().count() == 1, "{readings:?}");
         }
-        let questions = Reading::ALL.iter().filter(|reading| **reading != Reading::GoSignal);
-        let together: usize = questions.map(|reading| reading.choices().len()).product();
+        let questions = EDITION.questions().filter(|reading| *reading != Reading::GoSignal);
+        let together: usize = questions.map(|reading| EDITION.choices.of_reading(reading).count()).product();
         assert_eq!(all.len(), together + Reading::GoSignal.choices().len() - 1);
     }
 
@@ -333,19 +353,21 @@ mod tests {
 
     #[test]
     fn what_is_explored_adds_up() {
-        let few: Vec<Readings> =
-            combinations().into_iter().filter(|readings| others(*readings).iter().count() < 2).collect();
-        let (times, short) = (AtomicUsize::new(0), Edition::DEFAULT.with_timing(SHORT_TIMERS));
-        let found = explored(&few, 2, || {
+        let few: Vec<Readings> = combinations(EDITION)
+            .into_iter()
+            .filter(|readings| others(EDITION, *readings).iter().count() < 2)
+            .collect();
+        let (times, short) = (AtomicUsize::new(0), EDITION.with_timing(SHORT_TIMERS));
+        let found = explored(EDITION, &few, 2, || {
             times.fetch_add(1, Ordering::Relaxed);
         });
         assert_eq!(times.into_inner(), few.len());
         let mut failing = BTreeMap::<_, BTreeSet<Choices>>::new();
         let (mut steps, mut complete) = (0, Vec::new());
         for readings in few {
-            let report = explore_quietly(&Machine::new(short, readings), &options());
+            let report = explore_quietly(&Machine::new(short, readings), &options(EDITION));
             for name in failed(&report) {
-                failing.entry(name).or_default().insert(others(readings));
+                failing.entry(name).or_default().insert(others(EDITION, readings));
             }
             steps += report.transitions;
             complete.push(report);
@@ -356,10 +378,10 @@ mod tests {
 
         let (mut all, mut report) = (found, complete.swap_remove(0));
         report.complete = false;
-        all.add(Readings::DEFAULT, &report);
+        all.add(Choices::NONE, &report);
         assert!(!all.complete, "one of them was not");
         report.complete = true;
-        all.add(Readings::DEFAULT, &report);
+        all.add(Choices::NONE, &report);
         assert!(!all.complete, "and another does not help");
     }
 
@@ -367,7 +389,7 @@ mod tests {
     #[test]
     fn what_fails_in_a_closed_model_adds_up() {
         let (hasty, choice, operator) = (
-            Edition::DEFAULT.with_timing(Timing { handshake_ms: 10, ..Edition::DEFAULT.rules.timing }),
+            EDITION.with_timing(Timing { handshake_ms: 10, ..Edition::DEFAULT.rules.timing }),
             Choice::GoRaw,
             Operator::WellBehaved,
         );
@@ -397,8 +419,9 @@ mod tests {
     /// Of short timers, as the real ones take long.
     #[test]
     fn properties_get_their_shortest_runs_and_goals_none() {
-        let short = Edition::DEFAULT.with_timing(SHORT_TIMERS);
+        let short = EDITION.with_timing(SHORT_TIMERS);
         let cost = |name, choice| Cost {
+            edition: EDITION,
             name,
             choices: Choices::NONE.with(choice),
             undone_by: Choices::NONE,
@@ -421,8 +444,7 @@ mod tests {
     #[test]
     fn what_fails_is_broken_or_missed() {
         let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
-        let without_rows =
-            Edition::DEFAULT.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
+        let without_rows = EDITION.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
         let found = explore_quietly(&Machine::new(without_rows, Readings::DEFAULT), &options);
         let names: Vec<&str> = failed(&found).collect();
         assert!(names.contains(&"whole-mission") && names.contains(&"ready-due"), "{names:?}");
@@ -434,7 +456,13 @@ mod tests {
     fn a_run_costs_what_its_end_allows() {
         let property = Property::find("driving-sdc").expect("it is one");
         assert_eq!(property.harm, Harm::DrivesOn);
-        let cost = |run| Cost { name: property.name, choices: Choices::NONE, undone_by: Choices::NONE, run };
+        let cost = |run| Cost {
+            edition: EDITION,
+            name: property.name,
+            choices: Choices::NONE,
+            undone_by: Choices::NONE,
+            run,
+        };
         assert_eq!(cost(None).harm(property), Harm::NotBraked, "it ends in AS_OFF");
         // Into AS_READY, all answered for the dwell, and "Go".
         let ready = [Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed];

@@ -4,10 +4,9 @@ use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{
-    Atom, Atoms, Choice, Control, Edition, Fault, Faults, Machine, Observation, Reads, Row, Timing,
-};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observation, Reads, Row, Timing};
 
+use crate::document::Document;
 use crate::property::Property;
 use crate::step::CYCLE_MS;
 
@@ -53,24 +52,31 @@ impl Cache {
 
 /// What is varied at a control state: what the machine and the properties read.
 pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, vectors: Vectors) -> Reads {
-    let from = control.state;
+    let (from, edition) = (control.state, Document::of_machine(machine).edition);
+    let properties_read = |leads: &dyn Fn(AsState) -> bool| {
+        let concerned = Property::of(edition, from).iter();
+        concerned.fold(Atoms::NONE, |all, (_, property)| all.union(property.reads(control, document, leads)))
+    };
     match vectors {
         Vectors::Every => {
-            let tables = [&machine.edition().rules.table, &Edition::DEFAULT.rules.table];
+            let tables = [&machine.edition().rules.table, &edition.rules.table];
             let mentioned =
                 tables.iter().fold(HANDSHAKE, |all, table| all.union(mentioned(table.rows(), from)));
             let edges = machine.readings().is(Choice::FaultEdge);
             let remembered = Atoms::when(Atom::MissionRunning, edges && from != AsState::EmergencyBrake);
             let reads = machine.reads(control, CYCLE_MS).atoms;
-            let atoms =
-                properties_read(control, document, |_| true).union(mentioned).union(remembered).union(reads);
-            Reads { atoms: atoms.intersection(Observation::SCOPE), faults: Observation::FAULTS }
+            let atoms = properties_read(&|_| true).union(mentioned).union(remembered).union(reads);
+            Reads {
+                atoms: atoms.intersection(machine.scope().union(edition.scope())),
+                faults: Observation::FAULTS,
+            }
         }
         Vectors::Read | Vectors::Few => {
             let reads = machine.reads(control, CYCLE_MS);
             let leads = |to| machine.possible(control, CYCLE_MS).any(|(row, _)| row.to == to);
-            let atoms = properties_read(control, document, leads).union(reads.atoms);
+            let atoms = properties_read(&leads).union(reads.atoms);
             let opening = if atoms.has(Atom::SdcOpen) { Faults::OPENING } else { Faults::NONE };
+            let opening = opening.union(Faults::when(Fault::BmsFault, atoms.has(Atom::BmsFault)));
             let request = Observation::FAULTS.difference(Faults::OPENING);
             let request = if atoms.has(Atom::AiEstop) { request } else { Faults::NONE };
             Reads { atoms, faults: reads.faults.union(opening).union(request) }
@@ -88,19 +94,18 @@ fn mentioned(rows: &[Row], from: AsState) -> Atoms {
     atoms.iter().filter_map(Atom::input).fold(atoms, Atoms::with)
 }
 
-fn properties_read(from: &Control, document: &Timing, leads: impl Fn(AsState) -> bool + Copy) -> Atoms {
-    let concerned = Property::of(from.state).iter();
-    concerned.fold(Atoms::NONE, |all, (_, property)| all.union(property.reads(from, document, leads)))
-}
-
 /// Every observation that inputs can show and that differs in what is read; what is not read is off.
 fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
-    // The faults decide these two.
-    let atoms: Vec<Atom> = reads.atoms.without(Atom::SdcOpen).without(Atom::AiEstop).iter().collect();
+    // The faults decide these three.
+    let by_faults = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
+    let atoms: Vec<Atom> = reads.atoms.difference(by_faults).iter().collect();
+    // A fault of the battery is a condition of its own where it is read, beside what opens the shutdown circuit.
+    let battery = reads.atoms.has(Atom::BmsFault);
     let faults: Vec<Faults> = subsets(&reads.faults.iter().collect::<Vec<_>>())
         .map(|faults| faults.into_iter().fold(Faults::NONE, Faults::with))
         .filter(|faults| {
-            let mut opening = faults.intersection(Faults::OPENING).iter();
+            let opening = faults.intersection(Faults::OPENING);
+            let mut opening = if battery { opening.without(Fault::BmsFault) } else { opening }.iter();
             match vectors {
                 Vectors::Every => true,
                 Vectors::Read => opening.nth(1).is_none(),
@@ -127,7 +132,7 @@ pub(crate) fn subsets<T: Copy>(all: &[T]) -> impl Iterator<Item = Vec<T>> {
 mod tests {
     use std::fmt::Write as _;
 
-    use adsdv_spec::{Choices, Edition, Readings};
+    use adsdv_spec::{Edition, Readings};
     use expect_test::expect;
 
     use super::*;
@@ -135,7 +140,7 @@ mod tests {
     /// What is varied when a state begins, and when it has lasted for long.
     #[test]
     fn what_is_varied() {
-        let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+        let others = Edition::DEFAULT.alternatives();
         let other = Machine::new(*Edition::DEFAULT, others.iter().fold(Readings::DEFAULT, Readings::with));
         let mut told = String::new();
         for (name, machine) in [("default", Machine::REFERENCE), ("other", other)] {

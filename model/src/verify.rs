@@ -13,7 +13,8 @@ use adsdv_spec::{AsState, Control, Edition, Machine, Observation, Timing};
 use stateright::{Checker, HasDiscoveries, Model, Path};
 
 use crate::action::Action;
-use crate::goals::{GOALS, Goal};
+use crate::document::Document;
+use crate::goals::{Goal, goals};
 use crate::open::{Open, Seen, State};
 use crate::parts::Part;
 use crate::properties::PROPERTIES;
@@ -138,6 +139,7 @@ fn to_the_end(
     wait: impl FnOnce(&dyn Fn() -> Option<usize>, &Seen),
 ) -> Exploration {
     let begin = Instant::now();
+    let goals = goals(Document::of_machine(model.machine()).edition);
     let seen = model.seen();
     let checker = checker(model.unasked(), threads);
     wait(&|| (!checker.is_done()).then(|| checker.max_depth()), &seen);
@@ -152,7 +154,7 @@ fn to_the_end(
         time,
         complete: seen.expanded.load(Ordering::Relaxed) == states,
         broken: at(PROPERTIES.iter(), |place| broken >> place & 1 == 1),
-        missed: at(GOALS.iter().copied(), |place| reached >> place & 1 == 0),
+        missed: at(goals.iter().copied(), |place| reached >> place & 1 == 0),
         parts: checker.model().parts().map_or_else(Vec::new, |parts| parts.all().collect()),
     }
 }
@@ -188,7 +190,7 @@ impl Open {
             let run = self.run_to(path, breaks);
             return if property.harm == Harm::SetsOff { self.setting_off(run) } else { run };
         }
-        let goal = GOALS.iter().find(|goal| goal.name == name);
+        let goal = goals(Document::of_machine(self.machine()).edition).iter().find(|goal| goal.name == name);
         let after = |control: &Control, seen| self.machine().react(control, seen, CYCLE_MS).control;
         self.run_to(path, |control, seen| {
             goal.is_some_and(|goal| goal.is_reached(control, &after(control, seen)))
@@ -253,7 +255,10 @@ mod tests {
         assert!(found.holds(), "{found:?}");
         let incomplete = Exploration { complete: false, ..found.clone() };
         let broken = Exploration { broken: PROPERTIES.iter().take(1).collect(), ..found.clone() };
-        let missed = Exploration { missed: GOALS.iter().copied().take(1).collect(), ..found.clone() };
+        let missed = Exploration {
+            missed: goals(Edition::DEFAULT).iter().copied().take(1).collect(),
+            ..found.clone()
+        };
         let parts = found.parts.iter().take(1).map(|(part, _)| (part.clone(), false)).collect();
         let dead = Exploration { parts, ..found };
         assert!([incomplete, broken, missed, dead].iter().all(|found| !found.holds()));

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use adsdv_model::closed::CLOSED_PROPERTIES;
-use adsdv_model::{GOALS, PROPERTIES};
+use adsdv_model::{goals, properties};
 use adsdv_spec::Edition;
 
 const REQUIREMENTS: &str = include_str!("../../spec/REQUIREMENTS.md");
@@ -14,17 +14,17 @@ fn is_requirement(id: &str) -> bool {
 
 #[test]
 fn each_requirement_cited_is_one() {
-    for property in PROPERTIES {
+    for property in properties(Edition::DEFAULT) {
         assert!(!property.requirements.is_empty(), "{} covers nothing", property.name);
     }
-    let open = PROPERTIES.iter().map(|property| (property.name, property.requirements));
+    let open = properties(Edition::DEFAULT).map(|property| (property.name, property.requirements));
     let closed = CLOSED_PROPERTIES.iter().map(|property| (property.name, property.requirements));
     for (name, requirements) in open.chain(closed) {
         for id in requirements {
             assert!(is_requirement(id), "{name}: {id}");
         }
     }
-    for goal in GOALS.iter() {
+    for goal in goals(Edition::DEFAULT) {
         let section = Edition::DEFAULT.rules.table.rows().iter().any(|row| row.section == goal.requirement);
         assert!(section || is_requirement(goal.requirement), "{}: {}", goal.name, goal.requirement);
     }
@@ -33,8 +33,8 @@ fn each_requirement_cited_is_one() {
 
 #[test]
 fn names_are_unique_and_can_be_part_of_a_file_name() {
-    let names = PROPERTIES.iter().map(|property| property.name);
-    let names = names.chain(GOALS.iter().map(|goal| goal.name));
+    let names = properties(Edition::DEFAULT).map(|property| property.name);
+    let names = names.chain(goals(Edition::DEFAULT).iter().map(|goal| goal.name));
     let names = names.chain(CLOSED_PROPERTIES.iter().map(|property| property.name));
     let mut seen = HashSet::new();
     for name in names {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use adsdv_model::{Exploration, GOALS, Options, PROPERTIES, SHORT_TIMERS as SHORT, Vectors};
+use adsdv_model::{Exploration, Options, SHORT_TIMERS as SHORT, Vectors, goals, properties};
 use adsdv_spec::mutation::{Change, TermChange, Time};
 use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
@@ -80,7 +80,9 @@ fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_somethin
             }
         }
     }
-    let names = PROPERTIES.iter().map(|property| property.name).chain(GOALS.iter().map(|goal| goal.name));
+    let names = properties(Edition::DEFAULT)
+        .map(|property| property.name)
+        .chain(goals(Edition::DEFAULT).iter().map(|goal| goal.name));
     for name in names {
         let mutants = fails.get(name).map_or(&[][..], Vec::as_slice);
         assert!(!mutants.is_empty(), "no mutant fails {name}: it may hold for the wrong reason");

@@ -10,12 +10,12 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 
-use adsdv_model::{GOALS, Options, PROPERTIES, Promela, Vectors, explore, reachable};
+use adsdv_model::{Options, Promela, Vectors, explore, goals, properties, reachable};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{
-    AsState, Atoms, Choice, Control, Edition, Fault, Faults, Handshake, Machine, Mutation, Observation,
-    Readings, Timing,
+    AsState, Atoms, Control, Edition, Fault, Faults, Handshake, Machine, Mutation, Observation, Readings,
+    Timing,
 };
 
 /// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
@@ -69,8 +69,8 @@ fn spin_finds_the_same_with_the_times_of_the_document() {
 
 #[test]
 fn spin_finds_the_same_in_every_reading() {
-    let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
-    check(others.map(|&choice| Subject {
+    let others = Edition::DEFAULT.alternatives().iter();
+    check(others.map(|choice| Subject {
         name: choice.to_string(),
         machine: Machine::new(SHORTENED, Readings::DEFAULT.with(choice)),
         document: SHORT,
@@ -96,8 +96,8 @@ fn spin_finds_the_same_in_mutants() {
 
 #[test]
 fn promela_names_everything_that_it_prints() {
-    let violated = PROPERTIES.iter().map(|property| format!("violated: {}", property.name));
-    let reached = GOALS.iter().map(|goal| format!("reached: {}", goal.name));
+    let violated = properties(Edition::DEFAULT).map(|property| format!("violated: {}", property.name));
+    let reached = goals(Edition::DEFAULT).iter().map(|goal| format!("reached: {}", goal.name));
     let text = Promela { machine: &Machine::REFERENCE, document: SHORT, vectors: Vectors::Read }.to_string();
     let checks = text.split("FOUND(").skip(1);
     let told = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
@@ -171,7 +171,7 @@ impl Subject {
         let exploration = explore(self.machine, options, |_| {});
         assert!(exploration.complete, "{}", self.name);
         let violated = exploration.broken.iter().map(|property| format!("violated: {}", property.name));
-        let reached = GOALS.iter().filter(|goal| !exploration.missed.contains(goal));
+        let reached = goals(Edition::DEFAULT).iter().filter(|goal| !exploration.missed.contains(goal));
         Found {
             states: self.states(),
             stored: exploration.states,

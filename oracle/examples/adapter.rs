@@ -9,13 +9,14 @@
 
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 
-use adsdv_oracle::protocol::{Request, Shown};
-use adsdv_spec::{Control, Machine};
+use adsdv_oracle::protocol::{Protocol, Request, Shown};
+use adsdv_spec::{Control, Edition, Machine};
 
 fn main() -> io::Result<()> {
     let mut requests = BufReader::new(io::stdin().lock());
     let mut answers = BufWriter::new(io::stdout().lock());
-    let vcu = Machine::REFERENCE;
+    let mut vcu = Machine::default();
+    let mut protocol = Protocol::of(vcu.edition());
     let mut control = Control::INITIAL;
     let mut line = String::new();
     loop {
@@ -27,7 +28,14 @@ fn main() -> io::Result<()> {
         if requests.read_line(&mut line)? == 0 {
             return answers.flush();
         }
-        match line.parse().map_err(io::Error::other)? {
+        match protocol.request(&line).map_err(io::Error::other)? {
+            Request::Hello { edition } => {
+                // A program of one edition answers with that, whatever it is asked.
+                let known = *Edition::find(&edition).unwrap_or(vcu.edition());
+                vcu = Machine::new(known, known.readings);
+                protocol = Protocol::of(&known);
+                writeln!(answers, "{{\"edition\":{:?}}}", known.version)?;
+            }
             Request::Reset => {
                 control = Control::INITIAL;
                 writeln!(answers, "{{}}")?;
@@ -35,7 +43,7 @@ fn main() -> io::Result<()> {
             Request::Step { dt_ms, inputs } => {
                 let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
                 control = after;
-                writeln!(answers, "{}", Shown::of(&outputs, &inputs))?;
+                writeln!(answers, "{}", Shown::of(vcu.edition(), &outputs, &inputs))?;
             }
         }
     }

@@ -3,6 +3,7 @@
 //! ```text
 //! mutant --mutation '3.6: dropped'
 //! mutant --reading fault-trigger=edge --latency 2
+//! mutant --edition 4.0 --mutation '3.7 term 5: dropped'
 //! mutant --hang-at 10
 //! ```
 //!
@@ -16,8 +17,8 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use adsdv_oracle::protocol::{Request, SHOWN, Shown};
-use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Mutation, Outputs, Readings};
+use adsdv_oracle::protocol::{Protocol, Request, SHOWN, Shown};
+use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Mutation, Outputs};
 
 /// What the program was asked to do wrong.
 #[derive(Default)]
@@ -37,18 +38,27 @@ struct Wrong {
     /// Whether AS_READY is entered only once between resets.
     once: bool,
     reset: Option<String>,
+    /// What a hello is answered with.
+    hello: Option<String>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut wrong = Wrong::default();
-    let (mut edition, mut readings) = (*Edition::DEFAULT, Readings::DEFAULT);
+    let (mut edition, mut readings) = (*Edition::DEFAULT, Edition::DEFAULT.readings);
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         let mut value = || args.next().ok_or(format!("{arg} needs a value"));
         match arg.as_str() {
+            // Before all that is about it.
+            "--edition" => {
+                let version = value()?;
+                edition = *Edition::find(&version).ok_or(format!("no such edition: {version}"))?;
+                readings = edition.readings;
+                wrong.hello = Some(format!("{{\"edition\":{version:?}}}"));
+            }
             "--mutation" => {
                 let name = value()?;
-                let mutation = Mutation::all(Edition::DEFAULT).find(|mutation| mutation.to_string() == name);
+                let mutation = Mutation::all(&edition).find(|mutation| mutation.to_string() == name);
                 edition = mutation.ok_or(format!("no such mutation: {name}"))?.apply(&edition);
             }
             "--reading" => readings = readings.with(value()?.parse::<Choice>()?),
@@ -68,6 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "--lie" => wrong.lie = Some(value()?),
             "--scramble" => wrong.scramble = true,
             "--reset" => wrong.reset = Some(value()?),
+            "--hello" => wrong.hello = Some(value()?),
             at if at.ends_with("-at") => wrong.at.push((at.to_owned(), value()?.parse()?)),
             other => return Err(format!("what is {other}?").into()),
         }
@@ -78,6 +89,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
     let mut requests = BufReader::new(io::stdin().lock());
     let mut answers = BufWriter::new(io::stdout().lock());
+    let protocol = Protocol::of(vcu.edition());
     let (mut control, mut times_ready) = (Control::INITIAL, 0);
     let (mut line, mut delayed) = (String::new(), VecDeque::new());
     for count in 1.. {
@@ -89,7 +101,8 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
             break;
         }
         sleep(Duration::from_millis(wrong.slow_ms));
-        let mut answer = match line.parse()? {
+        let mut answer = match protocol.request(&line)? {
+            Request::Hello { .. } => wrong.hello.clone().unwrap_or_else(|| "{}".to_owned()),
             Request::Reset => {
                 (control, times_ready) = (Control::INITIAL, 0);
                 delayed = VecDeque::from(vec!["{}".to_owned(); wrong.latency]);
@@ -98,20 +111,22 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
             Request::Step { dt_ms, inputs } => {
                 if wrong.scramble {
                     // Never the state, which comes first.
-                    let place = 1 + line.len() % (SHOWN.len() - 1);
-                    wrong.lie = SHOWN.get(place).map(|field| field.key.to_owned());
+                    let place = 1 + line.len() % (protocol.shown().count() - 1);
+                    wrong.lie = protocol.shown().nth(place).map(|(field, _)| field.key.to_owned());
                 }
                 let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
                 let again = (control.state, after.state) == (AsState::Off, AsState::Ready);
                 times_ready += u32::from(again);
                 if wrong.once && again && times_ready > 1 {
                     times_ready = 1;
-                    delayed.push_back(
-                        wrong.shown(&Shown::of(&Outputs { state: AsState::Off, ..outputs }, &inputs)),
-                    );
+                    delayed.push_back(wrong.shown(&Shown::of(
+                        vcu.edition(),
+                        &Outputs { state: AsState::Off, ..outputs },
+                        &inputs,
+                    )));
                 } else {
                     control = after;
-                    delayed.push_back(wrong.shown(&Shown::of(&outputs, &inputs)));
+                    delayed.push_back(wrong.shown(&Shown::of(vcu.edition(), &outputs, &inputs)));
                 }
                 delayed.pop_front().unwrap_or_default()
             }

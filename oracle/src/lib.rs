@@ -7,4 +7,5 @@ pub mod conform;
 pub mod judge;
 pub mod log;
 pub mod protocol;
+pub mod recognise;
 pub mod suite;

@@ -11,6 +11,7 @@ use adsdv_spec::messages::{Ai2VcuStatus, Node, Vcu2AiStatus};
 
 use crate::candump::{Direction, Dropped, Entry, FrameKind, ReadError, Reader, Record};
 use crate::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity, Transition};
+use crate::recognise::{Hearing, Held, Later, Recognised};
 
 /// How a log is judged.
 #[derive(Clone, Debug, Default)]
@@ -147,16 +148,57 @@ pub fn judge_log(
 pub fn judge_readable(
     source: impl Read,
     options: &LogOptions,
-    mut progress: impl FnMut(LogProgress),
+    progress: impl FnMut(LogProgress),
 ) -> Result<(Report, Option<ReadError>), LogError> {
+    let judged = judge_all(source, LogJudge::new(options.clone()), progress)?;
+    Ok((judged.report, judged.failure))
+}
+
+/// What became of a log of which the edition was recognised.
+#[derive(Debug)]
+pub struct Judged {
+    /// The report by that edition.
+    pub report: Report,
+    /// Why not all of the log could be read.
+    pub failure: Option<ReadError>,
+    /// Which edition it was judged by, and why.
+    pub recognised: Recognised,
+}
+
+/// Like [`judge_readable`], by the edition that the log itself tells; by that of the options where it does not.
+///
+/// ```
+/// use adsdv_oracle::log::{LogOptions, judge_recognised};
+///
+/// let log = "(1.0) can0 521#000000000000\n(1.01) can0 520#0000010000000000\n";
+/// let judged = judge_recognised(log.as_bytes(), &LogOptions::default(), |_| {})?;
+/// assert_eq!(judged.recognised.to_string(), "version 4.0: 521h has 6 bytes (3.0: 8)");
+/// # Ok::<(), adsdv_oracle::log::LogError>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`judge_readable`].
+pub fn judge_recognised(
+    source: impl Read,
+    options: &LogOptions,
+    progress: impl FnMut(LogProgress),
+) -> Result<Judged, LogError> {
+    judge_all(source, LogJudge::recognising(options.clone()), progress)
+}
+
+fn judge_all(
+    source: impl Read,
+    mut log: LogJudge,
+    mut progress: impl FnMut(LogProgress),
+) -> Result<Judged, LogError> {
     let mut reader = Reader::new(source);
-    let mut log = LogJudge::new(options.clone());
     let mut next_progress = PROGRESS_LINES;
     let failure = loop {
         let entry = match reader.next_record() {
             Ok(Some(entry)) => entry,
             Ok(None) => break None,
-            Err(error) if log.frames == 0 => return Err(LogError::Read(error)),
+            Err(error) if !log.has_frame() => return Err(LogError::Read(error)),
             Err(error) => break Some(error),
         };
         match entry {
@@ -171,10 +213,14 @@ pub fn judge_readable(
             Entry::Broken(error) => log.broken(error),
         }
     };
+    // What is warned of before the edition is decided is about a judge who begins anew then.
+    log.decide();
     if let Some(error) = &failure {
         log.warn(Rule::BrokenLine, error.to_string());
     }
-    Ok((log.finish(reader.line())?, failure))
+    let recognised =
+        log.recognised().cloned().unwrap_or_else(|| Recognised::named(log.options.judge.edition));
+    Ok(Judged { report: log.finish(reader.line())?, failure, recognised })
 }
 
 /// The judge of a log that is told frame by frame; [`judge_log`] reads one with it.
@@ -216,6 +262,10 @@ pub struct LogJudge {
     /// The interfaces that are not judged though they carry messages of the document.
     neglected: BTreeSet<String>,
     directions: Directions,
+    /// What has come, as long as the edition is still to be recognised.
+    hearing: Option<Box<Hearing>>,
+    recognised: Option<Recognised>,
+    later: Option<Later>,
 }
 
 /// In which direction each side's status message went, as far as the log says.
@@ -266,12 +316,96 @@ impl LogJudge {
             passed_over: BTreeMap::new(),
             neglected: BTreeSet::new(),
             directions: Directions::default(),
+            hearing: None,
+            recognised: None,
+            later: None,
         }
+    }
+
+    /// Nothing has been told yet, and the frames are to tell the edition. The one of the options is for frames that do not.
+    ///
+    /// Nothing is judged before enough was heard, which takes a second; then all of it is.
+    ///
+    /// ```
+    /// use adsdv_oracle::log::{LogJudge, LogOptions};
+    ///
+    /// let mut judge = LogJudge::recognising(LogOptions::default());
+    /// # let heard = |time_ns| adsdv_oracle::candump::Record {
+    /// #     line: 0, time_ns, interface: "can0", kind: adsdv_oracle::candump::FrameKind::Standard, id: 0x524,
+    /// #     data: &[0, 0, 0, 0, 0x11], direction: None, terminated: true,
+    /// # };
+    /// judge.frame(&heard(0)); // a 524h of five bytes
+    /// assert_eq!(judge.recognised(), None);
+    /// judge.time_passes(1_000_000_000);
+    /// assert_eq!(judge.recognised().map(|recognised| recognised.edition.version), Some("4.0"));
+    /// ```
+    pub fn recognising(options: LogOptions) -> Self {
+        let hearing = Hearing::new(options.judge.edition, options.interface.clone());
+        Self { hearing: Some(Box::new(hearing)), ..Self::new(options) }
+    }
+
+    /// Which edition is judged by, and why, once that is decided. `None` before, and where it was not asked for.
+    pub const fn recognised(&self) -> Option<&Recognised> {
+        self.recognised.as_ref()
+    }
+
+    /// Something came while it is not known yet by which edition to judge.
+    #[cold]
+    fn hear(&mut self, held: Held) {
+        if self.hearing.as_mut().is_some_and(|hearing| hearing.hear(held)) {
+            self.decide();
+        }
+    }
+
+    /// Judges by the edition that was recognised, from the first frame on.
+    fn decide(&mut self) {
+        let Some(hearing) = self.hearing.take() else { return };
+        let (recognised, held, later) = hearing.end();
+        self.options.judge = self.options.judge.under(recognised.edition);
+        self.judge = Judge::new(self.options.judge);
+        if !recognised.certain || !recognised.against.is_empty() {
+            self.note_edition(&recognised.to_string());
+        }
+        self.recognised = Some(recognised);
+        for held in held {
+            match held {
+                Held::Frame(frame) => self.frame(&frame.record()),
+                Held::TimePasses(time_ns) => self.time_passes(time_ns),
+                Held::Lost(count) => self.lost(count),
+                Held::Dropped { line, interface, count, total } => {
+                    self.dropped(&Dropped { line, interface: &interface, count, total });
+                }
+                Held::Broken(error) => self.broken(error),
+            }
+        }
+        self.later = Some(later);
+    }
+
+    fn note_edition(&mut self, what: &str) {
+        let message = format!("judged by {what}");
+        self.judge.report(Severity::Note, Party::Log, "2", Rule::Edition, message);
+    }
+
+    /// A frame that came later fits another edition better.
+    #[cold]
+    fn fits_another(&mut self, other: &Recognised) {
+        let version = self.judge.edition().version;
+        self.note_edition(&format!(
+            "version {version} all the same, but from here on the frames fit {other}"
+        ));
+    }
+
+    /// Whether a frame has come, of whatever kind.
+    fn has_frame(&self) -> bool {
+        self.frames > 0 || self.hearing.as_ref().is_some_and(|hearing| hearing.has_frame())
     }
 
     /// Judges a frame, of whatever kind.
     #[inline]
     pub fn frame(&mut self, record: &Record<'_>) {
+        if self.hearing.is_some() {
+            return self.hear(Held::frame(record));
+        }
         self.frames += 1;
         let t = record.time_ns.saturating_sub(*self.origin.get_or_insert(record.time_ns));
         let ours = match &self.interface {
@@ -289,6 +423,11 @@ impl LogJudge {
             return;
         }
         self.judge.frame(t, record.id, record.data);
+        if let Some(later) = &mut self.later
+            && let Some(other) = later.frame(record.id, record.data, self.judge.edition().version)
+        {
+            self.fits_another(&other);
+        }
     }
 
     /// The first interface that carries a message of the document is the one to judge.
@@ -351,6 +490,12 @@ impl LogJudge {
     ///
     /// Before the first frame there is nothing to wait for, and a time before that of the last frame changes nothing.
     pub fn time_passes(&mut self, time_ns: i64) {
+        if let Some(hearing) = &self.hearing {
+            if hearing.has_frame() {
+                self.hear(Held::TimePasses(time_ns));
+            }
+            return;
+        }
         if let Some(origin) = self.origin {
             self.judge.time_passes(time_ns.saturating_sub(origin));
         }
@@ -358,12 +503,18 @@ impl LogJudge {
 
     /// So many frames were lost before the next one. What they said is unknown, so that the judge starts anew.
     pub fn lost(&mut self, count: u64) {
+        if self.hearing.is_some() {
+            return self.hear(Held::Lost(count));
+        }
         self.judge.lost(count);
     }
 
     /// The log says that frames were lost before the next one; it concerns the judge if they came from the interface that is
     /// judged, or if that is not known yet.
     pub fn dropped(&mut self, dropped: &Dropped<'_>) {
+        if self.hearing.is_some() {
+            return self.hear(Held::dropped(dropped));
+        }
         if self.interface.as_ref().is_none_or(|interface| interface == dropped.interface) {
             self.judge.lost(dropped.count);
         }
@@ -382,12 +533,16 @@ impl LogJudge {
     /// A line of the log could not be read.
     #[cold]
     pub fn broken(&mut self, error: crate::candump::LineError) {
+        if self.hearing.is_some() {
+            return self.hear(Held::Broken(error));
+        }
         self.warn(Rule::BrokenLine, error.to_string());
         self.first_broken.get_or_insert(error);
     }
 
     /// The end of the log, which had so many lines: settles what is still open.
     pub fn finish(mut self, lines: u64) -> Result<Report, LogError> {
+        self.decide();
         if self.frames == 0 {
             return Err(LogError::NoFrame { lines, first: self.first_broken });
         }

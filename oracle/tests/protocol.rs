@@ -2,16 +2,16 @@
 
 use std::collections::HashSet;
 
-use adsdv_oracle::protocol::{Answer, Domain, INPUTS, InputsAsJson, Request, SHOWN, Shown};
-use adsdv_spec::messages::{MissionStatus, SteerAngle};
-use adsdv_spec::{Control, Inputs, Machine};
+use adsdv_oracle::protocol::{Answer, Domain, INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
+use adsdv_spec::messages::{MessageDef, MissionStatus, SignalDef, SteerAngle};
+use adsdv_spec::{Bus, Control, Edition, Inputs, Machine};
 
 const PAGE: &str = include_str!("../PROTOCOL.md");
 
 fn shown() -> Shown {
     let inputs = Inputs::default();
     let (_, outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, 10);
-    Shown::of(&outputs, &inputs)
+    Shown::of(Edition::DEFAULT, &outputs, &inputs)
 }
 
 /// The inputs with one field at one of its values.
@@ -32,21 +32,29 @@ fn values(domain: Domain) -> Vec<i32> {
 
 #[test]
 fn every_value_of_every_input_is_read_as_it_is_written() {
-    for field in INPUTS {
-        for raw in values(field.domain) {
-            let request = Request::Step { dt_ms: 10, inputs: with(field.key, raw) };
-            let line = request.to_string();
-            assert_eq!(line.parse(), Ok(request), "{line}");
-            assert_eq!((field.get)(&with(field.key, raw)), raw);
-            // Names may be given as numbers.
-            let number = format!("{{\"op\":\"step\",\"dt_ms\":10,\"{}\":{raw}}}", field.key);
-            assert_eq!(number.parse(), Ok(request), "{number}");
+    for protocol in Edition::ALL.iter().map(|edition| Protocol::of(edition)) {
+        for (field, domain) in protocol.inputs() {
+            for raw in values(domain) {
+                let request = Request::Step { dt_ms: 10, inputs: with(field.key, raw) };
+                let line = protocol.line(&request).to_string();
+                assert_eq!(protocol.request(&line).as_ref(), Ok(&request), "{line}");
+                assert_eq!((field.get)(&with(field.key, raw)), raw);
+                // Names may be given as numbers.
+                let number = format!("{{\"op\":\"step\",\"dt_ms\":10,\"{}\":{raw}}}", field.key);
+                assert_eq!(protocol.request(&number), Ok(request), "{number}");
+            }
         }
+    }
+    for field in INPUTS {
         for raw in [-100_000, 100_000] {
             assert!(!(field.set)(&mut Inputs::default(), raw), "{} = {raw}", field.key);
         }
     }
     assert_eq!(Request::Reset.to_string().parse(), Ok(Request::Reset));
+    for edition in ["4.0", "\"2026\"", ""] {
+        let hello = Request::Hello { edition: edition.to_owned() };
+        assert_eq!(hello.to_string().parse(), Ok(hello));
+    }
 }
 
 #[test]
@@ -78,8 +86,10 @@ fn keys_are_unique_and_no_name_needs_escapes() {
     let inputs: HashSet<&str> = INPUTS.iter().map(|field| field.key).collect();
     let outputs: HashSet<&str> = SHOWN.iter().map(|field| field.key).collect();
     assert_eq!((inputs.len(), outputs.len()), (INPUTS.len(), SHOWN.len()));
-    let domains = INPUTS.iter().map(|field| field.domain).chain(SHOWN.map(|field| field.domain));
-    for domain in domains {
+    let protocols: Vec<Protocol> = Edition::ALL.iter().map(|edition| Protocol::of(edition)).collect();
+    let inputs = protocols.iter().flat_map(|protocol| protocol.inputs().map(|(_, domain)| domain));
+    let outputs = protocols.iter().flat_map(|protocol| protocol.shown().map(|(_, domain)| domain));
+    for domain in inputs.chain(outputs) {
         if let Domain::Names(names) = domain {
             assert!(
                 names
@@ -92,50 +102,119 @@ fn keys_are_unique_and_no_name_needs_escapes() {
 
 #[test]
 fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
-    let (inputs, outputs) = PAGE.split_once("## Outputs").unwrap();
-    let said = |part: &str, key: &str, domain: Domain| {
-        let row = part.lines().find(|line| line.starts_with('|') && line.contains(&format!("`{key}`")));
-        let row = row.unwrap_or_else(|| panic!("{key} is not in the page"));
-        match domain {
-            Domain::Flag => assert!(row.contains("`true`, `false`"), "{key}: {row}"),
-            // AMI_STATE is said to be as the AMI.
-            Domain::Names(_) if row.contains("as `ami`") => {}
-            Domain::Names(names) => {
-                assert!(names.iter().all(|(_, name)| row.contains(&format!("`{name}`"))), "{key}: {row}");
-            }
-            Domain::Number { min, max } => assert!(row.contains(&format!("{min} to {max}")), "{key}: {row}"),
-        }
+    let (before, tables) = PAGE.split_once("## Inputs").unwrap();
+    let (inputs, outputs) = tables.split_once("## Outputs").unwrap();
+    let row = |part: &'static str, key: &str| {
+        part.lines().find(|line| line.starts_with('|') && line.contains(&format!("`{key}`")))
     };
-    for field in INPUTS {
-        said(inputs, field.key, field.domain);
-    }
-    for field in SHOWN {
-        said(outputs, field.key, field.domain);
-    }
+    let says = |row: &str, key: &str, domain: Domain| match domain {
+        Domain::Flag => row.contains("`true`, `false`"),
+        // AMI_STATE is said to be as the AMI.
+        Domain::Names(_) if key == "ami_state" && row.contains("as `ami`") => true,
+        Domain::Names(names) => names.iter().all(|(_, name)| row.contains(&format!("`{name}`"))),
+        Domain::Number { min, max } => row.contains(&format!("{min} to {max}")),
+    };
+    for edition in Edition::ALL {
+        let protocol = Protocol::of(edition);
+        let all = protocol.inputs().map(|(field, domain)| (inputs, field.key, domain));
+        for (part, key, domain) in
+            all.chain(protocol.shown().map(|(field, domain)| (outputs, field.key, domain)))
+        {
+            let common = row(part, key).unwrap_or_else(|| panic!("{key} is not in the page"));
+            // Where an edition has it otherwise, its own table says so.
+            let own = row(before, key).filter(|_| *edition != Edition::DEFAULT);
+            assert!(says(own.unwrap_or(common), key, domain), "{} {key}: {common} {own:?}", edition.version);
+            let first = Protocol::of(Edition::DEFAULT);
+            let in_first = first.inputs().any(|(field, _)| field.key == key)
+                || first.shown().any(|(field, _)| field.key == key);
+            assert_eq!(common.contains(" 4.0"), !in_first, "{key}: {common}");
 
-    // How names count.
-    let keyed = INPUTS.iter().map(|field| (field.key, field.domain));
-    for (key, domain) in keyed.chain(SHOWN.map(|field| (field.key, field.domain))) {
-        if let Domain::Names(names) = domain {
-            let first = i32::from(matches!(key, "as_state" | "ebs"));
-            assert!((first..).zip(names).all(|(number, &(raw, _))| raw == number), "{key}");
+            // How names count.
+            if let Domain::Names(names) = domain {
+                let first = i32::from(matches!(key, "as_state" | "ebs"));
+                assert!((first..).zip(names).all(|(number, &(raw, _))| raw == number), "{key}");
+            }
         }
     }
 
+    let mut vcu = Machine::REFERENCE;
     let mut control = Control::INITIAL;
     let mut lines = PAGE.lines().filter(|line| line.starts_with(['>', '<']));
     while let (Some(question), Some(answer)) = (lines.next(), lines.next()) {
-        match question[2..].parse::<Request>().unwrap() {
+        let protocol = Protocol::of(vcu.edition());
+        match protocol.request(&question[2..]).unwrap() {
+            Request::Hello { edition } => {
+                let known = Edition::find(&edition).expect("the page shows one that there is");
+                assert_eq!(Answer::edition(&answer[2..]), Ok(Some(edition)));
+                vcu = Machine::new(*known, known.readings);
+            }
             Request::Reset => assert_eq!(&answer[2..], "{}"),
-            Request::Step { dt_ms, inputs } => {
-                let (after, outputs) = Machine::REFERENCE.step(&control, &inputs, dt_ms);
+            request @ Request::Step { dt_ms, inputs } => {
+                assert_eq!(protocol.line(&request).to_string(), question[2..], "in the edition's own words");
+                let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
                 control = after;
-                let answer: Answer = answer[2..].parse().unwrap();
-                assert!(answer.agrees(&Shown::of(&outputs, &inputs)), "{answer:?}");
+                let answer = protocol.answer(&answer[2..]).unwrap();
+                assert!(answer.agrees(&Shown::of(vcu.edition(), &outputs, &inputs)), "{answer:?}");
             }
         }
     }
     assert_ne!(control, Control::INITIAL);
+}
+
+/// What an edition does not have is neither told nor understood, and is no key that is expected.
+#[test]
+fn what_an_edition_does_not_have_is_an_unknown_key_there() {
+    let (older, newer) = (Protocol::of(&Edition::V3_0), Protocol::of(&Edition::V4_0));
+    let key = "drive_r_silence_ms";
+    let step = Request::Step { dt_ms: 10, inputs: with(key, 100) };
+    assert_eq!(newer.line(&step).to_string(), r#"{"op":"step","dt_ms":10,"drive_r_silence_ms":100}"#);
+    assert_eq!(older.line(&step).to_string(), r#"{"op":"step","dt_ms":10}"#);
+    assert_eq!(step.to_string(), older.line(&step).to_string());
+    let refused = older.request(&newer.line(&step).to_string()).unwrap_err().to_string();
+    assert!(refused.starts_with("there is no key \"drive_r_silence_ms\""), "{refused}");
+    assert_eq!(refused.matches(key).count(), 1, "{refused}");
+
+    let flag = r#"{"as_state":"AS_OFF","brake_plausibility_fault":true}"#;
+    assert!(newer.answer(flag).is_ok());
+    let refused = older.answer(flag).unwrap_err().to_string();
+    assert_eq!(refused.matches("brake_plausibility_fault").count(), 1, "{refused}");
+    for edition in Edition::ALL {
+        let protocol = Protocol::of(edition);
+        let inputs = Inputs::default();
+        let (_, outputs) = Machine::new(**edition, edition.readings).step(&Control::INITIAL, &inputs, 10);
+        let shown = Shown::of(edition, &outputs, &inputs);
+        let keys: Vec<&str> = protocol.shown().map(|(field, _)| field.key).collect();
+        assert_eq!(shown.iter().map(|(field, _)| field.key).collect::<Vec<_>>(), keys);
+        assert_eq!(Answer::from(shown).keys().collect::<Vec<_>>(), keys);
+        // The flags are the signals of 520h, and its signals are the flags.
+        for field in SHOWN.iter().filter(|field| field.fault.is_some()) {
+            let signal = edition.bus.message(0x520).and_then(|status| status.signal_of(field.key));
+            assert_eq!(keys.contains(&field.key), signal.is_some(), "{} {}", edition.version, field.key);
+        }
+    }
+}
+
+/// An edition spells names as its document does, and understands those of the first one.
+#[test]
+fn names_are_the_edition_s_own_or_those_of_the_first() {
+    let newer = Protocol::of(&Edition::V4_0);
+    for cause in ["AI_COMMS_FAULT", "AI COMMS FAULT"] {
+        let answer = newer.answer(&format!(r#"{{"as_state":"AS_OFF","shutdown_cause":"{cause}"}}"#)).unwrap();
+        assert_eq!(answer.get("shutdown_cause").unwrap().to_string(), "AI_COMMS_FAULT");
+    }
+    let answer = newer.answer(r#"{"as_state":"AS_OFF","shutdown_cause":11}"#).unwrap();
+    assert_eq!(answer.get("shutdown_cause").unwrap().to_string(), "BRAKE_PLAUSIBILITY_FAULT");
+    let older = Protocol::of(&Edition::V3_0);
+    for cause in [r#""AI_COMMS_FAULT""#, r#""BRAKE_PLAUSIBILITY_FAULT""#, "11"] {
+        assert!(older.answer(&format!(r#"{{"as_state":"AS_OFF","shutdown_cause":{cause}}}"#)).is_err());
+    }
+    for mission in ["TRACK DRIVE", "TRACK_DRIVE"] {
+        let step = newer.request(&format!(r#"{{"op":"step","dt_ms":10,"ami":"{mission}"}}"#)).unwrap();
+        assert_eq!(newer.line(&step).to_string(), r#"{"op":"step","dt_ms":10,"ami":"TRACK DRIVE"}"#);
+        assert_eq!(older.line(&step).to_string(), r#"{"op":"step","dt_ms":10,"ami":"TRACK_DRIVE"}"#);
+    }
+    // A range is its own alone.
+    assert!(newer.answer(r#"{"as_state":"AS_OFF","steer":240}"#).is_err());
 }
 
 #[test]
@@ -148,6 +227,11 @@ fn bad_requests_are_refused_with_what_was_found_and_what_was_expected() {
         ("{}", "no \"op\"", "\"reset\" or \"step\""),
         (r#"{"op":"jump"}"#, "\"jump\"", "\"reset\" or \"step\""),
         (r#"{"op":"reset","go":true}"#, "a reset", "nothing but \"op\""),
+        (r#"{"op":"hello"}"#, "no \"edition\"", "a version"),
+        (r#"{"op":"hello","edition":4}"#, "4", "\"3.0\""),
+        (r#"{"op":"hello","edition":"4.0","edition":"4.0"}"#, "twice", "once"),
+        (r#"{"op":"hello","edition":"4.0","op":"hello"}"#, "twice", "once"),
+        (r#"{"op":"hello","edition":"4.0","go":true}"#, "\"go\"", "op, edition"),
         (r#"{"op":"step"}"#, "no \"dt_ms\"", "milliseconds"),
         (r#"{"op":"step","dt_ms":-1}"#, "-1", "a whole number from 0"),
         (r#"{"op":"step","dt_ms":1.5}"#, "not whole", "a whole number from 0"),
@@ -162,6 +246,26 @@ fn bad_requests_are_refused_with_what_was_found_and_what_was_expected() {
     ] {
         let said = refused(line);
         assert!(said.contains(found) && said.contains(expected), "{line}: {said}");
+    }
+}
+
+/// Each edition has its own ranges and names, in what is asked and in what is answered.
+#[test]
+fn a_line_is_read_as_its_edition_has_it() {
+    let mut message: MessageDef = *Edition::V3_0.bus.message(0x513).expect("AI2VCU_Steer");
+    let mut signal: SignalDef = message.signals[0];
+    (signal.min, signal.max) = (-300, 300);
+    message.signals = Vec::leak(vec![signal]);
+    let messages: &[&MessageDef] = Vec::leak(vec![&*Box::leak(Box::new(message))]);
+    let bus = Bus { messages, ..Edition::V3_0.bus };
+    let wider = Protocol::of(&Edition { version: "test", bus, ..Edition::V3_0 });
+    let usual = Protocol::of(&Edition::V3_0);
+    let request = r#"{"op":"step","dt_ms":1,"steer_request":-300}"#;
+    let answer = r#"{"as_state":"AS_DRIVING","steer":-300}"#;
+    assert!(wider.request(request).is_ok() && wider.answer(answer).is_ok());
+    for refused in [usual.request(request).err(), usual.answer(answer).err()] {
+        let said = refused.expect("3.0 has no such angle").to_string();
+        assert!(said.contains("-300") && said.contains("-240 to 240"), "{said}");
     }
 }
 

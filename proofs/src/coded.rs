@@ -1,10 +1,11 @@
-//! The messages as version 3.0 lays them out, which is what the theorems on the codec speak of.
+//! The messages as an edition lays them out, which is what the theorems on the codec speak of: version 3.0 where they name
+//! no other.
 
 use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{DecodeError, Frame, Layout, Message, MessageDef};
 
-/// A message that version 3.0 has. These are the functions of its [`Layout`], without a pointer to them.
-pub(crate) trait Coded: Message + PartialEq {
+/// A message that an edition has. These are the functions of its [`Layout`], without a pointer to them.
+pub(crate) trait Coded<E = V3_0>: Message + PartialEq {
     /// [`Layout::DEF`].
     const DEF: &'static MessageDef;
 
@@ -18,21 +19,18 @@ pub(crate) trait Coded: Message + PartialEq {
     fn is_held(&self) -> bool;
 }
 
-impl<M: Message + PartialEq> Coded for M
-where
-    V3_0: Layout<M>,
-{
-    const DEF: &'static MessageDef = <V3_0 as Layout<M>>::DEF;
+impl<E: Layout<M>, M: Message + PartialEq> Coded<E> for M {
+    const DEF: &'static MessageDef = <E as Layout<M>>::DEF;
 
     fn decode(data: &[u8]) -> Result<M, DecodeError> {
-        V3_0::decode(data)
+        E::decode(data)
     }
 
     fn encode(&self) -> Frame {
-        V3_0::encode(self)
+        E::encode(self)
     }
 
     fn is_held(&self) -> bool {
-        <V3_0 as Layout<M>>::holds(self)
+        <E as Layout<M>>::holds(self)
     }
 }

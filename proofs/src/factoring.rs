@@ -31,7 +31,7 @@ fn any_inputs_seen_as(seen: Observation) -> Inputs {
 /// same time, with inputs that are observed alike, come to the same control state, arrow, conditions, faults and signals.
 ///
 /// Requirements: SM-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn inputs_matter_through_their_observation() {
     let one = any_step();
     let inputs = any_inputs_seen_as(subject().observe(&one.inputs));
@@ -48,7 +48,7 @@ pub fn inputs_matter_through_their_observation() {
 /// **A step is its reaction to the observation**: `react`, which models and tests use, is what `step` does.
 ///
 /// Requirements: SM-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn a_step_is_the_reaction_to_its_observation() {
     let Step { before, inputs, dt_ms, after, outputs } = any_step();
     let subject = subject();
@@ -64,7 +64,7 @@ pub fn a_step_is_the_reaction_to_its_observation() {
 /// lead to the same state and the same memory, but for the number in SHUTDOWN_CAUSE.
 ///
 /// Requirements: SM-1, RTE-1, D-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn the_next_state_depends_on_the_atoms_alone() {
     let (before, seen, dt_ms): (Control, Observation, u32) = (any_control(), kani::any(), kani::any());
     let faults: Faults = kani::any();
@@ -113,7 +113,7 @@ fn any_read_as(reads: Reads, seen: Observation) -> Observation {
 /// [`Machine::reads`] leaves the same lead to the same control state along the same arrow.
 ///
 /// Requirements: SM-1, D-16.
-#[cfg_attr(kani, kani::proof, kani::unwind(27))]
+#[cfg_attr(kani, kani::proof, kani::unwind(31))]
 pub fn what_is_not_read_does_not_matter() {
     let (before, seen, dt_ms): (Control, Observation, u32) = (any_control(), kani::any(), kani::any());
     let reads = subject().reads(&before, dt_ms);
@@ -136,7 +136,7 @@ pub fn what_is_not_read_does_not_matter() {
 /// the step is the same but for that time.
 ///
 /// Requirements: DRV-4, ETO-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn a_running_timer_matters_only_when_it_is_full() {
     let (before, seen, dt_ms): (Control, Observation, u32) = (any_control(), kani::any(), kani::any());
     let limit = u64::from(TIMING.in_state_limit(before.state));
@@ -165,7 +165,7 @@ const RAW_GO_SIGNAL: Machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT
 /// **The reading `go-signal` changes what 520h tells, and no control state** (lemma `go-signal`).
 ///
 /// Requirements: D-7.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn the_go_signal_changes_no_control_state() {
     let one = any_step();
     let (after, outputs) = subject().step_of(&RAW_GO_SIGNAL, &one.before, &one.inputs, one.dt_ms);

@@ -3,17 +3,18 @@
 //! The guards are those of [`words`]: plain `if`s over raw inputs, which know nothing of the table. An arrow is taken if
 //! and only if its guard holds and no guard that comes before it does.
 
-use adsdv_spec::Readings;
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
+use adsdv_spec::{Edition, Readings};
 
 use crate::prelude::*;
+use crate::steps::keeps_invariant_of_4_0;
 use crate::words::{self, Arrow, Verdict};
 
 /// **A step is what the document says.** From every control state, with every input and after every time, the state, what
 /// is remembered, the arrow, the fault flags, SHUTDOWN_CAUSE, the HANDSHAKE bit and GO_SIGNAL are those of the words.
 ///
 /// Requirements: SM-1, SM-2, MSG-9, HS-9, HS-10, D-1 to D-18, D-22 to D-27, D-36, D-44, D-45.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn a_step_is_what_the_document_says() {
     let Step { before, inputs, dt_ms, after, outputs } = any_step();
     let said = words::step(&before, &inputs, dt_ms, Readings::DEFAULT);
@@ -21,6 +22,22 @@ pub fn a_step_is_what_the_document_says() {
     kani::cover!(before.handshake.active && after.handshake.unanswered_ms == 50, "the handshake is lost");
     assert!(Verdict::of(after, &outputs) == said, "the step and the words agree");
     assert!(outputs.from == before.state, "the outputs name the state before the step");
+}
+
+/// **A step of 4.0 is what the document says.** The same of version 4.0, with its default readings: 100 ms for the
+/// handshake, missed messages, and the ten ways out of AS_DRIVING.
+///
+/// Requirements: SM-1, SM-2, MSG-9, HS-17 to HS-19, DTE-1 to DTE-3, DTE-6 to DTE-13, IMP-5 to IMP-9, MSG-84, MSG-85, D-1, D-3
+/// to D-8, D-11 to D-18, D-22 to D-27, D-36, D-44, D-45, D-51 to D-55, D-62 to D-65.
+#[cfg_attr(kani, kani::proof, kani::unwind(14))]
+pub fn a_step_of_4_0_is_what_the_document_says() {
+    let Step { before, inputs, dt_ms, after, outputs } = any_step_of_4_0();
+    let said = words::step_of_4_0(&before, &inputs, dt_ms, Edition::V4_0.readings);
+    kani::cover!(outputs.taken.is_some() && dt_ms > 0, "an arrow is taken");
+    kani::cover!(before.handshake.active && after.handshake.unanswered_ms == 100, "the handshake is lost");
+    assert!(Verdict::of(after, &outputs) == said, "the step and the words agree");
+    assert!(outputs.from == before.state, "the outputs name the state before the step");
+    assert!(keeps_invariant_of_4_0(&after), "the invariant is kept");
 }
 
 /// A step from a state, in the words of the document.
@@ -47,7 +64,7 @@ fn taken_if_and_only_if(step: &Step, to: AsState, holds: bool) {
 /// ARMED, unless a power cycle is needed; then, and only then.
 ///
 /// Requirements: RDY-1 to RDY-5, SM-9, ETO-3, D-1, D-11, D-45.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn off_to_ready() {
     any_now(Off, |step, now| taken_if_and_only_if(step, Ready, now.section_3_1()));
 }
@@ -56,7 +73,7 @@ pub fn off_to_ready() {
 /// ESTOP_REQUEST; then, and only then, also with ASMS off.
 ///
 /// Requirements: RTE-1 to RTE-8, SM-12, HS-10, D-3, D-9, D-10.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_to_emergency_brake() {
     any_now(Ready, |step, now| {
         kani::cover!(now.section_3_5() && now.section_3_6(), "ASMS is off at once");
@@ -68,7 +85,7 @@ pub fn ready_to_emergency_brake() {
 /// could set off.
 ///
 /// Requirements: RTO-1, SM-10, D-3, D-22.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_to_off() {
     any_now(Ready, |step, now| {
         kani::cover!(now.section_3_6() && now.section_3_2() && !now.section_3_5(), "\"Go\" comes on at once");
@@ -81,7 +98,7 @@ pub fn ready_to_off() {
 /// Then, and only then.
 ///
 /// Requirements: DRV-4 to DRV-9, DRV-11, DRV-12, DRV-15, SM-11, D-6, D-22, D-25.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_to_driving() {
     any_now(Ready, |step, now| {
         let guard = now.section_3_2() && !now.section_3_5() && !now.section_3_6();
@@ -94,7 +111,7 @@ pub fn ready_to_driving() {
 /// turns faster than 10 rpm, a lost handshake or an ESTOP_REQUEST; then, and only then, also with FINISHED at rest.
 ///
 /// Requirements: DTE-1 to DTE-5, SM-13, HS-10, IMP-1 to IMP-4, D-2, D-5, D-9, D-10, D-24.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_to_emergency_brake() {
     any_now(Driving, |step, now| {
         kani::cover!(now.section_3_7() && now.section_3_3(), "FINISHED at rest, at once");
@@ -107,7 +124,7 @@ pub fn driving_to_emergency_brake() {
 /// and only then.
 ///
 /// Requirements: FIN-4, SM-14, D-5, D-24.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_to_finished() {
     any_now(Driving, |step, now| {
         kani::cover!(!now.at_rest() && !now.moving() && now.finished(), "a wheel turns at exactly 10 rpm");
@@ -118,7 +135,7 @@ pub fn driving_to_finished() {
 /// **EMERGENCY_BRAKE to AS_OFF.** After fifteen seconds with ASMS off; then, and only then.
 ///
 /// Requirements: ETO-1, ETO-2, SM-17, D-23.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn emergency_brake_to_off() {
     any_now(EmergencyBrake, |step, now| {
         let full = u64::from(step.before.in_state_ms) + u64::from(step.dt_ms) == 15000;
@@ -131,7 +148,7 @@ pub fn emergency_brake_to_off() {
 /// then, also with ASMS off.
 ///
 /// Requirements: FTE-1, SM-15, HS-10, D-4, D-9, D-10.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_to_emergency_brake() {
     any_now(Finished, |step, now| {
         kani::cover!(now.section_3_8() && now.section_3_4(), "ASMS is off at once");
@@ -142,7 +159,7 @@ pub fn finished_to_emergency_brake() {
 /// **AS_FINISHED to AS_OFF.** With ASMS off, unless there is a reason to brake; then, and only then.
 ///
 /// Requirements: FTO-1, SM-16, D-4.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_to_off() {
     any_now(Finished, |step, now| taken_if_and_only_if(step, Off, now.section_3_4() && !now.section_3_8()));
 }
@@ -150,7 +167,7 @@ pub fn finished_to_off() {
 /// **There is no other arrow.** A state is left only along an arrow of Figure 2, and a step takes at most one.
 ///
 /// Requirements: SM-18.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn no_other_arrow() {
     let Step { before, after, outputs, .. } = any_step();
     let stays = before.state == after.state;
@@ -161,6 +178,7 @@ pub fn no_other_arrow() {
 
 theorems![
     a_step_is_what_the_document_says,
+    a_step_of_4_0_is_what_the_document_says,
     off_to_ready,
     ready_to_emergency_brake,
     ready_to_off,

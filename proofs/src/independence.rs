@@ -50,7 +50,7 @@ fn otherwise_logged(inputs: &Inputs) -> Inputs {
 /// faults and outputs.
 ///
 /// Requirements: SM-1, SM-18.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn what_is_only_logged_decides_nothing() {
     let one = any_step();
     let inputs = otherwise_logged(&one.inputs);
@@ -68,7 +68,7 @@ pub fn what_is_only_logged_decides_nothing() {
 /// Computer's five (500h to 502h among them), the VCU's view of the AI Computer stays as it was.
 ///
 /// Requirements: SM-1, D-35.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn messages_for_the_logger_reach_nobody() {
     let before: AiMessages = kani::any::<Inputs>().ai;
     let id: u16 = kani::any_where(|id| !(0x510..=0x514).contains(id));

@@ -62,7 +62,7 @@ fn a_cause_asks_for_a_power_cycle(control: &Control, readings: Readings) -> bool
 /// **The invariant is these sentences**: under every reading, a control state keeps it if and only if they hold.
 ///
 /// Requirements: DRV-4, ETO-1, HS-9, D-6, D-8, D-11, D-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
+#[cfg_attr(kani, kani::proof, kani::unwind(16))]
 pub fn the_invariant_in_plain_words() {
     let (control, readings): (Control, Readings) = (kani::any(), kani::any());
     let keeps = subject().is_consistent(&control, readings);
@@ -84,7 +84,7 @@ pub fn the_invariant_in_plain_words() {
 /// **The initial state keeps the invariant** under every reading: AS_OFF, no cause, nothing remembered.
 ///
 /// Requirements: SM-3, D-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
+#[cfg_attr(kani, kani::proof, kani::unwind(16))]
 pub fn the_initial_state_keeps_the_invariant() {
     let readings: Readings = kani::any();
     let initial = subject().initial();
@@ -97,7 +97,7 @@ pub fn the_initial_state_keeps_the_invariant() {
 /// **Every step keeps the invariant**: from every control state that has it, with every input and after every time.
 ///
 /// Requirements: DRV-4, ETO-1, ETO-3, HS-9, D-6, D-8, D-11, D-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn every_step_keeps_the_invariant() {
     let Step { before, dt_ms, after, .. } = any_step();
     kani::cover!(before.go_seen_low && after.state != Ready, "AS_READY is left with \"Go\" seen off");

@@ -36,12 +36,14 @@ fn carries<M: Coded>(frame: Frame, id: u16, len: u8, message: &M) {
 /// 526h, 500h and 502h, each that of its message. That a message is written as it should be is for `codec`.
 ///
 /// Requirements: MSG-29, MSG-34, MSG-41, MSG-65, MSG-69, MSG-73, MSG-77, MSG-80, MSG-82.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn each_message_goes_out_in_its_frame() {
     let step = any_end();
     let messages = messages(&step);
-    let [status, drive_f, drive_r, steer, brake, speeds, counts, dynamics, log] =
-        messages.all().map(|message| V3_0::write(&message).unwrap_or_default());
+    let all = messages.all();
+    let frames = all.map(|message| V3_0::write(&message).unwrap_or_default());
+    let [status, drive_f, drive_r, steer, brake, speeds, counts, dynamics, _, log] = frames;
+    assert!(V3_0::write(&all[8]).is_none(), "version 3.0 has no 120h");
     kani::cover!(counts.data[7] != 0, "something is in the last byte");
     carries(status, 0x520, 8, &messages.status);
     carries(drive_f, 0x521, 8, &messages.drive_f);
@@ -59,7 +61,7 @@ pub fn each_message_goes_out_in_its_frame() {
 /// AS_DRIVING only, `WARNING_STATUS` is on with either warning, and `SHUTDOWN_REQUEST` is never on.
 ///
 /// Requirements: MSG-42 to MSG-45, MSG-47 to MSG-49, MSG-51 to MSG-53, RDY-6, D-37 to D-39.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn status_520h_shows_the_switches_and_the_states() {
     let step = any_step();
     let Step { inputs, after, .. } = &step;
@@ -83,7 +85,7 @@ pub fn status_520h_shows_the_switches_and_the_states() {
 /// `FAULT_STATUS` is on with any of them; and `SHUTDOWN_CAUSE` is the first cause.
 ///
 /// Requirements: MSG-50, MSG-54 to MSG-64, HS-9, D-12 to D-18, D-27, D-40.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn status_520h_shows_the_faults() {
     let step = any_step();
     let status = messages(&step).status;
@@ -99,6 +101,10 @@ pub fn status_520h_shows_the_faults() {
     assert!(status.mission_status_fault == flags.mission_status_fault, "MISSION_STATUS_FAULT");
     assert!(status.charge_procedure_fault == flags.charge_procedure_fault, "CHARGE_PROCEDURE_FAULT");
     assert!(status.bms_fault == flags.bms_fault, "BMS_FAULT");
+    assert!(
+        status.brake_plausibility_fault == flags.brake_plausibility_fault,
+        "BRAKE_PLAUSIBILITY_FAULT, of a later version"
+    );
     let any = status.ai_estop_request
         || status.hvil_open_fault
         || status.hvil_short_fault
@@ -108,7 +114,8 @@ pub fn status_520h_shows_the_faults() {
         || status.autonomous_braking_fault
         || status.mission_status_fault
         || status.charge_procedure_fault
-        || status.bms_fault;
+        || status.bms_fault
+        || status.brake_plausibility_fault;
     kani::cover!(!any && step.after.state == AsState::Driving, "no fault");
     kani::cover!(status.mission_status_fault && !status.hvil_open_fault, "one that the vehicle stopped for");
     assert!(status.fault_status == any, "FAULT_STATUS");
@@ -119,7 +126,7 @@ pub fn status_520h_shows_the_faults() {
 /// edge; never otherwise.
 ///
 /// Requirements: MSG-46, DRV-14, D-7.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn go_signal_is_on_while_the_vehicle_may_drive() {
     let step = any_step();
     let go = step.inputs.go && step.after.state == AsState::Driving;
@@ -136,7 +143,7 @@ pub fn go_signal_is_on_while_the_vehicle_may_drive() {
 /// measured, the requests of the AI Computer as they came, whatever the state, and the limits.
 ///
 /// Requirements: MSG-65 to MSG-76.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn feedback_of_drive_and_steering() {
     let step = any_end();
     let (ai, vehicle) = (&step.inputs.ai, &step.inputs.vehicle);
@@ -158,7 +165,7 @@ pub fn feedback_of_drive_and_steering() {
 /// measured, wheel by wheel, and the requests of the AI Computer as they came, whatever the state.
 ///
 /// Requirements: MSG-77 to MSG-83.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn feedback_of_brakes_and_wheels() {
     let step = any_end();
     let (ai, vehicle) = (&step.inputs.ai, &step.inputs.vehicle);
@@ -185,7 +192,7 @@ pub fn feedback_of_brakes_and_wheels() {
 /// to a percent; torque as the sum of both axles in percent of twice 195 Nm, to less than one.
 ///
 /// Requirements: MSG-29 to MSG-33, D-47 to D-50.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn log_500h_has_the_same_in_coarser_steps() {
     let step = any_end();
     let (ai, vehicle) = (&step.inputs.ai, &step.inputs.vehicle);
@@ -230,7 +237,7 @@ pub fn log_500h_has_the_same_in_coarser_steps() {
 /// while there is pressure at an axle, else AVAILABLE while TSMS is on, else DISENGAGED.
 ///
 /// Requirements: MSG-34 to MSG-40, D-28, D-29, D-46.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn log_502h_shows_the_states_again() {
     let step = any_end();
     let Step { inputs, after, .. } = &step;
@@ -266,7 +273,7 @@ pub fn log_502h_shows_the_states_again() {
 /// direction and no steer angle gets there.
 ///
 /// Requirements: MSG-18, MSG-25, DRV-2, DRV-3, FIN-5, FIN-6, D-21.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn drive_and_steering_obey_in_as_driving_only() {
     let step = any_end();
     let ai = &step.inputs.ai;
@@ -296,7 +303,7 @@ pub fn drive_and_steering_obey_in_as_driving_only() {
 /// steering is active, and the motors have the speeds that the AI Computer asks for.
 ///
 /// Requirements: DRV-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn the_powertrain_is_ready_when_as_ready_ends() {
     let step = any_step_from(AsState::Ready);
     let ai = &step.inputs.ai;
@@ -313,7 +320,7 @@ pub fn the_powertrain_is_ready_when_as_ready_ends() {
 /// command for the drive motors and the steering motor through any more, whatever is still asked for.
 ///
 /// Requirements: FIN-5, FIN-6, D-21.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn commands_end_with_as_driving() {
     let step = any_step_from(AsState::Driving);
     let asked = step.inputs.ai.drive_r.rear_axle_trq_request.raw() > 0;
@@ -329,7 +336,7 @@ pub fn commands_end_with_as_driving() {
 /// AS_FINISHED they obey it. In EMERGENCY_BRAKE, and only there, the EBS is triggered, and brakes fully whatever is asked.
 ///
 /// Requirements: D-41 to D-43.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn the_brakes_obey_in_every_state_but_as_off() {
     let step = any_end();
     let brake = &step.inputs.ai.brake;
@@ -355,7 +362,7 @@ pub fn the_brakes_obey_in_every_state_but_as_off() {
 /// flashing in EMERGENCY_BRAKE: that of the state that the step has led to.
 ///
 /// Requirements: SM-4 to SM-8.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn the_assi_shows_the_state() {
     let step = any_step();
     kani::cover!(step.before.state != step.after.state, "the light changes");

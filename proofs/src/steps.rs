@@ -1,5 +1,7 @@
 //! Steps as theorems draw them: any control state that keeps the invariant, any inputs, any time.
 
+#[cfg(not(kani))]
+use adsdv_spec::AiSilence;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Control, Edition, Inputs, Outputs, Readings, Taken};
 
@@ -24,6 +26,13 @@ impl Step {
     /// The step of the subject from here.
     pub fn of(before: Control, inputs: Inputs, dt_ms: u32) -> Self {
         let (after, outputs) = subject().step(&before, &inputs, dt_ms);
+        Self { before, inputs, dt_ms, after, outputs }
+    }
+
+    /// The step of version 4.0 from here.
+    pub fn of_4_0(before: Control, inputs: Inputs, dt_ms: u32) -> Self {
+        let subject = subject();
+        let (after, outputs) = subject.step_of(subject.machine_of_4_0(), &before, &inputs, dt_ms);
         Self { before, inputs, dt_ms, after, outputs }
     }
 
@@ -72,6 +81,8 @@ pub fn any_outputs() -> Outputs {
         shutdown_cause: kani::any(),
         handshake: kani::any(),
         go_signal: kani::any(),
+        handshake_lost: kani::any(),
+        missed_ms: if kani::any() { Some(kani::any()) } else { None },
     }
 }
 
@@ -85,4 +96,60 @@ pub fn any_end() -> Step {
         after: Control { state: outputs.state, ..Control::INITIAL },
         outputs,
     }
+}
+
+/// Whether a control state keeps the invariant of version 4.0.
+pub const fn keeps_invariant_of_4_0(control: &Control) -> bool {
+    control.is_consistent(&Edition::V4_0.rules.timing, Edition::V4_0.readings)
+}
+
+/// Any step of version 4.0 from a control state that keeps the invariant.
+pub fn any_step_of_4_0() -> Step {
+    let before = kani::any_where(keeps_invariant_of_4_0);
+    let (inputs, dt_ms) = (kani::any(), kani::any());
+    #[cfg(not(kani))]
+    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    Step::of_4_0(before, inputs, dt_ms)
+}
+
+/// Any step of version 4.0 from an AS state.
+pub fn any_step_of_4_0_from(state: AsState) -> Step {
+    let keeps = |control: &Control| control.state == state && keeps_invariant_of_4_0(control);
+    let before = kani::any_where(keeps);
+    let (inputs, dt_ms) = (kani::any(), kani::any());
+    #[cfg(not(kani))]
+    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    // Written down, so that the proof knows it as a constant.
+    Step::of_4_0(Control { state, ..before }, inputs, dt_ms)
+}
+
+/// What was drawn, half of it with silences that are hardly ever too long, and times about the 100 ms of version 4.0. A
+/// silence drawn at random nearly always is too long; a proof looks at everything anyhow.
+#[cfg(not(kani))]
+pub fn in_time(mut before: Control, mut inputs: Inputs, mut dt_ms: u32) -> (Control, Inputs, u32) {
+    let about_100 = || 99 + kani::any_where(|more: &u16| *more < 3);
+    if kani::any() {
+        let short = || kani::any::<u16>() % 100;
+        inputs.ai_silence = AiSilence {
+            status_silence_ms: short(),
+            drive_f_silence_ms: short(),
+            drive_r_silence_ms: short(),
+            steer_silence_ms: short(),
+            brake_silence_ms: short(),
+        };
+        let silence = &mut inputs.ai_silence;
+        match kani::any::<u16>() % 16 {
+            0 => silence.status_silence_ms = about_100(),
+            1 => silence.drive_f_silence_ms = about_100(),
+            2 => silence.drive_r_silence_ms = about_100(),
+            3 => silence.steer_silence_ms = about_100(),
+            4 => silence.brake_silence_ms = about_100(),
+            _ => {}
+        }
+    }
+    if before.handshake.active && kani::any() {
+        before.handshake.unanswered_ms = about_100().min(100) - kani::any::<u16>() % 50;
+        dt_ms = about_100().saturating_sub(before.handshake.unanswered_ms).into();
+    }
+    (before, inputs, dt_ms)
 }

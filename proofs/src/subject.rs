@@ -5,8 +5,8 @@
 use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{AsState, Frame, Node, SignalDef};
 use adsdv_spec::{
-    Actuation, AiMessages, Atom, Atoms, Control, Handshake, Inputs, Knowledge, Machine, Observation, Outputs,
-    Reaction, Readings, Reads, Term, Truth, VcuMessages,
+    Actuation, AiMessages, Atom, Atoms, Control, Edition, Handshake, Inputs, Knowledge, Machine, Observation,
+    Outputs, Reaction, Readings, Reads, Term, Truth, VcuMessages,
 };
 
 /// The functions that theorems speak of. What is not written otherwise is the specification.
@@ -15,6 +15,12 @@ pub trait Subject {
     fn machine(&self) -> &Machine {
         const REFERENCE: &Machine = &Machine::REFERENCE;
         REFERENCE
+    }
+
+    /// The same of version 4.0, with its default readings.
+    fn machine_of_4_0(&self) -> &Machine {
+        const MACHINE: &Machine = &Machine::new(Edition::V4_0, Edition::V4_0.readings);
+        MACHINE
     }
 
     /// [`Control::INITIAL`].

@@ -41,6 +41,7 @@ pub fn all() -> impl Iterator<Item = &'static Theorem> {
         crate::safety::finished::THEOREMS,
         crate::safety::emergency_brake::THEOREMS,
         crate::safety::every_state::THEOREMS,
+        crate::safety::v4_0::THEOREMS,
         crate::figure2::THEOREMS,
         crate::readings::THEOREMS,
         crate::time::THEOREMS,
@@ -50,11 +51,13 @@ pub fn all() -> impl Iterator<Item = &'static Theorem> {
         crate::codec::ai::THEOREMS,
         crate::codec::vcu::THEOREMS,
         crate::codec::log::THEOREMS,
+        crate::codec::v4_0::THEOREMS,
         crate::codec::any::THEOREMS,
         crate::codec::table::THEOREMS,
         crate::codec::quantities::THEOREMS,
         crate::codec::reserved::THEOREMS,
         crate::outputs::THEOREMS,
+        crate::outputs_of_4_0::THEOREMS,
         crate::truth::THEOREMS,
     ];
     files.into_iter().flatten()

@@ -28,7 +28,7 @@ fn shown(outputs: &Outputs) -> Outputs {
 /// more.
 ///
 /// Requirements: DRV-4, ETO-1, HS-9, HS-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn two_steps_are_one() {
     let Step { before, inputs, dt_ms: a, after: between, outputs: first } = any_step();
     let b: u32 = kani::any();
@@ -49,7 +49,7 @@ pub fn two_steps_are_one() {
 /// at the end of them sees it only then, and drives.
 ///
 /// Requirements: D-6, DRV-4, HS-9, HS-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn two_steps_are_one_where_an_edge_is_enough() {
     const READINGS: Readings = Readings::DEFAULT.with(Choice::GoEdgeEnough);
     const MACHINE: Machine = Machine::new(*Edition::DEFAULT, READINGS);
@@ -81,7 +81,7 @@ pub fn two_steps_are_one_where_an_edge_is_enough() {
 /// counting for any time beyond it, make the same of every step. So a model whose timers stop is finite and loses nothing.
 ///
 /// Requirements: DRV-4, ETO-1, HS-9.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn saturated_timers_change_nothing() {
     let before = any_control();
     kani::assume(before.in_state_ms == TIMING.in_state_limit(before.state));
@@ -109,7 +109,7 @@ fn any_true_time(shown_ms: u16, limit_ms: u64) -> u64 {
 /// step; and a timed arrow is taken only when the true time has come.
 ///
 /// Requirements: DRV-4, ETO-1, HS-9, HS-16.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn timers_are_the_time_that_has_passed() {
     let before = any_control();
     let limit = u64::from(TIMING.in_state_limit(before.state));
@@ -148,7 +148,7 @@ pub fn timers_are_the_time_that_has_passed() {
 /// well: it takes the same arrow, unless the handshake is lost by then.
 ///
 /// Requirements: DRV-4, ETO-1, SM-11, SM-17.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids() {
     let fast = any_step();
     let b: u32 = kani::any();

@@ -177,7 +177,7 @@ fn row_truth(row: &Row, known: Knowledge) -> Truth {
 /// guard of the arrow that was taken false, nor an earlier one true; and where the state stayed, it calls no guard true.
 ///
 /// Requirements: SM-1, SM-18.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn a_true_step_is_never_blamed() {
     let Step { before, outputs, .. } = any_step();
     // All that the judge has seen is so; the rest it does not know.

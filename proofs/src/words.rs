@@ -160,6 +160,8 @@ pub struct Flags {
     pub charge_procedure_fault: bool,
     /// The battery management system reports a critical fault.
     pub bms_fault: bool,
+    /// Torque and hydraulic braking were requested at once.
+    pub brake_plausibility_fault: bool,
 }
 
 impl Flags {
@@ -178,6 +180,7 @@ impl Flags {
             mission_status_fault: shown.mission_status_fault,
             charge_procedure_fault: shown.charge_procedure_fault,
             bms_fault: shown.bms_fault,
+            brake_plausibility_fault: shown.brake_plausibility_fault,
         }
     }
 }
@@ -188,6 +191,8 @@ pub struct StepInWords<'a> {
     control: &'a Control,
     inputs: &'a Inputs,
     readings: Readings,
+    /// Whether it is the document's version 4.0 that is read, and not 3.0.
+    of_4_0: bool,
     /// The handshake after this step.
     handshake: Handshake,
     /// Time spent in `AS_READY` or `EMERGENCY_BRAKE`, this step included.
@@ -197,8 +202,17 @@ pub struct StepInWords<'a> {
 
 /// Section 3: one step of the state machine of Figure 2.
 pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
-    let now = StepInWords::of(control, inputs, dt_ms, readings);
-    let handshake = now.handshake;
+    verdict(StepInWords::of(control, inputs, dt_ms, readings))
+}
+
+/// The same of version 4.0.
+pub fn step_of_4_0(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Verdict {
+    verdict(StepInWords::of_4_0(control, inputs, dt_ms, readings))
+}
+
+/// What a step comes to.
+fn verdict(now: StepInWords<'_>) -> Verdict {
+    let StepInWords { control, inputs, readings, handshake, .. } = now;
     let arrow = match control.state {
         AsState::Off => now.leaving_as_off(),
         AsState::Ready => now.leaving_as_ready(),
@@ -241,20 +255,48 @@ pub fn step(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Readings) 
     }
 }
 
-/// Section 2.4: the VCU alternates its bit whenever the AI Computer has followed; 50 ms without that is
+/// Section 2.4: the VCU alternates its bit whenever the AI Computer has followed; 50 ms without that, in 4.0 100 ms, is
 /// `AI_COMMS_LOST`.
-fn section_2_4(before: Handshake, inputs: &Inputs, dt_ms: u32, readings: Readings) -> Handshake {
+fn section_2_4(
+    before: Handshake,
+    inputs: &Inputs,
+    dt_ms: u32,
+    readings: Readings,
+    limit_ms: u16,
+) -> Handshake {
     let performed = inputs.tsms || readings.is(Choice::HandshakeAlways);
     if !performed {
         Handshake { active: false, bit: false, unanswered_ms: 0 }
     } else if inputs.ai.status.handshake == before.bit {
         Handshake { active: true, bit: !before.bit, unanswered_ms: 0 }
     } else if before.active {
-        Handshake { active: true, bit: before.bit, unanswered_ms: later(before.unanswered_ms, dt_ms, 50) }
+        Handshake {
+            active: true,
+            bit: before.bit,
+            unanswered_ms: later(before.unanswered_ms, dt_ms, limit_ms),
+        }
     } else {
         // It has only begun: nothing has been waited for yet.
         Handshake { active: true, bit: false, unanswered_ms: 0 }
     }
+}
+
+/// Section 2.4 of version 4.0: of one of the five messages ten in a row have not come, which are sent every 10 ms.
+pub fn missed(inputs: &Inputs) -> bool {
+    let silence = &inputs.ai_silence;
+    silence.status_silence_ms >= 100
+        || silence.drive_f_silence_ms >= 100
+        || silence.drive_r_silence_ms >= 100
+        || silence.steer_silence_ms >= 100
+        || silence.brake_silence_ms >= 100
+}
+
+/// Section 4 of version 4.0: torque of either axle and a pressure of either brake are requested at once.
+pub fn torque_and_brake(inputs: &Inputs) -> bool {
+    let Inputs { ai, .. } = inputs;
+    let torque = ai.drive_f.front_axle_trq_request.raw() > 0 || ai.drive_r.rear_axle_trq_request.raw() > 0;
+    let brake = ai.brake.hyd_press_f_req.raw() > 0 || ai.brake.hyd_press_r_req.raw() > 0;
+    torque && brake
 }
 
 /// A clock that stops at its limit.
@@ -320,18 +362,36 @@ impl StepInWords<'_> {
 impl<'a> StepInWords<'a> {
     /// The step from a control state with these inputs, `dt_ms` after the last.
     pub fn of(control: &'a Control, inputs: &'a Inputs, dt_ms: u32, readings: Readings) -> Self {
-        let handshake = section_2_4(control.handshake, inputs, dt_ms, readings);
+        Self::of_version(control, inputs, dt_ms, readings, false)
+    }
+
+    /// The same in version 4.0.
+    pub fn of_4_0(control: &'a Control, inputs: &'a Inputs, dt_ms: u32, readings: Readings) -> Self {
+        Self::of_version(control, inputs, dt_ms, readings, true)
+    }
+
+    fn of_version(
+        control: &'a Control,
+        inputs: &'a Inputs,
+        dt_ms: u32,
+        readings: Readings,
+        of_4_0: bool,
+    ) -> Self {
+        let limit_ms = if of_4_0 { 100 } else { 50 };
+        let handshake = section_2_4(control.handshake, inputs, dt_ms, readings, limit_ms);
+        let watched = handshake.active || readings.is(Choice::WatchAlways);
         Self {
             control,
             inputs,
             readings,
+            of_4_0,
             handshake,
             in_state_ms: match control.state {
                 AsState::Ready => later(control.in_state_ms, dt_ms, 5000),
                 AsState::EmergencyBrake => later(control.in_state_ms, dt_ms, 15000),
                 AsState::Off | AsState::Driving | AsState::Finished => 0,
             },
-            ai_comms_lost: handshake.unanswered_ms == 50,
+            ai_comms_lost: handshake.unanswered_ms == limit_ms || of_4_0 && watched && missed(inputs),
         }
     }
 
@@ -405,7 +465,7 @@ impl<'a> StepInWords<'a> {
             || sdc.vehicle_estop
             || sdc.crash_sensor
             || sdc.critical_fault
-            || sdc.bms_fault
+            || sdc.bms_fault && !self.readings.is(Choice::BmsDriving)
             || sdc.mpp_dongle_removed
             || reports.hvil_open
             || reports.hvil_short
@@ -427,6 +487,21 @@ impl<'a> StepInWords<'a> {
             || !self.inputs.asms
             || self.finished_at_speed()
             || self.neutral_at_speed()
+            || self.figure_2_of_4_0()
+    }
+
+    /// Figure 2 of version 4.0, AS_DRIVING to EMERGENCY_BRAKE: what version 3.0 does not have there.
+    fn figure_2_of_4_0(&self) -> bool {
+        self.of_4_0
+            && (self.ai_comms_lost
+                || self.inputs.sdc.bms_fault
+                || self.inputs.ebs == EbsState::Unavailable
+                || self.brake_plausibility_fault())
+    }
+
+    /// 4 of version 4.0: torque and hydraulic braking at once, with the drive motors in torque control mode.
+    fn brake_plausibility_fault(&self) -> bool {
+        self.of_4_0 && torque_and_brake(self.inputs) && !self.readings.is(Choice::TorqueNever)
     }
 
     /// 3.8, AS_FINISHED to EMERGENCY_BRAKE: the shutdown circuit is open.
@@ -514,6 +589,8 @@ impl StepInWords<'_> {
             mission_status_fault: false,
             charge_procedure_fault: self.charge_procedure_fault(),
             bms_fault: sdc.bms_fault,
+            // Version 3.0 allows both at once.
+            brake_plausibility_fault: false,
         }
     }
 
@@ -528,7 +605,10 @@ impl StepInWords<'_> {
         Flags {
             ai_estop_request: live.ai_estop_request && (driving || self.readings.is(Choice::EstopEveryState)),
             hvil_open_fault: live.hvil_open_fault || driving && (!self.inputs.asms || !self.inputs.go),
-            ai_comms_lost: live.ai_comms_lost && self.readings.is(Choice::CommsEveryState),
+            ebs_fault: live.ebs_fault || driving && self.of_4_0 && self.inputs.ebs == EbsState::Unavailable,
+            ai_comms_lost: live.ai_comms_lost
+                && (self.readings.is(Choice::CommsEveryState) || driving && self.of_4_0),
+            brake_plausibility_fault: driving && self.brake_plausibility_fault(),
             autonomous_braking_fault: driving && self.neutral_at_speed(),
             mission_status_fault: driving && self.finished_at_speed(),
             ..live
@@ -545,7 +625,7 @@ impl StepInWords<'_> {
                 || reasons.hvil_open_fault
                 || is(ShutdownCause::HvilOpenFault),
             hvil_short_fault: live.hvil_short_fault || is(ShutdownCause::HvilShortFault),
-            ebs_fault: live.ebs_fault || is(ShutdownCause::EbsFault),
+            ebs_fault: live.ebs_fault || reasons.ebs_fault || is(ShutdownCause::EbsFault),
             offboard_charger_fault: live.offboard_charger_fault || is(ShutdownCause::OffboardChargerFault),
             ai_comms_lost: live.ai_comms_lost || is(ShutdownCause::AiCommsFault),
             autonomous_braking_fault: reasons.autonomous_braking_fault
@@ -553,6 +633,8 @@ impl StepInWords<'_> {
             mission_status_fault: reasons.mission_status_fault || is(ShutdownCause::MissionStatusFault),
             charge_procedure_fault: live.charge_procedure_fault || is(ShutdownCause::ChargeProcedureFault),
             bms_fault: live.bms_fault || is(ShutdownCause::BmsFault),
+            brake_plausibility_fault: reasons.brake_plausibility_fault
+                || is(ShutdownCause::BrakePlausibilityFault),
         }
     }
 
@@ -584,6 +666,8 @@ fn lowest(faults: Flags) -> ShutdownCause {
         ShutdownCause::ChargeProcedureFault
     } else if faults.bms_fault {
         ShutdownCause::BmsFault
+    } else if faults.brake_plausibility_fault {
+        ShutdownCause::BrakePlausibilityFault
     } else {
         ShutdownCause::NoShutdown
     }

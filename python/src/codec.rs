@@ -103,7 +103,7 @@ fn encode<'py>(
     });
     value::each(None, signals, |name, given| {
         let signal = def
-            .signal(name)
+            .signal_known_as(name)
             .ok_or_else(|| CodecError::new_err(format!("{} has {}", label(def), no_signal(def, name))))?;
         data = signal.put(data, raw(def, signal, given)?);
         Ok(())
@@ -121,12 +121,12 @@ fn no_signal(def: &MessageDef, name: &str) -> String {
     format!("no signal {name:?}; expected one of {}", names.join(", "))
 }
 
-/// The message of this name or identifier.
+/// The message of this name, in any edition, or of this identifier.
 fn find(message: &Bound<'_, PyAny>) -> PyResult<&'static MessageDef> {
     let Some(name) = value::text(message) else {
         return by_id(value::id(message)?);
     };
-    EDITION.bus.named(&name).ok_or_else(|| {
+    EDITION.bus.known_as(&name).ok_or_else(|| {
         let names: Vec<&str> = EDITION.bus.messages.iter().map(|def| def.name).collect();
         CodecError::new_err(format!("there is no message {name:?}; expected one of {}", names.join(", ")))
     })

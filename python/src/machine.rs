@@ -64,10 +64,9 @@ fn inputs(
 ) -> PyResult<Inputs> {
     let mut inputs = Inputs { ai, ..Inputs::default() };
     value::each(given, keywords, |key, given| {
-        let field = INPUTS
-            .iter()
-            .find(|field| field.key == key)
-            .ok_or_else(|| value::unknown_key(key, INPUTS.iter().map(|field| field.key)))?;
+        let mut fields = INPUTS.iter().filter(|field| field.is_in(crate::EDITION));
+        let known = fields.clone().map(|field| field.key);
+        let field = fields.find(|field| field.key == key).ok_or_else(|| value::unknown_key(key, known))?;
         let set = (field.set)(&mut inputs, value::raw(key, given, field.domain)?);
         if set { Ok(()) } else { Err(value::refused(key, given, field.domain)) }
     })?;

@@ -60,7 +60,7 @@ impl Step {
     #[getter]
     fn outputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
-        for (field, shown) in Shown::of(&self.outputs, &self.inputs).iter() {
+        for (field, shown) in Shown::of(crate::EDITION, &self.outputs, &self.inputs).iter() {
             dict.set_item(field.key, value::python(py, shown.domain, shown.raw))?;
         }
         Ok(dict)

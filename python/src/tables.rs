@@ -27,7 +27,7 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 fn inputs(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let usual = Inputs::default();
     let list = PyList::empty(py);
-    for field in INPUTS {
+    for field in INPUTS.iter().filter(|field| field.is_in(crate::EDITION)) {
         let dict = PyDict::new(py);
         dict.set_item("key", field.key)?;
         dict.set_item("part", field.part)?;
@@ -49,7 +49,7 @@ fn inputs(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
 #[pyfunction]
 fn outputs(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let list = PyList::empty(py);
-    for field in &SHOWN {
+    for field in SHOWN.iter().filter(|field| field.is_in(crate::EDITION)) {
         let dict = PyDict::new(py);
         dict.set_item("key", field.key)?;
         set_domain(&dict, field.domain)?;

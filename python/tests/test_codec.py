@@ -38,6 +38,10 @@ def test_bits_are_where_the_database_has_them():
     assert adsdv.encode(0x523, STEER_ANGLE_deg=-1)[1].hex()[:4] == "f6ff"
 
 
+def test_the_names_of_other_editions_are_understood():
+    assert adsdv.encode("VCU2AI_Speeds", FL_WHEEL_SPEED=10) == adsdv.encode(0x525, FL_WHEEL_SPEED_rpm=10)
+
+
 def test_what_is_not_given_is_at_its_default():
     for id, data in adsdv.frames(adsdv.Vcu().step()):
         message = adsdv.decode(id, data)

@@ -58,6 +58,8 @@ atoms! {
         "MISSION_STATUS RUNNING -> FINISHED", "no change of MISSION_STATUS RUNNING -> FINISHED";
     /// The Emergency Braking System is in its ARMED state (section 3.1).
     EbsArmed = "ebs-armed", "EBS_state == ARMED", "EBS_state != ARMED";
+    /// The Emergency Braking System is in its UNAVAILABLE state (Figure 2 of version 4.0).
+    EbsUnavailable = "ebs-unavailable", "EBS status == UNAVAILABLE", "EBS status != UNAVAILABLE";
     /// `AS_READY` has lasted for the minimum dwell (section 3.2, item 1).
     DwellElapsed = "dwell-elapsed", "{ready_dwell} timer elapsed", "{ready_dwell} timer running";
     /// The front axle torque request is zero (section 3.2, item 2a).
@@ -65,6 +67,8 @@ atoms! {
         "front axle torque request == 0", "front axle torque request != 0";
     /// The rear axle torque request is zero (section 3.2, item 2a).
     RearTorqueZero = "rear-torque-zero", "rear axle torque request == 0", "rear axle torque request != 0";
+    /// The hydraulic brake requests of both axles are zero (section 4 of version 4.0).
+    BrakeRequestZero = "brake-request-zero", "brake requests == 0", "a brake request != 0";
     /// The requested steer angle is zero (section 3.2, item 2b).
     SteerRequestZero = "steer-request-zero", "steer angle request == 0", "steer angle request != 0";
     /// The actual steer angle is within the limit for straight wheels (section 3.2, item 2).
@@ -84,10 +88,15 @@ atoms! {
     AtRest = "at-rest", "all wheel speeds < {wheel_speed}", "a wheel speed >= {wheel_speed}";
     /// The AI Computer's HANDSHAKE bit is 1 (section 2.4).
     AiHandshake = "ai-handshake", "AI HANDSHAKE == 1", "AI HANDSHAKE == 0";
-    /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for too long (section 2.4).
+    /// One of the AI Computer's messages has been missing for too long (section 2.4 of version 4.0).
+    AiMessagesMissed = "ai-messages-missed", "an AI message missed for {missed}", "no AI message missed for {missed}";
+    /// An edge of the VCU's HANDSHAKE bit has stayed unanswered for too long, or a message that is watched is missing
+    /// (section 2.4).
     AiCommsLost = "ai-comms-lost", "AI_COMMS_LOST", "AI comms present";
     /// `ESTOP_REQUEST` of the AI Computer is set (section 2.1).
     AiEstop = "ai-estop", "ESTOP_REQUEST == 1", "ESTOP_REQUEST == 0";
+    /// The battery management system reports a critical fault (Figure 2 of version 4.0).
+    BmsFault = "bms-fault", "BMS_FAULT == TRUE", "BMS_FAULT == FALSE";
     /// The vehicle must be power-cycled before it can drive again (section 3.9).
     PowerCycleNeeded = "power-cycle-needed", "power cycle needed", "no power cycle needed";
 }
@@ -119,6 +128,10 @@ impl Rules {
         match name {
             "straight" => write!(f, "{}", self.thresholds.straight),
             "wheel_speed" => write!(f, "{}", self.thresholds.wheel_speed),
+            "missed" => match self.thresholds.missed_ms {
+                Some(ms) => write!(f, "{ms} ms"),
+                None => f.write_str("ever so long"),
+            },
             _ => {
                 let Timing { ready_dwell_ms: ms, .. } = self.timing;
                 let seconds = Decimal { raw: i32::from(ms), scale: Scale::new(1, 1000) };
@@ -180,6 +193,7 @@ mod tests {
             thresholds: Thresholds {
                 wheel_speed: WheelSpeed::clamped(77),
                 straight: SteerAngle::clamped(77),
+                missed_ms: Some(7700),
             },
             ..Edition::V3_0.rules
         };
@@ -187,7 +201,7 @@ mod tests {
             for value in [false, true] {
                 let mut text = odd.text(atom, value).to_string();
                 assert!(!text.contains(['{', '}']), "{text}");
-                for number in ["7.25 second", "7.7 deg", "77 rpm"] {
+                for number in ["7.25 second", "7700 ms", "7.7 deg", "77 rpm"] {
                     text = text.replacen(number, "", 1);
                 }
                 // A flag is set or not, and a request is zero or not: these are no limits.

@@ -3,11 +3,13 @@
 //! Another edition is another [`Edition`] value, written as its difference to the one before it, and not another program. A
 //! mutant, with which test suites are measured, is an edition with one of its [`Rules`] changed.
 
+use crate::atoms::{Atom, Atoms};
 use crate::bus::Bus;
 use crate::faults::Faults;
 use crate::messages::{SteerAngle, WheelSpeed};
-use crate::readings::{Choices, Reading, Readings};
-use crate::table::{Priority, Table};
+use crate::observation::Observation;
+use crate::readings::{Choice, Choices, Reading, Readings};
+use crate::table::{Priority, Table, Term};
 
 /// One edition of the interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +59,7 @@ pub struct Timing {
     pub cycle_ms: u16,
 }
 
-/// Where measured values begin to count, in the raw units of their signals.
+/// Where measured values begin to count, in the raw units of their signals, and times in milliseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -66,6 +68,9 @@ pub struct Thresholds {
     pub wheel_speed: WheelSpeed,
     /// A steer angle of less than this, to either side, is straight (section 3.2, item 2).
     pub straight: SteerAngle,
+    /// A message of the AI Computer that has not come for this long is missed (section 2.4 of version 4.0: ten in a row).
+    /// `None` where the edition has no such rule.
+    pub missed_ms: Option<u16>,
 }
 
 impl Edition {
@@ -104,6 +109,46 @@ impl Edition {
             i += 1;
         }
         admitted
+    }
+
+    /// The conditions of the inputs that can matter under any of the possible answers: those that the table names, that the
+    /// handshake and the watch of messages go by, and that the VCU remembers. What an edition lacks is not among them.
+    ///
+    /// ```
+    /// use adsdv_spec::{Atom, Edition};
+    /// assert!(Edition::V3_0.scope().has(Atom::Asms));
+    /// assert!(!Edition::V3_0.scope().has(Atom::EbsUnavailable)); // a condition of version 4.0
+    /// ```
+    pub const fn scope(&self) -> Atoms {
+        let mut atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake]);
+        if self.rules.thresholds.missed_ms.is_some() {
+            atoms = atoms.with(Atom::AiMessagesMissed);
+        }
+        if self.choices.has(Choice::FaultEdge) {
+            atoms = atoms.with(Atom::MissionRunning).with(Atom::DirectionNeutral);
+        }
+        let rows = self.rules.table.rows();
+        let mut row = 0;
+        while row < rows.len() {
+            let terms = rows[row].terms();
+            let mut term = 0;
+            while term < terms.len() {
+                let Term { on, off, readings, .. } = terms[term];
+                if readings.is_subset(self.choices) {
+                    atoms = atoms.union(on).union(off);
+                }
+                term += 1;
+            }
+            row += 1;
+        }
+        let mut i = 0;
+        while i < Atom::ALL.len() {
+            if let (true, Some(input)) = (atoms.has(Atom::ALL[i]), Atom::ALL[i].input()) {
+                atoms = atoms.with(input);
+            }
+            i += 1;
+        }
+        atoms.intersection(Observation::SCOPE)
     }
 
     /// The edition with another Figure 2.

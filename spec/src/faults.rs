@@ -80,6 +80,8 @@ faults! {
     ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true, "MSG-62";
     /// The battery management system reports a critical fault.
     BmsFault => bms_fault, "BMS_FAULT", true, "MSG-63";
+    /// Torque and hydraulic braking were requested at once; since version 4.0.
+    BrakePlausibilityFault => brake_plausibility_fault, "BRAKE_PLAUSIBILITY_FAULT", false, "MSG-84";
 }
 
 crate::named::impl_find!(Fault by flag, "AI_COMMS_LOST");

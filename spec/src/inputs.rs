@@ -15,6 +15,7 @@ use crate::messages::{
     WheelSpeed,
 };
 use crate::observation::Observation;
+use crate::silence::AiSilence;
 
 /// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -40,6 +41,8 @@ pub struct Inputs {
     pub reports: Reports,
     /// The last valid messages of the AI Computer; the default stands for none yet.
     pub ai: AiMessages, //= D-35
+    /// How long ago these messages came.
+    pub ai_silence: AiSilence,
     /// What the vehicle's sensors measure.
     pub vehicle: Vehicle,
 }
@@ -237,6 +240,8 @@ impl Inputs {
             .union(self.ai.drive_f.atoms())
             .union(self.ai.drive_r.atoms())
             .union(self.ai.steer.atoms())
+            .union(self.ai.brake.atoms())
+            .union(self.ai_silence.atoms(thresholds))
             .union(self.vehicle.steer_angle.atoms(thresholds))
             .union(self.vehicle.wheel_speeds.atoms(thresholds));
         Observation::new(atoms, self.faults())
@@ -276,6 +281,7 @@ const fn switch_atoms(asms: bool, tsms: bool, ami: AmiState) -> Atoms {
 
 const fn ebs_atoms(ebs: EbsState) -> Atoms {
     Atoms::when(Atom::EbsArmed, matches!(ebs, EbsState::Armed))
+        .union(Atoms::when(Atom::EbsUnavailable, matches!(ebs, EbsState::Unavailable)))
 }
 
 impl Ai2VcuStatus {
@@ -339,6 +345,18 @@ impl Ai2VcuSteer {
     }
 }
 
+impl Ai2VcuBrake {
+    /// The atom that this message decides.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::BrakeRequestZero]);
+
+    /// Those of [`SCOPE`](Self::SCOPE) that hold.
+    pub const fn atoms(&self) -> Atoms {
+        //= IMP-8
+        let zero = self.hyd_press_f_req.raw() == 0 && self.hyd_press_r_req.raw() == 0;
+        Atoms::when(Atom::BrakeRequestZero, zero)
+    }
+}
+
 impl Vcu2AiStatus {
     /// The input atoms that this message shows.
     pub const SCOPE: Atoms = Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::AmiSelected]);
@@ -350,8 +368,8 @@ impl Vcu2AiStatus {
 }
 
 impl Vcu2LogStatus {
-    /// The input atom that this message shows and no other does.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::EbsArmed]);
+    /// The input atoms that this message shows, and, in version 3.0, no other does.
+    pub const SCOPE: Atoms = Atoms::of(&[Atom::EbsArmed, Atom::EbsUnavailable]);
 
     /// Those of [`SCOPE`](Self::SCOPE) that hold.
     pub const fn atoms(&self) -> Atoms {

@@ -48,6 +48,7 @@
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
 extern crate std;
 
+mod alias;
 mod assi;
 mod atoms;
 mod bus;
@@ -68,6 +69,7 @@ pub mod readings;
 mod reads;
 mod set;
 mod show;
+mod silence;
 pub mod table;
 mod truth;
 
@@ -87,5 +89,6 @@ pub use observation::Observation;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
 pub use reads::Reads;
+pub use silence::AiSilence;
 pub use table::{Row, Table, Term};
 pub use truth::{Knowledge, Truth};

@@ -13,7 +13,7 @@
 use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
 use crate::edition::{Edition, Rules};
-use crate::faults::Faults;
+use crate::faults::{Fault, Faults};
 use crate::handshake::count_up;
 use crate::inputs::Inputs;
 use crate::messages::{AsState, ShutdownCause};
@@ -31,6 +31,8 @@ const STATES: usize = AsState::ALL.len();
 pub struct Machine {
     edition: Edition,
     readings: Readings,
+    /// The conditions of the inputs that the edition has at all.
+    scope: Atoms,
     /// The terms that these readings have, row by row, in the order of evaluation.
     arrows: [Arrow; MAX_ROWS * MAX_TERMS],
     /// Where the arrows of each state begin; those of state `n` end where those of `n + 1` begin.
@@ -122,6 +124,7 @@ impl Machine {
         let mut machine = Self {
             edition,
             readings,
+            scope: edition.scope(),
             arrows: [nowhere; MAX_ROWS * MAX_TERMS],
             begins: [0; STATES + 2],
             go_conditions: None,
@@ -182,6 +185,11 @@ impl Machine {
         self.readings
     }
 
+    /// The conditions of the inputs that can matter: [`Edition::scope`].
+    pub const fn scope(&self) -> Atoms {
+        self.scope
+    }
+
     /// One step: what the VCU does when it sees these inputs `dt_ms` milliseconds after its last step.
     ///
     /// It is total: any control state, any inputs and any `dt_ms` have an answer, without a panic.
@@ -209,14 +217,17 @@ impl Machine {
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let timing = &self.edition.rules.timing;
+        let inputs = self.atoms_of(seen);
         //= HS-1, D-8
-        let active = self.readings.is(Choice::HandshakeAlways) || seen.atoms().has(Atom::Tsms);
-        let answer = seen.atoms().has(Atom::AiHandshake);
+        let active = self.readings.is(Choice::HandshakeAlways) || inputs.has(Atom::Tsms);
+        let answer = inputs.has(Atom::AiHandshake);
         let handshake = control.handshake.step(active, answer, dt_ms, timing.handshake_ms);
         let in_state_ms = count_up(control.in_state_ms, dt_ms, timing.in_state_limit(control.state));
-        let comms_lost = handshake.is_lost(timing.handshake_ms);
+        //= HS-18
+        let missed = inputs.has(Atom::AiMessagesMissed) && self.watches_messages(active);
+        let comms_lost = handshake.is_lost(timing.handshake_ms) || missed;
 
-        let atoms = seen.atoms().union(self.control_atoms(control, in_state_ms, comms_lost, seen.atoms()));
+        let atoms = inputs.union(self.control_atoms(control, in_state_ms, comms_lost, inputs));
         let taken = self.first_arrow(control.state, atoms);
         let state = match taken {
             Some((_, to)) => to,
@@ -224,7 +235,7 @@ impl Machine {
         };
 
         //= D-17, D-18
-        let mut faults = seen.faults().union(Faults::when(crate::Fault::AiCommsFault, comms_lost));
+        let mut faults = seen.faults().union(Faults::when(Fault::AiCommsFault, comms_lost));
         let mut shutdown_cause = control.shutdown_cause;
         let mut power_cycle_needed = control.power_cycle_needed;
         if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
@@ -259,6 +270,25 @@ impl Machine {
             atoms,
             faults: faults.union(Faults::of_cause(shutdown_cause)), //= D-17
         }
+    }
+
+    /// The atoms of an observation that the edition has, as these readings have them.
+    #[inline(always)]
+    const fn atoms_of(&self, seen: Observation) -> Atoms {
+        let atoms = seen.atoms().intersection(self.scope);
+        let opening = seen.faults().intersection(Faults::OPENING).without(Fault::BmsFault);
+        //= D-54
+        if self.readings.is(Choice::BmsDriving) && opening.is_empty() {
+            atoms.without(Atom::SdcOpen)
+        } else {
+            atoms
+        }
+    }
+
+    /// Whether a message of the AI Computer that is missed is a fault, while the handshake is performed or is not.
+    pub(crate) const fn watches_messages(&self, handshake: bool) -> bool {
+        //= D-51
+        handshake || self.readings.is(Choice::WatchAlways)
     }
 
     /// The atoms that the control state decides, some of them together with the inputs.
@@ -371,6 +401,12 @@ impl Machine {
             faults: reaction.faults,
             shutdown_cause: reaction.control.shutdown_cause,
             handshake: reaction.control.handshake.bit,
+            handshake_lost: reaction.control.handshake.is_lost(self.edition.rules.timing.handshake_ms),
+            missed_ms: if self.watches_messages(reaction.control.handshake.active) {
+                self.edition.rules.thresholds.missed_ms
+            } else {
+                None
+            },
             //= DRV-14, D-7
             go_signal: go && (driving || self.readings.is(Choice::GoRaw)),
         }

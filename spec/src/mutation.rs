@@ -79,6 +79,8 @@ pub enum Threshold {
     WheelSpeed,
     /// `straight`.
     Straight,
+    /// `missed_ms`, where the edition has it.
+    Missed,
 }
 
 impl Mutation {
@@ -88,11 +90,12 @@ impl Mutation {
         let by_row = rows.iter().enumerate().flat_map(move |(row, Row { section, .. })| {
             changes_of_row(rows, row).map(move |change| Self { section, change })
         });
-        let constants = [-1, 1].into_iter().flat_map(|by| {
+        let missed = edition.rules.thresholds.missed_ms.map(|_| Threshold::Missed);
+        let constants = [-1, 1].into_iter().flat_map(move |by| {
             let times = [Time::ReadyDwell, Time::EbsTimer, Time::Handshake];
-            let thresholds = [Threshold::WheelSpeed, Threshold::Straight];
+            let thresholds = [Threshold::WheelSpeed, Threshold::Straight].into_iter().chain(missed);
             let times = times.into_iter().map(move |time| Change::Time(time, by));
-            times.chain(thresholds.into_iter().map(move |threshold| Change::Threshold(threshold, by)))
+            times.chain(thresholds.map(move |threshold| Change::Threshold(threshold, by)))
         });
         by_row.chain(constants.map(|change| Self { section: "", change }))
     }
@@ -131,13 +134,18 @@ impl Change {
                 *time = time.saturating_add_signed(by);
             }
             Change::Threshold(threshold, by) => {
-                let (thresholds, by) = (&mut mutant.rules.thresholds, i32::from(by));
+                let thresholds = &mut mutant.rules.thresholds;
                 match threshold {
                     Threshold::WheelSpeed => {
-                        thresholds.wheel_speed = WheelSpeed::clamped(thresholds.wheel_speed.raw() + by);
+                        let raw = thresholds.wheel_speed.raw() + i32::from(by);
+                        thresholds.wheel_speed = WheelSpeed::clamped(raw);
                     }
                     Threshold::Straight => {
-                        thresholds.straight = SteerAngle::clamped(thresholds.straight.raw() + by);
+                        let raw = thresholds.straight.raw() + i32::from(by);
+                        thresholds.straight = SteerAngle::clamped(raw);
+                    }
+                    Threshold::Missed => {
+                        thresholds.missed_ms = thresholds.missed_ms.map(|ms| ms.saturating_add_signed(by));
                     }
                 }
             }
@@ -257,6 +265,7 @@ impl fmt::Display for Threshold {
         f.write_str(match self {
             Self::WheelSpeed => "wheel speed",
             Self::Straight => "straight",
+            Self::Missed => "missed message",
         })
     }
 }

@@ -3,14 +3,15 @@
 use crate::atoms::{Atom, Atoms};
 use crate::faults::{Fault, Faults};
 use crate::messages::{
-    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds,
-    Vcu2LogStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, SteerAngle, Vcu2AiStatus,
+    Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
+use crate::silence::AiSilence;
 
 /// What one step sees, reduced to what can matter: the atoms and the faults of the inputs.
 ///
-/// It holds only what inputs can show: no atom that the VCU's memory decides, and the shutdown circuit and the emergency
-/// stop request as the faults have them.
+/// It holds only what inputs can show: no atom that the VCU's memory decides, and the shutdown circuit, the emergency stop
+/// request and the battery's fault as the faults have them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "ObservationParts"))]
@@ -43,27 +44,33 @@ impl Observation {
         .union(Ai2VcuDriveF::SCOPE)
         .union(Ai2VcuDriveR::SCOPE)
         .union(Ai2VcuSteer::SCOPE)
+        .union(Ai2VcuBrake::SCOPE)
+        .union(AiSilence::SCOPE)
         .union(SteerAngle::SCOPE)
         .union(Vcu2AiWheelSpeeds::SCOPE)
-        .union(Atoms::of(&[Atom::SdcOpen, Atom::GoOn]));
+        .union(Self::OF_FAULTS)
+        .with(Atom::GoOn);
+
+    /// The atoms that the faults of the inputs decide, whatever else is said of them.
+    pub(crate) const OF_FAULTS: Atoms = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
 
     /// The faults that the inputs alone decide.
     pub const FAULTS: Faults = Faults::OPENING.with(Fault::AiComputerRequest);
 
     /// The observation of these atoms and faults, as far as inputs decide them.
     ///
-    /// The faults decide whether the shutdown circuit is open (section 3.5) and whether the AI Computer asks for an
-    /// emergency stop, whatever `atoms` says of these two.
+    /// The faults decide whether the shutdown circuit is open (section 3.5), whether the AI Computer asks for an emergency
+    /// stop and whether the battery has a fault, whatever `atoms` says of these three.
     pub const fn new(atoms: Atoms, faults: Faults) -> Self {
         let faults = faults.intersection(Self::FAULTS);
         //= RTE-2 to RTE-8
         let open = !faults.intersection(Faults::OPENING).is_empty();
         let atoms = atoms
             .intersection(Self::SCOPE)
-            .without(Atom::SdcOpen)
-            .without(Atom::AiEstop)
+            .difference(Self::OF_FAULTS)
             .union(Atoms::when(Atom::SdcOpen, open))
-            .union(Atoms::when(Atom::AiEstop, faults.has(Fault::AiComputerRequest)));
+            .union(Atoms::when(Atom::AiEstop, faults.has(Fault::AiComputerRequest)))
+            .union(Atoms::when(Atom::BmsFault, faults.has(Fault::BmsFault)));
         Self { atoms, faults }
     }
 
@@ -77,8 +84,8 @@ impl Observation {
         self.faults
     }
 
-    /// Whether some inputs look like this: `MISSION_STATUS` has one value, a vehicle that moves is not at rest, and
-    /// charging is a fault only while a master switch is on.
+    /// Whether some inputs look like this: `MISSION_STATUS` and the Emergency Braking System have one value, a vehicle that
+    /// moves is not at rest, and charging is a fault only while a master switch is on.
     pub const fn is_possible(self) -> bool {
         let atoms = self.atoms;
         let missions = atoms.has(Atom::MissionSelected) as u8
@@ -86,6 +93,7 @@ impl Observation {
             + atoms.has(Atom::MissionFinished) as u8;
         let switched_on = atoms.has(Atom::Asms) || atoms.has(Atom::Tsms);
         missions <= 1
+            && !(atoms.has(Atom::EbsArmed) && atoms.has(Atom::EbsUnavailable))
             && !(atoms.has(Atom::Moving) && atoms.has(Atom::AtRest))
             && (switched_on || !self.faults.has(Fault::ChargeProcedureFault))
     }

@@ -3,15 +3,16 @@
 use crate::assi::Assi;
 use crate::atoms::Atoms;
 use crate::bus::Bus;
-use crate::faults::Faults;
+use crate::faults::{Fault, Faults};
 use crate::inputs::Inputs;
 use crate::machine::{Machine, Taken};
 use crate::messages::{
     AnyMessage, AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame,
-    LogBrake, LogDriveTorque, LogSteerAngle, MotorSpeedMax, ServiceBrake, ShutdownCause, SteerAngle,
-    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus,
+    LogBrake, LogDriveTorque, LogSteerAngle, MotorSpeedMax, ServiceBrake, ShutdownCause, SmAs, SmSys,
+    StatusBrk, SteerAngle, SysActionState, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus,
+    Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
+use crate::silence::AiSilence;
 use crate::table::{Row, Term};
 
 /// The outcome of one step.
@@ -36,6 +37,11 @@ pub struct Outputs {
     pub handshake: bool,
     /// `GO_SIGNAL` of 520h.
     pub go_signal: bool,
+    /// The HANDSHAKE bit has been unanswered for too long.
+    pub handshake_lost: bool,
+    /// The silence, in milliseconds, from which a message of the AI Computer counts as missed at this step; `None` while
+    /// nobody watches.
+    pub missed_ms: Option<u16>,
 }
 
 /// What reaches the actuators (sections 3.2, 3.3).
@@ -103,6 +109,8 @@ pub struct VcuMessages {
     pub wheel_counts: Vcu2AiWheelCounts,
     /// 500h.
     pub log_dynamics: Vcu2LogDynamics1,
+    /// 120h, which version 3.0 does not have.
+    pub vcu_status: VcuStatus,
     /// 502h, which is sent less often: see [`MessageDef::cycle_ms`](crate::messages::MessageDef::cycle_ms).
     pub log_status: Vcu2LogStatus,
 }
@@ -188,7 +196,10 @@ impl Outputs {
                 hyd_press_f_req: ai.brake.hyd_press_f_req,
                 hyd_press_r: vehicle.hyd_press_r,
                 hyd_press_r_req: ai.brake.hyd_press_r_req,
+                status_brk: StatusBrk::Ready,       //= MSG-86, D-60
+                status_ebs: self.state_ebs(inputs), //= MSG-87, D-61
             },
+            vcu_status: self.vcu_status(inputs),
             wheel_speeds: vehicle.wheel_speeds,
             wheel_counts: vehicle.wheel_counts,
             log_dynamics: log_dynamics(inputs),
@@ -219,16 +230,56 @@ impl Outputs {
         status
     }
 
+    //= MSG-88
+    fn vcu_status(&self, inputs: &Inputs) -> VcuStatus {
+        //= MSG-92, D-56
+        let missed = |silence_ms| self.missed_ms.is_some_and(|limit_ms| silence_ms >= limit_ms);
+        let AiSilence {
+            status_silence_ms,
+            drive_f_silence_ms,
+            drive_r_silence_ms,
+            steer_silence_ms,
+            brake_silence_ms,
+        } = inputs.ai_silence;
+        VcuStatus {
+            //= MSG-89, D-58
+            sm_sys: if inputs.tsms { SmSys::DriveAutonomous } else { SmSys::Aux },
+            //= MSG-90, D-59
+            sm_as: match self.state {
+                AsState::Off => SmAs::Off,
+                AsState::Ready => SmAs::Ready,
+                AsState::Driving => SmAs::Driving,
+                AsState::EmergencyBrake => SmAs::EmergencyBrake,
+                AsState::Finished => SmAs::Finished,
+            },
+            status_timeout: missed(status_silence_ms),
+            drive_f_timeout: missed(drive_f_silence_ms),
+            drive_r_timeout: missed(drive_r_silence_ms),
+            handshake_timeout: self.handshake_lost, //= MSG-93
+            steer_timeout: missed(steer_silence_ms),
+            brake_timeout: missed(brake_silence_ms),
+            //= MSG-91, D-58
+            sys_action_state: match (inputs.reports.charging, inputs.tsms) {
+                (true, _) => SysActionState::Charge,
+                (false, true) => SysActionState::DriveAuto,
+                (false, false) => SysActionState::Initialise,
+            },
+            //= MSG-94, D-57
+            warn_brake_plausibility: self.faults.has(Fault::BrakePlausibilityFault),
+            warn_kl15_under_v: false,
+            warn_ai_estop_req: self.faults.has(Fault::AiComputerRequest),
+            warn_ai_comms_lost: self.faults.has(Fault::AiCommsFault),
+            warn_auto_braking: self.faults.has(Fault::AutonomousBrakingFault),
+            warn_mission_status: self.faults.has(Fault::MissionStatusFault),
+        }
+    }
+
     fn log_status(&self, inputs: &Inputs) -> Vcu2LogStatus {
         let pressed = inputs.vehicle.hyd_press_f.raw() > 0 || inputs.vehicle.hyd_press_r.raw() > 0;
         let ai = &inputs.ai.status;
         Vcu2LogStatus {
             state_assi: self.state, //= D-29
-            state_ebs: match self.state {
-                //= D-28
-                AsState::EmergencyBrake => EbsState::Triggered,
-                _ => inputs.ebs,
-            },
+            state_ebs: self.state_ebs(inputs),
             state_ami: inputs.ami,                  //= D-29
             state_steering: self.steering_active(), //= D-29
             state_service_brake: match (pressed, inputs.tsms) {
@@ -241,6 +292,14 @@ impl Outputs {
             lap_counter: ai.lap_counter,
             cones_count_actual: ai.cones_count_actual,
             cones_count_all: ConesCountAll::clamped(i32::from(ai.cones_count_all)),
+        }
+    }
+
+    const fn state_ebs(&self, inputs: &Inputs) -> EbsState {
+        match self.state {
+            //= D-28
+            AsState::EmergencyBrake => EbsState::Triggered,
+            _ => inputs.ebs,
         }
     }
 
@@ -282,7 +341,7 @@ fn log_dynamics(inputs: &Inputs) -> Vcu2LogDynamics1 {
 
 impl VcuMessages {
     /// The messages, in the order in which they are sent: 520h first, 502h last.
-    pub fn all(&self) -> [AnyMessage; 9] {
+    pub fn all(&self) -> [AnyMessage; 10] {
         [
             self.status.into(),
             self.drive_f.into(),
@@ -292,6 +351,7 @@ impl VcuMessages {
             self.wheel_speeds.into(),
             self.wheel_counts.into(),
             self.log_dynamics.into(),
+            self.vcu_status.into(),
             self.log_status.into(),
         ]
     }

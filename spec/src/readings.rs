@@ -159,13 +159,15 @@ readings! {
     }
     /// What AI_COMMS_LOST does.
     CommsLost = "comms-lost",
-        "does AI_COMMS_LOST mean EMERGENCY_BRAKE in every state but AS_OFF (text), or is there no such arrow (Figure 2)?",
+        "does AI_COMMS_LOST mean EMERGENCY_BRAKE in every state but AS_OFF (2.4), in AS_DRIVING, or nowhere (Figure 2)?",
         "2.4, Figure 2", "D-10" {
         //= D-10
         /// EMERGENCY_BRAKE from every state but AS_OFF.
         CommsEveryState = "every-state", "every state but AS_OFF";
         /// The flag is raised and no arrow is taken.
         CommsNoArrow = "no-arrow", "no arrow";
+        /// EMERGENCY_BRAKE from AS_DRIVING; elsewhere only the flag.
+        CommsDriving = "driving", "AS_DRIVING only";
     }
     /// Whether an emergency is remembered.
     PowerCycle = "power-cycle", "does AS_READY need a power cycle after EMERGENCY_BRAKE?", "3.9", "D-11" {
@@ -174,6 +176,33 @@ readings! {
         PowerCycleLatched = "latched", "latched until a power cycle";
         /// It does not.
         PowerCycleNotLatched = "not-latched", "not latched";
+    }
+    /// When missed messages are watched.
+    MessageWatch = "message-watch",
+        "are missed messages a fault while the handshake is performed, or always?", "2.4, 4", "D-51" {
+        //= D-51
+        /// While the handshake is performed.
+        WatchHandshake = "handshake", "while the handshake is performed";
+        /// Always.
+        WatchAlways = "always", "always";
+    }
+    /// Whether the drive motors are in torque control mode, in which torque and brake exclude each other.
+    TorqueControl = "torque-control",
+        "are the drive motors always in torque control mode, or never?", "4", "D-53" {
+        //= D-53
+        /// They always are.
+        TorqueAlways = "always", "always";
+        /// They never are.
+        TorqueNever = "never", "never";
+    }
+    /// Whether a fault of the battery acts outside of AS_DRIVING.
+    BmsFault = "bms-fault",
+        "does BMS_FAULT open the shutdown circuit (3.5), or act in AS_DRIVING only (Figure 2)?", "3.5, Figure 2", "D-54" {
+        //= D-54
+        /// It opens the shutdown circuit.
+        BmsSdc = "sdc", "by the shutdown circuit";
+        /// It acts in AS_DRIVING only.
+        BmsDriving = "driving", "AS_DRIVING only";
     }
 }
 

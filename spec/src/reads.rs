@@ -32,7 +32,7 @@ pub struct Reads {
     /// The atoms, of [`Observation::SCOPE`].
     pub atoms: Atoms,
     /// The faults, of [`Observation::FAULTS`]. Of those that open the shutdown circuit only the one with the lowest
-    /// number counts.
+    /// number counts, and that of the battery where its atom is read.
     pub faults: Faults,
 }
 
@@ -45,7 +45,8 @@ impl Reads {
     pub const fn of(&self, seen: Observation) -> Observation {
         let faults = seen.faults().intersection(self.faults);
         let opening = faults.intersection(Faults::OPENING);
-        let first = Faults::of_cause(opening.cause());
+        let battery = opening.intersection(Faults::when(Fault::BmsFault, self.atoms.has(Atom::BmsFault)));
+        let first = Faults::of_cause(opening.cause()).union(battery);
         Observation::new(seen.atoms().intersection(self.atoms), faults.difference(opening).union(first))
     }
 }
@@ -62,7 +63,7 @@ impl Machine {
     /// ```
     pub fn reads(&self, control: &Control, dt_ms: u32) -> Reads {
         let known = self.known(control, dt_ms);
-        let mut atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake]);
+        let mut atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake, Atom::AiMessagesMissed]);
         if self.readings().is(Choice::HandshakeAlways) {
             atoms = atoms.without(Atom::Tsms);
         }
@@ -86,8 +87,9 @@ impl Machine {
         }
         atoms = atoms.iter().filter_map(Atom::input).fold(atoms, Atoms::with);
         let opening = if atoms.has(Atom::SdcOpen) { Faults::OPENING } else { Faults::NONE };
+        let opening = opening.union(Faults::when(Fault::BmsFault, atoms.has(Atom::BmsFault)));
         let request = Faults::when(Fault::AiComputerRequest, atoms.has(Atom::AiEstop));
-        Reads { atoms: atoms.intersection(Observation::SCOPE), faults: opening.union(request) }
+        Reads { atoms: atoms.intersection(self.scope()), faults: opening.union(request) }
     }
 
     /// The alternatives that some inputs can make a step from this control state take, in the order of evaluation.

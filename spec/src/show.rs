@@ -3,16 +3,17 @@
 //! [`Inputs::observe`] reduces inputs to atoms and faults. Here inputs are changed so that they are reduced to the ones
 //! that are wanted: by as little as that takes, and where a threshold decides, to the value next to it.
 
-use crate::atoms::{Atom, Atoms};
+use crate::atoms::Atom;
 use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::inputs::{Inputs, ShutdownCircuit};
 use crate::messages::{
-    AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds,
-    WheelSpeed,
+    AmiState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle,
+    Vcu2AiWheelSpeeds, WheelSpeed,
 };
 use crate::observation::Observation;
 use crate::reads::Reads;
+use crate::silence::AiSilence;
 
 impl Inputs {
     /// Changes the inputs so that an atom of [`Observation::SCOPE`] holds, or does not.
@@ -22,7 +23,8 @@ impl Inputs {
     /// reported, and to close it takes away every fault that opens it.
     ///
     /// Some atoms exclude each other. `MISSION_STATUS` has one value: making one of its atoms hold ends the other two,
-    /// and making one not hold leaves NOT SELECTED. Likewise one of [`Atom::Moving`] and [`Atom::AtRest`] ends the
+    /// and making one not hold leaves NOT SELECTED. The Emergency Braking System that is made not armed is unavailable,
+    /// and one that is made not unavailable is triggered. Likewise one of [`Atom::Moving`] and [`Atom::AtRest`] ends the
     /// other, and making it not hold leaves the limit itself, which is neither. A master switch that is turned on while
     /// the battery is being charged is a fault that opens the shutdown circuit.
     ///
@@ -70,6 +72,22 @@ impl Inputs {
             Atom::GoOn => self.go = value,
             Atom::Moving => self.vehicle.wheel_speeds = all_wheels(limit + value as i32),
             Atom::AtRest => self.vehicle.wheel_speeds = all_wheels(limit - value as i32),
+            Atom::BrakeRequestZero => {
+                ai.brake.hyd_press_f_req = BrakePressure::clamped(least(value));
+                ai.brake.hyd_press_r_req = BrakePressure::clamped(0);
+            }
+            Atom::EbsUnavailable => {
+                self.ebs = if value { EbsState::Unavailable } else { EbsState::Triggered }
+            }
+            Atom::AiMessagesMissed => {
+                let silence_ms = match thresholds.missed_ms {
+                    Some(limit_ms) if value => limit_ms,
+                    Some(limit_ms) => limit_ms.saturating_sub(1),
+                    None => 0,
+                };
+                self.ai_silence = AiSilence::of(silence_ms);
+            }
+            Atom::BmsFault => self.show_fault(Fault::BmsFault, value),
             Atom::AiHandshake => ai.status.handshake = value,
             Atom::AiEstop => ai.status.estop_request = value,
             Atom::EbsTimerComplete
@@ -106,7 +124,10 @@ impl Inputs {
             Fault::OffboardChargerFault => self.reports.offboard_charger_fault = value,
             Fault::ChargeProcedureFault => self.reports.charging = value,
             Fault::BmsFault => self.sdc.bms_fault = value,
-            Fault::AiCommsFault | Fault::AutonomousBrakingFault | Fault::MissionStatusFault => {}
+            Fault::AiCommsFault
+            | Fault::AutonomousBrakingFault
+            | Fault::MissionStatusFault
+            | Fault::BrakePlausibilityFault => {}
         }
     }
 
@@ -142,8 +163,7 @@ impl Inputs {
     /// ```
     #[must_use]
     pub fn showing(mut self, seen: Observation, reads: &Reads, thresholds: &Thresholds) -> Self {
-        // The faults decide these two.
-        for atom in reads.atoms.difference(Atoms::of(&[Atom::SdcOpen, Atom::AiEstop])).iter() {
+        for atom in reads.atoms.difference(Observation::OF_FAULTS).iter() {
             self.show(atom, seen.atoms().has(atom), thresholds);
         }
         for fault in reads.faults.iter() {

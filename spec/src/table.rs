@@ -13,7 +13,7 @@ use crate::readings::{Choice, Choices};
 /// The most rows a [`Table`] holds.
 pub const MAX_ROWS: usize = 12;
 /// The most terms a [`Row`] holds.
-pub const MAX_TERMS: usize = 10;
+pub const MAX_TERMS: usize = 12;
 
 /// What stands behind something of a table: identifiers of `REQUIREMENTS.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -236,6 +236,20 @@ impl Table {
             i += 1;
         }
         table.len = i as u8;
+        table
+    }
+
+    /// The table with another row for an arrow that it has; the row's place stays.
+    ///
+    /// A row for an arrow that the table does not have does not compile.
+    pub(crate) const fn with(self, row: &Row) -> Self {
+        let mut table = self;
+        let mut i = 0;
+        while !(table.rows[i].from as u8 == row.from as u8 && table.rows[i].to as u8 == row.to as u8) {
+            i += 1;
+            assert!(i < self.len as usize, "the table has no such arrow");
+        }
+        table.rows[i] = *row;
         table
     }
 

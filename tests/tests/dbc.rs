@@ -6,11 +6,14 @@ use std::fmt::Display;
 use std::path::Path;
 use std::{fs, iter};
 
-use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
 use adsdv_spec::messages::Decimal;
-use adsdv_tests::bus::BUS;
+use adsdv_spec::{Bus, Edition};
 use can_dbc::{AttributeValue, ByteOrder, MessageId, ValueDescription, ValueType};
+
+/// Each edition with the original of its database, as it lies beside the checkout.
+const EDITIONS: [(Edition, &str); 2] =
+    [(Edition::V3_0, "dbc/adsdv_2021_vcu_ai_interface_v1.dbc"), (Edition::V4_0, "v4/ADS-DV_v2.dbc")];
 
 /// A database as a list of facts, each the text of one attribute of a signal, or, under an empty signal name, of
 /// the message itself.
@@ -39,8 +42,8 @@ fn parse(text: &str) -> can_dbc::Dbc {
     can_dbc::Dbc::try_from(text).unwrap_or_else(|error| panic!("not a CAN database: {error}"))
 }
 
-fn exported() -> can_dbc::Dbc {
-    parse(&Dbc(Edition::DEFAULT).to_string())
+fn exported(edition: &Edition) -> can_dbc::Dbc {
+    parse(&Dbc(edition).to_string())
 }
 
 fn standard(id: MessageId) -> u32 {
@@ -83,9 +86,9 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
 }
 
 /// What the table says of layout and values.
-fn facts_of_table() -> Facts {
+fn facts_of_table(bus: &Bus) -> Facts {
     let mut facts = Facts::new();
-    for message in BUS.messages {
+    for message in bus.messages {
         let id = u32::from(message.id);
         facts.extend([
             fact(id, "", "name", &message.name),
@@ -129,10 +132,12 @@ fn differences(original: &Facts, ours: &Facts) -> Vec<String> {
     rows
 }
 
-/// The rows of the fenced block of comma-separated values in `DISCREPANCIES.md`.
-fn listed(markdown: &str) -> Vec<String> {
-    let mut block = markdown.lines().skip_while(|line| *line != "```csv").skip(1);
-    assert_eq!(block.next(), Some("message_id_hex,signal,attribute,dbc,ours"), "the header of the csv block");
+/// The rows of the fenced block of comma-separated values below the heading of a database in `DISCREPANCIES.md`.
+fn listed(markdown: &str, database: &str) -> Vec<String> {
+    let heading = format!("### `{database}`");
+    let mut block =
+        markdown.lines().skip_while(|line| *line != heading).skip_while(|line| *line != "```csv").skip(1);
+    assert_eq!(block.next(), Some("message_id_hex,signal,attribute,dbc,ours"), "the csv block of {database}");
     let mut rows: Vec<_> = block.take_while(|line| *line != "```").map(str::to_owned).collect();
     rows.sort();
     rows
@@ -140,62 +145,91 @@ fn listed(markdown: &str) -> Vec<String> {
 
 #[test]
 fn export_says_what_the_table_says() {
-    let dbc = exported();
-    assert_eq!(differences(&facts_of(&dbc), &facts_of_table()), [""; 0]);
+    for (edition, _) in &EDITIONS {
+        let dbc = exported(edition);
+        assert_eq!(differences(&facts_of(&dbc), &facts_of_table(&edition.bus)), [""; 0]);
 
-    let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
-    assert_eq!(senders, ["AI", "VCU"]);
-    assert_eq!(dbc.version.0, Edition::DEFAULT.version);
+        let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
+        assert_eq!(senders, ["AI", "VCU"]);
+        assert_eq!(dbc.version.0, edition.version);
+    }
 }
 
 #[test]
 fn export_comments_every_message_and_signal() {
-    let dbc = exported();
-    for message in BUS.messages {
-        let id = MessageId::Standard(message.id);
-        assert_eq!(dbc.message_comment(id), Some(message.doc), "{}", message.name);
-        for signal in message.signals {
-            let comment = dbc.signal_comment(id, signal.name).map(|comment| comment.replace("\\\"", "\""));
-            assert_eq!(comment.as_deref(), Some(signal.doc), "{} {}", message.name, signal.name);
+    for (edition, _) in &EDITIONS {
+        let dbc = exported(edition);
+        for message in edition.bus.messages {
+            let id = MessageId::Standard(message.id);
+            assert_eq!(dbc.message_comment(id), Some(message.doc), "{}", message.name);
+            for signal in message.signals {
+                let comment =
+                    dbc.signal_comment(id, signal.name).map(|comment| comment.replace("\\\"", "\""));
+                assert_eq!(comment.as_deref(), Some(signal.doc), "{} {}", message.name, signal.name);
+            }
         }
     }
 }
 
 #[test]
 fn export_gives_every_message_its_cycle_time() {
-    let dbc = exported();
-    let cycle = |id| {
-        dbc.attribute_values_message
-            .iter()
-            .find(|value| value.name == "GenMsgCycleTime" && value.message_id == MessageId::Standard(id))
-            .map(|value| value.value.clone())
-    };
-    for message in BUS.messages {
-        let expected = if message.id == 0x502 { 100 } else { 10 };
-        assert_eq!(cycle(message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
+    for (edition, _) in &EDITIONS {
+        let dbc = exported(edition);
+        for message in edition.bus.messages {
+            let expected = if message.id == 0x502 { 100 } else { 10 };
+            assert_eq!(cycle(&dbc, message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
+        }
     }
+}
+
+/// The cycle time that a database gives a message.
+fn cycle(dbc: &can_dbc::Dbc, id: u16) -> Option<AttributeValue> {
+    dbc.attribute_values_message
+        .iter()
+        .find(|value| value.name == "GenMsgCycleTime" && value.message_id == MessageId::Standard(id))
+        .map(|value| value.value.clone())
+}
+
+/// An original, if it is there.
+fn original(path: &str) -> Option<can_dbc::Dbc> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared").join(path);
+    let Ok(text) = fs::read_to_string(&path) else {
+        println!("skipped: the original database is not at {}", path.display());
+        return None;
+    };
+    Some(parse(&text))
 }
 
 //= D-30, D-31
 #[test]
 fn export_differs_from_the_original_only_as_listed() {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let original = here.join("../../shared/dbc/adsdv_2021_vcu_ai_interface_v1.dbc");
-    let Ok(original) = fs::read_to_string(&original) else {
-        println!("skipped: the original database is not at {}", original.display());
-        return;
-    };
-    let discrepancies = here.join("../spec/DISCREPANCIES.md");
+    let discrepancies = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spec/DISCREPANCIES.md");
     let discrepancies = fs::read_to_string(&discrepancies)
         .unwrap_or_else(|error| panic!("cannot read {}: {error}", discrepancies.display()));
 
-    let differences = differences(&facts_of(&parse(&original)), &facts_of(&exported()));
-    let listed = listed(&discrepancies);
-    let missing = |from: &[String], row: &&String| !from.contains(row);
-    let unlisted: Vec<_> = differences.iter().filter(|row| missing(&listed, row)).collect();
-    let unfounded: Vec<_> = listed.iter().filter(|row| missing(&differences, row)).collect();
-    assert!(
-        iter::chain(&unlisted, &unfounded).next().is_none() && listed.len() == differences.len(),
-        "the csv block of spec/DISCREPANCIES.md is not exact\nto be added: {unlisted:#?}\nto be removed: {unfounded:#?}"
-    );
+    for (edition, path) in &EDITIONS {
+        let database = path.rsplit('/').next().expect("a path ends in a name");
+        let listed = listed(&discrepancies, database);
+        let Some(original) = original(path) else { continue };
+        let differences = differences(&facts_of(&original), &facts_of(&exported(edition)));
+        let missing = |from: &[String], row: &&String| !from.contains(row);
+        let unlisted: Vec<_> = differences.iter().filter(|row| missing(&listed, row)).collect();
+        let unfounded: Vec<_> = listed.iter().filter(|row| missing(&differences, row)).collect();
+        assert!(
+            iter::chain(&unlisted, &unfounded).next().is_none() && listed.len() == differences.len(),
+            "the csv block of {database} in spec/DISCREPANCIES.md is not exact\nto be added: {unlisted:#?}\nto be removed: {unfounded:#?}"
+        );
+    }
+}
+
+/// Version 4.0 states its cycle times, and its database has them.
+//= MSG-95, MSG-96
+#[test]
+fn cycle_times_of_version_4_0_are_those_of_its_database() {
+    let [_, (edition, path)] = &EDITIONS;
+    let Some(original) = original(path) else { return };
+    for message in edition.bus.messages {
+        let expected = Some(AttributeValue::Uint(u64::from(message.cycle_ms)));
+        assert_eq!(cycle(&original, message.id), expected, "{}", message.name);
+    }
 }

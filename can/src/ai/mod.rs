@@ -119,16 +119,17 @@ pub struct Ai {
 }
 
 impl Default for Ai {
+    /// One of the [default edition](Edition::DEFAULT), with the plan that it has where nobody gives another.
     fn default() -> Self {
-        Self::new(Plan::DEFAULT)
+        Self::new(Edition::DEFAULT, Plan::DEFAULT)
     }
 }
 
 impl Ai {
-    /// An AI Computer of the default edition that was just switched on, in a car of [`Physics::DEFAULT`].
-    pub fn new(plan: Plan) -> Self {
+    /// An AI Computer that was just switched on, in a car of [`Physics::DEFAULT`].
+    pub fn new(edition: &Edition, plan: Plan) -> Self {
         Self {
-            edition: Edition::default(),
+            edition: *edition,
             physics: Physics::DEFAULT,
             plan,
             stage: Stage::Idle,

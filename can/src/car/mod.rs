@@ -15,7 +15,7 @@ mod slow;
 mod vehicle;
 
 use adsdv_spec::messages::{AsState, DecodeError, Frame};
-use adsdv_spec::{Actuation, AiMessages, Control, Edition, Inputs, Machine, Outputs};
+use adsdv_spec::{Actuation, AiMessages, AiSilence, Control, Edition, Inputs, Machine, Outputs};
 
 pub(crate) use action::Excerpt;
 pub use action::{Action, Expected, Switch, UnknownSwitch};
@@ -53,6 +53,8 @@ pub struct Car {
     dark_ms: u32,
     /// When the slow messages were sent.
     slow: Slow,
+    /// The AI Computer's messages that have come since the last step, by identifier.
+    received: Vec<u16>,
 }
 
 /// What came of a cycle.
@@ -85,6 +87,7 @@ impl Car {
             outputs: None,
             dark_ms: 0,
             slow: Slow::default(),
+            received: Vec::new(),
         }
     }
 
@@ -102,7 +105,11 @@ impl Car {
         if self.dark_ms > 0 {
             return Ok(false);
         }
-        self.inputs.ai.receive(&self.machine.edition().bus, frame.id, frame.data())
+        let taken = self.inputs.ai.receive(&self.machine.edition().bus, frame.id, frame.data())?;
+        if taken && !self.received.contains(&frame.id) {
+            self.received.push(frame.id);
+        }
+        Ok(taken)
     }
 
     /// One cycle, `dt_ms` after the last one: a step of the VCU, the frames that are due, and the vehicle that obeys.
@@ -110,6 +117,7 @@ impl Car {
         if self.dark_ms > 0 {
             return self.without_power(dt_ms);
         }
+        self.listen(dt_ms);
         let (control, outputs) = self.machine.step(&self.control, &self.inputs, dt_ms);
         self.control = control;
         self.outputs = Some(outputs);
@@ -119,12 +127,21 @@ impl Car {
         Cycle { outputs: Some(outputs), frames }
     }
 
+    /// What has not come since the last step has been missing for longer.
+    fn listen(&mut self, dt_ms: u32) {
+        let silence = &mut self.inputs.ai_silence;
+        *silence = silence.after(dt_ms);
+        self.received.drain(..).for_each(|id| silence.end(id));
+    }
+
     /// The VCU forgets, the AI's last words among it; the switches stay as they are, and the vehicle rolls on.
     fn without_power(&mut self, dt_ms: u32) -> Cycle {
         self.dark_ms = self.dark_ms.saturating_sub(dt_ms);
         self.control = Control::INITIAL;
         self.outputs = None;
         self.inputs.ai = AiMessages::default();
+        self.inputs.ai_silence = AiSilence::default();
+        self.received.clear();
         self.slow = Slow::default();
         self.vehicle.advance(&Actuation::default(), dt_ms);
         self.vehicle.measure(&mut self.inputs.vehicle);

@@ -27,8 +27,7 @@ pub struct AiComputer<B> {
 impl<B: Bus> AiComputer<B> {
     /// An AI Computer that has just been switched on.
     pub fn new(bus: B, ai: Ai) -> Self {
-        let cycle_ms = ai.edition().rules.timing.cycle_ms.into();
-        Self { line: LiveBus::new(bus, cycle_ms), ai, shown: None }
+        Self { line: LiveBus::new(bus, ai.edition()), ai, shown: None }
     }
 
     /// One cycle: receives until it is due, and sends its frames.

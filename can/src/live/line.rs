@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
+use adsdv_spec::{Edition, Timing};
 
 use crate::bus::{Bus, Disturbance, Event, Received};
 use crate::clock::{Begun, Clock};
@@ -37,9 +38,16 @@ pub(super) struct LiveBus<B> {
 }
 
 impl<B: Bus> LiveBus<B> {
-    /// The first cycle is due now.
-    pub(super) fn new(bus: B, cycle_ms: u32) -> Self {
-        let status = Status { bus: bus.name().to_owned(), ..Status::default() };
+    /// The first cycle, which is as long as the edition has it, is due now.
+    pub(super) fn new(bus: B, edition: &Edition) -> Self {
+        let Timing { cycle_ms, handshake_ms, .. } = edition.rules.timing;
+        let cycle_ms = u32::from(cycle_ms);
+        let status = Status {
+            bus: bus.name().to_owned(),
+            edition: edition.version,
+            answer_limit_ms: handshake_ms.into(),
+            ..Status::default()
+        };
         let clock = Clock::new(bus.now(), cycle_ms);
         let patience = Duration::from_millis(cycle_ms.into()) / 2;
         Self {

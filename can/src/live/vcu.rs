@@ -48,7 +48,7 @@ impl<B: Bus> Vcu<B> {
     pub fn new(bus: B, machine: adsdv_spec::Machine, player: Option<Player>) -> Self {
         let car = Car::new(machine);
         Self {
-            line: LiveBus::new(bus, car.cycle_ms()),
+            line: LiveBus::new(bus, car.machine().edition()),
             car,
             player,
             patience_ms: None,

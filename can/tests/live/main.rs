@@ -2,6 +2,7 @@
 
 mod ai;
 mod bench;
+mod edition;
 mod faults;
 mod handle;
 mod load;

@@ -181,7 +181,8 @@ fn stops() -> Outcome {
         ensure!(code == Some(0) && error.is_empty(), "watch: {code:?} {error}\n{out}");
         let sent = vcan.sent()?;
         ensure!(
-            out.starts_with(&format!("{{\"frames\":{sent},")) && out.ends_with("}\n"),
+            out.starts_with(&format!("{{\"schema\":1,\"edition\":\"3.0\",\"frames\":{sent},"))
+                && out.ends_with("}\n"),
             "{sent} frames: {out}"
         );
         let text = fs::read_to_string(&file)?;
@@ -325,15 +326,19 @@ fn watched_while_it_vanishes(adsdv: &Path) -> Tried<bool> {
     Ok(!missed)
 }
 
-/// The reader leaves after the first line; each command notices with the next that it has to tell.
+/// The reader leaves after the first two lines; each command notices with the next that it has to tell.
 fn closed_pipe() -> Outcome {
     let Some(adsdv) = adsdv() else { return Ok(without()) };
     let file = log("closed");
     for command in [&["vcu", "--plain"][..], &["ai"], &["watch", "--log", text(&file)?]] {
         let vcan = Vcan::new()?;
         let mut program = Program::start(&adsdv, &[command, &[vcan.0.as_str()]].concat())?;
-        let mut line = String::new();
-        BufReader::new(program.0.stdout.take().ok_or("no output")?).read_line(&mut line)?;
+        let (mut edition, mut line) = (String::new(), String::new());
+        let mut out = BufReader::new(program.0.stdout.take().ok_or("no output")?);
+        out.read_line(&mut edition)?;
+        ensure!(edition.starts_with("edition "), "{edition:?}");
+        out.read_line(&mut line)?;
+        drop(out);
         ensure!(line.contains(&vcan.0), "{line:?}");
         let other = vcan.other()?;
         for _ in 0..100 {

@@ -6,6 +6,8 @@ use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice};
 
+use super::EditionArgs;
+
 /// Drive a whole mission without any CAN, and have it judged.
 ///
 /// The first thing to run: it needs no car, no CAN interface and no file. The reference VCU with a plain car, and a small AI
@@ -35,6 +37,9 @@ pub(crate) struct DemoArgs {
     /// nothing is done by itself. Nothing is judged, and no log is written.
     #[arg(long, conflicts_with_all = ["json", "log"])]
     pub(crate) screen: bool,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
@@ -78,7 +83,8 @@ OUTPUT
   frames with the next one that comes: the count is as of the last frame.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  it was told to stop (Ctrl-C, SIGTERM), or the scenario came to its end
@@ -110,6 +116,9 @@ pub(crate) struct VcuArgs {
     #[arg(long)]
     pub(crate) plain: bool,
 
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
+
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
     pub(crate) color: ColorChoice,
@@ -134,7 +143,8 @@ OUTPUT
   back. In the end the frames, and how well the cycle of 10 ms was held.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  it was told to stop (Ctrl-C, SIGTERM)
@@ -144,6 +154,9 @@ pub(crate) struct AiArgs {
     /// The CAN interface, such as vcan0.
     #[arg(value_name = "IFACE")]
     pub(crate) interface: String,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
@@ -182,7 +195,8 @@ OUTPUT
   findings of one rule, the further ones are counted, and one in a second is printed.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  what was seen conforms: no violation was found
@@ -221,6 +235,9 @@ pub(crate) struct WatchArgs {
     /// Without a pin, the judge allows for every choice. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]

@@ -8,6 +8,8 @@ use adsdv_oracle::conform::ConformOptions as Conform;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice};
 
+use super::EditionArgs;
+
 /// The most steps that outputs may be late.
 const LATEST: usize = 50;
 /// The longest cycle that makes sense, in milliseconds.
@@ -38,6 +40,9 @@ EXAMPLES
   adsdv suite | jq -r '.name + \": \" + .about'
   adsdv suite --prove
 
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
+
 EXIT STATUS
   0  the suite has been printed; with --prove, it tells every mutation from the specification
   1  with --prove, some mutation lives
@@ -59,6 +64,9 @@ pub(crate) struct SuiteArgs {
     /// repeated.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 /// Judge a program: a VCU, a simulator or a model.
@@ -102,7 +110,8 @@ OUTPUT
   Last comes the verdict.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  the program conforms
@@ -164,6 +173,9 @@ pub(crate) struct ConformArgs {
     /// Print JSON; `adsdv schema conform` prints its schema.
     #[arg(long)]
     pub(crate) json: bool,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]

@@ -6,6 +6,8 @@ use adsdv_model::Vectors;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice, ValueEnum};
 
+use super::EditionArgs;
+
 /// More threads than this only wait for each other.
 const MOST_THREADS: usize = 256;
 
@@ -48,7 +50,8 @@ OUTPUT
   It takes some 20 seconds, and --readings a minute or two.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  every property holds, and everything that must be is reachable; with --readings,
@@ -85,6 +88,9 @@ pub(crate) struct VerifyArgs {
     /// Print JSON; `adsdv schema verify` prints its schema.
     #[arg(long)]
     pub(crate) json: bool,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
@@ -146,6 +152,9 @@ EXAMPLES
 OUTPUT
   The address to open. It is served until the command is stopped (Ctrl-C).
 
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
+
 EXIT STATUS
   2  the port could not be had, or the arguments are wrong")]
 pub(crate) struct ExploreArgs {
@@ -158,6 +167,9 @@ pub(crate) struct ExploreArgs {
     /// Without it, the default. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 /// Print the state machine for another model checker.
@@ -171,6 +183,9 @@ EXAMPLES
   spin -a vcu.pml
   gcc -O2 -DSAFETY -DNOREDUCE -DNOCOMP -o pan pan.c
   ./pan -m1000000 -w20
+
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
 
 EXIT STATUS
   0  the model has been printed
@@ -189,6 +204,9 @@ pub(crate) struct ExportArgs {
     /// Without it, the default. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
 }
 
 /// The languages of other model checkers.

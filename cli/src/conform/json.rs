@@ -3,18 +3,21 @@
 use std::collections::BTreeMap;
 
 use adsdv_oracle::conform::{Break, ConformReport, Failure, Follows, Reply};
-use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN, Shown, Value};
+use adsdv_oracle::protocol::{Domain, INPUTS, Protocol, SHOWN, Shown, Value};
 use adsdv_oracle::suite::Step;
 use adsdv_spec::Inputs;
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
 use super::JudgedProgram;
-use crate::json::line;
+use crate::json::{SCHEMA, line};
 
 /// The outcome as one JSON object on one line.
 pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> String {
+    let protocol = Protocol::of(subject.edition.edition());
     line(&ConformJson {
+        schema: SCHEMA,
+        edition: subject.edition.edition().version,
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         tests: report.tests,
         failed_tests: report.failed_tests,
@@ -36,7 +39,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
             })
             .collect(),
         about_the_vcu: report.about_the_vcu,
-        failures: report.failures.iter().map(FailureJson::from).collect(),
+        failures: report.failures.iter().map(|failure| FailureJson::of(&protocol, failure)).collect(),
         more_failures: report.more_failures,
         readings: report
             .follows
@@ -53,6 +56,8 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
 
 #[derive(Serialize)]
 struct ConformJson<'a> {
+    schema: u32,
+    edition: &'static str,
     program: Vec<String>,
     tests: usize,
     failed_tests: usize,
@@ -132,8 +137,8 @@ struct SideJson<'a> {
     tests: &'a [String],
 }
 
-impl<'a> From<&'a Failure> for FailureJson<'a> {
-    fn from(failure: &'a Failure) -> Self {
+impl<'a> FailureJson<'a> {
+    fn of(protocol: &Protocol, failure: &'a Failure) -> Self {
         let found = failure.found.as_ref();
         let steps = failure.scenario.steps.iter().zip(&failure.expected).zip(&failure.replies);
         Self {
@@ -150,7 +155,9 @@ impl<'a> From<&'a Failure> for FailureJson<'a> {
                 guard: &row.guard,
             }),
             differences: found.map(differences).unwrap_or_default(),
-            steps: steps.map(|((step, expected), reply)| StepJson::of(step, expected, reply)).collect(),
+            steps: steps
+                .map(|((step, expected), reply)| StepJson::of(protocol, step, expected, reply))
+                .collect(),
         }
     }
 }
@@ -165,13 +172,10 @@ fn differences(found: &Break) -> Vec<DifferenceJson> {
 }
 
 impl StepJson {
-    fn of(step: &Step, expected: &Shown, reply: &Reply) -> Self {
+    fn of(protocol: &Protocol, step: &Step, expected: &Shown, reply: &Reply) -> Self {
         let usual = Inputs::default();
-        let inputs =
-            INPUTS.iter().filter(|field| (field.get)(&step.inputs) != (field.get)(&usual)).map(|field| {
-                let value = Value { domain: field.domain, raw: Some((field.get)(&step.inputs)) };
-                (field.key.to_owned(), json(value))
-            });
+        let given = INPUTS.iter().filter(|field| (field.get)(&step.inputs) != (field.get)(&usual));
+        let inputs = given.map(|field| (field.key.to_owned(), json(protocol.input(field, &step.inputs))));
         let actual = SHOWN.iter().filter_map(|field| match reply {
             Reply::Answer(answer) => Some((field.key.to_owned(), json(answer.get(field.key)?))),
             Reply::Nothing => None,

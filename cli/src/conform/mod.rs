@@ -18,26 +18,28 @@ use adsdv_oracle::conform::{
     ConformOptions, ConformProgress, ConformReport, Phase, Program, ProgramError, ProgramErrorKind, conform,
 };
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::{Edition, Machine, Readings};
+use adsdv_spec::Machine;
 
-use crate::args::ConformArgs;
+use crate::args::{ChosenEdition, ConformArgs};
 use crate::error::Error;
 use crate::progress::Line;
 use crate::status::Status;
 use crate::{output, pins};
 
 pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
+    let chosen = args.edition.chosen()?;
+    let edition = chosen.edition();
     let options = ConformOptions {
-        possible: pins::possible(&args.readings)?,
+        possible: pins::possible(edition, &args.readings)?,
         latency: args.latency,
         cycle_ms: args.cycle_ms,
         seed: args.seed,
         runs: args.runs,
-        ..ConformOptions::default()
+        ..ConformOptions::of(edition)
     };
     let tests = match &args.suite {
-        Some(file) => read(file, pins::answers(&args.readings)?)?,
-        None => suite::generate(Edition::DEFAULT),
+        Some(file) => read(file, &pins::machine(edition, &args.readings)?)?,
+        None => suite::generate(edition),
     };
     let name = name(args);
     stop::stops_the_program().map_err(|error| Error {
@@ -46,7 +48,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         hint: "run it where signals can be handled".to_owned(),
     })?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
-    let subject = JudgedProgram { name: &name, args };
+    let subject = JudgedProgram { edition: chosen, name: &name, args };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
@@ -58,6 +60,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
 /// What was judged, and how.
 #[derive(Clone, Copy, Debug)]
 struct JudgedProgram<'a> {
+    /// The edition that it was asked about.
+    edition: ChosenEdition,
     /// The command line of the program.
     name: &'a str,
     /// What was asked for.
@@ -112,8 +116,8 @@ fn name(args: &ConformArgs) -> String {
     words.join(" ")
 }
 
-/// The tests of a file of JSON Lines, which expects what these readings show. One line that is no test is one test that is not run: that is no verdict.
-fn read(path: &Path, readings: Readings) -> Result<Vec<Test>, Error> {
+/// The tests of a file of JSON Lines, which expects what this machine shows: one with the readings under which it was written. One line that is no test is one test that is not run: that is no verdict.
+fn read(path: &Path, reference: &Machine) -> Result<Vec<Test>, Error> {
     const WRITE: &str = "write a suite with: adsdv suite > suite.jsonl";
     let name = path.display().to_string();
     let trouble = |why: String, hint: &str| Error { what: name.clone(), why, hint: hint.to_owned() };
@@ -126,10 +130,8 @@ fn read(path: &Path, readings: Readings) -> Result<Vec<Test>, Error> {
         ),
         _ => trouble(format!("cannot {what} the suite: {error}"), WRITE),
     };
-    // What a file expects is what was written under the same pins.
-    let reference = Machine::new(*Edition::DEFAULT, readings);
     let file = File::open(path).map_err(|error| unreadable("open", &error))?;
-    let suite = suite::read(BufReader::new(file), &reference).map_err(|error| unreadable("read", &error))?;
+    let suite = suite::read(BufReader::new(file), reference).map_err(|error| unreadable("read", &error))?;
     if !suite.bad.is_empty() {
         const SHOWN: u64 = 10;
         let count = suite.bad.iter().fold(suite.more_bad, |count, _| count + 1);

@@ -51,7 +51,7 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
             Some(pin) => {
                 writeln!(out, "  {:17} pinned to {}: {}", follows.reading, pin.id(), pin.text())?;
             }
-            None => reading(out, follows, width)?,
+            None => reading(out, subject.edition.edition(), follows, width)?,
         }
     }
     if !subject.args.readings.is_empty() && !report.conforms() {
@@ -67,7 +67,8 @@ fn header(
     report: &ConformReport,
     width: usize,
 ) -> fmt::Result {
-    let JudgedProgram { name, args } = subject;
+    let JudgedProgram { edition, name, args } = subject;
+    writeln!(out, "{edition}")?;
     writeln!(
         out,
         "{name}: {}, {} (seed {}), {}",
@@ -209,7 +210,7 @@ fn also(out: &mut String, failure: &Failure, width: usize) {
     more("right under:", &choices);
 }
 
-fn reading(out: &mut String, follows: &Follows, width: usize) -> fmt::Result {
+fn reading(out: &mut String, edition: &Edition, follows: &Follows, width: usize) -> fmt::Result {
     let Follows { reading, possible, mixes } = follows;
     write!(out, "  {reading:17} ")?;
     if !mixes.is_empty() {
@@ -223,7 +224,7 @@ fn reading(out: &mut String, follows: &Follows, width: usize) -> fmt::Result {
     match possible.as_slice() {
         [] => writeln!(out, "{}", Styled(style::CARE, "cannot be told: no choice explains the tests of it")),
         [only] => {
-            let usual = if Edition::DEFAULT.readings.is(*only) { " (the default)" } else { "" };
+            let usual = if edition.readings.is(*only) { " (the default)" } else { "" };
             writeln!(out, "follows {}: {}{usual}", only.id(), only.text())
         }
         several => {

@@ -34,7 +34,8 @@ const REST: &str = "OUTPUT
   Then comes the report of the log: see adsdv check --help.
 
 ENVIRONMENT
-  NO_COLOR  if set and not empty, --color auto means never
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
   0  the run conforms: no violation was found; with --screen, it was left

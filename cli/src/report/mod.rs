@@ -20,6 +20,8 @@ const INDENT: usize = 14;
 /// What was judged, and how.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JudgedLog<'a> {
+    /// The line about the edition that it was judged by, if nothing before the report says it.
+    pub(crate) edition: Option<&'a str>,
     /// The log, as the user named it.
     pub(crate) name: &'a str,
     /// How it was judged.
@@ -70,12 +72,15 @@ fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usiz
 }
 
 fn header(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Result {
+    if let Some(edition) = subject.edition {
+        writeln!(out, "{edition}")?;
+    }
     let frames = counted(report.frames, "frame");
     writeln!(out, "{}: {frames} in {} s", subject.name, Seconds(report.duration_ns))?;
     if let Some(interface) = &subject.options.interface {
         writeln!(out, "interface {interface}")?;
     }
-    let (judge, default) = (subject.options.judge, JudgeOptions::default());
+    let (judge, default) = (subject.options.judge, JudgeOptions::of(subject.options.judge.edition));
     if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
         writeln!(out, "window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms)?;
     }

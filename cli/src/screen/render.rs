@@ -74,9 +74,12 @@ fn too_small(status: &Status, area: Rect, buffer: &mut Buffer) {
     Text::from_iter(lines).render(area, buffer);
 }
 
-/// The bus and what is wrong with it; the time; how to get help.
+/// The edition; the bus and what is wrong with it; the time; how to get help.
 fn header(status: &Status, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let mut left = Line::from(vec![Span::raw("virtual VCU on "), Span::styled(status.bus.clone(), STRONG)]);
+    let mut left = Line::from(vec![
+        Span::raw(format!("VCU of edition {} on ", status.edition)),
+        Span::styled(status.bus.clone(), STRONG),
+    ]);
     if let Some(trouble) = &status.trouble {
         left.push_span(Span::styled(format!("  {trouble}"), theme.bad()));
     }

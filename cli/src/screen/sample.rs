@@ -38,6 +38,8 @@ pub(super) fn off() -> Status {
     car.cycle(10);
     Status {
         bus: "vcan0".to_owned(),
+        edition: Edition::V3_0.version,
+        answer_limit_ms: Edition::V3_0.rules.timing.handshake_ms.into(),
         outputs: Some(outputs(AsState::Off)),
         in_state_ms: 1_240,
         missing: missing(&car),
@@ -97,6 +99,8 @@ pub(super) fn driving() -> Status {
     let (off, ready, driving) = (Some(AsState::Off), Some(AsState::Ready), Some(AsState::Driving));
     let mut status = Status {
         bus: "vcan0".to_owned(),
+        edition: Edition::V3_0.version,
+        answer_limit_ms: Edition::V3_0.rules.timing.handshake_ms.into(),
         inputs,
         outputs: Some(Outputs { handshake: true, go_signal: true, ..outputs(AsState::Driving) }),
         in_state_ms: 12_340,

@@ -36,8 +36,12 @@ pub(super) fn expect_directory(dir: &Path) -> Result<(), Error> {
 
 /// Writes and judges the log of every failure; of a property that fails in two models, that of the first. Those that can be
 /// written are, and why another could not is told with them: what was explored for so long is not lost with it.
-pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Option<Error>), Error> {
-    let pins = pins(outcome.machine.readings());
+pub(super) fn write(
+    edition: &'static Edition,
+    outcome: &Outcome,
+    dir: &Path,
+) -> Result<(Vec<Failure>, Option<Error>), Error> {
+    let pins = pins(edition, outcome.machine.readings());
     let mut names = HashSet::new();
     let failed = outcome.models.iter().flat_map(|model| &model.results);
     let runs =
@@ -52,7 +56,7 @@ pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Opti
             unwritten.get_or_insert(Error::write(&log, &error));
             continue;
         }
-        let report = judge_log(text.as_slice(), &options(&pins), |_| {})
+        let report = judge_log(text.as_slice(), &options(edition, &pins), |_| {})
             .map_err(|error| Error::log(&log.display().to_string(), &error))?;
         failures.push(Failure { name, log, pins: pins.clone(), report });
     }
@@ -60,14 +64,14 @@ pub(super) fn write(outcome: &Outcome, dir: &Path) -> Result<(Vec<Failure>, Opti
 }
 
 /// How a counterexample's log is judged.
-pub(super) fn options(pins: &[Choice]) -> LogOptions {
-    let readings = pins.iter().copied().fold(Edition::DEFAULT.choices, Choices::pin);
-    LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::default() }, interface: None }
+pub(super) fn options(edition: &'static Edition, pins: &[Choice]) -> LogOptions {
+    let readings = pins.iter().copied().fold(edition.choices, Choices::pin);
+    LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::of(edition) }, interface: None }
 }
 
 /// The defaults of the questions that were answered otherwise.
-fn pins(readings: Readings) -> Vec<Choice> {
-    let usual = Edition::DEFAULT.readings;
+fn pins(edition: &Edition, readings: Readings) -> Vec<Choice> {
+    let usual = edition.readings;
     let others = readings.choices().difference(usual.choices());
     others.iter().map(|choice| usual.choice(choice.reading())).collect()
 }

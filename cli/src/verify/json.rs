@@ -6,12 +6,14 @@ use serde::Serialize;
 
 use super::counterexample::Failure;
 use super::outcome::{Checked, Claim, Explored, Outcome};
-use crate::json::line;
+use crate::json::{SCHEMA, line};
 
 /// The outcome as one JSON object on one line.
 pub(super) fn text(outcome: &Outcome, failures: &[Failure]) -> String {
     let readings = outcome.machine.readings();
     line(&VerifyJson {
+        schema: SCHEMA,
+        edition: outcome.machine.edition().version,
         readings: outcome
             .machine
             .edition()
@@ -31,6 +33,8 @@ pub(super) fn text(outcome: &Outcome, failures: &[Failure]) -> String {
 
 #[derive(Serialize)]
 struct VerifyJson<'a> {
+    schema: u32,
+    edition: &'static str,
     readings: BTreeMap<&'static str, &'static str>,
     models: Vec<ModelJson<'a>>,
     dead_parts: Vec<String>,

@@ -14,6 +14,7 @@ mod table;
 use std::thread;
 
 use adsdv_model::{Options, closed_models, sweep};
+use adsdv_spec::Edition;
 
 use crate::args::VerifyArgs;
 use crate::error::Error;
@@ -25,23 +26,27 @@ use outcome::Outcome;
 
 pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     let threads = args.threads.unwrap_or_else(|| Options::default().threads);
+    let chosen = args.edition.chosen()?;
     if args.sweep {
-        return readings(threads);
+        return readings(chosen.edition(), threads);
     }
-    let readings = pins::answers(&args.readings)?;
+    let machine = pins::machine(chosen.edition(), &args.readings)?;
     counterexample::expect_directory(&args.logs)?;
-    let outcome = outcome::explore(readings, args.model, args.vectors.into(), threads);
-    let (failures, unwritten) = counterexample::write(&outcome, &args.logs)?;
+    let outcome = outcome::explore(&machine, args.model, args.vectors.into(), threads);
+    let (failures, unwritten) = counterexample::write(chosen.edition(), &outcome, &args.logs)?;
     if args.json {
         output::plain(&json::text(&outcome, &failures))?;
     } else {
-        output::styled(&table::text(&outcome, &args.readings, &failures, output::width()), args.color)?;
+        output::styled(
+            &table::text(chosen, &outcome, &args.readings, &failures, output::width()),
+            args.color,
+        )?;
     }
     unwritten.map_or(Ok(outcome.status()), Err)
 }
 
 /// What each reading costs.
-fn readings(threads: usize) -> Result<Status, Error> {
+fn readings(edition: &'static Edition, threads: usize) -> Result<Status, Error> {
     let (sender, receiver) = std::sync::mpsc::channel();
     let swept = thread::scope(|scope| {
         // The explorations tell how far they are from their own threads; this one looks after the line.
@@ -51,7 +56,8 @@ fn readings(threads: usize) -> Result<Status, Error> {
                 line.show_bar(done, all, "of every combination of readings");
             }
         });
-        sweep(usize::MAX, &closed_models().collect::<Vec<_>>(), threads, move |done, all| {
+        let models: Vec<_> = closed_models(edition).collect();
+        sweep(edition, usize::MAX, &models, threads, move |done, all| {
             let _ = sender.send((done, all));
         })
     });

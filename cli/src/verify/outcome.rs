@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use adsdv_model::closed::{Closed, Expectation, Operator};
-use adsdv_model::{GOALS, Goal, Options, PROPERTIES, Part, Property, Report, Run, Vectors, verify};
-use adsdv_spec::{Edition, Machine, Readings};
+use adsdv_model::{Goal, Options, Part, Property, Report, Run, Vectors, goals, properties, verify};
+use adsdv_spec::Machine;
 
 use crate::args::Models;
 use crate::layout::counted;
@@ -81,35 +81,34 @@ impl Outcome {
 }
 
 /// Explores the models.
-pub(super) fn explore(readings: Readings, which: Models, vectors: Vectors, threads: usize) -> Outcome {
-    let machine = Machine::new(*Edition::DEFAULT, readings);
+pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, threads: usize) -> Outcome {
     let mut line = Line::new();
-    let mut outcome = Outcome { machine, models: Vec::new(), parts: Vec::new() };
+    let mut outcome = Outcome { machine: *machine, models: Vec::new(), parts: Vec::new() };
     if which != Models::Closed {
-        let options = Options { vectors, threads, ..Options::default() };
-        let report = verify(machine, options, |progress| {
+        let options = Options { vectors, threads, document: machine.edition().rules.timing };
+        let report = verify(*machine, options, |progress| {
             let states = counted(progress.states, "state");
             let text = format!("open model: {states}, {}", counted(progress.steps, "step"));
             line.show_bar(progress.depth, progress.expected_depth, text);
         });
         outcome.parts.clone_from(&report.exploration.parts);
-        outcome.models.push(open(&machine, report));
+        outcome.models.push(open(machine, report));
     }
     if which != Models::Open {
         line.show("closed model, with a well-behaved operator");
         outcome.models.push(closed(
             "closed model, well-behaved operator",
             "an AI Computer that follows the document, over CAN frames; an operator who does; no fault",
-            &machine,
-            &Closed::new(machine, Operator::WellBehaved),
+            machine,
+            &Closed::new(*machine, Operator::WellBehaved),
             threads,
         ));
         line.show("closed model, with any operator and a fault");
         outcome.models.push(closed(
             "closed model, any operator",
             "that AI Computer; any switch and the remote E-stop at any time; short timers",
-            &machine,
-            &Closed::scaled(*Edition::DEFAULT, readings, Operator::Any),
+            machine,
+            &Closed::scaled(*machine.edition(), machine.readings(), Operator::Any),
             threads,
         ));
     }
@@ -126,11 +125,11 @@ fn open(machine: &Machine, report: Report) -> Explored {
         Checked { name, statement, requirements, claim, holds, steps, counterexample }
     };
     let mut results = Vec::new();
-    for Property { name, statement, requirements, .. } in PROPERTIES {
+    for Property { name, statement, requirements, .. } in properties(machine.edition()) {
         let holds = exploration.broken.iter().all(|broken| broken.name != *name);
         results.push(checked(name, statement, requirements.to_vec(), Claim::Always, holds));
     }
-    for goal @ Goal { name, statement, requirement, .. } in GOALS.iter() {
+    for goal @ Goal { name, statement, requirement, .. } in goals(machine.edition()) {
         let holds = !exploration.missed.contains(goal);
         results.push(checked(name, statement, vec![*requirement], Claim::Sometimes, holds));
     }

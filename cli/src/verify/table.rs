@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use adsdv_model::Part;
 use adsdv_oracle::judge::Verdict;
-use adsdv_spec::{Choice, Edition};
+use adsdv_spec::Choice;
 
 use super::counterexample::{self, Failure};
 use super::outcome::{Checked, Claim, Explored, Outcome};
+use crate::args::ChosenEdition;
 use crate::layout::{counted, wrapped};
 use crate::report::style::{self, Styled};
 use crate::report::{self, JudgedLog};
@@ -21,21 +22,28 @@ const NAME: usize = 33;
 /// The columns of a result.
 const RESULT: usize = 22;
 
-pub(super) fn text(outcome: &Outcome, pins: &[Choice], failures: &[Failure], width: usize) -> String {
+pub(super) fn text(
+    chosen: ChosenEdition,
+    outcome: &Outcome,
+    pins: &[Choice],
+    failures: &[Failure],
+    width: usize,
+) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = write(&mut text, outcome, pins, failures, width);
+    let _ = write(&mut text, chosen, outcome, pins, failures, width);
     text
 }
 
 fn write(
     out: &mut String,
+    chosen: ChosenEdition,
     outcome: &Outcome,
     pins: &[Choice],
     failures: &[Failure],
     width: usize,
 ) -> fmt::Result {
-    writeln!(out, "ADS-DV Software Interface Specification {}", Edition::DEFAULT.version)?;
+    writeln!(out, "{chosen}")?;
     for pin in pins {
         writeln!(out, "reading {pin}: {}", pin.text())?;
     }
@@ -46,7 +54,7 @@ fn write(
         parts(out, &outcome.parts)?;
     }
     for failure in failures {
-        failed(out, outcome, failure, width)?;
+        failed(out, chosen, outcome, failure, width)?;
     }
     verdict(out, outcome)
 }
@@ -126,7 +134,13 @@ fn parts(out: &mut String, parts: &[(Part, bool)]) -> fmt::Result {
 }
 
 /// A property that fails: what it says, and its run as the judge of logs tells it.
-fn failed(out: &mut String, outcome: &Outcome, failure: &Failure, width: usize) -> fmt::Result {
+fn failed(
+    out: &mut String,
+    chosen: ChosenEdition,
+    outcome: &Outcome,
+    failure: &Failure,
+    width: usize,
+) -> fmt::Result {
     let Failure { name, log, pins, report } = failure;
     let results = outcome.models.iter().flat_map(|model| &model.results);
     let statement = results
@@ -138,12 +152,18 @@ fn failed(out: &mut String, outcome: &Outcome, failure: &Failure, width: usize) 
     wrapped(out, statement.split(' '), 2, width);
     let log = log.display().to_string();
     write!(out, "\n$ adsdv check")?;
+    let version = chosen.edition().version;
+    write!(out, " --edition {version}")?;
     for pin in pins {
         write!(out, " --reading {pin}")?;
     }
     writeln!(out, " {}", quoted(&log))?;
-    let options = counterexample::options(pins);
-    out.push_str(&report::text(&JudgedLog { name: &log, options: &options, pins }, report, width));
+    let options = counterexample::options(chosen.edition(), pins);
+    out.push_str(&report::text(
+        &JudgedLog { edition: Some(&format!("edition {version}")), name: &log, options: &options, pins },
+        report,
+        width,
+    ));
     if report.verdict() == Verdict::Conforms {
         writeln!(out)?;
         wrapped(out, UNCERTAIN.split(' '), 2, width);

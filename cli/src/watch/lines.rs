@@ -9,7 +9,7 @@ use adsdv_oracle::judge::{Finding, Transition};
 use adsdv_spec::Rules;
 use clap::ColorChoice;
 
-use crate::args::WatchArgs;
+use crate::args::{ChosenEdition, WatchArgs};
 use crate::error::Error;
 use crate::layout::{Seconds, counted};
 use crate::report::style::{self, Styled};
@@ -18,14 +18,15 @@ use crate::{output, report};
 /// Prints lines, unless JSON was asked for, which comes in the end.
 pub(super) struct Lines {
     color: ColorChoice,
+    edition: ChosenEdition,
     quiet: bool,
     read: bool,
     failed: Option<Error>,
 }
 
 impl Lines {
-    pub(super) fn new(args: &WatchArgs) -> Self {
-        Self { color: args.color, quiet: args.json, read: true, failed: None }
+    pub(super) fn new(args: &WatchArgs, edition: ChosenEdition) -> Self {
+        Self { edition, color: args.color, quiet: args.json, read: true, failed: None }
     }
 
     /// Whether anybody still reads what is printed, and it can be.
@@ -40,7 +41,7 @@ impl Lines {
 
     pub(super) fn begin(&mut self, bus: &str, log: Option<&Path>) {
         let recorded = log.map(|log| format!(", recorded in {}", log.display())).unwrap_or_default();
-        self.print(&format!("{bus} is watched{recorded}; Ctrl-C stops\n"));
+        self.print(&format!("{}\n{bus} is watched{recorded}; Ctrl-C stops\n", self.edition));
     }
 
     /// What the judge found.

@@ -22,7 +22,7 @@ use adsdv_can::socket;
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogError, LogOptions};
 
-use crate::args::WatchArgs;
+use crate::args::{ChosenEdition, WatchArgs};
 use crate::error::Error;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
@@ -32,17 +32,18 @@ use lines::Lines;
 use record::Recorder;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
+    let chosen = args.edition.chosen()?;
     let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
-        readings: pins::possible(&args.readings)?,
-        ..JudgeOptions::default()
+        readings: pins::possible(chosen.edition(), &args.readings)?,
+        ..JudgeOptions::of(chosen.edition())
     };
     let options = LogOptions { judge, interface: None };
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let listener = socket::listen(&args.interface)?;
     let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
-    let lines = Lines::new(args);
+    let lines = Lines::new(args, chosen);
     let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &told)?;
     let log = recorder.map_or(Ok(()), Recorder::finish);
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
@@ -52,7 +53,7 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     });
     let printed = match &report {
         Ok(report) if lines.is_read() => {
-            summarize(args, &options, report, &json::Bus { traffic, outages: &outages })
+            summarize(args, chosen, &options, report, &json::Bus { traffic, outages: &outages })
         }
         _ => lines.finish(),
     };
@@ -145,14 +146,16 @@ impl Watched {
 
 fn summarize(
     args: &WatchArgs,
+    chosen: ChosenEdition,
     options: &LogOptions,
     report: &Report,
     bus: &json::Bus<'_>,
 ) -> Result<(), Error> {
     if args.json {
-        return output::plain(&json::watched(report, bus));
+        return output::plain(&json::watched(chosen.edition(), report, bus));
     }
-    let subject = JudgedLog { name: &args.interface, options, pins: &args.readings };
+    let edition = chosen.to_string();
+    let subject = JudgedLog { edition: Some(&edition), name: &args.interface, options, pins: &args.readings };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),

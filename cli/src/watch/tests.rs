@@ -48,11 +48,15 @@ fn args(words: &[&str]) -> WatchArgs {
     }
 }
 
+fn lines(args: &WatchArgs) -> Lines {
+    Lines::new(args, args.edition.chosen().expect("the default"))
+}
+
 fn watched(events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
     let told = Arc::new(AtomicBool::new(false));
     let script = Script(events.into_iter().collect(), Arc::clone(&told), Arc::new(Mutex::new(dropped)));
     // With --json nothing is printed while it is watched.
-    let lines = Lines::new(&args(&["--json"]));
+    let lines = lines(&args(&["--json"]));
     watch(script, &LogOptions::default(), None, lines, &told).expect("it watches")
 }
 
@@ -88,7 +92,11 @@ fn the_json_of_a_live_bus_keeps_to_its_schema() {
     let watch = watched(events, 12).watch;
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
     let report = watch.finish().expect("frames");
-    let text = json::watched(&report, &json::Bus { traffic, outages: &outages });
+    let text = json::watched(
+        LogOptions::default().judge.edition,
+        &report,
+        &json::Bus { traffic, outages: &outages },
+    );
     let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
     let validator = jsonschema::draft202012::new(&schema).expect("a schema");
@@ -121,7 +129,7 @@ fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
     let script = Script((0..5000).map(frame).collect(), Arc::clone(&told), Arc::new(Mutex::new(3)));
     let log = std::env::temp_dir().join(format!("adsdv-watch-{}.log", std::process::id()));
     let recorder = Recorder::create(&log).expect("a file");
-    let mut lines = Lines::new(&args(&["--json"]));
+    let mut lines = lines(&args(&["--json"]));
     lines.note(Err(Error::output(&std::io::ErrorKind::StorageFull.into())));
     let watched = watch(script, &LogOptions::default(), Some(recorder), lines, &told).expect("it watches");
     assert!(watched.recorder.is_some_and(|recorder| recorder.finish().is_ok()));

@@ -27,8 +27,11 @@ impl Explorer {
             .expect("the command starts");
         let stdout = child.stdout.take().expect("a pipe");
         let mut explorer = Self { child, address: String::new() };
-        let mut line = String::new();
-        BufReader::new(stdout).read_line(&mut line).expect("a line");
+        let (mut edition, mut line) = (String::new(), String::new());
+        let mut stdout = BufReader::new(stdout);
+        stdout.read_line(&mut edition).expect("a line");
+        assert!(edition.starts_with("edition 3.0"), "{edition:?}");
+        stdout.read_line(&mut line).expect("a line");
         let address =
             line.strip_prefix("http://").and_then(|rest| rest.strip_suffix("/ (stop with Ctrl-C)\n"));
         address.unwrap_or_else(|| panic!("no address in {line:?}")).clone_into(&mut explorer.address);

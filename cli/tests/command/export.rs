@@ -9,7 +9,8 @@ use crate::run::run;
 fn promela(options: &[&str]) -> String {
     let outcome = run(&[&["export", "--format", "promela"], options].concat());
     assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), ""), "{options:?}");
-    outcome.stdout
+    // Behind the line that says the edition.
+    outcome.stdout.split_once('\n').map_or_else(String::new, |(_, model)| model.to_owned())
 }
 
 fn model(readings: Readings, vectors: Vectors) -> String {

@@ -16,16 +16,35 @@ pub(crate) fn compare_text(file: &str, report: &str) {
 
 #[test]
 fn mission() {
-    compare("mission.txt", &["check", MISSION]);
+    compare("mission.txt", &["check", "--edition", "3.0", MISSION]);
+}
+
+#[test]
+fn mission_by_the_edition_that_it_speaks() {
+    compare("mission-recognised.txt", &["check", MISSION]);
 }
 
 #[test]
 fn finished_while_moving() {
-    compare("finished-while-moving.txt", &["check", FINISHED_WHILE_MOVING]);
+    compare("finished-while-moving.txt", &["check", "--edition", "3.0", FINISHED_WHILE_MOVING]);
+}
+
+#[test]
+fn finished_while_moving_by_the_edition_that_it_speaks() {
+    compare("finished-while-moving-recognised.txt", &["check", FINISHED_WHILE_MOVING]);
 }
 
 #[test]
 fn with_readings_pinned() {
-    let args = ["check", "--reading", "fault-trigger=edge", "--window", "20", FINISHED_WHILE_MOVING];
+    let args = [
+        "check",
+        "--edition",
+        "3.0",
+        "--reading",
+        "fault-trigger=edge",
+        "--window",
+        "20",
+        FINISHED_WHILE_MOVING,
+    ];
     compare("finished-while-moving-edge.txt", &args);
 }

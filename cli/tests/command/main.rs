@@ -7,6 +7,7 @@ mod bad_input;
 mod color;
 mod conform;
 mod demo;
+mod edition;
 mod errors;
 mod explore;
 mod export;

@@ -16,12 +16,12 @@ pub(crate) struct Outcome {
     pub(crate) stderr: String,
 }
 
-/// The command, in the folder of the workspace, so that reports name logs as a user there does, and without the
-/// variables that change colors.
+/// The command, in the folder of the workspace, so that reports name logs as a user there does, and without the variables
+/// that change colors or the edition.
 pub(crate) fn adsdv(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_adsdv"));
     command.args(args).current_dir(workspace()).stdin(Stdio::null());
-    for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+    for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "ADSDV_EDITION"] {
         command.env_remove(variable);
     }
     command

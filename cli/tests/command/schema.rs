@@ -60,7 +60,16 @@ fn recorded_logs() {
 #[test]
 fn keys_stand_in_the_documented_order() {
     let text = run(&["check", "--json", MISSION]).stdout;
-    let keys = ["frames", "duration_s", "transitions", "findings", "handshake_response_ms", "verdict"];
+    let keys = [
+        "schema",
+        "edition",
+        "frames",
+        "duration_s",
+        "transitions",
+        "findings",
+        "handshake_response_ms",
+        "verdict",
+    ];
     let places: Vec<_> = keys.iter().map(|key| text.find(&format!("\"{key}\":"))).collect();
     assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{places:?}");
 }

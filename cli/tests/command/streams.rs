@@ -65,9 +65,9 @@ fn a_reader_may_leave_after_the_first_line() {
 fn what_was_chosen_stands_in_the_header() {
     let report = run(&["check", "--window", "20", "--interface", "vcan0", MISSION]).stdout;
     let header: Vec<_> = report.lines().take_while(|line| !line.is_empty()).collect();
-    assert_eq!(header.len(), 3, "{header:?}");
-    assert!(header[0].starts_with("tests/logs/mission.log: 33940 frames in 25.99"), "{header:?}");
-    assert_eq!(header[1..], ["interface vcan0", "window 20 ms, deadline 50 ms"]);
+    assert_eq!(header.len(), 4, "{header:?}");
+    assert!(header[1].starts_with("tests/logs/mission.log: 33940 frames in 25.99"), "{header:?}");
+    assert_eq!(header[2..], ["interface vcan0", "window 20 ms, deadline 50 ms"]);
 }
 
 #[test]

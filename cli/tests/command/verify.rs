@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use adsdv_model::{GOALS, PROPERTIES};
+use adsdv_model::{goals, properties};
+use adsdv_spec::Edition;
 use serde_json::Value;
 
 use crate::run::{Outcome, adsdv, outcome, run};
@@ -109,14 +110,19 @@ fn everything_holds_with_the_default_readings() {
 #[test]
 fn every_property_and_goal_of_the_open_model_is_listed_once() {
     let listed: Vec<_> = rows(&DEFAULT.stdout, "open model").iter().map(|[name, ..]| *name).collect();
-    let properties = PROPERTIES.iter().map(|property| property.name);
-    let expected: Vec<_> = properties.chain(GOALS.iter().map(|goal| goal.name)).collect();
+    let properties = properties(Edition::DEFAULT).map(|property| property.name);
+    let expected: Vec<_> = properties.chain(goals(Edition::DEFAULT).iter().map(|goal| goal.name)).collect();
     assert_eq!(listed, expected);
     for model in MODELS {
         let rows = rows(&DEFAULT.stdout, model);
         let names: BTreeSet<_> = rows.iter().map(|[name, ..]| name).collect();
         assert!(!names.is_empty() && names.len() == rows.len(), "{model}: {rows:?}");
     }
+}
+
+#[test]
+fn the_first_line_is_the_edition() {
+    assert!(DEFAULT.stdout.starts_with("edition 3.0"), "{}", DEFAULT.stdout);
 }
 
 #[test]
@@ -163,6 +169,8 @@ fn counterexamples_are_logs_that_check_judges_the_same_way() {
     let reports = judged_the_same(&verified.stdout, temporary());
     assert_eq!(reports.len(), expected.len());
     for (report, log) in reports.iter().zip(expected) {
+        let (edition, report) = report.split_once('\n').expect("more than one line");
+        assert!(edition.starts_with("edition 3.0"), "{edition}");
         assert!(report.starts_with(&format!("{EDGE_LOGS}/{log}: ")), "{report}");
         let blames = |line: &str| line.contains("  violation  VCU  3.7  ");
         assert!(report.lines().any(blames), "{report}");
@@ -180,7 +188,7 @@ fn other_choices() -> Vec<String> {
         let others = choices.into_iter().filter(|choice| choice["default"] == false);
         others.map(move |choice| format!("{id}={}", choice["id"].as_str().expect("text"))).collect::<Vec<_>>()
     };
-    readings.as_array().expect("an array").iter().flat_map(of).collect()
+    readings["readings"].as_array().expect("an array").iter().flat_map(of).collect()
 }
 
 #[test]
@@ -249,6 +257,7 @@ fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     let printed = verify(temporary(), &options);
     assert_eq!((printed.status, printed.stderr.as_str()), (Some(1), ""), "{}", printed.stdout);
     assert_eq!(printed.stdout.lines().count(), 1, "one object on one line");
+    assert!(printed.stdout.starts_with("{\"schema\":1,\"edition\":\"3.0\","), "{}", printed.stdout);
     let json: Value = serde_json::from_str(&printed.stdout).expect("JSON");
     let errors: Vec<_> = validator("verify").iter_errors(&json).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
@@ -304,7 +313,7 @@ fn result_in_words(property: &Value) -> String {
 #[test]
 fn the_schema_refuses_what_is_not_an_answer() {
     let good = serde_json::json!({
-        "readings": {}, "dead_parts": [], "holds": true,
+        "schema": 1, "edition": "3.0", "readings": {}, "dead_parts": [], "holds": true,
         "models": [{
             "name": "one", "states": 1, "transitions": 0, "depth": 0, "seconds": 0.0, "complete": true,
             "properties": [{

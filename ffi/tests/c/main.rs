@@ -209,7 +209,8 @@ fn script(seed: u64, steps: u32) -> Vec<(String, Option<Shown>)> {
         }
         let (dt_ms, inputs) = run.next(&control);
         let (next, outputs) = Machine::REFERENCE.step(&control, &inputs, dt_ms);
-        script.push((Request::Step { dt_ms, inputs }.to_string(), Some(Shown::of(&outputs, &inputs))));
+        let shown = Shown::of(Machine::REFERENCE.edition(), &outputs, &inputs);
+        script.push((Request::Step { dt_ms, inputs }.to_string(), Some(shown)));
         control = next;
     }
     script

@@ -72,6 +72,10 @@ impl Run {
         status.cones_count_all = self.any();
         status.veh_speed_actual = self.any();
         status.veh_speed_demand = self.any();
+        let silence = &mut inputs.ai_silence;
+        (silence.status_silence_ms, silence.drive_f_silence_ms) = (self.any(), self.any());
+        (silence.drive_r_silence_ms, silence.steer_silence_ms) = (self.any(), self.any());
+        silence.brake_silence_ms = self.any();
         let vehicle = &mut inputs.vehicle;
         vehicle.steer_angle_max = self.any();
         let counts = &mut vehicle.wheel_counts;
@@ -101,6 +105,10 @@ impl Run {
         inputs.asms &= !self.random.one_in(20);
         while self.random.one_in(4) {
             let field = self.random.pick(INPUTS);
+            // The library is of the default edition.
+            if !field.is_in(adsdv_spec::Edition::DEFAULT) {
+                continue;
+            }
             let raw = match field.domain {
                 Domain::Flag => self.random.pick(&[0, 1]),
                 Domain::Names(names) => self.random.pick(names).0,

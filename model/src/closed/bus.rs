@@ -6,9 +6,9 @@ use adsdv_spec::messages::{AnyMessage, Frame};
 /// How many messages a sender has that matter to the other one: 510h to 514h, and 520h, 521h, 522h, 524h and 525h.
 const MESSAGES: usize = 5;
 
-/// What a frame says. The last edition reads those of all: what stands here has the same bits in each.
+/// What a frame says, in the newest edition that can read it: what matters here has the same bits in each.
 pub(super) fn decoded(frame: &Frame) -> Option<AnyMessage> {
-    Edition::ALL.last()?.bus.decode(frame.id, frame.data()).ok()
+    Edition::ALL.iter().rev().find_map(|edition| edition.bus.decode(frame.id, frame.data()).ok())
 }
 
 /// Both directions of the bus.

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
+use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Edition, Fault};
 
 use super::words::{cause, is_one_of, one_of, shows};
-use crate::goals::GOALS;
+use crate::goals::goals;
 use crate::properties::PROPERTIES;
 use crate::property::{Claim, Property, When};
 
@@ -162,7 +162,7 @@ pub(super) fn reports(f: &mut fmt::Formatter<'_>) -> fmt::Result {
         format!("((of) == {of} -> LIMIT_{of} : \\\n    {otherwise})")
     });
     writeln!(f, "{WORDS}#define limit(of) {limit}\n\n/* The properties.\n *")?;
-    for Property { name, statement, .. } in PROPERTIES {
+    for (_, Property { name, statement, .. }) in Property::of_edition(Edition::DEFAULT) {
         writeln!(f, " * {name}: {statement}")?;
     }
     f.write_str(" */\n\n")?;
@@ -180,7 +180,7 @@ c_decl {{
 }}
 #define FOUND(place, what, when) if :: when -> c_code {{ tell(place, what); }} :: else fi
 {SHOW}",
-        PROPERTIES.len() + GOALS.len()
+        PROPERTIES.len() + goals(Edition::DEFAULT).len()
     )
 }
 
@@ -214,14 +214,14 @@ c_decl { static char begun[128]; }
 
 /// Writes what is checked after a step from a state.
 pub(super) fn of_step(f: &mut fmt::Formatter<'_>, from: AsState) -> fmt::Result {
-    for (place, property) in PROPERTIES.iter().enumerate() {
+    for (place, property) in Property::of_edition(Edition::DEFAULT) {
         if let Some(breaks) = breaks(property, from) {
             let name = property.name;
             writeln!(f, "        FOUND({place}, \"violated: {name}\",\n            {breaks});")?;
         }
     }
     f.write_str("        if\n        :: state != before || shutdown_cause != cause_before ->\n")?;
-    for (place, goal) in GOALS.iter().enumerate() {
+    for (place, goal) in goals(Edition::DEFAULT).iter().enumerate() {
         if let Some(reached) = reached(goal.name, from) {
             let place = PROPERTIES.len() + place;
             writeln!(f, "            FOUND({place}, \"reached: {}\", {reached});", goal.name)?;
@@ -241,9 +241,9 @@ fn reached(goal: &str, from: AsState) -> Option<String> {
         let to: Vec<AsState> = rows.map(|row| row.to).collect();
         (!to.is_empty()).then(|| is_one_of("state", &to))
     } else if let Some(number) = goal.strip_prefix("cause-") {
-        let faults = Fault::ALL.iter().filter(|fault| (**fault as u8).to_string() == number);
+        let faults = Edition::DEFAULT.faults.iter().filter(|&fault| (fault as u8).to_string() == number);
         Some(one_of(
-            faults.map(|fault| format!("cause_before == NO_SHUTDOWN && shutdown_cause == {}", cause(*fault))),
+            faults.map(|fault| format!("cause_before == NO_SHUTDOWN && shutdown_cause == {}", cause(fault))),
         ))
     } else {
         (from == AsState::Finished).then(|| "state == AS_OFF && shutdown_cause == NO_SHUTDOWN".into())
@@ -252,10 +252,11 @@ fn reached(goal: &str, from: AsState) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use adsdv_spec::Edition;
     use adsdv_spec::messages::AsState;
 
     use super::{ARROWS, PROPERTIES, STATED, breaks, reached};
-    use crate::goals::GOALS;
+    use crate::goals::goals;
     use crate::property::{Claim, Property, When};
 
     #[test]
@@ -281,7 +282,7 @@ mod tests {
 
     #[test]
     fn every_goal_can_be_reached() {
-        for goal in GOALS.iter() {
+        for goal in goals(Edition::DEFAULT) {
             let stated = AsState::ALL
                 .into_iter()
                 .filter_map(|from| reached(goal.name, from))

@@ -31,7 +31,7 @@ pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fm
         writeln!(f, "#define {name} {}  /* {choice} */", u8::from(machine.readings().is(choice)))?;
     }
     f.write_str("\n/* SHUTDOWN_CAUSE. */\n#define NO_SHUTDOWN 0\n")?;
-    for &fault in Fault::ALL {
+    for fault in machine.edition().faults.iter() {
         writeln!(f, "#define {} {}", cause(fault), fault as u8)?;
     }
     f.write_str("\n")

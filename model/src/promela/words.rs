@@ -4,7 +4,7 @@ use std::fmt;
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::Term;
-use adsdv_spec::{Atom, Atoms, Fault, Faults, Observation, Rules};
+use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Observation, Rules};
 
 /// The name of an atom in Promela: `go_on` for `go-on`.
 pub(super) fn name(atom: Atom) -> String {
@@ -81,7 +81,7 @@ pub(super) fn is_one_of(what: &str, states: &[AsState]) -> String {
 /// The atoms that are inputs of their own, not other names for faults.
 pub(super) const INPUTS: Atoms = {
     let faults = Observation::new(Atoms::NONE, Observation::FAULTS);
-    Observation::SCOPE.difference(faults.atoms())
+    Edition::DEFAULT.scope().difference(faults.atoms())
 };
 
 /// Writes the inputs: what the environment chooses, and what follows from it.
@@ -93,7 +93,7 @@ pub(super) fn inputs(f: &mut fmt::Formatter<'_>, rules: &Rules) -> fmt::Result {
     for fault in Observation::FAULTS.iter() {
         writeln!(f, "hidden byte {};", fault.flag())?;
     }
-    for atom in Observation::SCOPE.difference(INPUTS).iter() {
+    for atom in Edition::DEFAULT.scope().difference(INPUTS).iter() {
         let shown =
             |fault: &Fault| Observation::new(Atoms::NONE, Faults::NONE.with(*fault)).atoms().has(atom);
         let flags = one_of(Observation::FAULTS.iter().filter(shown).map(|fault| fault.flag().into()));

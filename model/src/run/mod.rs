@@ -195,6 +195,8 @@ impl Run {
             shutdown_cause: control.shutdown_cause,
             handshake: control.handshake.bit,
             go_signal: false,
+            handshake_lost: false,
+            missed_ms: None,
         };
         let cycles = (0..i64::from(POWER_UP_MS / CYCLE_MS)).map(|cycle| Cycle {
             phase: Phase::PowerUp,

@@ -9,12 +9,11 @@ mod whole;
 use std::collections::HashSet;
 
 use adsdv_model::{Options, SHORT_TIMERS as SHORT, Vectors};
-use adsdv_spec::{Choice, Choices, Control, Edition, Machine, Readings, Timing};
+use adsdv_spec::{Control, Edition, Machine, Readings, Timing};
 
 /// The default readings, and each other choice alone.
 fn each_choice_alone() -> impl Iterator<Item = Readings> {
-    let other = |choice: &Choice| !Readings::DEFAULT.is(*choice);
-    let alone = Choices::ALL.iter().filter(other).map(|choice| Readings::DEFAULT.with(choice));
+    let alone = Edition::DEFAULT.alternatives().iter().map(|choice| Readings::DEFAULT.with(choice));
     std::iter::once(Readings::DEFAULT).chain(alone)
 }
 

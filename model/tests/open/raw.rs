@@ -1,6 +1,6 @@
 //! Beside the exploration, which sees conditions: a long run on raw inputs, with values that no abstraction chose.
 
-use adsdv_model::{PROPERTIES, Step, Vectors};
+use adsdv_model::{Step, Vectors, properties};
 use adsdv_spec::messages::{AxleTorqueRequest, SteerAngle, WheelSpeed};
 use adsdv_spec::{Atom, Control, Edition, Fault, Inputs, Machine, Observation};
 
@@ -20,10 +20,11 @@ fn wander(inputs: &mut Inputs, control: &Control, random: &mut Random) {
         inputs.show(atom, random.one_in(2), thresholds);
     }
     if random.one_in(3000) {
-        let fault = Fault::ALL[random.below(Fault::ALL.len())];
+        let faults: Vec<Fault> = Edition::DEFAULT.faults.iter().collect();
+        let fault = faults[random.below(faults.len())];
         inputs.show_fault(fault, true);
     } else if random.one_in(20) {
-        for &fault in Fault::ALL {
+        for fault in Edition::DEFAULT.faults.iter() {
             inputs.show_fault(fault, false);
         }
     }
@@ -90,7 +91,7 @@ fn random_raw_inputs_stay_within_what_was_explored() {
         let observed = Step::of(&machine, &Edition::DEFAULT.rules.timing, control, seen);
         let (after, outputs) = machine.step(&control, &inputs, cycle_ms);
         assert_eq!(after, *observed.after(), "a step sees its inputs only through their observation");
-        for property in PROPERTIES {
+        for property in properties(Edition::DEFAULT) {
             assert!(property.holds(&machine, &observed), "{} at step {step}: {observed:?}", property.name);
         }
         assert!(explored.contains(&after), "step {step} reaches a state that was not explored: {after:?}");

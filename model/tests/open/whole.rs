@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use adsdv_model::{GOALS, PROPERTIES, Report, Vectors, explore, verify};
+use adsdv_model::{Report, Vectors, explore, goals, properties, verify};
 use adsdv_spec::{Control, Edition, Machine, Readings};
 
 use crate::{SHORT, each_choice_alone, machine, options, reachable};
@@ -50,11 +50,11 @@ fn a_run_is_found_for_everything_that_is_decided() {
     for readings in each_choice_alone() {
         let report = verify(machine(SHORT, readings), options(Vectors::Read, SHORT), |_| {});
         let Report { exploration, runs } = report;
-        for property in PROPERTIES {
+        for property in properties(Edition::DEFAULT) {
             let broken = exploration.broken.iter().any(|broken| broken.name == property.name);
             assert_eq!(broken, runs.contains_key(property.name), "{}, {readings}", property.name);
         }
-        for goal in GOALS.iter() {
+        for goal in goals(Edition::DEFAULT) {
             let missed = exploration.missed.contains(goal);
             assert_eq!(!missed, runs.contains_key(goal.name), "{}, {readings}", goal.name);
         }
@@ -66,7 +66,7 @@ fn a_run_is_found_for_everything_that_is_decided() {
 fn a_run_ends_with_the_step_that_reaches_its_goal() {
     let machine = machine(SHORT, Readings::DEFAULT);
     let report = verify(machine, options(Vectors::Read, SHORT), |_| {});
-    for goal in GOALS.iter() {
+    for goal in goals(Edition::DEFAULT) {
         let Some(run) = report.runs.get(goal.name) else { panic!("{} is not reached", goal.name) };
         let mut control = adsdv_spec::Control::INITIAL;
         for (place, action) in run.iter().enumerate() {

@@ -108,9 +108,9 @@ hidden byte BMS_FAULT;
 #define sdc_open (HVIL_OPEN_FAULT || HVIL_SHORT_FAULT || EBS_FAULT || OFFBOARD_CHARGER_FAULT || CHARGE_PROCEDURE_FAULT || BMS_FAULT)
 #define ai_estop (AI_ESTOP_REQUEST)
 #define ATOMS (asms << 2 | tsms << 3 | ami_selected << 4 | mission_selected << 5 | \
-    mission_running << 6 | mission_finished << 7 | ebs_armed << 9 | front_torque_zero << 11 | \
-    rear_torque_zero << 12 | steer_request_zero << 13 | steer_straight << 14 | direction_neutral << 15 | \
-    go_on << 17 | moving << 19 | at_rest << 20 | ai_handshake << 21)
+    mission_running << 6 | mission_finished << 7 | ebs_armed << 9 | front_torque_zero << 12 | \
+    rear_torque_zero << 13 | steer_request_zero << 15 | steer_straight << 16 | direction_neutral << 17 | \
+    go_on << 19 | moving << 21 | at_rest << 22 | ai_handshake << 23)
 #define FAULTS (AI_ESTOP_REQUEST << 1 | HVIL_OPEN_FAULT << 2 | HVIL_SHORT_FAULT << 3 | EBS_FAULT << 4 | \
     OFFBOARD_CHARGER_FAULT << 5 | CHARGE_PROCEDURE_FAULT << 9 | BMS_FAULT << 10)
 
@@ -153,14 +153,14 @@ hidden byte BMS_FAULT;
  * driving-go-off: "Go" off in AS_DRIVING leads to EMERGENCY_BRAKE
  * driving-finished: FINISHED while moving leads to EMERGENCY_BRAKE
  * driving-neutral: NEUTRAL while moving leads to EMERGENCY_BRAKE
- * driving-comms: A handshake unanswered for 50 ms in AS_DRIVING leads to EMERGENCY_BRAKE
+ * driving-comms: A handshake or a message that is lost in AS_DRIVING leads to EMERGENCY_BRAKE
  * driving-estop: ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE
  * ready-sdc: An open shutdown circuit in AS_READY leads to EMERGENCY_BRAKE
  * finished-sdc: An open shutdown circuit in AS_FINISHED leads to EMERGENCY_BRAKE
  * ready-asms: ASMS off leads out of AS_READY
  * finished-asms: ASMS off leads out of AS_FINISHED
- * ready-comms: A handshake unanswered for 50 ms in AS_READY leads to EMERGENCY_BRAKE
- * finished-comms: A handshake unanswered for 50 ms in AS_FINISHED leads to EMERGENCY_BRAKE
+ * ready-comms: A handshake or a message that is lost in AS_READY leads to EMERGENCY_BRAKE
+ * finished-comms: A handshake or a message that is lost in AS_FINISHED leads to EMERGENCY_BRAKE
  * ready-estop: ESTOP_REQUEST in AS_READY leads to EMERGENCY_BRAKE
  * finished-estop: ESTOP_REQUEST in AS_FINISHED leads to EMERGENCY_BRAKE
  * comms-tsms: With TSMS off, no silence of the AI Computer causes an emergency
@@ -180,7 +180,7 @@ hidden byte BMS_FAULT;
 
 /* What is found is told once, and is no part of the state. */
 c_decl {
-    static char told[57];
+    static char told[61];
     static void tell(int place, const char *what) {
         if (!told[place]) {
             told[place] = 1;
@@ -286,20 +286,20 @@ inline step_AS_OFF() {
             (state != AS_READY -> !go_seen_low :
             go_seen_low == (before == AS_READY && go_lawful)
             || (go_seen_low && in_state_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS))));
-        FOUND(24, "violated: comms-tsms",
+        FOUND(28, "violated: comms-tsms",
             !(tsms || shutdown_cause == cause_before || shutdown_cause != CAUSE_AI_COMMS_LOST));
-        FOUND(27, "violated: brake-founded",
+        FOUND(31, "violated: brake-founded",
             !(state != EMERGENCY_BRAKE || reason_to_brake));
-        FOUND(29, "violated: actuators",
+        FOUND(33, "violated: actuators",
             !(state != AS_DRIVING || (asms && go_on && !sdc_open)));
-        FOUND(30, "violated: go-signal",
+        FOUND(34, "violated: go-signal",
             !(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW)));
-        FOUND(34, "violated: power-cycle",
+        FOUND(38, "violated: power-cycle",
             !(cause_before == NO_SHUTDOWN || state == AS_OFF || state == EMERGENCY_BRAKE));
-        FOUND(35, "violated: shutdown-cause",
+        FOUND(39, "violated: shutdown-cause",
             !(cause_before == NO_SHUTDOWN -> (shutdown_cause != NO_SHUTDOWN) == (state == EMERGENCY_BRAKE)
             : shutdown_cause == cause_before));
-        FOUND(36, "violated: control-invariant",
+        FOUND(40, "violated: control-invariant",
             !(in_state_ms == (state == before -> (lasted_ms < limit(before) -> lasted_ms : limit(before)) : 0)
             && in_state_ms <= limit(state) && unanswered_ms <= HANDSHAKE_MS
             && (handshake_active || (!handshake_bit && unanswered_ms == 0))
@@ -310,17 +310,17 @@ inline step_AS_OFF() {
             && (!power_cycle_needed || state == EMERGENCY_BRAKE || state == AS_OFF)));
         if
         :: state != before || shutdown_cause != cause_before ->
-            FOUND(38, "reached: arrow-3.1", state == AS_READY);
-            FOUND(47, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
-            FOUND(48, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
-            FOUND(49, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
-            FOUND(50, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
-            FOUND(51, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
-            FOUND(52, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
-            FOUND(53, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
-            FOUND(54, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
-            FOUND(55, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
-            FOUND(56, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
+            FOUND(42, "reached: arrow-3.1", state == AS_READY);
+            FOUND(51, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
+            FOUND(52, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
+            FOUND(53, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
+            FOUND(54, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
+            FOUND(55, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
+            FOUND(56, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
+            FOUND(57, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
+            FOUND(58, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
+            FOUND(59, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
+            FOUND(60, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
             skip
         :: else
         fi
@@ -375,30 +375,30 @@ inline step_AS_READY() {
             || (go_seen_low && in_state_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS))));
         FOUND(8, "violated: driving-due",
             !(state == AS_DRIVING) && dwelled && armed_before && go_on && asms && nothing_requested && !reason_to_brake);
-        FOUND(16, "violated: ready-sdc",
+        FOUND(20, "violated: ready-sdc",
             !(state == EMERGENCY_BRAKE) && sdc_open);
-        FOUND(18, "violated: ready-asms",
+        FOUND(22, "violated: ready-asms",
             !(state == AS_OFF || state == EMERGENCY_BRAKE) && !asms);
-        FOUND(20, "violated: ready-comms",
+        FOUND(24, "violated: ready-comms",
             !(state == EMERGENCY_BRAKE) && document_comms_lost);
-        FOUND(22, "violated: ready-estop",
+        FOUND(26, "violated: ready-estop",
             !(state == EMERGENCY_BRAKE) && ai_estop);
-        FOUND(24, "violated: comms-tsms",
+        FOUND(28, "violated: comms-tsms",
             !(tsms || shutdown_cause == cause_before || shutdown_cause != CAUSE_AI_COMMS_LOST));
-        FOUND(27, "violated: brake-founded",
+        FOUND(31, "violated: brake-founded",
             !(state != EMERGENCY_BRAKE || reason_to_brake));
-        FOUND(28, "violated: off-founded",
+        FOUND(32, "violated: off-founded",
             !(state != AS_OFF || !asms));
-        FOUND(29, "violated: actuators",
+        FOUND(33, "violated: actuators",
             !(state != AS_DRIVING || (asms && go_on && !sdc_open)));
-        FOUND(30, "violated: go-signal",
+        FOUND(34, "violated: go-signal",
             !(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW)));
-        FOUND(34, "violated: power-cycle",
+        FOUND(38, "violated: power-cycle",
             !(cause_before == NO_SHUTDOWN || state == AS_OFF || state == EMERGENCY_BRAKE));
-        FOUND(35, "violated: shutdown-cause",
+        FOUND(39, "violated: shutdown-cause",
             !(cause_before == NO_SHUTDOWN -> (shutdown_cause != NO_SHUTDOWN) == (state == EMERGENCY_BRAKE)
             : shutdown_cause == cause_before));
-        FOUND(36, "violated: control-invariant",
+        FOUND(40, "violated: control-invariant",
             !(in_state_ms == (state == before -> (lasted_ms < limit(before) -> lasted_ms : limit(before)) : 0)
             && in_state_ms <= limit(state) && unanswered_ms <= HANDSHAKE_MS
             && (handshake_active || (!handshake_bit && unanswered_ms == 0))
@@ -409,19 +409,19 @@ inline step_AS_READY() {
             && (!power_cycle_needed || state == EMERGENCY_BRAKE || state == AS_OFF)));
         if
         :: state != before || shutdown_cause != cause_before ->
-            FOUND(39, "reached: arrow-3.5", state == EMERGENCY_BRAKE);
-            FOUND(40, "reached: arrow-3.6", state == AS_OFF);
-            FOUND(41, "reached: arrow-3.2", state == AS_DRIVING);
-            FOUND(47, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
-            FOUND(48, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
-            FOUND(49, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
-            FOUND(50, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
-            FOUND(51, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
-            FOUND(52, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
-            FOUND(53, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
-            FOUND(54, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
-            FOUND(55, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
-            FOUND(56, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
+            FOUND(43, "reached: arrow-3.5", state == EMERGENCY_BRAKE);
+            FOUND(44, "reached: arrow-3.6", state == AS_OFF);
+            FOUND(45, "reached: arrow-3.2", state == AS_DRIVING);
+            FOUND(51, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
+            FOUND(52, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
+            FOUND(53, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
+            FOUND(54, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
+            FOUND(55, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
+            FOUND(56, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
+            FOUND(57, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
+            FOUND(58, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
+            FOUND(59, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
+            FOUND(60, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
             skip
         :: else
         fi
@@ -486,24 +486,24 @@ inline step_AS_DRIVING() {
             !(state == EMERGENCY_BRAKE) && document_comms_lost);
         FOUND(15, "violated: driving-estop",
             !(state == EMERGENCY_BRAKE) && ai_estop);
-        FOUND(24, "violated: comms-tsms",
+        FOUND(28, "violated: comms-tsms",
             !(tsms || shutdown_cause == cause_before || shutdown_cause != CAUSE_AI_COMMS_LOST));
-        FOUND(25, "violated: finished-at-rest",
+        FOUND(29, "violated: finished-at-rest",
             state == AS_FINISHED && !(mission_finished && at_rest));
-        FOUND(26, "violated: finished-due",
+        FOUND(30, "violated: finished-due",
             !(state == AS_FINISHED) && mission_finished && at_rest && !reason_to_brake);
-        FOUND(27, "violated: brake-founded",
+        FOUND(31, "violated: brake-founded",
             !(state != EMERGENCY_BRAKE || reason_to_brake));
-        FOUND(29, "violated: actuators",
+        FOUND(33, "violated: actuators",
             !(state != AS_DRIVING || (asms && go_on && !sdc_open)));
-        FOUND(30, "violated: go-signal",
+        FOUND(34, "violated: go-signal",
             !(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW)));
-        FOUND(34, "violated: power-cycle",
+        FOUND(38, "violated: power-cycle",
             !(cause_before == NO_SHUTDOWN || state == AS_OFF || state == EMERGENCY_BRAKE));
-        FOUND(35, "violated: shutdown-cause",
+        FOUND(39, "violated: shutdown-cause",
             !(cause_before == NO_SHUTDOWN -> (shutdown_cause != NO_SHUTDOWN) == (state == EMERGENCY_BRAKE)
             : shutdown_cause == cause_before));
-        FOUND(36, "violated: control-invariant",
+        FOUND(40, "violated: control-invariant",
             !(in_state_ms == (state == before -> (lasted_ms < limit(before) -> lasted_ms : limit(before)) : 0)
             && in_state_ms <= limit(state) && unanswered_ms <= HANDSHAKE_MS
             && (handshake_active || (!handshake_bit && unanswered_ms == 0))
@@ -514,18 +514,18 @@ inline step_AS_DRIVING() {
             && (!power_cycle_needed || state == EMERGENCY_BRAKE || state == AS_OFF)));
         if
         :: state != before || shutdown_cause != cause_before ->
-            FOUND(42, "reached: arrow-3.7", state == EMERGENCY_BRAKE);
-            FOUND(43, "reached: arrow-3.3", state == AS_FINISHED);
-            FOUND(47, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
-            FOUND(48, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
-            FOUND(49, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
-            FOUND(50, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
-            FOUND(51, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
-            FOUND(52, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
-            FOUND(53, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
-            FOUND(54, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
-            FOUND(55, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
-            FOUND(56, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
+            FOUND(46, "reached: arrow-3.7", state == EMERGENCY_BRAKE);
+            FOUND(47, "reached: arrow-3.3", state == AS_FINISHED);
+            FOUND(51, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
+            FOUND(52, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
+            FOUND(53, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
+            FOUND(54, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
+            FOUND(55, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
+            FOUND(56, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
+            FOUND(57, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
+            FOUND(58, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
+            FOUND(59, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
+            FOUND(60, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
             skip
         :: else
         fi
@@ -552,24 +552,24 @@ inline step_EMERGENCY_BRAKE() {
             (state != AS_READY -> !go_seen_low :
             go_seen_low == (before == AS_READY && go_lawful)
             || (go_seen_low && in_state_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS))));
-        FOUND(24, "violated: comms-tsms",
+        FOUND(28, "violated: comms-tsms",
             !(tsms || shutdown_cause == cause_before || shutdown_cause != CAUSE_AI_COMMS_LOST));
-        FOUND(29, "violated: actuators",
+        FOUND(33, "violated: actuators",
             !(state != AS_DRIVING || (asms && go_on && !sdc_open)));
-        FOUND(30, "violated: go-signal",
+        FOUND(34, "violated: go-signal",
             !(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW)));
-        FOUND(31, "violated: brake-time",
+        FOUND(35, "violated: brake-time",
             !(state == EMERGENCY_BRAKE || braked));
-        FOUND(32, "violated: brake-asms",
+        FOUND(36, "violated: brake-asms",
             state == AS_OFF && !(!asms));
-        FOUND(33, "violated: brake-due",
+        FOUND(37, "violated: brake-due",
             !(state == AS_OFF) && braked && !asms);
-        FOUND(34, "violated: power-cycle",
+        FOUND(38, "violated: power-cycle",
             !(cause_before == NO_SHUTDOWN || state == AS_OFF || state == EMERGENCY_BRAKE));
-        FOUND(35, "violated: shutdown-cause",
+        FOUND(39, "violated: shutdown-cause",
             !(cause_before == NO_SHUTDOWN -> (shutdown_cause != NO_SHUTDOWN) == (state == EMERGENCY_BRAKE)
             : shutdown_cause == cause_before));
-        FOUND(36, "violated: control-invariant",
+        FOUND(40, "violated: control-invariant",
             !(in_state_ms == (state == before -> (lasted_ms < limit(before) -> lasted_ms : limit(before)) : 0)
             && in_state_ms <= limit(state) && unanswered_ms <= HANDSHAKE_MS
             && (handshake_active || (!handshake_bit && unanswered_ms == 0))
@@ -580,17 +580,17 @@ inline step_EMERGENCY_BRAKE() {
             && (!power_cycle_needed || state == EMERGENCY_BRAKE || state == AS_OFF)));
         if
         :: state != before || shutdown_cause != cause_before ->
-            FOUND(44, "reached: arrow-3.9", state == AS_OFF);
-            FOUND(47, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
-            FOUND(48, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
-            FOUND(49, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
-            FOUND(50, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
-            FOUND(51, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
-            FOUND(52, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
-            FOUND(53, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
-            FOUND(54, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
-            FOUND(55, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
-            FOUND(56, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
+            FOUND(48, "reached: arrow-3.9", state == AS_OFF);
+            FOUND(51, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
+            FOUND(52, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
+            FOUND(53, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
+            FOUND(54, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
+            FOUND(55, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
+            FOUND(56, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
+            FOUND(57, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
+            FOUND(58, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
+            FOUND(59, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
+            FOUND(60, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
             skip
         :: else
         fi
@@ -634,30 +634,30 @@ inline step_AS_FINISHED() {
             (state != AS_READY -> !go_seen_low :
             go_seen_low == (before == AS_READY && go_lawful)
             || (go_seen_low && in_state_ms + CYCLE_MS < DOCUMENT_READY_DWELL_MS))));
-        FOUND(17, "violated: finished-sdc",
+        FOUND(21, "violated: finished-sdc",
             !(state == EMERGENCY_BRAKE) && sdc_open);
-        FOUND(19, "violated: finished-asms",
+        FOUND(23, "violated: finished-asms",
             !(state == AS_OFF || state == EMERGENCY_BRAKE) && !asms);
-        FOUND(21, "violated: finished-comms",
+        FOUND(25, "violated: finished-comms",
             !(state == EMERGENCY_BRAKE) && document_comms_lost);
-        FOUND(23, "violated: finished-estop",
+        FOUND(27, "violated: finished-estop",
             !(state == EMERGENCY_BRAKE) && ai_estop);
-        FOUND(24, "violated: comms-tsms",
+        FOUND(28, "violated: comms-tsms",
             !(tsms || shutdown_cause == cause_before || shutdown_cause != CAUSE_AI_COMMS_LOST));
-        FOUND(27, "violated: brake-founded",
+        FOUND(31, "violated: brake-founded",
             !(state != EMERGENCY_BRAKE || reason_to_brake));
-        FOUND(28, "violated: off-founded",
+        FOUND(32, "violated: off-founded",
             !(state != AS_OFF || !asms));
-        FOUND(29, "violated: actuators",
+        FOUND(33, "violated: actuators",
             !(state != AS_DRIVING || (asms && go_on && !sdc_open)));
-        FOUND(30, "violated: go-signal",
+        FOUND(34, "violated: go-signal",
             !(!go_on || (state == AS_DRIVING -> before == AS_DRIVING || armed_before : !GO_RAW)));
-        FOUND(34, "violated: power-cycle",
+        FOUND(38, "violated: power-cycle",
             !(cause_before == NO_SHUTDOWN || state == AS_OFF || state == EMERGENCY_BRAKE));
-        FOUND(35, "violated: shutdown-cause",
+        FOUND(39, "violated: shutdown-cause",
             !(cause_before == NO_SHUTDOWN -> (shutdown_cause != NO_SHUTDOWN) == (state == EMERGENCY_BRAKE)
             : shutdown_cause == cause_before));
-        FOUND(36, "violated: control-invariant",
+        FOUND(40, "violated: control-invariant",
             !(in_state_ms == (state == before -> (lasted_ms < limit(before) -> lasted_ms : limit(before)) : 0)
             && in_state_ms <= limit(state) && unanswered_ms <= HANDSHAKE_MS
             && (handshake_active || (!handshake_bit && unanswered_ms == 0))
@@ -668,19 +668,19 @@ inline step_AS_FINISHED() {
             && (!power_cycle_needed || state == EMERGENCY_BRAKE || state == AS_OFF)));
         if
         :: state != before || shutdown_cause != cause_before ->
-            FOUND(37, "reached: whole-mission", state == AS_OFF && shutdown_cause == NO_SHUTDOWN);
-            FOUND(45, "reached: arrow-3.8", state == EMERGENCY_BRAKE);
-            FOUND(46, "reached: arrow-3.4", state == AS_OFF);
-            FOUND(47, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
-            FOUND(48, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
-            FOUND(49, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
-            FOUND(50, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
-            FOUND(51, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
-            FOUND(52, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
-            FOUND(53, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
-            FOUND(54, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
-            FOUND(55, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
-            FOUND(56, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
+            FOUND(41, "reached: whole-mission", state == AS_OFF && shutdown_cause == NO_SHUTDOWN);
+            FOUND(49, "reached: arrow-3.8", state == EMERGENCY_BRAKE);
+            FOUND(50, "reached: arrow-3.4", state == AS_OFF);
+            FOUND(51, "reached: cause-1", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_ESTOP_REQUEST);
+            FOUND(52, "reached: cause-2", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_OPEN_FAULT);
+            FOUND(53, "reached: cause-3", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_HVIL_SHORT_FAULT);
+            FOUND(54, "reached: cause-4", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_EBS_FAULT);
+            FOUND(55, "reached: cause-5", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_OFFBOARD_CHARGER_FAULT);
+            FOUND(56, "reached: cause-6", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AI_COMMS_LOST);
+            FOUND(57, "reached: cause-7", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_AUTONOMOUS_BRAKING_FAULT);
+            FOUND(58, "reached: cause-8", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_MISSION_STATUS_FAULT);
+            FOUND(59, "reached: cause-9", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_CHARGE_PROCEDURE_FAULT);
+            FOUND(60, "reached: cause-10", cause_before == NO_SHUTDOWN && shutdown_cause == CAUSE_BMS_FAULT);
             skip
         :: else
         fi

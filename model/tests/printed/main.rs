@@ -15,9 +15,9 @@ use std::hash::Hasher as _;
 
 use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Expectation, Operator};
 use adsdv_model::{
-    Options, PROPERTIES, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, story, story_of, verify,
+    Options, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, properties, story, story_of, verify,
 };
-use adsdv_spec::{Choices, Edition, Machine, Mutation, Readings};
+use adsdv_spec::{Edition, Machine, Mutation, Readings};
 use expect_test::expect_file;
 use fnv::FnvHasher;
 use stateright::{Model as _, Path};
@@ -81,7 +81,7 @@ fn the_goals() {
         "{} states, {} transitions, depth {}\n",
         exploration.states, exploration.transitions, exploration.depth
     );
-    for goal in adsdv_model::GOALS.iter() {
+    for goal in adsdv_model::goals(Edition::DEFAULT) {
         let run = runs.get(goal.name).expect("each goal is reached");
         let _ = write!(told, "\n{} ({}): {}\n", goal.name, goal.requirement, goal.statement);
         told += &lines(story(&SHORT, run, None));
@@ -97,7 +97,7 @@ fn the_goals() {
 #[test]
 fn the_properties() {
     let mut told = String::new();
-    let mut left: Vec<_> = PROPERTIES.iter().collect();
+    let mut left: Vec<_> = properties(Edition::DEFAULT).collect();
     for mutation in Mutation::all(&SHORTENED).step_by(9) {
         let machine = Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT);
         let Report { exploration, runs } = verified(&machine);
@@ -147,7 +147,7 @@ fn the_same_machine_for_spin() {
     };
     expect_file!["read.pml"].assert_eq(&promela(&Machine::REFERENCE, Vectors::Read));
     expect_file!["few.pml"].assert_eq(&promela(&SHORT, Vectors::Few));
-    let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+    let others = Edition::DEFAULT.alternatives();
     // Of each other reading alone, when which inputs are read, and a sum of all of it.
     let mut told = String::new();
     for choice in others.iter() {

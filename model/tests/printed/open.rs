@@ -5,11 +5,11 @@ use std::fmt::Write as _;
 use std::hash::Hasher as _;
 
 use adsdv_model::{
-    Action, Exploration, GOALS, Options, PROPERTIES, Report, Run, SHORT_TIMERS, Step, Vectors, explore,
+    Action, Exploration, Options, Report, Run, SHORT_TIMERS, Step, Vectors, explore, goals, properties,
     reachable, story_of,
 };
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atoms, Choices, Control, Fault, Faults, Machine, Mutation, Observation, Readings};
+use adsdv_spec::{Atoms, Control, Edition, Faults, Machine, Mutation, Observation, Readings};
 use expect_test::expect_file;
 use fnv::FnvHasher;
 
@@ -18,7 +18,7 @@ use crate::{SHORT, SHORTENED, lines, verified};
 
 /// The machine under every other reading, and with every so many-th mutation.
 fn machines(every: usize) -> impl Iterator<Item = (String, Machine)> {
-    let others = Choices::ALL.difference(Readings::DEFAULT.choices());
+    let others = Edition::DEFAULT.alternatives();
     let readings = others
         .iter()
         .map(|choice| (choice.to_string(), Machine::new(SHORTENED, Readings::DEFAULT.with(choice))));
@@ -67,14 +67,14 @@ fn the_steps_that_break_a_property() {
         let of = random.one(&controls);
         random.one(of)
     };
-    let mut broken: Vec<_> = PROPERTIES.iter().map(|_| (0_u32, FnvHasher::default())).collect();
+    let mut broken: Vec<_> = properties(Edition::DEFAULT).map(|_| (0_u32, FnvHasher::default())).collect();
     for number in 0..STEPS {
         let before = *one_of(&mut random);
         let machine = random.one(&machines);
         let bits = random.bits();
         let atoms = Observation::SCOPE.iter().filter(|atom| bits >> (*atom as u32) & 1 == 1);
-        let faults = Fault::ALL.iter().filter(|_| random.one_in(24));
-        let faults = faults.fold(Faults::NONE, |all, &fault| all.with(fault));
+        let faults = Edition::DEFAULT.faults.iter().filter(|_| random.one_in(24));
+        let faults = faults.fold(Faults::NONE, Faults::with);
         let seen = Observation::new(atoms.fold(Atoms::NONE, Atoms::with), faults);
         let mut step = Step::of(machine, &SHORT_TIMERS, before, seen);
         let other = *one_of(&mut random);
@@ -86,7 +86,7 @@ fn the_steps_that_break_a_property() {
             3 => after.shutdown_cause = other.shutdown_cause,
             _ => {}
         }
-        for ((count, sum), property) in broken.iter_mut().zip(PROPERTIES) {
+        for ((count, sum), property) in broken.iter_mut().zip(properties(Edition::DEFAULT)) {
             if !property.holds(machine, &step) {
                 *count += 1;
                 sum.write_u64(number);
@@ -94,7 +94,7 @@ fn the_steps_that_break_a_property() {
         }
     }
     let mut told = String::new();
-    for ((count, sum), property) in broken.iter().zip(PROPERTIES) {
+    for ((count, sum), property) in broken.iter().zip(properties(Edition::DEFAULT)) {
         let _ = writeln!(told, "{}: {count} of {STEPS}, {:016X}", property.name, sum.finish());
     }
     expect_file!["steps.txt"].assert_eq(&told);
@@ -104,7 +104,7 @@ fn the_steps_that_break_a_property() {
 #[test]
 fn the_runs() {
     let Report { runs, .. } = verified(&SHORT);
-    let names: Vec<&str> = GOALS.iter().map(|goal| goal.name).collect();
+    let names: Vec<&str> = goals(Edition::DEFAULT).iter().map(|goal| goal.name).collect();
     let mut told = String::new();
     for pair in names.windows(2) {
         let (one, other) = (runs[pair[0]].iter().copied(), runs[pair[1]].iter().copied());

@@ -8,7 +8,7 @@ use expect_test::expect_file;
 use crate::{SHORT, verified};
 
 fn others() -> Vec<Choice> {
-    Choices::ALL.difference(Readings::DEFAULT.choices()).iter().collect()
+    Edition::DEFAULT.alternatives().iter().collect()
 }
 
 /// A property or a goal that fails under these of the other choices.
@@ -17,11 +17,12 @@ fn fails(name: &'static str, under: &[usize], undone_by: &[usize]) -> Cost {
     let choices =
         |places: &[usize]| places.iter().map(|&place| others[place]).fold(Choices::NONE, Choices::with);
     let run = verified(&SHORT).runs.remove("arrow-3.5");
-    Cost { name, choices: choices(under), undone_by: choices(undone_by), run }
+    Cost { edition: Edition::DEFAULT, name, choices: choices(under), undone_by: choices(undone_by), run }
 }
 
 fn printed(complete: bool, costs: Vec<Cost>, closed: Vec<ClosedCost>) -> String {
-    let all = Sweep { combinations: 5, transitions: 7, complete, costs, closed }.to_string();
+    let all = Sweep { edition: Edition::DEFAULT, combinations: 5, transitions: 7, complete, costs, closed }
+        .to_string();
     // The introduction says the same each time.
     let begin = all.find("5 combinations").expect("so many were given");
     all[begin..].to_owned()

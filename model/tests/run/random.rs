@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use adsdv_model::{Action, Run};
 use adsdv_proofs::seed::seed;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Fault, Faults, Machine, Observation, Readings};
+use adsdv_spec::{Atom, Atoms, Control, Edition, Faults, Machine, Observation, Readings};
 
 use crate::chance::Random;
 use crate::path::{CYCLE_MS, blamed, judged};
@@ -42,7 +42,7 @@ fn observation(random: &mut Random, control: &Control, rate: u64) -> Observation
                 atoms = if atoms.has(atom) { atoms.without(atom) } else { atoms.with(atom) };
             }
         }
-        for &fault in Fault::ALL {
+        for fault in Edition::DEFAULT.faults.iter() {
             if random.one_in(rate * 10) {
                 faults = faults.with(fault);
             }
@@ -77,8 +77,8 @@ fn path(random: &mut Random, machine: &Machine, rate: u64, steps: u32) -> Vec<Ac
 
 /// The default readings, and each other choice alone.
 fn machines() -> impl Iterator<Item = Machine> {
-    let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
-    let readings = others.map(|&choice| Readings::DEFAULT.with(choice));
+    let others = Edition::DEFAULT.alternatives().iter();
+    let readings = others.map(|choice| Readings::DEFAULT.with(choice));
     std::iter::once(Readings::DEFAULT)
         .chain(readings)
         .map(|readings| Machine::new(*Edition::DEFAULT, readings))

@@ -1,6 +1,8 @@
 //! Which outputs a requirement is about, and which requirement an output is.
 
-use adsdv_spec::AsState;
+use adsdv_spec::{AsState, Fault};
+
+use crate::protocol::SHOWN;
 
 /// The outputs that a requirement is about. It is checked where all of them are shown, and broken where one of them is wrong.
 pub(super) fn shows(id: &str) -> &'static [&'static str] {
@@ -18,31 +20,19 @@ pub(super) fn shows(id: &str) -> &'static [&'static str] {
         "MSG-51" | "D-39" => &["warning_status"],
         "MSG-52" => &["warn_batt_temp_high"],
         "MSG-53" => &["warn_batt_soc_low"],
-        "MSG-54" => &["ai_estop_request"],
-        "MSG-55" => &["hvil_open_fault"],
-        "MSG-56" => &["hvil_short_fault"],
-        "MSG-57" => &["ebs_fault"],
-        "MSG-58" => &["offboard_charger_fault"],
-        "MSG-59" | "HS-9" | "HS-13" | "HS-16" | "D-8" | "D-18" | "D-26" => &["ai_comms_lost"],
-        "MSG-60" => &["autonomous_braking_fault"],
-        "MSG-61" => &["mission_status_fault"],
-        "MSG-62" => &["charge_procedure_fault"],
-        "MSG-63" => &["bms_fault"],
-        "MSG-64" | "D-15" | "D-16" => &["shutdown_cause"],
+        "HS-9" | "HS-13" | "HS-16" | "HS-17" | "HS-18" | "HS-19" | "D-8" | "D-18" | "D-26" | "D-52" => {
+            &["ai_comms_lost"]
+        }
+        "MSG-64" | "MSG-85" | "D-15" | "D-16" => &["shutdown_cause"],
+        "D-55" => &["ebs_fault", "shutdown_cause"],
         "D-12" | "D-13" | "D-14" => &["hvil_open_fault", "shutdown_cause"],
-        "D-17" => &[
-            "ai_estop_request",
-            "hvil_open_fault",
-            "hvil_short_fault",
-            "ebs_fault",
-            "offboard_charger_fault",
-            "ai_comms_lost",
-            "autonomous_braking_fault",
-            "mission_status_fault",
-            "charge_procedure_fault",
-            "bms_fault",
-        ],
+        "D-17" => &FLAGS,
         "D-27" => &["autonomous_braking_fault", "mission_status_fault"],
+        "IMP-9" => &["autonomous_braking_fault", "mission_status_fault", "brake_plausibility_fault"],
+        // A fault of AS_DRIVING: it is raised, and the state is left.
+        "IMP-5" => &["as_state", "mission_status_fault"],
+        "IMP-6" => &["as_state", "autonomous_braking_fault"],
+        "IMP-8" | "D-64" => &["as_state", "brake_plausibility_fault"],
         "DRV-2" | "FIN-5" => {
             &["front_axle_trq", "rear_axle_trq", "front_motor_speed_max", "rear_motor_speed_max", "direction"]
         }
@@ -57,10 +47,29 @@ pub(super) fn shows(id: &str) -> &'static [&'static str] {
         ],
         "D-41" | "D-42" => &["hyd_press_f", "hyd_press_r"],
         "D-43" => &["hyd_press_f", "hyd_press_r", "ebs_triggered"],
-        // The state machine.
-        _ => &["as_state"],
+        _ => match FLAGS.iter().position(|flag| own(flag) == id) {
+            Some(place) => std::slice::from_ref(&FLAGS[place]),
+            // The state machine.
+            None => &["as_state"],
+        },
     }
 }
+
+/// The flags of the faults.
+static FLAGS: [&str; Fault::ALL.len()] = {
+    let mut flags = [""; Fault::ALL.len()];
+    let mut count = 0;
+    let mut place = 0;
+    while place < SHOWN.len() {
+        if SHOWN[place].fault.is_some() {
+            flags[count] = SHOWN[place].key;
+            count += 1;
+        }
+        place += 1;
+    }
+    assert!(count == flags.len(), "each fault has a flag");
+    flags
+};
 
 /// The only state in which a requirement says anything of the outputs that it is about; `None`: in all of them.
 pub(super) fn only_in(id: &str) -> Option<AsState> {
@@ -76,6 +85,10 @@ pub(super) fn only_in(id: &str) -> Option<AsState> {
 
 /// The requirement that an output itself is: what is broken if it is wrong where nothing more special asks for it.
 pub(super) fn own(key: &str) -> &'static str {
+    let flag = SHOWN.iter().find(|field| field.key == key).and_then(|field| field.fault);
+    if let Some(fault) = flag {
+        return fault.requirement();
+    }
     match key {
         "handshake" => "MSG-42",
         "shutdown_request" => "MSG-43",
@@ -88,16 +101,6 @@ pub(super) fn own(key: &str) -> &'static str {
         "warning_status" => "MSG-51",
         "warn_batt_temp_high" => "MSG-52",
         "warn_batt_soc_low" => "MSG-53",
-        "ai_estop_request" => "MSG-54",
-        "hvil_open_fault" => "MSG-55",
-        "hvil_short_fault" => "MSG-56",
-        "ebs_fault" => "MSG-57",
-        "offboard_charger_fault" => "MSG-58",
-        "ai_comms_lost" => "MSG-59",
-        "autonomous_braking_fault" => "MSG-60",
-        "mission_status_fault" => "MSG-61",
-        "charge_procedure_fault" => "MSG-62",
-        "bms_fault" => "MSG-63",
         "shutdown_cause" => "MSG-64",
         "hyd_press_f" | "hyd_press_r" => "D-41",
         "ebs_triggered" => "D-43",
@@ -118,8 +121,7 @@ pub(super) const NO_ARROW: &str = "SM-18";
 
 #[cfg(test)]
 mod tests {
-    use super::{own, shows};
-    use crate::protocol::SHOWN;
+    use super::*;
 
     #[test]
     fn each_output_has_a_requirement_that_is_about_it() {

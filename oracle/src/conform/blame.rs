@@ -7,7 +7,7 @@
 //! - A wrong state of which no requirement of the test is, as in a random scenario, breaks those of the tests of the row of
 //!   Figure 2 that was not taken, or was.
 
-use adsdv_spec::{AsState, Machine};
+use adsdv_spec::{AsState, Edition, Machine};
 
 use super::about::{NO_ARROW, STATE_MACHINE, only_in, own, shows};
 use super::broken::{Row, Why, last_row, why};
@@ -42,7 +42,7 @@ impl Wrong {
         for (((_, outputs), step), reply) in shown.zip(replies.iter().skip(late)) {
             let different = match reply {
                 Reply::Answer(answer) => {
-                    let expected = Shown::of(&outputs, &step.inputs);
+                    let expected = Shown::of(machine.edition(), &outputs, &step.inputs);
                     let keys: Vec<_> = answer.differences(&expected).map(|one| one.key).collect();
                     Keys::of(&keys)
                 }
@@ -70,6 +70,7 @@ impl Wrong {
 /// Who is to blame for what.
 #[derive(Debug)]
 pub(super) struct Blame<'a> {
+    edition: Edition,
     /// Each alternative of a row that a test is of, and the requirements of that test.
     rows: Vec<(Row, &'a [String])>,
 }
@@ -79,7 +80,7 @@ impl<'a> Blame<'a> {
     pub(super) fn of(machine: &Machine, tests: &'a [Test]) -> Self {
         let rows = tests.iter().filter(|test| test.kind == Kind::Row);
         let of = |test: &'a Test| Some((last_row(machine, &test.scenario)?, test.requirements.as_slice()));
-        Self { rows: rows.filter_map(of).collect() }
+        Self { edition: *machine.edition(), rows: rows.filter_map(of).collect() }
     }
 
     /// The requirements that are broken in a scenario that names these.
@@ -99,7 +100,7 @@ impl<'a> Blame<'a> {
             unknown || (wrong.loses_the_state && about.has(STATE)) || wrong.keys.iter().any(by_output)
         };
         named.iter().filter(is_broken).for_each(|id| add(id));
-        let counted = || named.iter().filter(|id| !is_of_a_reading(id));
+        let counted = || named.iter().filter(|id| !is_of_a_reading(&self.edition, id));
         for (state, keys) in &wrong.keys {
             let is_told = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).contains(&key));
             keys.iter().filter(|key| !is_told(key)).for_each(|key| add(own(key)));
@@ -119,7 +120,7 @@ impl<'a> Blame<'a> {
         let of_rows = |is_it: &dyn Fn(&Row) -> bool| {
             let tests = || self.rows.iter().filter(|(row, _)| is_it(row)).map(|(_, ids)| *ids);
             let ids = tests().next().unwrap_or_default().iter();
-            let ids = ids.filter(|id| shows(id).contains(&STATE) && !is_of_a_reading(id));
+            let ids = ids.filter(|id| shows(id).contains(&STATE) && !is_of_a_reading(&self.edition, id));
             ids.filter(|id| tests().all(|ids| ids.contains(id))).map(String::as_str).collect::<Vec<_>>()
         };
         let ids = match why {
@@ -137,12 +138,10 @@ impl<'a> Blame<'a> {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::Edition;
-
     use super::*;
     use crate::suite;
 
-    const NOBODY: Blame<'_> = Blame { rows: Vec::new() };
+    const NOBODY: Blame<'_> = Blame { edition: Edition::V3_0, rows: Vec::new() };
 
     fn broken(named: &[&str], wrong: &Wrong) -> Vec<String> {
         let named: Vec<String> = named.iter().map(ToString::to_string).collect();
@@ -193,7 +192,8 @@ mod tests {
         for (row, ids) in &blame.rows {
             let lost = |why| Wrong { loses_the_state: true, state: Some(why), ..Wrong::default() };
             let not_taken = blame.broken(&[], &lost(Why::NotTaken(row.clone())));
-            let about_the_state = |id: &&String| shows(id).contains(&STATE) && !is_of_a_reading(id);
+            let about_the_state =
+                |id: &&String| shows(id).contains(&STATE) && !is_of_a_reading(&Edition::V3_0, id);
             let mut expected: Vec<String> = ids.iter().filter(about_the_state).cloned().collect();
             if expected.is_empty() {
                 expected.push(STATE_MACHINE.to_owned());

@@ -101,14 +101,15 @@ impl Break {
         for (step, reply) in replies.iter().take(late).enumerate() {
             if !reply.is_initial() {
                 let (_, outputs) = machine.step(&Control::INITIAL, &Inputs::default(), 0);
-                let differences = differences(reply, &Shown::of(&outputs, &Inputs::default()));
+                let differences =
+                    differences(reply, &Shown::of(machine.edition(), &outputs, &Inputs::default()));
                 let differences = differences.into_iter().filter(|found| found.key == "as_state").collect();
                 return Some(Self { step, about: 0, differences, why: Why::Shown(AsState::Off) });
             }
         }
         let shown = scenario.run(machine).zip(&scenario.steps).enumerate();
         for ((about, ((_, outputs), step)), reply) in shown.zip(replies.iter().skip(late)) {
-            let expected = Shown::of(&outputs, &step.inputs);
+            let expected = Shown::of(machine.edition(), &outputs, &step.inputs);
             if !reply.agrees(&expected) {
                 let differences = differences(reply, &expected);
                 return Some(Self {

@@ -4,6 +4,8 @@
 //! control state step together, and of those that do the same in its AS state only one steps: the arrows that leave
 //! the state and the readings that the step itself asks for decide what it does.
 
+use std::collections::HashMap;
+
 use adsdv_spec::{AsState, Choices, Control, Edition, Machine, Outputs, Reading, Readings, Taken};
 
 use super::set::Set;
@@ -11,24 +13,32 @@ use super::vcu::Reply;
 use crate::protocol::Shown;
 use crate::suite::{Scenario, Step};
 
-/// The readings that a step asks for by itself, wherever it begins. All others only choose and order the arrows.
-const ASKED: [Reading; 5] = [
-    Reading::FaultTrigger,
-    Reading::GoEdge,
-    Reading::GoSignal,
-    Reading::HandshakeActive,
-    Reading::PowerCycle,
-];
+/// The readings that a step asks for by itself where it begins in this state. All others only choose and order the arrows.
+fn asked(state: AsState) -> impl Iterator<Item = Reading> {
+    use Reading::{BmsFault, FaultTrigger, GoEdge, GoSignal, HandshakeActive, MessageWatch, PowerCycle};
+    let everywhere = [GoSignal, HandshakeActive, MessageWatch, BmsFault];
+    let there: &[Reading] = match state {
+        AsState::Off => &[GoEdge],
+        AsState::Ready => &[GoEdge, FaultTrigger, PowerCycle],
+        AsState::Driving => &[FaultTrigger, PowerCycle],
+        AsState::EmergencyBrake => &[],
+        AsState::Finished => &[PowerCycle],
+    };
+    everywhere.into_iter().chain(there.iter().copied())
+}
 
 /// Combinations of readings, ready to be held against answers.
 #[derive(Debug)]
 pub(super) struct Explain {
+    /// The questions that the edition leaves open.
+    questions: Vec<Reading>,
     /// The default readings.
     usual: Readings,
+    edition: Edition,
     readings: Vec<Readings>,
-    machines: Vec<Machine>,
-    /// By state: machines of which each stands for all that do the same in that state, and for whom.
-    classes: Vec<(AsState, Vec<(usize, Set)>)>,
+    /// By state: machines of which each stands for all that do the same in that state, and for whom. A machine for each
+    /// combination would take a hundred megabytes.
+    classes: Vec<(AsState, Vec<(Machine, Set)>)>,
 }
 
 impl Explain {
@@ -40,9 +50,14 @@ impl Explain {
 
     /// These combinations, the ones that are preferred first.
     pub(super) fn new(edition: &Edition, readings: Vec<Readings>) -> Self {
-        let machines: Vec<_> = readings.iter().map(|&answers| Machine::new(*edition, answers)).collect();
-        let classes = AsState::ALL.into_iter().map(|state| (state, classes(&machines, state))).collect();
-        Self { usual: edition.readings, readings, machines, classes }
+        let questions = edition.questions().collect();
+        let classes = classes(edition, &readings);
+        Self { questions, usual: edition.readings, edition: *edition, readings, classes }
+    }
+
+    /// The questions that the edition leaves open.
+    pub(super) fn questions(&self) -> &[Reading] {
+        &self.questions
     }
 
     /// How many questions these readings answer otherwise than the default ones do.
@@ -56,8 +71,8 @@ impl Explain {
     }
 
     /// The machine of a combination.
-    pub(super) fn machine(&self, combination: usize) -> Option<&Machine> {
-        self.machines.get(combination)
+    pub(super) fn machine(&self, combination: usize) -> Option<Machine> {
+        Some(Machine::new(self.edition, *self.readings.get(combination)?))
     }
 
     /// No combination.
@@ -93,15 +108,23 @@ impl Explain {
         let mut judged: Vec<(Outputs, bool)> = Vec::new();
         for (control, members) in groups {
             let classes = self.classes.iter().filter(|(state, _)| *state == control.state);
+            // Of many classes most do the same: what they have in common with the group is worked out once for all of these.
+            let mut alike: Vec<(Control, Set)> = Vec::new();
             for (machine, class) in classes.flat_map(|(_, classes)| classes) {
-                let Some(machine) = self.machines.get(*machine).filter(|_| class.meets(members)) else {
-                    continue;
-                };
-                let (next, outputs) = machine.step(control, &step.inputs, step.dt_ms);
-                if !right(&mut judged, &outputs, step, reply) {
+                if !class.meets(members) {
                     continue;
                 }
-                let those = class.and(members);
+                let (next, outputs) = machine.step(control, &step.inputs, step.dt_ms);
+                if !right(&mut judged, machine.edition(), &outputs, step, reply) {
+                    continue;
+                }
+                match alike.iter_mut().find(|(other, _)| *other == next) {
+                    Some((_, already)) => already.add(class),
+                    None => alike.push((next, class.clone())),
+                }
+            }
+            for (next, classes) in alike {
+                let those = classes.and(members);
                 match after.iter_mut().find(|(other, _)| *other == next) {
                     Some((_, already)) => already.add(&those),
                     None => after.push((next, those)),
@@ -113,36 +136,45 @@ impl Explain {
 }
 
 /// Whether an answer is right where a step has these outputs; each is judged once.
-fn right(judged: &mut Vec<(Outputs, bool)>, outputs: &Outputs, step: &Step, reply: &Reply) -> bool {
+fn right(
+    judged: &mut Vec<(Outputs, bool)>,
+    edition: &Edition,
+    outputs: &Outputs,
+    step: &Step,
+    reply: &Reply,
+) -> bool {
     let mut shown = *outputs;
     // What is shown depends on neither.
     (shown.taken, shown.from) = (None, outputs.state);
     if let Some((_, right)) = judged.iter().find(|(other, _)| *other == shown) {
         return *right;
     }
-    let right = reply.agrees(&Shown::of(outputs, &step.inputs));
+    let right = reply.agrees(&Shown::of(edition, outputs, &step.inputs));
     judged.push((shown, right));
     right
 }
 
-/// Machines of which each stands for all that do the same in a state, and for whom.
-fn classes(machines: &[Machine], state: AsState) -> Vec<(usize, Set)> {
+/// By state: machines of which each stands for all that do the same in that state, and for whom.
+fn classes(edition: &Edition, readings: &[Readings]) -> Vec<(AsState, Vec<(Machine, Set)>)> {
     type Same = (Vec<Taken>, Choices);
     let asked =
-        ASKED.iter().flat_map(|reading| reading.choices()).fold(Choices::NONE, |all, &one| all.with(one));
-    let mut found: std::collections::HashMap<Same, usize> = std::collections::HashMap::new();
-    let mut classes: Vec<(usize, Set)> = Vec::new();
-    for (place, machine) in machines.iter().enumerate() {
-        let same = (machine.arrows(state).collect(), machine.readings().choices().intersection(asked));
-        let class = *found.entry(same).or_insert_with(|| {
-            classes.push((place, Set::none(machines.len())));
-            classes.len() - 1
-        });
-        if let Some((_, members)) = classes.get_mut(class) {
-            members.insert(place);
+        |state| asked(state).flat_map(Reading::choices).fold(Choices::NONE, |all, &one| all.with(one));
+    let asked = AsState::ALL.map(|state| (state, asked(state)));
+    let mut found = asked.map(|(state, asked)| (state, asked, HashMap::<Same, usize>::new(), Vec::new()));
+    for (place, &answers) in readings.iter().enumerate() {
+        let machine = Machine::new(*edition, answers);
+        for (state, asked, found, classes) in &mut found {
+            let same = (machine.arrows(*state).collect(), machine.readings().choices().intersection(*asked));
+            let class = *found.entry(same).or_insert_with(|| {
+                classes.push((machine, Set::none(readings.len())));
+                classes.len() - 1
+            });
+            if let Some((_, members)) = classes.get_mut(class) {
+                members.insert(place);
+            }
         }
     }
-    classes
+    found.into_iter().map(|(state, _, _, classes)| (state, classes)).collect()
 }
 
 #[cfg(test)]
@@ -151,43 +183,56 @@ mod tests {
     use crate::conform::rng::Rng;
     use crate::conform::walker::Walker;
 
+    /// Every edition, and how many combinations of readings it has.
+    const EDITIONS: [(&Edition, usize); 2] = [(&Edition::V3_0, 3072), (&Edition::V4_0, 12288)];
+
     /// One machine of a class stands for all of it: at every step of walks through every state.
     #[test]
     fn machines_of_a_class_do_the_same() {
-        let explain = Explain::every(Edition::DEFAULT, Choices::ALL);
-        assert_eq!(explain.readings.len(), 3072);
-        assert_eq!(explain.readings[0], Readings::DEFAULT);
-        let mut steps = 0;
-        for seed in 0..24 {
-            let machine = &explain.machines[(seed * 257) % explain.machines.len()];
-            let scenario = Walker::new(machine, None, Rng::new(seed as u64, 0)).scenario();
-            let mut control = Control::INITIAL;
-            for Step { dt_ms, inputs } in &scenario.steps {
-                let (_, classes) = explain.classes.iter().find(|(state, _)| *state == control.state).unwrap();
-                for (first, members) in classes {
-                    let step = |machine: usize| explain.machines[machine].step(&control, inputs, *dt_ms);
-                    assert!(members.iter().all(|member| step(member) == step(*first)), "{control:?}");
+        for (edition, combinations) in EDITIONS {
+            let explain = Explain::every(edition, Choices::ALL);
+            assert_eq!(explain.readings.len(), combinations);
+            assert!(explain.readings.contains(&edition.readings));
+            let machines: Vec<Machine> =
+                (0..combinations).filter_map(|place| explain.machine(place)).collect();
+            let mut steps = 0;
+            for seed in 0..24 {
+                let machine = &machines[(seed * 257) % combinations];
+                let scenario = Walker::new(machine, None, Rng::new(seed as u64, 0)).scenario();
+                let mut control = Control::INITIAL;
+                for Step { dt_ms, inputs } in &scenario.steps {
+                    let of_state = explain.classes.iter().find(|(state, _)| *state == control.state);
+                    let (_, classes) = of_state.expect("each state has its classes");
+                    for (first, members) in classes {
+                        let step = |machine: &Machine| machine.step(&control, inputs, *dt_ms);
+                        let first = step(first);
+                        assert!(members.iter().all(|member| step(&machines[member]) == first), "{control:?}");
+                    }
+                    let all: usize = classes.iter().map(|(_, members)| members.iter().count()).sum();
+                    assert_eq!(all, combinations);
+                    control = machine.step(&control, inputs, *dt_ms).0;
+                    steps += 1;
                 }
-                assert_eq!(classes.iter().map(|(_, members)| members.iter().count()).sum::<usize>(), 3072);
-                control = machine.step(&control, inputs, *dt_ms).0;
-                steps += 1;
             }
+            assert!(steps > 300);
         }
-        assert!(steps > 300);
     }
 
     #[test]
     fn stepping_together_is_stepping_one_by_one() {
-        let explain = Explain::every(Edition::DEFAULT, Choices::ALL);
-        for seed in 0..10 {
-            let machine = &explain.machines[(seed * 1009) % explain.machines.len()];
-            let scenario = Walker::new(machine, None, Rng::new(seed as u64, 1)).scenario();
-            let shown: Vec<Shown> = scenario.shown(machine).collect();
-            let replies: Vec<Reply> = shown.iter().map(|&shown| Reply::from(shown)).collect();
-            let together = explain.explaining(&scenario, &replies, 0);
-            for (place, other) in explain.machines.iter().enumerate().step_by(7) {
-                let alone = scenario.shown(other).zip(&shown).all(|(a, b)| a == *b);
-                assert_eq!(together.has(place), alone, "{}", other.readings());
+        for (edition, combinations) in EDITIONS {
+            let explain = Explain::every(edition, Choices::ALL);
+            for seed in 0..10 {
+                let machine = explain.machine((seed * 1009) % combinations).expect("a combination");
+                let scenario = Walker::new(&machine, None, Rng::new(seed as u64, 1)).scenario();
+                let shown: Vec<Shown> = scenario.shown(&machine).collect();
+                let replies: Vec<Reply> = shown.iter().map(|&shown| Reply::from(shown)).collect();
+                let together = explain.explaining(&scenario, &replies, 0);
+                for place in (0..combinations).step_by(7) {
+                    let other = explain.machine(place).expect("a combination");
+                    let alone = scenario.shown(&other).zip(&shown).all(|(a, b)| a == *b);
+                    assert_eq!(together.has(place), alone, "{}", other.readings());
+                }
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Sets of outputs.
 
+use adsdv_spec::Edition;
+
 use super::vcu::Reply;
 use crate::protocol::SHOWN;
 
@@ -22,6 +24,12 @@ impl Keys {
             all.insert(key);
         }
         all
+    }
+
+    /// The outputs that an edition has.
+    pub(super) fn of_edition(edition: &Edition) -> Self {
+        let there = SHOWN.iter().map(|field| field.is_in(edition));
+        Self(there.enumerate().fold(0, |bits, (place, there)| bits | u64::from(there) << place))
     }
 
     /// Those that an answer tells of.

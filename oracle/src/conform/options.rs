@@ -7,7 +7,7 @@ use adsdv_spec::{Choices, Edition};
 /// How a program is judged.
 #[derive(Clone, Debug)]
 pub struct ConformOptions {
-    /// The version of the document.
+    /// The edition of the interface that the program is to be of.
     pub edition: Edition,
     /// The choices of readings that are allowed for.
     pub possible: Choices,
@@ -23,17 +23,31 @@ pub struct ConformOptions {
     pub shrinking: Duration,
 }
 
-impl Default for ConformOptions {
-    fn default() -> Self {
+impl ConformOptions {
+    /// How a program of an edition is judged where nobody asks for something else.
+    ///
+    /// ```
+    /// use adsdv_oracle::conform::ConformOptions;
+    /// use adsdv_spec::Edition;
+    /// assert_eq!(ConformOptions::of(&Edition::V3_0).possible, Edition::V3_0.choices);
+    /// ```
+    pub const fn of(edition: &Edition) -> Self {
         Self {
-            edition: *Edition::DEFAULT,
-            possible: Edition::DEFAULT.choices,
+            edition: *edition,
+            possible: edition.choices,
             latency: 0,
             cycle_ms: None,
             seed: 1,
             runs: 300,
             shrinking: Duration::from_secs(10),
         }
+    }
+}
+
+impl Default for ConformOptions {
+    /// Those of the [default edition](Edition::DEFAULT).
+    fn default() -> Self {
+        Self::of(Edition::DEFAULT)
     }
 }
 

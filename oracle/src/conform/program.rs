@@ -2,16 +2,19 @@
 
 use std::ffi::OsString;
 use std::io::Write as _;
+use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
+
+use adsdv_spec::Edition;
 
 use super::child::Process;
 use super::lines::{LineBuffer, Lines, Missing};
 use super::program_error::{Place, ProgramError, ProgramErrorKind, excerpt};
 use super::stderr::LastWords;
 use super::vcu::{Reply, Vcu};
-use crate::protocol::Request;
+use crate::protocol::{Protocol, Request, UNSAID};
 use crate::suite::Scenario;
 
 /// So many lines are sent before the answer to the first of them has come.
@@ -33,6 +36,8 @@ pub struct Program {
     limit: Option<(Instant, Duration)>,
     /// Whether `{}` is an answer to a step.
     late: bool,
+    /// What its answers may say.
+    protocol: Arc<Protocol>,
 }
 
 impl Program {
@@ -50,7 +55,17 @@ impl Program {
         // It ends with the requests, or with the program, which nobody writes to any more.
         thread::spawn(move || to_write.iter().try_for_each(|lines| stdin.write_all(&lines)));
         let (lines, last_words) = (Lines::of(stdout), LastWords::of(stderr));
-        Ok(Self { process, requests: Some(requests), lines, last_words, timeout, limit: None, late })
+        let protocol = Arc::new(Protocol::of(UNSAID));
+        Ok(Self {
+            process,
+            requests: Some(requests),
+            lines,
+            last_words,
+            timeout,
+            limit: None,
+            late,
+            protocol,
+        })
     }
 
     /// With a limit, from now on, for all that it is asked: one that is slow, and never too slow for an answer, ends as well.
@@ -74,13 +89,18 @@ impl Program {
     fn send(&self, scenario: &Scenario) -> usize {
         let mut lines = Vec::with_capacity(64 * (scenario.steps.len() + 1));
         for request in scenario.requests() {
-            // Writing to memory does not fail; and that the program has ended shows where its answer is missing.
-            let _ = writeln!(lines, "{request}");
+            // Writing to memory does not fail.
+            let _ = writeln!(lines, "{}", self.protocol.line(&request));
         }
+        self.write(lines);
+        scenario.steps.len() + 1
+    }
+
+    fn write(&self, lines: Vec<u8>) {
         if let Some(requests) = &self.requests {
+            // That the program has ended shows where its answer is missing.
             let _ = requests.send(lines);
         }
-        scenario.steps.len() + 1
     }
 
     /// The next line.
@@ -123,18 +143,34 @@ impl Program {
 
     /// What is wrong with the answer to a step of a scenario, or with that to the reset before it.
     fn trouble(&self, what: ProgramErrorKind, name: &str, scenario: &Scenario, step: usize) -> ProgramError {
-        let sent = scenario.requests().nth(step).as_ref().map(Request::to_string).unwrap_or_default();
+        let sent = scenario.requests().nth(step).map(|request| self.protocol.line(&request).to_string());
+        let sent = sent.unwrap_or_default();
         let place = Some(Box::new(Place { scenario: name.to_owned(), step, sent }));
         ProgramError { place, what, stderr: self.last_words.lines() }
     }
 }
 
 impl Vcu for Program {
+    /// One that is asked about [`UNSAID`] is told nothing: so programs that know no hello are judged as they always were.
+    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+        self.protocol = Arc::new(Protocol::of(edition));
+        if edition.version == UNSAID.version {
+            return Ok(());
+        }
+        let sent = Request::Hello { edition: edition.version.to_owned() }.to_string();
+        self.write(format!("{sent}\n").into_bytes());
+        self.line().and_then(|line| Reply::to_hello(line, edition)).map_err(|what| {
+            let place = Some(Box::new(Place { scenario: String::new(), step: 0, sent }));
+            ProgramError { place, what, stderr: self.last_words.lines() }
+        })
+    }
+
     fn ask(
         &mut self,
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
     ) -> Result<(), ProgramError> {
+        let protocol = Arc::clone(&self.protocol);
         let mut to_send = scenarios.iter();
         let mut in_flight = 0;
         let mut replies = Vec::new();
@@ -149,7 +185,7 @@ impl Vcu for Program {
             replies.clear();
             for step in 1..=scenario.steps.len() {
                 let late = self.late;
-                let reply = self.line().and_then(|line| Reply::to_step(line, late));
+                let reply = self.line().and_then(|line| Reply::to_step(line, late, &protocol));
                 replies.push(reply.map_err(|what| self.trouble(what, name, scenario, step))?);
             }
             in_flight -= scenario.steps.len() + 1;

@@ -22,7 +22,7 @@ pub struct ProgramError {
 /// The line of which the answer is wrong, or missing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The test, or the random scenario.
+    /// The test, or the random scenario; empty where it is the hello before all of them.
     pub scenario: String,
     /// The step, from 1; 0 is the reset before the first.
     pub step: usize,
@@ -60,6 +60,15 @@ pub enum ProgramErrorKind {
     TooLong(usize, String),
     /// It wrote a line that is not UTF-8.
     NotText(String),
+    /// It is of another edition than it was asked about, or says none.
+    OtherEdition {
+        /// The version that it was asked about.
+        asked: String,
+        /// What it says.
+        said: Option<String>,
+    },
+    /// It answered a hello with something else than an object.
+    NoHello(String, BadLine),
     /// It answered a step with something else than outputs.
     NoAnswer(String, BadLine),
     /// It answered a reset with something else than an object, or with outputs.
@@ -83,7 +92,12 @@ impl ProgramError {
 
     /// What to do, in one sentence.
     pub fn hint(&self) -> &'static str {
+        const HELLO: &str = "a program of this edition answers the hello with it, as oracle/PROTOCOL.md has it; for one of another edition name that with --edition";
+        if self.place.as_ref().is_some_and(|place| place.scenario.is_empty()) {
+            return HELLO;
+        }
         match &self.what {
+            ProgramErrorKind::OtherEdition { .. } | ProgramErrorKind::NoHello(..) => HELLO,
             ProgramErrorKind::NoStart(error) => match error.kind() {
                 io::ErrorKind::NotFound => {
                     "check the path, and put what the program is started with before it, such as: adsdv conform -- python3 vcu.py"
@@ -136,6 +150,7 @@ impl fmt::Display for ProgramError {
         write!(f, "{what}")?;
         if let Some(Place { scenario, step, sent }) = place.as_deref() {
             match step {
+                _ if scenario.is_empty() => {}
                 0 => write!(f, "\n  in        {scenario}, the reset")?,
                 step => write!(f, "\n  in        {scenario}, step {step}")?,
             }
@@ -157,10 +172,15 @@ impl ProgramErrorKind {
             Self::NotText(line)
             | Self::NoAnswer(line, _)
             | Self::NoReset(line, _)
+            | Self::NoHello(line, _)
             | Self::TooMany(line)
             | Self::TooLong(_, line) => Some(line),
             Self::Late(_, unfinished) => Some(unfinished).filter(|unfinished| !unfinished.is_empty()),
-            Self::NoStart(_) | Self::Ended(_) | Self::Closed | Self::OutOfTime(..) => None,
+            Self::NoStart(_)
+            | Self::Ended(_)
+            | Self::Closed
+            | Self::OutOfTime(..)
+            | Self::OtherEdition { .. } => None,
         }
     }
 }
@@ -204,6 +224,16 @@ impl fmt::Display for ProgramErrorKind {
                 write!(f, "a line of more than {limit} bytes; expected a JSON object on one line")
             }
             Self::NotText(_) => f.write_str("a line that is not UTF-8; expected a JSON object on one line"),
+            Self::OtherEdition { asked, said: Some(said) } => {
+                write!(f, "the program is of edition {said}; expected {asked}")
+            }
+            Self::OtherEdition { asked, said: None } => {
+                write!(
+                    f,
+                    "the program does not say that it is of edition {asked}; expected {{\"edition\":\"{asked}\"}}"
+                )
+            }
+            Self::NoHello(_, why) => write!(f, "not the answer to a hello: {why}"),
             Self::NoAnswer(_, why) => write!(f, "not the answer to a step: {why}"),
             Self::NoReset(_, Some(why)) => write!(f, "not the answer to a reset: {why}"),
             Self::NoReset(_, None) => f.write_str("not the answer to a reset: outputs; expected {}"),

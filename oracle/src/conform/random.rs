@@ -66,7 +66,7 @@ impl Run<'_> {
         let mut run = 0;
         while run < options.runs {
             let batch = BATCH.min(options.runs - run);
-            let Some(machine) = explain.machine(0).copied() else { break };
+            let Some(machine) = explain.machine(0) else { break };
             let scenarios: Vec<(String, Scenario)> = (run..run + batch)
                 .map(|run| {
                     let rng = Rng::new(options.seed, run.into());
@@ -95,14 +95,14 @@ impl Run<'_> {
                 let Some(machine) = alive.iter().next().and_then(|first| explain.machine(first)) else {
                     return;
                 };
-                let wrong = Wrong::find(machine, scenario, replies, suite.late);
+                let wrong = Wrong::find(&machine, scenario, replies, suite.late);
                 let requirements = blame.broken(&[], &wrong);
                 for id in &requirements {
                     if broken.iter().all(|(other, _)| other != id) {
                         broken.push((id.clone(), (*name).to_owned()));
                     }
                 }
-                let Some(found) = Break::find(machine, scenario, replies, suite.late) else { return };
+                let Some(found) = Break::find(&machine, scenario, replies, suite.late) else { return };
                 let mut all = told.iter().copied().chain(new.iter().map(|one| &one.found));
                 if !all.any(|one| one.is_like(&found)) {
                     new.push(New { place, replies: replies.to_vec(), found, requirements });

@@ -1,12 +1,12 @@
 //! What came of it all.
 
-use adsdv_spec::{Choice, Readings};
+use adsdv_spec::{Choice, Inputs, Readings};
 
 use super::broken::Break;
 use super::requirements::Requirement;
 use super::vcu::Reply;
 use super::verdict::Follows;
-use crate::protocol::{INPUTS, Shown, Value};
+use crate::protocol::{INPUTS, InputField, Shown, Value};
 use crate::suite::{Scenario, Step};
 
 /// Whether a program conforms, and all that is known of why and how.
@@ -96,7 +96,7 @@ pub struct Stretch {
 impl Failure {
     /// The scenario as what changed, step by step, up to the first wrong answer.
     pub fn timeline(&self) -> Vec<Stretch> {
-        let usual = Step { dt_ms: 0, inputs: adsdv_spec::Inputs::default() };
+        let usual = Step { dt_ms: 0, inputs: Inputs::default() };
         let late = self.found.as_ref().map_or(0, |found| found.step - found.about.min(found.step));
         let last = self.found.as_ref().map(|found| found.step);
         let mut moments: Vec<Stretch> = Vec::new();
@@ -104,15 +104,11 @@ impl Failure {
         let (mut before, mut handshake_only) = (&usual, 0);
         for (place, (step, reply)) in self.steps().zip(&self.replies).enumerate() {
             time_ms += u64::from(step.dt_ms);
-            let differs = |field: &&crate::protocol::InputField| {
-                (field.get)(&step.inputs) != (field.get)(&before.inputs)
-            };
+            let differs = |field: &&InputField| (field.get)(&step.inputs) != (field.get)(&before.inputs);
             let changes: Vec<_> = INPUTS
                 .iter()
                 .filter(differs)
-                .map(|field| {
-                    (field.key, Value { domain: field.domain, raw: Some((field.get)(&step.inputs)) })
-                })
+                .map(|field| (field.key, self.input(field, &step.inputs)))
                 .collect();
             let expected =
                 place.checked_sub(late).and_then(|about| self.expected.get(about)?.get("as_state"));
@@ -149,6 +145,14 @@ impl Failure {
             }
         }
         moments
+    }
+
+    /// A value of an input, in the words of what was expected.
+    fn input(&self, field: &InputField, inputs: &Inputs) -> Value {
+        match self.expected.first() {
+            Some(shown) => shown.input(field, inputs),
+            None => Value { domain: field.domain, raw: Some((field.get)(inputs)) },
+        }
     }
 
     /// The steps as they were asked for: a late program is asked for its last step until it has answered all.

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use adsdv_spec::Edition;
+
 use super::about::shows;
 use super::blame::Wrong;
 use super::keys::Keys;
@@ -62,8 +64,8 @@ pub(super) struct Ran {
 
 impl Ran {
     /// Whether the test told anything of a requirement that it names.
-    fn checks(&self, id: &str) -> bool {
-        let is_shown = || self.shown.has_all(Keys::of(shows(id)));
+    fn checks(&self, id: &str, edition: &Edition) -> bool {
+        let is_shown = || self.shown.has_all(Keys::of(shows(id)).and(Keys::of_edition(edition)));
         match &self.wrong {
             Some((_, broken)) if broken.iter().any(|other| other == id) => true,
             // It is about what follows a wrong state, of which nothing is told.
@@ -96,21 +98,26 @@ pub(super) fn ran(
 /// The requirements that tests name, and those that are broken besides, in the order of the document.
 ///
 /// `ran` tells what came of each test, if it was run; `random` names the first random scenario that breaks a requirement.
-pub(super) fn table(tests: &[Test], ran: &[Option<Ran>], random: &[(String, String)]) -> Vec<Requirement> {
+pub(super) fn table(
+    edition: &Edition,
+    tests: &[Test],
+    ran: &[Option<Ran>],
+    random: &[(String, String)],
+) -> Vec<Requirement> {
     let mut found: BTreeMap<&str, Requirement> = BTreeMap::new();
     for (test, ran) in tests.iter().zip(ran) {
-        for id in test.requirements.iter().filter(|id| !is_of_a_reading(id)) {
+        for id in test.requirements.iter().filter(|id| !is_of_a_reading(edition, id)) {
             let requirement = found.entry(id).or_insert_with(|| Requirement::new(id));
             requirement.tests += 1;
-            requirement.checked += usize::from(ran.as_ref().is_some_and(|ran| ran.checks(id)));
+            requirement.checked += usize::from(ran.as_ref().is_some_and(|ran| ran.checks(id, edition)));
         }
         for id in ran.iter().filter_map(|ran| ran.wrong.as_ref()).flat_map(|(_, broken)| broken) {
-            if !is_of_a_reading(id) {
+            if !is_of_a_reading(edition, id) {
                 found.entry(id).or_insert_with(|| Requirement::new(id)).failed.push(test.name.clone());
             }
         }
     }
-    for (id, name) in random.iter().filter(|(id, _)| !is_of_a_reading(id)) {
+    for (id, name) in random.iter().filter(|(id, _)| !is_of_a_reading(edition, id)) {
         found.entry(id).or_insert_with(|| Requirement::new(id)).failed.push(name.clone());
     }
     let mut found: Vec<Requirement> = found.into_values().collect();

@@ -53,6 +53,7 @@ pub(super) struct Run<'a> {
 impl Run<'_> {
     fn judge(&mut self, tests: &[Test]) -> Result<ConformReport, ProgramError> {
         let options = self.options;
+        self.vcu.hello(&options.edition)?;
         let suite = self.suite(tests, options.latency)?;
         let mut notes = self.later(tests, &suite)?;
         let blame = Blame::of(&Machine::new(options.edition, suite.judged_by()), tests);
@@ -78,11 +79,15 @@ impl Run<'_> {
             late,
             readings: in_random.readings.first().copied().unwrap_or_default(),
             follows,
-            requirements: requirements::table(tests, &ran, &in_random.broken),
+            requirements: requirements::table(&options.edition, tests, &ran, &in_random.broken),
             about_the_vcu: about_the_vcu(&options.edition).len(),
             failures,
             more_failures: more.len() + in_random.more.len(),
-            not_shown: SHOWN.iter().map(|field| field.key).filter(|key| !self.shown.has(key)).collect(),
+            not_shown: SHOWN
+                .iter()
+                .filter(|field| field.is_in(&options.edition) && !self.shown.has(field.key))
+                .map(|field| field.key)
+                .collect(),
             not_told,
             notes,
         })

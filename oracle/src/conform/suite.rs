@@ -1,6 +1,6 @@
 //! The tests of the suite, run, and the combinations of readings that explain them.
 
-use adsdv_spec::{Choice, Machine, Reading, Readings};
+use adsdv_spec::{Choice, Machine, Readings};
 
 use super::cycle::in_cycles;
 use super::explain::Explain;
@@ -179,6 +179,6 @@ fn needed(explain: &Explain, best: usize, explaining: &Set) -> Option<Vec<Choice
             .iter()
             .any(|place| explain.readings().get(place).is_some_and(|readings| readings.is(choice)))
     };
-    let needed = Reading::ALL.iter().filter(|&&reading| !allowed(best.choice(reading)));
+    let needed = explain.questions().iter().filter(|&&reading| !allowed(best.choice(reading)));
     Some(needed.flat_map(|reading| reading.choices()).copied().filter(|&choice| allowed(choice)).collect())
 }

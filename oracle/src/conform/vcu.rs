@@ -1,14 +1,19 @@
 //! What can be asked to step through scenarios.
 
 use adsdv_spec::messages::ShutdownCause;
-use adsdv_spec::{AsState, Machine};
+use adsdv_spec::{AsState, Edition, Machine};
 
 use super::program_error::{ProgramError, ProgramErrorKind, excerpt};
-use crate::protocol::{Answer, BadLine, Shown};
+use crate::protocol::{Answer, BadLine, Protocol, Shown};
 use crate::suite::Scenario;
 
 /// A VCU that is asked: a program, or a machine in this process.
 pub trait Vcu {
+    /// Is told, before anything else, which edition all that follows is about.
+    ///
+    /// Errors: it is of another one.
+    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError>;
+
     /// Steps through scenarios, each after a reset, and hands over the answers to all steps of each in turn.
     fn ask(
         &mut self,
@@ -33,12 +38,27 @@ pub enum Reply {
 }
 
 impl Reply {
+    /// The answer to a hello: whether the program is of the edition that it names.
+    ///
+    /// Errors: the line is no text, no object, or says another edition, or none.
+    pub fn to_hello(line: &[u8], edition: &Edition) -> Result<(), ProgramErrorKind> {
+        let line = text(line)?;
+        match Answer::edition(line) {
+            Ok(Some(said)) if said == edition.version => Ok(()),
+            Ok(said) => Err(ProgramErrorKind::OtherEdition {
+                asked: edition.version.to_owned(),
+                said: said.map(|said| excerpt(said.as_bytes())),
+            }),
+            Err(why) => Err(ProgramErrorKind::NoHello(excerpt(line.as_bytes()), why)),
+        }
+    }
+
     /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.
     ///
     /// Errors: the line is no text, or says no outputs.
-    pub fn to_step(line: &[u8], late: bool) -> Result<Self, ProgramErrorKind> {
+    pub fn to_step(line: &[u8], late: bool, protocol: &Protocol) -> Result<Self, ProgramErrorKind> {
         let line = text(line)?;
-        line.parse().map(Self::Answer).or_else(|why: BadLine| {
+        protocol.answer(line).map(Self::Answer).or_else(|why: BadLine| {
             if late && line.trim() == "{}" {
                 Ok(Self::Nothing)
             } else {
@@ -112,6 +132,15 @@ impl From<Shown> for Reply {
 pub struct InProcess(pub Machine);
 
 impl Vcu for InProcess {
+    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+        let own = self.0.edition().version;
+        if own == edition.version {
+            return Ok(());
+        }
+        let (asked, said) = (edition.version.to_owned(), Some(own.to_owned()));
+        Err(ProgramError::new(ProgramErrorKind::OtherEdition { asked, said }))
+    }
+
     fn ask(
         &mut self,
         scenarios: &[(&str, &Scenario)],
@@ -134,7 +163,8 @@ mod tests {
     #[test]
     fn a_line_is_the_answer_to_a_step_to_a_reset_or_none() {
         let off = b"{\"as_state\":\"AS_OFF\"}";
-        let step = |line: &[u8], late| Reply::to_step(line, late);
+        let protocol = Protocol::of(&Edition::V3_0);
+        let step = |line: &[u8], late| Reply::to_step(line, late, &protocol);
         assert_eq!(step(off, false).ok().and_then(|reply| reply.state()), Some(AsState::Off));
         assert!(matches!(step(b" {} \r", true), Ok(Reply::Nothing)));
         assert!(matches!(step(b"{}", false), Err(ProgramErrorKind::NoAnswer(line, _)) if line == "{}"));
@@ -146,6 +176,22 @@ mod tests {
         assert!(matches!(Reply::to_reset(off), Err(ProgramErrorKind::NoReset(_, None))));
         assert!(matches!(Reply::to_reset(b"ready"), Err(ProgramErrorKind::NoReset(_, Some(_)))));
         assert!(matches!(Reply::to_reset(&[0xFF]), Err(ProgramErrorKind::NotText(_))));
+    }
+
+    #[test]
+    fn a_hello_is_answered_with_the_edition_that_it_names() {
+        let named = |line: &[u8]| Reply::to_hello(line, &Edition { version: "test", ..Edition::V3_0 });
+        assert!(named(br#"{"edition":"test"}"#).is_ok());
+        for (line, other) in
+            [("{}", None), (r#"{"edition":"3.0"}"#, Some("3.0")), (r#"{"edition":4}"#, Some("4"))]
+        {
+            let Err(ProgramErrorKind::OtherEdition { asked, said }) = named(line.as_bytes()) else {
+                panic!("{line} is of another edition")
+            };
+            assert_eq!((asked.as_str(), said.as_deref()), ("test", other));
+        }
+        assert!(matches!(named(b"ready"), Err(ProgramErrorKind::NoHello(line, _)) if line == "ready"));
+        assert!(matches!(named(&[0xFF]), Err(ProgramErrorKind::NotText(_))));
     }
 
     #[test]
@@ -163,7 +209,9 @@ mod tests {
 
     #[test]
     fn only_as_off_can_come_before_the_first_step() {
-        let initial = |line: &[u8]| Reply::to_step(line, true).is_ok_and(|reply| reply.is_initial());
+        let protocol = Protocol::of(&Edition::V3_0);
+        let initial =
+            |line: &[u8]| Reply::to_step(line, true, &protocol).is_ok_and(|reply| reply.is_initial());
         assert!(initial(b"{}") && initial(b"{\"as_state\":\"AS_OFF\"}"));
         assert!(!initial(b"{\"as_state\":\"AS_READY\"}"));
     }

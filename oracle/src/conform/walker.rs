@@ -2,10 +2,10 @@
 //! nowhere, and sometimes a fault.
 
 use adsdv_spec::messages::{DirectionRequest, MissionStatus};
-use adsdv_spec::{AsState, Atom, Control, Inputs, Machine};
+use adsdv_spec::{AiSilence, AsState, Atom, Control, Inputs, Machine};
 
 use super::rng::Rng;
-use crate::protocol::{Domain, INPUTS};
+use crate::protocol::{Domain, Protocol};
 use crate::suite::{Scenario, Step};
 
 /// A scenario has so many moves at least, and at most twice as many.
@@ -16,13 +16,21 @@ const STEPS: usize = 20_000;
 const LEAD: usize = 55;
 /// Of a hundred of those so many to EMERGENCY_BRAKE.
 const BRAKE: usize = 18;
+/// More of them where more ways than so many lead there, as many as from AS_DRIVING in version 3.0.
+const WAYS: usize = 7;
 /// And so many more moves change an input.
 const CHANGE: usize = 30;
+/// Of a hundred moves so many begin with all messages there, if any was missing.
+const MESSAGES_COME: usize = 75;
+/// The part of the inputs that tells how long messages have been missing.
+const SILENCE: &str = "ai_silence";
 
 /// Someone who walks through the states of a machine.
 #[derive(Debug)]
 pub(super) struct Walker<'a> {
     machine: &'a Machine,
+    /// The values that the inputs may have.
+    protocol: Protocol,
     /// The time between two steps, if it is always the same.
     cycle_ms: Option<u32>,
     rng: Rng,
@@ -34,7 +42,8 @@ pub(super) struct Walker<'a> {
 impl<'a> Walker<'a> {
     pub(super) fn new(machine: &'a Machine, cycle_ms: Option<u32>, rng: Rng) -> Self {
         let (control, inputs) = (Control::INITIAL, Inputs::default());
-        Self { machine, cycle_ms, rng, control, inputs, steps: Vec::new() }
+        let protocol = Protocol::of(machine.edition());
+        Self { machine, protocol, cycle_ms, rng, control, inputs, steps: Vec::new() }
     }
 
     /// The steps of a whole walk.
@@ -43,6 +52,8 @@ impl<'a> Walker<'a> {
             if self.steps.len() >= STEPS {
                 break;
             }
+            self.messages_come();
+            self.drive_on();
             match self.rng.below(100) {
                 kind if kind < LEAD => self.lead(),
                 kind if kind < LEAD + CHANGE => self.change(),
@@ -50,6 +61,50 @@ impl<'a> Walker<'a> {
             }
         }
         Scenario { steps: self.steps }
+    }
+
+    /// Lets messages that are missed come again, as a rule: else hardly anything but AI_COMMS_LOST would be seen.
+    fn messages_come(&mut self) {
+        if self.inputs.ai_silence != AiSilence::default() && self.rng.percent(MESSAGES_COME) {
+            self.inputs.ai_silence = AiSilence::default();
+        }
+    }
+
+    /// Asks for FORWARD, as an AI Computer that drives does: else NEUTRAL at speed would hide what else ends AS_DRIVING. Where
+    /// brakes and messages end it too; the walks of version 3.0 stay what they are.
+    fn drive_on(&mut self) {
+        let hides =
+            self.control.state == AsState::Driving && self.machine.scope().has(Atom::BrakeRequestZero);
+        if hides && self.rng.percent(70) {
+            self.inputs.ai.status.direction_request = DirectionRequest::Forward;
+        }
+    }
+
+    /// Takes away what would lead to EMERGENCY_BRAKE first.
+    fn calm(&mut self) {
+        self.show(Atom::SdcOpen, false);
+        self.show(Atom::AiEstop, false);
+        for (atom, value) in
+            [(Atom::AiMessagesMissed, false), (Atom::BrakeRequestZero, true), (Atom::EbsUnavailable, false)]
+        {
+            if self.machine.scope().has(atom) {
+                self.show(atom, value);
+            }
+        }
+    }
+
+    /// One message has been missing for about as long as counts; false where the edition does not watch them.
+    fn miss_a_message(&mut self) -> bool {
+        let Some(limit) = self.machine.edition().rules.thresholds.missed_ms.map(i32::from) else {
+            return false;
+        };
+        let silences: Vec<_> =
+            self.protocol.inputs().map(|(field, _)| field).filter(|field| field.part == SILENCE).collect();
+        let around = [limit - 1, limit, limit, limit + 1];
+        if let (Some(field), Some(silence)) = (self.rng.pick(&silences), self.rng.pick(&around)) {
+            (field.set)(&mut self.inputs, silence);
+        }
+        true
     }
 
     /// Does what one of the arrows asks for.
@@ -64,12 +119,12 @@ impl<'a> Walker<'a> {
         // What leads on is left for AS_OFF only at times.
         let on: Vec<_> = calm.iter().copied().filter(|(to, _)| *to != AsState::Off).collect();
         let calm = if on.is_empty() || self.rng.percent(12) { calm } else { on };
+        let often = BRAKE.max(BRAKE * brake.len() / WAYS);
         let from =
-            if calm.is_empty() || (self.rng.percent(BRAKE) && !brake.is_empty()) { &brake } else { &calm };
+            if calm.is_empty() || (self.rng.percent(often) && !brake.is_empty()) { &brake } else { &calm };
         let Some((to, term)) = self.rng.pick(from) else { return self.change() };
         if to != AsState::EmergencyBrake {
-            self.show(Atom::SdcOpen, false);
-            self.show(Atom::AiEstop, false);
+            self.calm();
         }
         term.literals().for_each(|(atom, value)| self.show(atom, value));
         if term.on.has(Atom::MissionFinishedEdge) {
@@ -100,10 +155,18 @@ impl<'a> Walker<'a> {
                 self.inputs.ai.status.mission_status = MissionStatus::Running;
             }
         }
-        if term.on.has(Atom::AiCommsLost) {
+        let messages = term.on.has(Atom::AiCommsLost)
+            && self.machine.scope().has(Atom::AiMessagesMissed)
+            && self.rng.percent(50)
+            && self.miss_a_message();
+        if messages {
+            self.inputs.tsms = true;
+            self.step(10, true);
+        } else if term.on.has(Atom::AiCommsLost) {
             self.inputs.tsms = true;
             self.step(10, false);
-            let dt_ms = self.rng.pick(&[49, 50, 50, 51]).unwrap_or(50);
+            let limit = u32::from(self.machine.edition().rules.timing.handshake_ms);
+            let dt_ms = self.rng.pick(&[limit.saturating_sub(1), limit, limit, limit + 1]).unwrap_or(limit);
             self.step(dt_ms, false);
         } else {
             let dt_ms = self.rng.pick(&[10, 10, 10, 0, 1, 20]).unwrap_or(10);
@@ -114,25 +177,35 @@ impl<'a> Walker<'a> {
     /// Changes an input: seldom to a fault.
     fn change(&mut self) {
         let faults = self.rng.percent(15);
-        let fields: Vec<_> = INPUTS
-            .iter()
-            .filter(|field| field.key != "handshake")
-            .filter(|field| {
+        let fields: Vec<_> = self
+            .protocol
+            .inputs()
+            .filter(|(field, _)| field.key != "handshake")
+            .filter(|(field, _)| {
                 faults || !(matches!(field.part, "sdc" | "reports") || field.key == "estop_request")
             })
             .collect();
         for _ in 0..=self.rng.below(3) {
-            let Some(field) = self.rng.pick(&fields) else { return };
-            let raw = match field.domain {
+            let Some((field, domain)) = self.rng.pick(&fields) else { return };
+            let raw = match domain {
                 Domain::Flag => i32::from(self.rng.percent(if faults { 50 } else { 75 })),
                 Domain::Names(names) => self.rng.pick(names).map_or(0, |(raw, _)| raw),
+                Domain::Number { .. } if field.part == SILENCE => self.silence(),
                 Domain::Number { min, max } => self.number(min, max),
             };
             // What is out of its range changes nothing.
-            (field.set)(&mut self.inputs, raw);
+            if domain.has(raw) {
+                (field.set)(&mut self.inputs, raw);
+            }
         }
         let answers = self.rng.percent(95);
         self.step(10, answers);
+    }
+
+    /// How long a message has been missing: mostly not at all, then about as long as counts.
+    fn silence(&mut self) -> i32 {
+        let limit = self.machine.edition().rules.thresholds.missed_ms.map_or(0, i32::from);
+        self.rng.pick(&[0, 0, 0, 0, 0, 1, limit - 1, limit - 1, limit, limit + 1]).unwrap_or(0)
     }
 
     /// A number of a field: mostly one where something begins to count.
@@ -207,7 +280,7 @@ mod tests {
     use std::fmt::Write as _;
     use std::hash::Hasher as _;
 
-    use adsdv_spec::{Choices, Edition, Readings};
+    use adsdv_spec::{Edition, Readings};
     use expect_test::expect;
     use fnv::FnvHasher;
 
@@ -216,13 +289,18 @@ mod tests {
 
     #[test]
     fn every_state_and_every_row_is_visited_often() {
-        let machine = Machine::REFERENCE;
+        for edition in Edition::ALL {
+            visits(&Machine::new(**edition, edition.readings));
+        }
+    }
+
+    fn visits(machine: &Machine) {
         for cycle_ms in [None, Some(10)] {
             let (mut states, mut rows) = (HashMap::new(), HashMap::new());
-            for run in 0..300 {
-                let scenario = Walker::new(&machine, cycle_ms, Rng::new(1, run)).scenario();
+            for run in 0..500 {
+                let scenario = Walker::new(machine, cycle_ms, Rng::new(1, run)).scenario();
                 let mut last = AsState::Off;
-                for (control, outputs) in scenario.run(&machine) {
+                for (control, outputs) in scenario.run(machine) {
                     if control.state != last {
                         *states.entry(control.state).or_insert(0) += 1;
                     }
@@ -234,6 +312,7 @@ mod tests {
             }
             let terms = AsState::ALL.iter().flat_map(|&state| machine.arrows(state));
             let never: Vec<_> = terms
+                .filter(|taken| !is_never_first(machine, *taken))
                 .filter(|taken| rows.get(&(taken.row, taken.term)).is_none_or(|&count| count < 5))
                 .collect();
             assert!(never.is_empty(), "{cycle_ms:?}: {never:?}: {rows:?}");
@@ -241,6 +320,37 @@ mod tests {
                 states.len() == 5 && states.values().all(|&count| count > 60),
                 "{cycle_ms:?}: {states:?}"
             );
+        }
+    }
+
+    /// Whether an alternative stands behind one of the same row that holds whenever it does: by default a fault of the battery
+    /// opens the circuit.
+    fn is_never_first(machine: &Machine, taken: adsdv_spec::Taken) -> bool {
+        let table = &machine.edition().rules.table;
+        taken.term(table).is_some_and(|term| term.on == adsdv_spec::Atoms::of(&[Atom::BmsFault]))
+    }
+
+    /// What version 4.0 has and 3.0 has not is met often, and does not drown everything else.
+    #[test]
+    fn each_fault_that_ends_driving_is_met_often_and_none_drowns_the_others() {
+        let machine = Machine::new(Edition::V4_0, Edition::V4_0.readings);
+        let mut causes = HashMap::new();
+        for run in 0..1000 {
+            let scenario = Walker::new(&machine, None, Rng::new(1, run)).scenario();
+            let mut last = AsState::Off;
+            for (control, outputs) in scenario.run(&machine) {
+                if control.state == AsState::EmergencyBrake && last == AsState::Driving {
+                    *causes.entry(outputs.shutdown_cause).or_insert(0) += 1;
+                }
+                last = control.state;
+            }
+        }
+        let all: usize = causes.values().sum();
+        let table = &machine.edition().rules.table;
+        let faults = machine.arrows(AsState::Driving).filter_map(|taken| taken.term(table)?.fault);
+        for fault in faults {
+            let times = causes.get(&fault.cause()).copied().unwrap_or(0);
+            assert!(times >= 5 && times * 2 < all, "{fault}: {times} of {all}: {causes:?}");
         }
     }
 
@@ -263,7 +373,7 @@ mod tests {
     /// What is found with a seed is found with it again, on every machine: another walk is a change that people are told of.
     #[test]
     fn the_walks_of_a_seed_are_these() {
-        let readings = Choices::ALL.iter().fold(Readings::DEFAULT, Readings::with);
+        let readings = Edition::V3_0.choices.iter().fold(Readings::DEFAULT, Readings::with);
         let other = Machine::new(*Edition::DEFAULT, readings);
         let mut told = String::new();
         for (machine, cycle_ms) in

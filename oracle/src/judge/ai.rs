@@ -5,7 +5,8 @@ use adsdv_spec::{AsState, Atom, Atoms, Fault, Truth};
 
 use super::events::{Pending, PendingKind, milliseconds};
 use super::finding::{Finding, Party, Rule, Severity};
-use super::{AI_STATUS, Judge, STATUS, scope};
+use super::scope::scope;
+use super::{AI_STATUS, Judge, STATUS};
 
 /// What the judge keeps of the AI Computer.
 #[derive(Debug, Default)]
@@ -16,6 +17,8 @@ pub(super) struct AiSide {
     /// Since when requests hold the vehicle in AS_READY.
     held_since: Option<i64>,
     held_reported: bool,
+    /// Whether the AI Computer asks for torque and for brakes at once, as far as that is reported or looked at.
+    pub(super) brakes_and_drives: bool,
 }
 
 impl AiSide {
@@ -24,6 +27,7 @@ impl AiSide {
         self.at_speed = [false; 2];
         self.held_since = None;
         self.held_reported = false;
+        self.brakes_and_drives = false;
     }
 }
 
@@ -176,7 +180,7 @@ impl Judge {
     }
 
     /// Whether, under some reading, the condition of this fault is true.
-    fn does(&self, fault: Fault) -> Truth {
+    pub(super) fn does(&self, fault: Fault) -> Truth {
         let terms = self.variants.terms(AsState::Driving).iter().filter(|term| term.fault == Some(fault));
         terms.fold(Truth::False, |any, term| any.or(term.truth(self.known)))
     }
@@ -231,7 +235,7 @@ impl Judge {
     }
 
     /// Whether the VCU may have left AS_DRIVING before `t` in a frame that is missing from the log.
-    fn left_driving_unseen(&self, t: i64) -> bool {
+    pub(super) fn left_driving_unseen(&self, t: i64) -> bool {
         self.vcu.left.is_some_and(|left| left.gap && left.before <= t && t <= left.at)
     }
 

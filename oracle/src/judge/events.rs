@@ -6,7 +6,7 @@ use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::history::Moment;
 use super::transitions::SeenChange;
-use super::{Judge, SILENCE_NS, STATUS, scope};
+use super::{Judge, SILENCE_NS, STATUS};
 
 /// Something that can only be judged once the window behind it has passed.
 #[derive(Clone, Debug)]
@@ -30,6 +30,8 @@ pub(super) enum PendingKind {
     Edge(Suspect),
     /// The AI Computer did what section 3.7 forbids while moving.
     AtSpeed(Fault),
+    /// The AI Computer asks for torque and for brakes at once.
+    Both,
     /// Something changed, and this is the condition that the change counts.
     Change(Atom),
 }
@@ -163,6 +165,7 @@ impl Judge {
         self.history.clear();
         self.vcu = super::VcuSide::default();
         self.handshake = super::Watch::default();
+        self.missed = super::missed::Missed::default();
         self.meter = super::Meter::default();
         self.due = None;
         for slot in &mut self.slots {
@@ -236,12 +239,13 @@ impl Judge {
         if index == STATUS {
             self.vcu.gap_since = Some(t);
             self.handshake.vcu_gone();
+            self.missed.vcu_gone();
             self.update_comms(t);
         } else if index == super::AI_STATUS {
             self.handshake.ai_gone();
             self.update_comms(t);
         }
-        self.learn(t, self.known.forget(scope(index)));
+        self.learn(t, self.known.forget(self.scope(index)));
     }
 
     /// The end of the log, or of a recording in it: judges what is open with what there is.
@@ -258,6 +262,7 @@ impl Judge {
             PendingKind::Flag(fault) => self.judge_flag(pending, *fault, now),
             PendingKind::Edge(suspect) => self.judge_edge(pending.t, *suspect),
             PendingKind::AtSpeed(fault) => self.judge_at_speed(pending, *fault, now),
+            PendingKind::Both => self.judge_both(pending, now),
             PendingKind::Change(edge) => self.judge_change(pending, *edge, now),
         }
     }
@@ -283,10 +288,10 @@ impl Judge {
         let seen = |end| if now < end { Knowledge::NOTHING } else { self.history.throughout(start, end) };
         let mut known = seen(end);
         for (index, slot) in self.slots.iter().enumerate() {
-            if self.is_slow(slot) && !scope(index).is_empty() {
+            if self.is_slow(slot) && !self.scope(index).is_empty() {
                 let both = known.meet(seen(end + slot.period * 2));
-                let certain = scope(index).intersection(both.on().union(both.off()));
-                known = known.forget(scope(index)).learn(certain, both.on());
+                let certain = self.scope(index).intersection(both.on().union(both.off()));
+                known = known.forget(self.scope(index)).learn(certain, both.on());
             }
         }
         known
@@ -299,11 +304,10 @@ impl Judge {
 
     /// How long to wait until all that decides these atoms in a window has been seen.
     pub(super) fn wait_for(&self, atoms: Atoms) -> i64 {
-        let slow = self
-            .slots
-            .iter()
-            .enumerate()
-            .filter(|&(index, slot)| self.is_slow(slot) && !scope(index).intersection(atoms).is_empty());
+        let slow =
+            self.slots.iter().enumerate().filter(|&(index, slot)| {
+                self.is_slow(slot) && !self.scope(index).intersection(atoms).is_empty()
+            });
         // Half a period more than is looked at: what is known of the period may change meanwhile.
         self.window + slow.map(|(_, slot)| slot.period * 5 / 2).max().unwrap_or(0)
     }

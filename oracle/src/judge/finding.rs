@@ -106,6 +106,10 @@ rules! {
     FinishedMoving = "finished-while-moving";
     /// The AI Computer requested NEUTRAL while the vehicle was moving.
     NeutralMoving = "neutral-while-moving";
+    /// The AI Computer asked for torque and for brakes at once.
+    BrakeAndTorque = "brake-and-torque";
+    /// A message of the AI Computer did not come for too long.
+    MessageMissed = "message-missed";
     /// Requests that are not zero hold the vehicle in `AS_READY`.
     ReadyHeld = "ready-held";
     /// A signal has a value outside its range or its enumeration.
@@ -120,6 +124,8 @@ rules! {
     Reserved = "reserved-identifier";
     /// A message came from the wrong side.
     Sender = "wrong-sender";
+    /// What does not fit the edition that was recognised.
+    Edition = "edition";
     /// 502h shows another AS state than 520h.
     AssiDiffers = "assi-differs";
     /// A line of the log could not be read.

@@ -44,8 +44,13 @@ pub(super) struct AssiSuspect {
 }
 
 /// The faults whose conditions the bus shows.
-const VISIBLE: [Fault; 4] =
-    [Fault::AiComputerRequest, Fault::AiCommsFault, Fault::AutonomousBrakingFault, Fault::MissionStatusFault];
+const VISIBLE: [Fault; 5] = [
+    Fault::AiComputerRequest,
+    Fault::AiCommsFault,
+    Fault::AutonomousBrakingFault,
+    Fault::MissionStatusFault,
+    Fault::BrakePlausibilityFault,
+];
 
 impl Judge {
     fn vcu_violation(&mut self, t_ns: i64, section: &'static str, rule: Rule, message: String) {
@@ -65,9 +70,14 @@ impl Judge {
         let (shown, shown_before) = (Faults::shown_by(status), Faults::shown_by(previous));
         for fault in VISIBLE {
             if shown.has(fault) && !shown_before.has(fault) {
-                self.suspend(t, self.wait_for(super::ai::AT_SPEED_ATOMS), before, PendingKind::Flag(fault));
+                let deciding = match fault {
+                    Fault::BrakePlausibilityFault => super::plausible::REQUESTS,
+                    _ => super::ai::AT_SPEED_ATOMS,
+                };
+                self.suspend(t, self.wait_for(deciding), before, PendingKind::Flag(fault));
                 if fault == Fault::AiCommsFault {
                     self.ai_was_silent(t);
+                    self.judge_missed(t);
                 }
             }
         }
@@ -228,6 +238,11 @@ impl Judge {
         let rules = &self.edition.rules;
         let (section, why) = match (fault, missing) {
             (Fault::AiCommsFault, _) if off => ("2.4", rules.text(Atom::Tsms, false).to_string()),
+            (Fault::AiCommsFault, _) if rules.thresholds.missed_ms.is_some() => (
+                "2.4",
+                "the AI Computer answers the handshake in time, and none of its messages is missed"
+                    .to_owned(),
+            ),
             (Fault::AiCommsFault, _) => ("2.4", "the AI Computer answers the handshake in time".to_owned()),
             (Fault::AiComputerRequest, _) => {
                 ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
@@ -261,8 +276,8 @@ impl Judge {
         let tsms = self.known.of(Atom::Tsms);
         let pinned = self.pinned(Reading::HandshakeActive);
         let raised = self.vcu.shows_comms_lost() && is_active(self.vcu.state);
-        let truth = match (tsms, pinned) {
-            _ if raised => Truth::True,
+        let missed = self.is_missed(t);
+        let unanswered = match (tsms, pinned) {
             (Truth::True, _) | (_, Some(Choice::HandshakeAlways)) => {
                 self.handshake.lost(t, limit, self.window)
             }
@@ -272,14 +287,19 @@ impl Judge {
                 _ => Truth::Unknown,
             },
         };
+        let truth = if raised { Truth::True } else { unanswered.or(missed) };
         if truth != self.known.of(Atom::AiCommsLost) {
             self.learn(t, self.known.set(Atom::AiCommsLost, truth));
         }
         self.wake_at(self.comms_event());
     }
 
-    /// When an unanswered edge changes what is known.
+    /// When an unanswered edge, or a message that is silent, changes what is known.
     pub(super) fn comms_event(&self) -> i64 {
+        self.edge_event().min(self.missed_event())
+    }
+
+    fn edge_event(&self) -> i64 {
         let limit = self.handshake_limit();
         let Some(edge) = self.handshake.edge_at().filter(|_| !self.handshake.is_answered()) else {
             return i64::MAX;
@@ -302,6 +322,7 @@ impl Judge {
             self.report_ai_late(t, Severity::Violation);
         }
         self.ai_was_silent(t);
+        self.judge_missed(t);
     }
 
     /// 520h shows the same handshake bit as before: has it been so for too long?

@@ -41,20 +41,24 @@ mod handshake;
 mod history;
 mod lenient;
 mod loss;
+mod missed;
 mod options;
 mod output;
+mod plausible;
 mod response;
+mod scope;
 mod slots;
 mod status;
+mod steer;
 mod transitions;
 mod values;
 mod variants;
 
 use adsdv_spec::messages::{
-    Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MessageDef, Node, Vcu2AiStatus, Vcu2AiSteer,
-    Vcu2AiWheelSpeeds, Vcu2LogStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MessageDef, Node, Vcu2AiBrake,
+    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Atom, Atoms, Edition, Knowledge, Reading};
+use adsdv_spec::{AsState, Atoms, Edition, Knowledge, Reading};
 
 pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
 pub use options::JudgeOptions;
@@ -64,6 +68,7 @@ use events::Pending;
 use handshake::Watch;
 use history::History;
 use output::Output;
+use scope::{AI_SCOPE, Shown};
 use slots::{Slot, SlotOf, slot_of};
 use status::VcuSide;
 use variants::Variants;
@@ -77,31 +82,13 @@ const SILENCE_NS: i64 = 500 * MS;
 const STATUS: usize = slot_of(Vcu2AiStatus::ID);
 const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
 const STEER: usize = slot_of(Vcu2AiSteer::ID);
+const BRAKE: usize = slot_of(Vcu2AiBrake::ID);
 const WHEEL_SPEEDS: usize = slot_of(Vcu2AiWheelSpeeds::ID);
 const AI_STATUS: usize = slot_of(Ai2VcuStatus::ID);
 const AI_DRIVE_F: usize = slot_of(Ai2VcuDriveF::ID);
 const AI_DRIVE_R: usize = slot_of(Ai2VcuDriveR::ID);
 const AI_STEER: usize = slot_of(Ai2VcuSteer::ID);
-
-/// The atoms that a message shows to the judge.
-const fn scope(slot: usize) -> Atoms {
-    match slot {
-        STATUS => Vcu2AiStatus::SCOPE.with(Atom::GoOn),
-        LOG_STATUS => Vcu2LogStatus::SCOPE,
-        STEER => adsdv_spec::messages::SteerAngle::SCOPE,
-        WHEEL_SPEEDS => Vcu2AiWheelSpeeds::SCOPE,
-        // The handshake bit is no condition of any guard; it has a watch of its own.
-        AI_STATUS => Ai2VcuStatus::SCOPE.without(Atom::AiHandshake),
-        AI_DRIVE_F => Ai2VcuDriveF::SCOPE,
-        AI_DRIVE_R => Ai2VcuDriveR::SCOPE,
-        AI_STEER => Ai2VcuSteer::SCOPE,
-        _ => Atoms::NONE,
-    }
-}
-
-/// The atoms that the AI Computer's messages show.
-const AI_SCOPE: Atoms =
-    scope(AI_STATUS).union(scope(AI_DRIVE_F)).union(scope(AI_DRIVE_R)).union(scope(AI_STEER));
+const AI_BRAKE: usize = slot_of(Ai2VcuBrake::ID);
 
 /// The judge of one log, or of one live bus.
 #[derive(Debug)]
@@ -116,10 +103,12 @@ pub struct Judge {
 
     slot_of: SlotOf,
     slots: [Slot; slots::COUNT],
+    shown: Shown,
     known: Knowledge,
     history: History,
     vcu: VcuSide,
     handshake: Watch,
+    missed: missed::Missed,
     meter: Meter,
     /// When what is known of lost communication was last brought up to date.
     comms_known_at: i64,
@@ -165,10 +154,12 @@ impl Judge {
             deadline: i64::from(options.deadline_ms) * MS,
             slot_of: SlotOf::new(&edition.bus),
             slots: Slot::all(&edition.bus),
+            shown: Shown::new(&edition),
             known: Knowledge::NOTHING,
             history: History::new(),
             vcu: VcuSide::default(),
             handshake: Watch::default(),
+            missed: missed::Missed::default(),
             meter: Meter::default(),
             comms_known_at: 0,
             ai: ai::AiSide::default(),
@@ -220,6 +211,7 @@ impl Judge {
         } else if index == LOG_STATUS {
             self.assi_repeated(t);
         }
+        self.ends_silence(index, t);
     }
 
     /// The edition of the interface that is judged by.

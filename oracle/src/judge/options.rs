@@ -1,6 +1,6 @@
 //! What the judge may assume.
 
-use adsdv_spec::{Choices, Edition};
+use adsdv_spec::{Choices, Edition, Reading};
 
 /// How the judge looks at a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +15,47 @@ pub struct JudgeOptions {
     pub readings: Choices,
 }
 
+impl JudgeOptions {
+    /// How a bus of an edition is judged where nobody asks for something else.
+    ///
+    /// ```
+    /// use adsdv_oracle::judge::JudgeOptions;
+    /// use adsdv_spec::Edition;
+    /// assert_eq!(JudgeOptions::of(&Edition::V3_0).readings, Edition::V3_0.choices);
+    /// ```
+    pub const fn of(edition: &'static Edition) -> Self {
+        Self { edition, window_ms: 30, deadline_ms: 50, readings: edition.choices }
+    }
+
+    /// The same for a bus of another edition. Questions that were answered stay answered where the edition has that answer; all
+    /// others are as open as the edition leaves them.
+    ///
+    /// ```
+    /// use adsdv_oracle::judge::JudgeOptions;
+    /// use adsdv_spec::{Choice, Edition};
+    ///
+    /// let before = JudgeOptions::of(&Edition::V3_0);
+    /// assert_eq!(before.under(&Edition::V4_0), JudgeOptions::of(&Edition::V4_0));
+    /// let pinned = JudgeOptions { readings: before.readings.pin(Choice::CommsDriving), ..before };
+    /// assert!(!pinned.under(&Edition::V4_0).readings.has(Choice::CommsEveryState));
+    /// ```
+    #[must_use]
+    pub fn under(self, edition: &'static Edition) -> Self {
+        let mut readings = edition.choices;
+        for &reading in Reading::ALL {
+            let of = |choices: Choices| choices.intersection(Choices::of(reading.choices()));
+            let possible = of(self.readings.intersection(edition.choices));
+            if of(self.readings) != of(self.edition.choices) && !possible.is_empty() {
+                readings = readings.difference(of(edition.choices)).union(possible);
+            }
+        }
+        Self { edition, readings, ..self }
+    }
+}
+
 impl Default for JudgeOptions {
+    /// Those of the [default edition](Edition::DEFAULT).
     fn default() -> Self {
-        Self { edition: Edition::DEFAULT, window_ms: 30, deadline_ms: 50, readings: Choices::ALL }
+        Self::of(Edition::DEFAULT)
     }
 }

@@ -1,7 +1,7 @@
 //! What the VCU shows in 520h, and what the judge keeps of it.
 
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
-use adsdv_spec::{AsState, Atom, Atoms, Choice, Faults, Knowledge, Reading, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Choice, Fault, Faults, Knowledge, Reading, Truth};
 
 use super::events::PendingKind;
 use super::flags::{CauseWatch, Sums};
@@ -65,6 +65,7 @@ impl Judge {
     pub(super) fn status_repeated(&mut self, t: i64) {
         self.due_at_status(t);
         self.comms_due(t);
+        self.missed_due(t);
         self.flags_over_time(t);
     }
 
@@ -143,7 +144,12 @@ impl Judge {
         } else {
             self.vcu.opening = Faults::NONE;
         }
-        let open = if self.vcu.opening.is_empty() { Truth::Unknown } else { Truth::True };
+        // Where a fault of the battery may act by itself, it does not tell that the circuit is open.
+        let by_itself = self.options.readings.has(Choice::BmsDriving);
+        let opening = if by_itself { self.vcu.opening.without(Fault::BmsFault) } else { self.vcu.opening };
+        let certain = |holds| if holds { Truth::True } else { Truth::Unknown };
+        let battery = certain(by_itself && self.vcu.opening.has(Fault::BmsFault));
+        let open = certain(!opening.is_empty());
         self.vcu.braked |=
             status.shutdown_cause != ShutdownCause::NoShutdown || new_state == Some(AsState::EmergencyBrake);
         let power_cycle = match (self.vcu.braked, self.pinned(Reading::PowerCycle)) {
@@ -156,6 +162,7 @@ impl Judge {
             .learn(readable.intersection(Vcu2AiStatus::SCOPE), status.atoms())
             .set(Atom::GoOn, go_on)
             .set(Atom::SdcOpen, open)
+            .set(Atom::BmsFault, battery)
             .set(Atom::PowerCycleNeeded, power_cycle);
         let go_before = previous.filter(|_| !gap).map(|p| p.go_signal);
         let edge = self.go_edge(t, known, go_before, status.go_signal, raw, new_state);

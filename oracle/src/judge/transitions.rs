@@ -6,7 +6,7 @@ use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Rules, Ter
 use super::events::{Pending, PendingKind};
 use super::finding::{Finding, Party, Rule, Severity, Transition};
 use super::variants::{Guard, Variant};
-use super::{Judge, LOG_STATUS, SILENCE_NS, scope};
+use super::{Judge, LOG_STATUS, SILENCE_NS};
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
@@ -41,9 +41,14 @@ impl Due {
 
 /// Behind a silence of that length no state is known: none that has to last fits into a gap.
 const _: () = {
-    let timing = adsdv_spec::Edition::DEFAULT.rules.timing;
-    assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * super::MS);
-    assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * super::MS);
+    let editions = adsdv_spec::Edition::ALL;
+    let mut place = 0;
+    while place < editions.len() {
+        let timing = editions[place].rules.timing;
+        assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * super::MS);
+        assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * super::MS);
+        place += 1;
+    }
 };
 
 /// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
@@ -85,7 +90,7 @@ impl Judge {
             inputs.forget(MEMORY).learn(MEMORY.intersection(memory.on().union(memory.off())), memory.on());
         // 502h comes rarely: where the sample behind differs, or there is none, that before does not speak for now.
         let after = self.throughout(t, t + self.window, now);
-        let between = scope(LOG_STATUS).difference(after.on().union(after.off()));
+        let between = self.scope(LOG_STATUS).difference(after.on().union(after.off()));
         let instants: Vec<Knowledge> = self
             .moments(start, t)
             .into_iter()
@@ -220,6 +225,7 @@ impl Judge {
             return;
         };
         self.consider_speed(t, state);
+        self.consider_requests(t, state);
         match (self.variants.due(state, self.known), self.due) {
             (None, due) => self.due = due.filter(|due| !due.is_over(known)),
             (Some((guard, term)), due)
@@ -251,7 +257,7 @@ impl Judge {
         // What the VCU measures is only certain up to the last frame that shows it.
         let confirmed = self.slots.iter().enumerate().all(|(index, slot)| {
             !slot.is_from(Node::Vcu)
-                || !touches(&due.term, scope(index))
+                || !touches(&due.term, self.scope(index))
                 || slot.last.is_some_and(|last| last >= due.since + self.window)
         });
         if !confirmed {

@@ -3,15 +3,15 @@
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState, Message,
     MessageDef, Node, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus,
+    Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Atoms, Bus};
 
 use super::finding::{Finding, Party, Rule, Severity};
 use super::lenient::{self, Lenient};
 use super::{
-    AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, Judge, LOG_STATUS, SILENCE_NS, STATUS, STEER, WHEEL_SPEEDS,
-    scope,
+    AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, SILENCE_NS, STATUS,
+    STEER, WHEEL_SPEEDS,
 };
 
 /// The VCU's messages that tell requests back, and the AI Computer's that make them.
@@ -40,7 +40,7 @@ impl Judge {
                 self.handshake.ai_gone();
                 self.update_comms(t);
             }
-            return self.learn(t, self.known.forget(scope(index)));
+            return self.learn(t, self.known.forget(self.scope(index)));
         }
         slot.fresh = true;
         slot.too_short = false;
@@ -65,15 +65,15 @@ impl Judge {
         match index {
             STATUS => {
                 let Lenient { mut message, bad } = self.read::<Vcu2AiStatus>(index, t, word);
-                if is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "SHUTDOWN_CAUSE") {
+                if is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "shutdown_cause") {
                     // A cause that cannot be read says nothing about the one before.
                     message.shutdown_cause =
                         self.vcu.status.map_or(message.shutdown_cause, |s| s.shutdown_cause);
                 }
-                let state_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "AS_STATE");
-                let ami_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "AMI_STATE");
-                let readable =
-                    if ami_bad { scope(index).without(adsdv_spec::Atom::AmiSelected) } else { scope(index) };
+                let state_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "as_state");
+                let ami_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ami_state");
+                let shown = self.scope(index);
+                let readable = if ami_bad { shown.without(adsdv_spec::Atom::AmiSelected) } else { shown };
                 self.status(t, message, !state_bad, readable, before);
             }
             AI_STATUS => {
@@ -84,7 +84,7 @@ impl Judge {
                     // Whether a VCU takes anything from such a frame is not known.
                     self.handshake.ai_gone();
                     self.update_comms(t);
-                    self.learn(t, self.known.forget(scope(index)));
+                    self.learn(t, self.known.forget(self.scope(index)));
                 }
             }
             WHEEL_SPEEDS => {
@@ -100,7 +100,7 @@ impl Judge {
             }
             STEER => {
                 let Lenient { message, bad } = self.read::<Vcu2AiSteer>(index, t, word);
-                let bad = u32::from(is_bad::<Vcu2AiSteer>(&self.edition.bus, bad, "STEER_ANGLE_deg"));
+                let bad = u32::from(is_bad::<Vcu2AiSteer>(&self.edition.bus, bad, "steer_angle"));
                 self.measured(
                     index,
                     t,
@@ -116,13 +116,28 @@ impl Judge {
                 //= D-28
                 let hidden = message.state_assi == AsState::EmergencyBrake
                     && message.state_ebs == EbsState::Triggered
-                    && !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_ASSI");
+                    && !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "state_assi");
                 let ebs_bad =
-                    u32::from(hidden || is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_EBS"));
+                    u32::from(hidden || is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "state_ebs"));
                 self.measured(index, t, message.atoms(), ebs_bad, was_fresh, silence);
-                if !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "State_ASSI") {
+                if !is_bad::<Vcu2LogStatus>(&self.edition.bus, bad, "state_assi") {
                     self.assi_seen(t, message.state_assi);
                 }
+            }
+            BRAKE => {
+                let Lenient { message, bad } = self.read::<Vcu2AiBrake>(index, t, word);
+                // In EMERGENCY_BRAKE it is TRIGGERED whatever the EBS itself reports, and a 520h may be missing that would
+                // have shown that state; none but AS_OFF is safe from it.
+                //= D-28, D-61
+                let hidden =
+                    message.status_ebs == EbsState::Triggered && self.vcu.state != Some(AsState::Off);
+                let bad = hidden || is_bad::<Vcu2AiBrake>(&self.edition.bus, bad, "status_ebs");
+                let shown = Vcu2LogStatus { state_ebs: message.status_ebs, ..Vcu2LogStatus::default() };
+                self.measured(index, t, shown.atoms(), bad.into(), was_fresh, silence);
+            }
+            AI_BRAKE => {
+                let Lenient { message, bad } = self.read::<Ai2VcuBrake>(index, t, word);
+                self.requested(index, t, message.atoms(), bad);
             }
             AI_DRIVE_F => {
                 let Lenient { message, bad } = self.read::<Ai2VcuDriveF>(index, t, word);
@@ -144,10 +159,9 @@ impl Judge {
     fn only_values(&mut self, index: usize, t: i64, word: u64) {
         match self.def_of(index).map(|def| def.id) {
             Some(Vcu2LogDynamics1::ID) => drop(self.read::<Vcu2LogDynamics1>(index, t, word)),
-            Some(Ai2VcuBrake::ID) => drop(self.read::<Ai2VcuBrake>(index, t, word)),
             Some(Vcu2AiDriveF::ID) => drop(self.read::<Vcu2AiDriveF>(index, t, word)),
             Some(Vcu2AiDriveR::ID) => drop(self.read::<Vcu2AiDriveR>(index, t, word)),
-            Some(Vcu2AiBrake::ID) => drop(self.read::<Vcu2AiBrake>(index, t, word)),
+            Some(VcuStatus::ID) => drop(self.read::<VcuStatus>(index, t, word)),
             // All of their bits are allowed.
             _ => {}
         }
@@ -155,8 +169,11 @@ impl Judge {
 
     /// What a request of the AI Computer says; a frame with a value out of range says nothing certain.
     fn requested(&mut self, index: usize, t: i64, atoms: Atoms, bad: u32) {
-        let known =
-            if bad == 0 { self.known.learn(scope(index), atoms) } else { self.known.forget(scope(index)) };
+        let known = if bad == 0 {
+            self.known.learn(self.scope(index), atoms)
+        } else {
+            self.known.forget(self.scope(index))
+        };
         self.learn(t, known);
     }
 
@@ -165,7 +182,7 @@ impl Judge {
         let Some(slot) = self.slots.get_mut(index) else { return };
         let same = slot.atoms.replace(atoms) == Some(atoms);
         if bad == 0 && same && !was_fresh && silence < SILENCE_NS {
-            self.history.fill(t - silence, scope(index), atoms);
+            self.history.fill(t - silence, self.scope(index), atoms);
         }
         self.requested(index, t, atoms, bad);
     }
@@ -189,11 +206,14 @@ impl Judge {
             let Some(raw) = signal.raw(&word.to_le_bytes()).filter(|_| new >> place & 1 == 1) else {
                 continue;
             };
-            // The logging messages show the database's start value until what they log is there.
-            let start = lenient::is_start_value(signal, raw) && M::ID == Vcu2LogStatus::ID;
+            // What is shown of the EBS, and what else is logged with it, has the database's start value until it is there.
+            let late = M::ID == Vcu2LogStatus::ID || signal.field == "status_ebs";
+            let start = late && lenient::is_start_value(signal, raw);
             let echo = self.echoes_bad_request(M::ID, signal.name);
+            let elsewhere = self.is_within_another_limit(signal, raw);
             let (severity, rule) = match (start, echo) {
                 (true, _) => (Severity::Note, Rule::StartValue),
+                _ if elsewhere => (Severity::Note, Rule::Value),
                 (_, true) => (Severity::Note, Rule::Value),
                 _ => (Severity::Violation, Rule::Value),
             };
@@ -206,6 +226,7 @@ impl Judge {
             };
             let message = match (start, echo) {
                 (true, _) => format!("{error}: the start value of the CAN database"),
+                _ if elsewhere => format!("{error}: the VCU's limit is that of another version"),
                 (_, true) => format!("{error}: as the AI Computer requested it"),
                 _ => error.to_string(),
             };
@@ -341,8 +362,8 @@ impl Judge {
     }
 }
 
-/// Whether the signal with this name has a value that is not allowed.
-fn is_bad<M: Message>(bus: &Bus, bad: u32, signal: &str) -> bool {
-    let place = || bus.message(M::ID)?.signals.iter().position(|s| s.name == signal);
+/// Whether the signal that this field carries has a value that is not allowed.
+fn is_bad<M: Message>(bus: &Bus, bad: u32, field: &str) -> bool {
+    let place = || bus.message(M::ID)?.signals.iter().position(|signal| signal.field == field);
     bad != 0 && place().is_some_and(|place| bad >> place & 1 == 1)
 }

@@ -4,12 +4,16 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::bad_line::{BadLine, Given, Object};
-use super::field::Value;
-use super::shown::{SHOWN, Shown};
+use super::field::{Value, Words};
+use super::shown::{FIELDS, SHOWN, Shown};
+use super::spoken::{Protocol, UNSAID};
 
 /// An answer to a step: some fields of [`SHOWN`] or all; a field that it leaves out is not checked. It is read from a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Answer([AnsweredValue; SHOWN.len()]);
+pub struct Answer {
+    given: [AnsweredValue; SHOWN.len()],
+    words: Words,
+}
 
 /// What an answer says of a field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -39,23 +43,23 @@ impl fmt::Display for Difference {
 impl Answer {
     /// Whether the answer says anything of a field.
     pub fn has(&self, key: &str) -> bool {
-        let given = SHOWN.iter().zip(&self.0).find(|(field, _)| field.key == key);
+        let given = FIELDS.iter().zip(&self.given).find(|(field, _)| field.key == key);
         given.is_some_and(|(_, given)| *given != AnsweredValue::Nothing)
     }
 
     /// What the answer says of a field; `None` if it says nothing, or if there is no such field.
     pub fn get(&self, key: &str) -> Option<Value> {
-        let (field, given) = SHOWN.iter().zip(&self.0).find(|(field, _)| field.key == key)?;
+        let (field, given) = FIELDS.iter().zip(&self.given).find(|(field, _)| field.key == key)?;
         match given {
             AnsweredValue::Nothing => None,
-            AnsweredValue::Value(raw) => Some(Value { domain: field.domain, raw: *raw }),
+            AnsweredValue::Value(raw) => Some(Value { domain: field.domain_on(&self.words.0), raw: *raw }),
         }
     }
 
     /// The keys of the fields of which it says anything.
     pub fn keys(&self) -> impl Iterator<Item = &'static str> {
-        let given = self.0;
-        SHOWN
+        let given = self.given;
+        FIELDS
             .iter()
             .zip(given)
             .filter(|(_, given)| *given != AnsweredValue::Nothing)
@@ -64,13 +68,13 @@ impl Answer {
 
     /// Of each field of [`SHOWN`] whether the answer says anything of it.
     pub(crate) fn given(&self) -> impl Iterator<Item = bool> {
-        self.0.into_iter().map(|given| given != AnsweredValue::Nothing)
+        self.given.into_iter().map(|given| given != AnsweredValue::Nothing)
     }
 
     /// The answer without all other fields than this one.
     pub(crate) fn only(&self, key: &str) -> Self {
-        let mut only = Self([AnsweredValue::Nothing; SHOWN.len()]);
-        let slots = SHOWN.iter().zip(only.0.iter_mut().zip(&self.0));
+        let mut only = Self { given: [AnsweredValue::Nothing; SHOWN.len()], words: self.words };
+        let slots = FIELDS.iter().zip(only.given.iter_mut().zip(&self.given));
         slots.filter(|(field, _)| field.key == key).for_each(|(_, (slot, given))| *slot = *given);
         only
     }
@@ -78,12 +82,23 @@ impl Answer {
     /// Whether a line answers a reset: an object that shows nothing, as `{}`. The error says why it is no object.
     pub fn is_reset(line: &str) -> Result<bool, BadLine> {
         let Object(entries) = Object::read(line)?;
-        Ok(entries.iter().all(|(key, _)| SHOWN.iter().all(|field| field.key != key)))
+        Ok(entries.iter().all(|(key, _)| !FIELDS.iter().any(|field| field.key == key && field.is_in(UNSAID))))
+    }
+
+    /// Which edition an answer to a hello says that the program is of; `None` if it says none. The error says why the line is
+    /// no object.
+    pub fn edition(line: &str) -> Result<Option<String>, BadLine> {
+        let Object(entries) = Object::read(line)?;
+        let said = entries.into_iter().find(|(key, _)| key == "edition");
+        Ok(said.map(|(_, version)| match version {
+            Given::Text(version) => version.into_owned(),
+            other => other.to_string(),
+        }))
     }
 
     /// Whether all that it says is so.
     pub fn agrees(&self, shown: &Shown) -> bool {
-        self.0.iter().zip(&shown.0).all(|(given, expected)| match given {
+        self.given.iter().zip(&shown.raw).all(|(given, expected)| match given {
             AnsweredValue::Nothing => true,
             AnsweredValue::Value(found) => found == expected,
         })
@@ -91,10 +106,12 @@ impl Answer {
 
     /// Each field in which it is not what was expected.
     pub fn differences(&self, shown: &Shown) -> impl Iterator<Item = Difference> {
-        let given = self.0;
-        shown.iter().zip(given).filter_map(|((field, expected), given)| match given {
-            AnsweredValue::Value(found) if found != expected.raw => {
-                Some(Difference { key: field.key, found: Value { raw: found, ..expected }, expected })
+        let given = FIELDS.iter().zip(self.given).zip(shown.raw);
+        let words = shown.words;
+        given.filter_map(move |((field, given), expected)| match given {
+            AnsweredValue::Value(found) if found != expected => {
+                let value = |raw| Value { domain: field.domain_on(&words.0), raw };
+                Some(Difference { key: field.key, found: value(found), expected: value(expected) })
             }
             _ => None,
         })
@@ -105,22 +122,30 @@ impl FromStr for Answer {
     type Err = BadLine;
 
     fn from_str(line: &str) -> Result<Self, BadLine> {
+        Self::read(line, &Protocol::UNSAID)
+    }
+}
+
+impl Answer {
+    pub(super) fn read(line: &str, protocol: &Protocol) -> Result<Self, BadLine> {
         let Object(entries) = Object::read(line)?;
-        let mut answer = Self([AnsweredValue::Nothing; SHOWN.len()]);
+        let mut answer = Self { given: [AnsweredValue::Nothing; SHOWN.len()], words: Words(*protocol.bus()) };
         for (key, found) in &entries {
-            let place = SHOWN.iter().position(|field| field.key == key);
-            let slot = place.and_then(|place| Some((SHOWN.get(place)?, answer.0.get_mut(place)?)));
-            let Some((field, given)) = slot else {
-                return Err(BadLine::unknown(key, SHOWN.iter().map(|field| field.key)));
+            let place = FIELDS.iter().position(|field| field.key == key);
+            let slot = place.and_then(|place| {
+                Some((FIELDS.get(place)?, protocol.shown_at(place)?, answer.given.get_mut(place)?))
+            });
+            let Some((field, domain, given)) = slot else {
+                return Err(BadLine::unknown(key, protocol.shown().map(|(field, _)| field.key)));
             };
             if *given != AnsweredValue::Nothing {
                 return Err(BadLine::twice(key));
             }
             *given = match found {
                 Given::Null if field.nullable => AnsweredValue::Value(None),
-                _ => match field.domain.raw(found) {
+                _ => match domain.raw_or(field.domain, found) {
                     Some(raw) => AnsweredValue::Value(Some(raw)),
-                    None => return Err(BadLine::value(key, found, field.domain)),
+                    None => return Err(BadLine::value(key, found, domain)),
                 },
             };
         }
@@ -134,7 +159,14 @@ impl FromStr for Answer {
 
 impl From<Shown> for Answer {
     fn from(shown: Shown) -> Self {
-        Self(shown.0.map(AnsweredValue::Value))
+        let mut answer = Self { given: shown.raw.map(AnsweredValue::Value), words: shown.words };
+        for (field, given) in FIELDS.iter().zip(&mut answer.given) {
+            // The edition does not have it.
+            if *given == AnsweredValue::Value(None) && !field.nullable {
+                *given = AnsweredValue::Nothing;
+            }
+        }
+        answer
     }
 }
 
@@ -159,7 +191,7 @@ mod tests {
         let (machine, inputs) = (adsdv_spec::Machine::REFERENCE, adsdv_spec::Inputs::default());
         let (_, outputs) = machine.step(&adsdv_spec::Control::INITIAL, &inputs, 0);
         let answer: Answer = r#"{"as_state":"AS_READY","steer":7}"#.parse().unwrap();
-        let shown = Shown::of(&outputs, &inputs);
+        let shown = Shown::of(machine.edition(), &outputs, &inputs);
         let differences = answer.differences(&shown);
         let given: Vec<String> = differences.map(|difference| difference.to_string()).collect();
         assert_eq!(given, ["as_state is AS_READY; expected AS_OFF", "steer is 7; expected null"]);

@@ -1,8 +1,9 @@
 //! What the fields of the protocol have in common: a key, and the values that it may have.
 
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
-use adsdv_spec::Edition;
+use adsdv_spec::Bus;
 use adsdv_spec::messages::SignalValue;
 
 use super::bad_line::Given;
@@ -24,10 +25,14 @@ pub enum Domain {
 }
 
 impl Domain {
-    /// The same, but a number has the range that the edition gives to the signal of this field, where there is one.
-    pub(super) const fn on_the_bus(self, field: &str) -> Self {
-        match (self, Edition::DEFAULT.bus.signal_of(field)) {
+    /// The same, but with the range or the names that a bus gives to the signal of this field, where there is one.
+    pub(super) const fn on_bus(self, field: &str, bus: &Bus) -> Self {
+        if let Self::Flag = self {
+            return self;
+        }
+        match (self, bus.signal_of(field)) {
             (Self::Number { .. }, Some(signal)) => Self::Number { min: signal.min, max: signal.max },
+            (Self::Names(_), Some(signal)) if !signal.values.is_empty() => Self::Names(signal.values),
             _ => self,
         }
     }
@@ -56,13 +61,34 @@ impl Domain {
         number.and_then(|raw| i32::try_from(raw).ok()).filter(|&raw| self.has(raw))
     }
 
-    fn has(self, raw: i32) -> bool {
+    /// The same, and where it is none, that of another edition's name for one of them.
+    pub(super) fn raw_or(self, other: Self, read: &Given<'_>) -> Option<i32> {
+        self.raw(read).or_else(|| other.raw(read).filter(|&raw| self.has(raw)))
+    }
+
+    pub(crate) fn has(self, raw: i32) -> bool {
         match self {
             Self::Flag => raw == 0 || raw == 1,
             Self::Names(names) => names.iter().any(|&(value, _)| value == raw),
             Self::Number { min, max } => (min..=max).contains(&raw),
         }
     }
+}
+
+/// The bus in whose words values are told. It is no part of what they are: what is equal in numbers is equal.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Words(pub(super) Bus);
+
+impl PartialEq for Words {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for Words {}
+
+impl Hash for Words {
+    fn hash<H: Hasher>(&self, _: &mut H) {}
 }
 
 /// What is expected of a field, in words.

@@ -1,8 +1,9 @@
 //! The inputs of a step that a program under test is told: everything that decides what it shows.
 
-use adsdv_spec::messages::{SignalDef, SignalValue};
+use adsdv_spec::messages::SignalValue;
 use adsdv_spec::{Bus, Edition, Inputs};
 
+use super::UNSAID;
 use super::field::Domain;
 
 /// One input.
@@ -10,30 +11,58 @@ use super::field::Domain;
 pub struct InputField {
     /// Its key.
     pub key: &'static str,
-    /// Its values.
+    /// Its values in the edition that a program speaks of [where nobody says](UNSAID), or, where that does not have it, those
+    /// of its type; those of another edition are in its [`Protocol`](super::Protocol).
     pub domain: Domain,
+    /// The values of its type, which are those of all editions.
+    pub(super) of_type: Domain,
     /// What it is of: the part of [`Inputs`] that it stands in, such as `ai.status`; empty for the inputs themselves.
     pub part: &'static str,
     /// The unit of a number, with the size of one raw step, such as `0.1 deg`; empty where there is none.
     pub unit: fn() -> String,
     /// Its raw value.
     pub get: fn(&Inputs) -> i32,
-    /// Sets it to a raw value; false if that is none of its values.
+    /// Sets it to a raw value; false if that is none of its values in any edition.
     pub set: fn(&mut Inputs, i32) -> bool,
+}
+
+impl InputField {
+    /// Whether an edition has it: that a message is missing is an input only where there is a limit to that.
+    pub const fn is_in(&self, edition: &Edition) -> bool {
+        !is_silence(self.part) || edition.rules.thresholds.missed_ms.is_some()
+    }
+
+    /// Its values in an edition; `None` where that does not have it.
+    pub(super) const fn domain_in(&self, edition: &Edition) -> Option<Domain> {
+        if self.is_in(edition) { Some(on_bus(self.of_type, self.key, &edition.bus)) } else { None }
+    }
+
+    /// Its values in the words of a bus.
+    pub(super) const fn domain_on(&self, bus: &Bus) -> Domain {
+        on_bus(self.of_type, self.key, bus)
+    }
+}
+
+/// Whether a part is how long messages have been missing.
+const fn is_silence(part: &str) -> bool {
+    matches!(part.as_bytes(), b"ai_silence")
+}
+
+/// The values of the input with this key, with the range or the names that a bus gives to its signal.
+const fn on_bus(of_type: Domain, key: &str, bus: &Bus) -> Domain {
+    // The mission that is selected is told on the bus under another name.
+    let field = if matches!(key.as_bytes(), b"ami") { "ami_state" } else { key };
+    of_type.on_bus(field, bus)
 }
 
 const fn domain_of<T: SignalValue>(_: fn(&Inputs) -> &T) -> Domain {
     Domain::of::<T>()
 }
 
-const BUS: &Bus = &Edition::DEFAULT.bus;
-
-/// Whether a raw value is in the range that the edition gives to a signal.
-fn in_range(raw: i32, signal: Option<&SignalDef>) -> bool {
-    signal.is_none_or(|signal| (signal.min..=signal.max).contains(&raw))
-}
-
-fn unit_of<T: SignalValue>(_: fn(&Inputs) -> &T) -> String {
+fn unit_of<T: SignalValue>(part: &str, _: fn(&Inputs) -> &T) -> String {
+    if is_silence(part) {
+        return "1 ms".to_owned();
+    }
     if T::UNIT.is_empty() { String::new() } else { format!("{} {}", T::SCALE, T::UNIT) }
 }
 
@@ -68,21 +97,22 @@ macro_rules! inputs {
         inputs! { @fields [$($done)* $part $field,] $($rest)* }
     };
     (@fields [$($part:tt $field:ident,)+]) => {
-        /// Every input, in the order in which a request has them. What a request does not have is at its default: off, 0,
-        /// or the first of the names.
+        /// Every input of any edition, in the order in which a request has them. What a request does not have is at its
+        /// default: off, 0, or the first of the names.
         pub const INPUTS: &[InputField] = &[$(
             InputField {
                 key: stringify!($field),
-                domain: domain_of(|inputs| &at!(inputs $part $field)).on_the_bus(stringify!($field)),
+                domain: on_bus(domain_of(|inputs| &at!(inputs $part $field)), stringify!($field), &UNSAID.bus),
+                of_type: domain_of(|inputs| &at!(inputs $part $field)),
                 part: name!($part),
-                unit: || unit_of(|inputs| &at!(inputs $part $field)),
+                unit: || unit_of(name!($part), |inputs| &at!(inputs $part $field)),
                 get: |inputs| SignalValue::to_raw(at!(inputs $part $field)),
                 set: |inputs, raw| match SignalValue::from_raw(raw) {
-                    Some(value) if in_range(raw, const { BUS.signal_of(stringify!($field)) }) => {
+                    Some(value) => {
                         at!(inputs $part $field) = value;
                         true
                     }
-                    _ => false,
+                    None => false,
                 },
             },
         )+];
@@ -98,6 +128,7 @@ inputs! {
     (ai.drive_r) => rear_axle_trq_request rear_motor_speed_max;
     (ai.steer) => steer_request;
     (ai.brake) => hyd_press_f_req hyd_press_r_req;
+    (ai_silence) => status_silence_ms drive_f_silence_ms drive_r_silence_ms steer_silence_ms brake_silence_ms;
     (vehicle) => steer_angle;
     (vehicle.wheel_speeds) => fl_wheel_speed fr_wheel_speed rl_wheel_speed rr_wheel_speed;
 }

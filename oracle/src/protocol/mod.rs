@@ -2,7 +2,8 @@
 //!
 //! `PROTOCOL.md`, beside this crate's sources, is the page for whoever writes such a program. What can be said stands
 //! here as two tables: the inputs of a step ([`INPUTS`]) and what it shows ([`SHOWN`]), each a list of fields with its
-//! key, what its values are, and how it is got from the specification's own types.
+//! key, what its values are, and how it is got from the specification's own types. The values of an edition are in its
+//! [`Protocol`], and the first line of a conversation says which edition it is about ([`Request::Hello`]).
 //!
 //! ```
 //! use adsdv_oracle::protocol::{Answer, Request, Shown};
@@ -14,7 +15,7 @@
 //! let Ok(Request::Step { dt_ms, inputs }) = line.parse() else { panic!("a step") };
 //!
 //! let (_, outputs) = Machine::REFERENCE.step(&Control::INITIAL, &inputs, dt_ms);
-//! let shown = Shown::of(&outputs, &inputs);
+//! let shown = Shown::of(Machine::REFERENCE.edition(), &outputs, &inputs);
 //! assert!(shown.to_string().starts_with(r#"{"as_state":"AS_OFF","handshake":false,"#));
 //!
 //! let answer: Answer = r#"{"as_state":"AS_READY"}"#.parse()?;
@@ -28,6 +29,7 @@ mod field;
 mod inputs;
 mod request;
 mod shown;
+mod spoken;
 
 pub use answer::{Answer, Difference};
 pub use bad_line::BadLine;
@@ -35,3 +37,4 @@ pub use field::{Domain, Value};
 pub use inputs::{INPUTS, InputField};
 pub use request::{InputsAsJson, Request};
 pub use shown::{SHOWN, Shown, ShownField};
+pub use spoken::{Protocol, UNSAID};

@@ -1,5 +1,6 @@
-//! What a program under test is told: to begin anew, or to step.
+//! What a program under test is told: which edition it is about, to begin anew, or to step.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
@@ -7,11 +8,18 @@ use adsdv_spec::Inputs;
 
 use super::bad_line::{BadLine, Given, Object};
 use super::field::{Domain, Value};
-use super::inputs::{INPUTS, InputField};
+use super::inputs::InputField;
+use super::spoken::Protocol;
 
-/// A line to a program under test. It displays as that line, without the end of the line, and is read from it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A line to a program under test. It displays as that line, without the end of the line, and is read from it, in the words of
+/// [`UNSAID`](super::UNSAID); in those of another edition its [`Protocol`](super::Protocol) writes and reads it.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Request {
+    /// All that follows is about this edition. Without it, all is about [`UNSAID`](super::UNSAID).
+    Hello {
+        /// The version of the edition, which need not be one that there is.
+        edition: String,
+    },
     /// Begin anew, as after a power cycle.
     Reset,
     /// One step.
@@ -25,9 +33,22 @@ pub enum Request {
 
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::Step { dt_ms, inputs } = self else { return f.write_str("{\"op\":\"reset\"}") };
+        self.write(f, &Protocol::UNSAID)
+    }
+}
+
+impl Request {
+    pub(super) fn write(&self, f: &mut fmt::Formatter<'_>, protocol: &Protocol) -> fmt::Result {
+        let (dt_ms, inputs) = match self {
+            Self::Hello { edition } => {
+                let edition = serde_json::Value::from(edition.as_str());
+                return write!(f, "{{\"op\":\"hello\",\"edition\":{edition}}}");
+            }
+            Self::Reset => return f.write_str("{\"op\":\"reset\"}"),
+            Self::Step { dt_ms, inputs } => (dt_ms, inputs),
+        };
         write!(f, "{{\"op\":\"step\",\"dt_ms\":{dt_ms}")?;
-        for (field, value) in given(inputs) {
+        for (field, value) in given(inputs, protocol) {
             write!(f, ",\"{}\":", field.key)?;
             value.write_json(f)?;
         }
@@ -36,23 +57,30 @@ impl fmt::Display for Request {
 }
 
 /// The inputs that are not at their defaults.
-fn given(inputs: &Inputs) -> impl Iterator<Item = (&'static InputField, Value)> {
+fn given(inputs: &Inputs, protocol: &Protocol) -> impl Iterator<Item = (&'static InputField, Value)> {
     let usual = Inputs::default();
-    INPUTS.iter().filter_map(move |field| {
+    protocol.inputs().filter_map(move |(field, domain)| {
         let raw = (field.get)(inputs);
-        let value = Value { domain: field.domain, raw: Some(raw) };
+        let value = Value { domain, raw: Some(raw) };
         (raw != (field.get)(&usual)).then_some((field, value))
     })
 }
 
-/// Inputs as a JSON object of their own, with the keys of a step. It displays as that, and is read from it.
+/// Inputs as a JSON object of their own, with the keys of a step. It displays as that, and is read from it, as a
+/// [`Request`] is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct InputsAsJson(pub Inputs);
 
 impl fmt::Display for InputsAsJson {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, &Protocol::UNSAID)
+    }
+}
+
+impl InputsAsJson {
+    pub(super) fn write(&self, f: &mut fmt::Formatter<'_>, protocol: &Protocol) -> fmt::Result {
         f.write_str("{")?;
-        for (place, (field, value)) in given(&self.0).enumerate() {
+        for (place, (field, value)) in given(&self.0, protocol).enumerate() {
             write!(f, "{}\"{}\":", if place == 0 { "" } else { "," }, field.key)?;
             value.write_json(f)?;
         }
@@ -64,13 +92,19 @@ impl FromStr for InputsAsJson {
     type Err = BadLine;
 
     fn from_str(object: &str) -> Result<Self, BadLine> {
+        Self::read(object, &Protocol::UNSAID)
+    }
+}
+
+impl InputsAsJson {
+    pub(super) fn read(object: &str, protocol: &Protocol) -> Result<Self, BadLine> {
         let Object(entries) = Object::read(object)?;
         let mut inputs = Inputs::default();
         for (place, (key, found)) in entries.iter().enumerate() {
             if entries.iter().take(place).any(|(other, _)| other == key) {
                 return Err(BadLine::twice(key));
             }
-            set_input(&mut inputs, key, found)?;
+            set_input(&mut inputs, key, found, protocol)?;
         }
         Ok(Self(inputs))
     }
@@ -80,7 +114,19 @@ impl FromStr for Request {
     type Err = BadLine;
 
     fn from_str(line: &str) -> Result<Self, BadLine> {
+        Self::read(line, &Protocol::UNSAID)
+    }
+}
+
+/// The operations, in words.
+const OPERATIONS: &str = "\"reset\" or \"step\", or \"hello\" first of all";
+
+impl Request {
+    pub(super) fn read(line: &str, protocol: &Protocol) -> Result<Self, BadLine> {
         let Object(entries) = Object::read(line)?;
+        if entries.iter().any(|(key, found)| key == "op" && *found == Given::Text("hello".into())) {
+            return hello(&entries);
+        }
         let (mut op, mut dt_ms, mut inputs) = (None, None, Inputs::default());
         let mut given: Vec<&str> = Vec::with_capacity(entries.len());
         for (key, found) in &entries {
@@ -92,14 +138,14 @@ impl FromStr for Request {
                 ("op", Given::Text(text)) if matches!(text.as_ref(), "reset" | "step") => {
                     op = Some(text.as_ref());
                 }
-                ("op", _) => return Err(BadLine::value(key, found, "\"reset\" or \"step\"")),
+                ("op", _) => return Err(BadLine::value(key, found, OPERATIONS)),
                 ("dt_ms", Given::Number(number)) if u32::try_from(*number).is_ok() => {
                     dt_ms = u32::try_from(*number).ok();
                 }
                 ("dt_ms", _) => {
                     return Err(BadLine::value(key, found, Domain::Number { min: 0, max: i32::MAX }));
                 }
-                _ => set_input(&mut inputs, key, found)?,
+                _ => set_input(&mut inputs, key, found, protocol)?,
             }
         }
         match (op, dt_ms) {
@@ -109,15 +155,33 @@ impl FromStr for Request {
             (Some(_), None) => {
                 Err(BadLine::new("a step has no \"dt_ms\"; expected milliseconds since the last"))
             }
-            (None, _) => Err(BadLine::new("there is no \"op\"; expected \"reset\" or \"step\"")),
+            (None, _) => Err(BadLine::new(format!("there is no \"op\"; expected {OPERATIONS}"))),
         }
     }
 }
 
-fn set_input(inputs: &mut Inputs, key: &str, found: &Given<'_>) -> Result<(), BadLine> {
-    let Some(field) = INPUTS.iter().find(|field| field.key == key) else {
-        return Err(BadLine::unknown(key, ["op", "dt_ms"].into_iter().chain(INPUTS.iter().map(|f| f.key))));
+/// The first line of a conversation, which says which edition it is about.
+fn hello(entries: &[(Cow<'_, str>, Given<'_>)]) -> Result<Request, BadLine> {
+    let mut edition = None;
+    let mut ops = 0;
+    for (key, found) in entries {
+        match (key.as_ref(), found) {
+            ("op", _) if ops == 0 => ops = 1,
+            ("edition", Given::Text(text)) if edition.is_none() => edition = Some(text.clone().into_owned()),
+            ("op", _) | ("edition", Given::Text(_)) => return Err(BadLine::twice(key)),
+            ("edition", _) => return Err(BadLine::value(key, found, "a version, such as \"3.0\"")),
+            _ => return Err(BadLine::unknown(key, ["op", "edition"].into_iter())),
+        }
+    }
+    let edition = edition.ok_or_else(|| BadLine::new("a hello has no \"edition\"; expected a version"))?;
+    Ok(Request::Hello { edition })
+}
+
+fn set_input(inputs: &mut Inputs, key: &str, found: &Given<'_>, protocol: &Protocol) -> Result<(), BadLine> {
+    let Some((field, domain)) = protocol.inputs().find(|(field, _)| field.key == key) else {
+        let keys = protocol.inputs().map(|(field, _)| field.key);
+        return Err(BadLine::unknown(key, ["op", "dt_ms"].into_iter().chain(keys)));
     };
-    let set = field.domain.raw(found).is_some_and(|raw| (field.set)(inputs, raw));
-    if set { Ok(()) } else { Err(BadLine::value(key, found, field.domain)) }
+    let set = domain.raw_or(field.domain, found).is_some_and(|raw| (field.set)(inputs, raw));
+    if set { Ok(()) } else { Err(BadLine::value(key, found, domain)) }
 }

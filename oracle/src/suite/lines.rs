@@ -4,26 +4,32 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt::{self, Write as _};
 use std::io::{self, BufRead};
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use adsdv_spec::{Edition, Machine, Reading};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
 use super::{Kind, Scenario, Step, Test, untested};
-use crate::protocol::{Answer, BadLine, InputsAsJson};
+use crate::protocol::{BadLine, InputsAsJson, Protocol, UNSAID};
+
+/// The number of the form that a line has. A line that says another one is not read; one that says none has this form, or is not
+/// read for what else is wrong with it.
+pub const SCHEMA: u32 = 1;
 
 impl Test {
     /// The test as a line, without the end of the line; what is expected is what the machine shows.
     pub fn to_line(&self, machine: &Machine) -> String {
         let mut line = String::new();
+        let protocol = Protocol::of(machine.edition());
         let text = |text: &str| serde_json::Value::from(text).to_string();
         let requirements: Vec<String> = self.requirements.iter().map(|id| text(id)).collect();
         let reading = self.reading.map_or_else(|| "null".to_owned(), |reading| text(reading.id()));
         // Writing to a string does not fail.
         let _ = write!(
             line,
-            "{{\"name\":{},\"kind\":{},\"about\":{},\"section\":{},\"requirements\":[{}],\"reading\":{reading},\"steps\":[",
+            "{{\"schema\":{SCHEMA},\"edition\":{},\"name\":{},\"kind\":{},\"about\":{},\"section\":{},\"requirements\":[{}],\"reading\":{reading},\"steps\":[",
+            text(machine.edition().version),
             text(&self.name),
             text(self.kind.name()),
             text(&self.about),
@@ -36,8 +42,9 @@ impl Test {
             let inputs = InputsAsJson(step.inputs);
             let _ = write!(
                 line,
-                "{comma}{{\"dt_ms\":{},\"inputs\":{inputs},\"expected\":{expected}}}",
-                step.dt_ms
+                "{comma}{{\"dt_ms\":{},\"inputs\":{},\"expected\":{expected}}}",
+                step.dt_ms,
+                protocol.object(&inputs),
             );
         }
         line.push_str("]}");
@@ -93,7 +100,8 @@ impl ReadSuite {
 /// Reads a suite. A line that is no test does not keep the others from being read; empty lines are passed over.
 ///
 /// What a step expects has to be there, and has to be what the machine shows: a suite is judged by the specification, under
-/// every reading, and not by what a file says. It may be part of what the machine shows, `as_state` at least. A test names
+/// every reading, and not by what a file says. A line is of the machine's edition: one that says none is of
+/// [`UNSAID`]. It may be part of what the machine shows, `as_state` at least. A test names
 /// requirements that there are: those of the tests that [`generate`](super::generate) makes, and those that
 /// [`untested`](super::untested) has.
 ///
@@ -176,6 +184,10 @@ fn next_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<End> 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Line<'a> {
+    #[serde(default)]
+    schema: Option<u32>,
+    #[serde(default)]
+    edition: Option<String>,
     name: String,
     kind: String,
     about: String,
@@ -205,17 +217,18 @@ fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
 /// The identifiers of all requirements that there are.
 fn requirements(edition: &Edition) -> Cow<'static, HashSet<String>> {
     // Making all tests takes longer than reading most suites.
-    static OF_DEFAULT: LazyLock<HashSet<String>> = LazyLock::new(|| requirements_of(Edition::DEFAULT));
-    if *edition == *Edition::DEFAULT {
-        Cow::Borrowed(&OF_DEFAULT)
-    } else {
-        Cow::Owned(requirements_of(edition))
+    static OF_EDITIONS: [OnceLock<HashSet<String>>; Edition::ALL.len()] =
+        [const { OnceLock::new() }; Edition::ALL.len()];
+    let known = Edition::ALL.iter().zip(&OF_EDITIONS).find(|(known, _)| **known == edition);
+    match known {
+        Some((_, found)) => Cow::Borrowed(found.get_or_init(|| requirements_of(edition))),
+        None => Cow::Owned(requirements_of(edition)),
     }
 }
 
 fn requirements_of(edition: &Edition) -> HashSet<String> {
     let tested = super::generate(edition).into_iter().flat_map(|test| test.requirements);
-    tested.chain(untested().map(|untested| untested.id)).collect()
+    tested.chain(untested(edition).map(|untested| untested.id)).collect()
 }
 
 /// The same without control characters: a key that is rubbish does not reach a terminal.
@@ -241,6 +254,15 @@ fn read_line(
         let error = printable(&error.to_string().replace("line 1 column", "column"));
         format!("{error}; expected a test as one JSON object")
     })?;
+    if let Some(schema) = line.schema.filter(|&schema| schema != SCHEMA) {
+        return Err(format!(
+            "\"schema\" is {schema}; expected {SCHEMA}, which is the form that this program reads"
+        ));
+    }
+    let (said, asked) = (line.edition.as_deref().unwrap_or(UNSAID.version), machine.edition().version);
+    if said != asked {
+        return Err(format!("\"edition\" is {said:?}; expected {asked:?}, the edition that was asked for"));
+    }
     if line.name.is_empty() {
         return Err("\"name\" is empty; expected a name of its own".to_owned());
     }
@@ -262,11 +284,12 @@ fn read_line(
         .map(|id| id.parse::<Reading>().map_err(|error| format!("\"reading\" is {id:?}: {error}")));
     let mut scenario = Scenario::default();
     let mut answers = Vec::new();
+    let protocol = Protocol::of(machine.edition());
     for (number, step) in (1..).zip(&line.steps) {
         let at = |error: BadLine| format!("step {number}: {error}");
-        let InputsAsJson(inputs) = step.inputs.get().parse().map_err(at)?;
+        let InputsAsJson(inputs) = protocol.inputs_as_json(step.inputs.get()).map_err(at)?;
         scenario.steps.push(Step { dt_ms: step.dt_ms, inputs });
-        answers.push(step.expected.get().parse::<Answer>().map_err(at)?);
+        answers.push(protocol.answer(step.expected.get()).map_err(at)?);
     }
     for (number, (answer, shown)) in (1..).zip(answers.iter().zip(scenario.shown(machine))) {
         if let Some(difference) = answer.differences(&shown).next() {

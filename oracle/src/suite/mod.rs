@@ -28,14 +28,14 @@ mod walk;
 
 use adsdv_spec::Edition;
 
-pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, read};
+pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, SCHEMA, read};
 pub use prove::{Proof, prove};
 pub(crate) use requirements::is_of_a_reading;
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};
 pub use untested::{Reason, Untested, about_the_vcu, untested};
 
-/// The tests of a version of the interface.
+/// The tests of an edition of the interface.
 ///
 /// What is expected in each is what the specification shows under the readings that are asked of a program: by default
 /// the default ones.

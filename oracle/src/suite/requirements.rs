@@ -1,6 +1,7 @@
-//! Which requirements stand behind a row, a condition and two rows at once: what the table cites.
+//! Which requirements stand behind a row, a condition and two rows at once: what the table cites. And those that an edition
+//! has in the place of another's.
 
-use adsdv_spec::{Atom, Reading, Row, Term};
+use adsdv_spec::{Atom, Edition, Row, Term};
 
 /// The requirements behind an alternative of a row. What stands beside the figure is not the figure's.
 pub(super) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
@@ -19,7 +20,27 @@ pub(super) fn of_pair(one: &Row, other: &Row) -> Vec<&'static str> {
     all.into_iter().flatten().copied().collect()
 }
 
-/// Whether it is only the default answer to a question that the document leaves open.
-pub(crate) fn is_of_a_reading(id: &str) -> bool {
-    Reading::ALL.iter().any(|reading| reading.decision() == id)
+/// What an edition asks for instead of a requirement of the first one: the same with another number in it, or what it has made
+/// of it. Where it is nothing at all, it does not ask for it.
+const INSTEAD: &[(&str, &str, &[&str])] = &[
+    ("4.0", "HS-9", &["HS-17"]),
+    ("4.0", "HS-13", &[]),
+    ("4.0", "HS-16", &["HS-19"]),
+    ("4.0", "DTE-4", &["DTE-7"]),
+    ("4.0", "D-2", &["D-65"]),
+    ("4.0", "D-9", &["D-62"]),
+    ("4.0", "D-10", &["D-63"]),
+    ("4.0", "D-27", &["D-27", "IMP-9"]),
+];
+
+/// What an edition asks for where the first one asks for this.
+pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
+    let version = edition.version;
+    let instead = INSTEAD.iter().find(|(other, old, _)| *other == version && *old == id);
+    instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
+}
+
+/// Whether it is only the default answer to a question that the edition leaves open.
+pub(crate) fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
+    edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
 }

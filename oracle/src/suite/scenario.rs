@@ -32,7 +32,9 @@ impl Scenario {
 
     /// What a machine shows at each step.
     pub fn shown<'a>(&'a self, machine: &'a Machine) -> impl Iterator<Item = Shown> + 'a {
-        self.run(machine).zip(&self.steps).map(|((_, outputs), step)| Shown::of(&outputs, &step.inputs))
+        self.run(machine)
+            .zip(&self.steps)
+            .map(|((_, outputs), step)| Shown::of(machine.edition(), &outputs, &step.inputs))
     }
 
     /// The lines with which a program under test is asked for it, a reset first.

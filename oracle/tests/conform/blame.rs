@@ -161,7 +161,8 @@ fn a_requirement_about_several_outputs_asks_for_all_of_them() {
 #[test]
 fn whatever_is_wrong_breaks_something() {
     let options = ConformOptions { runs: 60, ..ConformOptions::default() };
-    for field in &adsdv_oracle::protocol::SHOWN {
+    let protocol = adsdv_oracle::protocol::Protocol::of(Edition::DEFAULT);
+    for (field, _) in protocol.shown() {
         let report = example("mutant", &["--lie", field.key], &options, TIMEOUT).expect("it answers");
         let broken = failed(&report);
         assert!(!report.conforms() && !broken.is_empty(), "{}", field.key);

@@ -1,9 +1,9 @@
 //! Programs that err: machines in this process with another hand on their outputs.
 
-use adsdv_oracle::conform::{ProgramError, Reply, Vcu};
+use adsdv_oracle::conform::{InProcess, ProgramError, Reply, Vcu};
 use adsdv_oracle::protocol::Answer;
 use adsdv_oracle::suite::Scenario;
-use adsdv_spec::{Inputs, Machine};
+use adsdv_spec::{Edition, Inputs, Machine};
 use serde_json::{Map, Value, json};
 
 /// The outputs of a step, by their keys.
@@ -49,6 +49,10 @@ fn answer(outputs: Outputs) -> Reply {
 }
 
 impl Vcu for Erring {
+    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+        InProcess(self.machine).hello(edition)
+    }
+
     fn ask(
         &mut self,
         scenarios: &[(&str, &Scenario)],

@@ -44,6 +44,13 @@ fn a_late_mutant_fails_in_its_row() {
 fn at_a_fixed_cycle_every_step_takes_it() {
     struct OneCycle(adsdv_oracle::conform::InProcess, u32);
     impl adsdv_oracle::conform::Vcu for OneCycle {
+        fn hello(
+            &mut self,
+            edition: &adsdv_spec::Edition,
+        ) -> Result<(), adsdv_oracle::conform::ProgramError> {
+            self.0.hello(edition)
+        }
+
         fn ask(
             &mut self,
             scenarios: &[(&str, &adsdv_oracle::suite::Scenario)],

@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod blame;
+mod edition;
 mod erring;
 mod late;
 mod misconduct;
@@ -11,4 +12,5 @@ mod mutants;
 mod programs;
 mod random;
 mod readings;
+mod v4_0;
 mod written;

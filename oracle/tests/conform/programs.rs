@@ -18,6 +18,16 @@ pub(crate) fn tests() -> &'static [Test] {
     TESTS.get_or_init(|| suite::generate(Edition::DEFAULT))
 }
 
+/// The suite of the edition that is asked for; that of the default one for the editions that tests make up.
+pub(crate) fn tests_of(edition: &Edition) -> &'static [Test] {
+    static V4_0: OnceLock<Vec<Test>> = OnceLock::new();
+    if edition.version == Edition::V4_0.version {
+        V4_0.get_or_init(|| suite::generate(&Edition::V4_0))
+    } else {
+        tests()
+    }
+}
+
 /// Only the suite.
 pub(crate) fn suite_only() -> ConformOptions {
     ConformOptions { runs: 0, ..ConformOptions::default() }
@@ -25,7 +35,8 @@ pub(crate) fn suite_only() -> ConformOptions {
 
 /// A machine in this process, judged.
 pub(crate) fn machine(machine: &Machine, options: &ConformOptions) -> ConformReport {
-    conform(&mut InProcess(*machine), tests(), options, &mut |_| {}).expect("a machine is never in trouble")
+    conform(&mut InProcess(*machine), tests_of(&options.edition), options, &mut |_| {})
+        .expect("a machine is never in trouble")
 }
 
 /// An example with arguments, judged.
@@ -37,7 +48,7 @@ pub(crate) fn example(
 ) -> Result<ConformReport, ProgramError> {
     let args: Vec<OsString> = args.iter().map(OsString::from).collect();
     let mut program = Program::start(&path(name).into_os_string(), &args, timeout, options.latency > 0)?;
-    conform(&mut program, tests(), options, &mut |_| {})
+    conform(&mut program, tests_of(&options.edition), options, &mut |_| {})
 }
 
 /// The file of an example, which is built if it is not.

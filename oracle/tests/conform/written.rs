@@ -12,7 +12,7 @@ use adsdv_oracle::conform::{
     ProgramErrorKind, Work, conform,
 };
 use adsdv_oracle::protocol::{Answer, SHOWN, Value};
-use adsdv_spec::{Choice, Choices, Edition, Inputs, Machine, Mutation, Reading, Readings};
+use adsdv_spec::{Choice, Choices, Edition, Inputs, Machine, Mutation, Readings};
 use expect_test::expect_file;
 use serde_json::json;
 
@@ -155,8 +155,8 @@ fn mutants() -> String {
 /// All readings are possible, and the program follows others than usual, or mixes them.
 fn readings() -> String {
     let mut text = String::new();
-    for reading in Reading::ALL {
-        let choice = reading.choices().last().copied().expect("each has several");
+    for reading in Edition::DEFAULT.questions() {
+        let choice = Edition::DEFAULT.choices.of_reading(reading).last().expect("each has several");
         let machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice));
         text += &name(&format!("follows {choice}"), Erring::new(&machine), &usual());
     }
@@ -176,6 +176,11 @@ fn readings() -> String {
     let (_, tampers) = TAMPERINGS[6];
     let wrong = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
     text + &name("nothing is right, and a reading is pinned", wrong, &pinned)
+}
+
+/// The keys of what is shown in the default edition.
+fn shown() -> impl Iterator<Item = &'static str> {
+    SHOWN.iter().filter(|field| field.is_in(Edition::DEFAULT)).map(|field| field.key)
 }
 
 /// How outputs can be wrong.
@@ -228,12 +233,15 @@ const TAMPERINGS: [Tampering; 11] = [
         }
     }),
     ("leaves out one output after the other", |place, _, outputs| {
-        outputs.remove(SHOWN[1 + place % (SHOWN.len() - 1)].key);
+        let shown: Vec<&str> = shown().collect();
+        outputs.remove(shown[1 + place % (shown.len() - 1)]);
     }),
     ("some flag or other is wrong now and then", |place, inputs, outputs| {
-        let flags: Vec<&str> =
-            SHOWN.iter().filter(|one| outputs[one.key].is_boolean()).map(|one| one.key).collect();
-        let chance: usize = format!("{place} {inputs:?}").bytes().map(usize::from).sum();
+        let flags: Vec<&str> = shown().filter(|&key| outputs[key].is_boolean()).collect();
+        // What the edition does not have has no part in it.
+        let (inputs, none) =
+            (format!("{place} {inputs:?}"), format!("ai_silence: {:?}, ", inputs.ai_silence));
+        let chance: usize = inputs.replace(&none, "").bytes().map(usize::from).sum();
         // Not in the first step, which most scenarios have in common.
         for one in
             [chance, chance / 7].map(|chance| flags[chance % flags.len()]).into_iter().filter(|_| place > 0)

@@ -4,7 +4,7 @@ use std::io::{self, BufReader};
 
 use adsdv_oracle::protocol::{Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::Machine;
+use adsdv_spec::{Edition, Machine};
 
 use crate::tests;
 
@@ -18,7 +18,7 @@ fn a_suite_is_read_as_it_is_written() {
     assert_eq!(text.lines().count(), tests.len());
     // The lines that a program is asked are those of the scenario.
     let requests: Vec<Request> = tests[0].scenario.requests().collect();
-    assert_eq!((requests[0], requests.len()), (Request::Reset, tests[0].scenario.steps.len() + 1));
+    assert_eq!((&requests[0], requests.len()), (&Request::Reset, tests[0].scenario.steps.len() + 1));
 }
 
 /// One line of the suite with something in it changed.
@@ -69,6 +69,8 @@ fn bad_lines_are_reported_and_lose_nothing_else() {
         (changed("\"expected\":", "\"foreseen\":"), "unknown field `foreseen`", "`expected`"),
         (without_expected(), "missing field `expected`", "a test as one JSON object"),
         (changed("\"as_state\":\"AS_OFF\",", ""), "step 1: there is no \"as_state\"", "at least that"),
+        (changed("\"edition\":\"3.0\"", "\"edition\":\"4.0\""), "\"edition\" is \"4.0\"", "\"3.0\""),
+        (changed("\"schema\":1", "\"schema\":2"), "\"schema\" is 2", "expected 1"),
         (changed("\"name\":\"3.1-but-asms\"", "\"name\":\"\""), "\"name\" is empty", "a name of its own"),
         (
             r#"{"name":"a","kind":"row","about":"","section":"3.1","requirements":[],"reading":null,"steps":[]}"#
@@ -97,7 +99,22 @@ fn every_output_is_expected_in_every_step() {
     let line = test.to_line(&Machine::REFERENCE);
     let shown: Vec<Shown> = test.scenario.shown(&Machine::REFERENCE).collect();
     assert!(shown.iter().all(|shown| line.contains(&format!("\"expected\":{shown}"))));
-    assert!(SHOWN.iter().all(|field| line.contains(&format!("\"{}\":", field.key))));
+    assert!(
+        SHOWN
+            .iter()
+            .filter(|field| field.is_in(Edition::DEFAULT))
+            .all(|field| line.contains(&format!("\"{}\":", field.key)))
+    );
+}
+
+/// As suites were before there was another edition.
+#[test]
+fn a_line_that_names_no_edition_is_of_3_0() {
+    let line = changed("\"schema\":1,\"edition\":\"3.0\",", "");
+    assert_eq!(suite::read(line.as_bytes(), &Machine::default()).unwrap().tests, [tests()[1].clone()]);
+    let other = Machine::new(Edition { version: "test", ..Edition::V3_0 }, Edition::V3_0.readings);
+    let said = suite::read(line.as_bytes(), &other).unwrap().bad[0].to_string();
+    assert!(said.contains("\"edition\" is \"3.0\"; expected \"test\""), "{said}");
 }
 
 /// A test may expect less than all, and be about a requirement for which no test is generated.

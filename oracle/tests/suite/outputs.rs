@@ -1,9 +1,9 @@
 //! Whatever is shown wrong, a test fails that names a requirement about just that.
 
-use adsdv_oracle::protocol::{Domain, INPUTS, SHOWN, Shown, ShownField};
-use adsdv_oracle::suite::{Kind, Test};
+use adsdv_oracle::protocol::{Domain, INPUTS, Protocol, SHOWN, Shown, ShownField};
+use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Inputs, Machine};
+use adsdv_spec::{Edition, Inputs, Machine};
 
 use crate::tests;
 
@@ -33,6 +33,7 @@ fn requirements(key: &str) -> &'static [&'static str] {
         "mission_status_fault" => &["MSG-61", "D-27"],
         "charge_procedure_fault" => &["MSG-62"],
         "bms_fault" => &["MSG-63"],
+        "brake_plausibility_fault" => &["MSG-84", "IMP-9"],
         "front_axle_trq"
         | "front_motor_speed_max"
         | "rear_axle_trq"
@@ -92,8 +93,8 @@ enum Wrong {
 
 impl Wrong {
     /// Every way in which an output can be wrong.
-    fn all(field: &ShownField) -> Vec<Self> {
-        let mut values = match field.domain {
+    fn all(field: &ShownField, domain: Domain) -> Vec<Self> {
+        let mut values = match domain {
             Domain::Flag => vec![Some(0), Some(1)],
             Domain::Names(names) => names.iter().map(|&(raw, _)| Some(raw)).collect(),
             Domain::Number { min, max } => vec![Some(min), Some(0), Some(max)],
@@ -122,13 +123,13 @@ impl Wrong {
     }
 
     /// What is shown instead.
-    fn shown(self, field: &ShownField, right: &Shown, inputs: &Inputs) -> Option<i32> {
+    fn shown(self, (field, domain): (&ShownField, Domain), right: &Shown, inputs: &Inputs) -> Option<i32> {
         let raw = |key: &str| right.get(key).expect("an output").raw;
         let is_in = |state: AsState| raw("as_state") == Some(state.raw());
         let value = raw(field.key);
         match self {
             Self::Always(value) => value,
-            Self::In(state) if is_in(state) => Some(another(field.domain, value)),
+            Self::In(state) if is_in(state) => Some(another(domain, value)),
             Self::PassedThrough(state) if is_in(state) => {
                 let input = INPUTS.iter().find(|input| Some(input.key) == request(field.key));
                 Some((input.expect("a request").get)(inputs))
@@ -154,37 +155,42 @@ fn another(domain: Domain, value: Option<i32>) -> i32 {
     }
 }
 
-/// Whether a VCU that shows a field wrong fails a test.
-fn fails(test: &Test, field: &ShownField, wrong: Wrong) -> bool {
-    let shown = test.scenario.shown(&Machine::REFERENCE).zip(&test.scenario.steps);
+/// Whether a VCU of an edition that shows a field wrong fails a test.
+fn fails(edition: &Edition, test: &Test, field: (&ShownField, Domain), wrong: Wrong) -> bool {
+    let machine = Machine::new(*edition, edition.readings);
+    let shown = test.scenario.shown(&machine).zip(&test.scenario.steps);
     shown.into_iter().any(|(right, step)| {
-        right.get(field.key).map(|value| value.raw) != Some(wrong.shown(field, &right, &step.inputs))
+        right.get(field.0.key).map(|value| value.raw) != Some(wrong.shown(field, &right, &step.inputs))
     })
 }
 
 /// The ways to be wrong that no test of some tests tells, though it names a requirement about the output.
-fn not_found(tests: &[Test]) -> Vec<(&'static str, Wrong)> {
-    static FIELDS: [ShownField; SHOWN.len()] = SHOWN;
-    let ways = FIELDS.iter().flat_map(|field| Wrong::all(field).into_iter().map(move |wrong| (field, wrong)));
-    let not_found = ways.filter(|(field, wrong)| {
+fn not_found(edition: &Edition, tests: &[Test]) -> Vec<(&'static str, Wrong)> {
+    let protocol = Protocol::of(edition);
+    let ways = protocol.shown().flat_map(|(field, domain)| {
+        Wrong::all(field, domain).into_iter().map(move |wrong| (field, domain, wrong))
+    });
+    let not_found = ways.filter(|(field, domain, wrong)| {
         let about = requirements(field.key);
         let about = |test: &&Test| test.requirements.iter().any(|id| about.contains(&id.as_str()));
-        !tests.iter().filter(about).any(|test| fails(test, field, *wrong))
+        !tests.iter().filter(about).any(|test| fails(edition, test, (field, *domain), *wrong))
     });
-    not_found.map(|(field, wrong)| (field.key, wrong)).collect()
+    not_found.map(|(field, _, wrong)| (field.key, wrong)).collect()
 }
 
 #[test]
 fn whatever_is_shown_wrong_fails_a_test_of_a_requirement_about_it() {
-    let not_found = not_found(&tests());
-    assert!(not_found.is_empty(), "{not_found:#?}");
+    for edition in Edition::ALL {
+        let not_found = not_found(edition, &suite::generate(edition));
+        assert!(not_found.is_empty(), "{}: {not_found:#?}", edition.version);
+    }
 }
 
 /// The tests of what is shown are needed for that: without them much is not told.
 #[test]
 fn without_the_tests_of_outputs_wrong_outputs_are_not_found() {
     let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != Kind::Output).collect();
-    let not_found = not_found(&less);
+    let not_found = not_found(Edition::DEFAULT, &less);
     for key in ["front_axle_trq", "steer", "hyd_press_r", "ami_state", "as_switch_status", "shutdown_request"]
     {
         assert!(not_found.iter().any(|(other, _)| *other == key), "{key}");
@@ -206,8 +212,11 @@ fn requests_that_reach_the_actuators_in_a_state_fail_the_requirement_of_that_sta
     ] {
         let field = SHOWN.iter().find(|field| field.key == key).expect(key).to_owned();
         let wrong = Wrong::PassedThrough(state);
-        let failed = tests().into_iter().filter(|test| fails(test, &field, wrong));
-        let named: Vec<String> = failed.flat_map(|test| test.requirements).collect();
-        assert!(named.iter().any(|named| named == id), "{key} in {state}: {named:?}");
+        for edition in Edition::ALL {
+            let tests = suite::generate(edition).into_iter();
+            let failed = tests.filter(|test| fails(edition, test, (&field, field.domain), wrong));
+            let named: Vec<String> = failed.flat_map(|test| test.requirements).collect();
+            assert!(named.iter().any(|named| named == id), "{key} in {state}: {named:?}");
+        }
     }
 }

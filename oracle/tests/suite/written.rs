@@ -1,19 +1,17 @@
-//! The whole suite, as `tests.txt` has it, and what no test is for, as `untested.txt` has it: a change of either shows as a
-//! change of a file that people read.
+//! The whole suite, as `tests.txt` has it, and what no test is for, as `untested.txt` has it, each for 3.0, and in a folder for
+//! each other edition: a change of any shows as a change of a file that people read.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-oracle --test suite written` writes them anew.
 
 use std::fmt::Write as _;
 
-use adsdv_oracle::protocol::InputsAsJson;
+use adsdv_oracle::protocol::{InputsAsJson, Protocol};
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::{Inputs, Machine};
+use adsdv_spec::{Edition, Inputs, Machine};
 use expect_test::expect_file;
 
-use crate::tests;
-
 /// The test with its steps: how long each takes, what changes of the inputs, and which state it leads to.
-fn written(test: &Test) -> String {
+fn written(edition: &Edition, test: &Test) -> String {
     let Test { name, kind, about, section, requirements, reading, scenario } = test;
     let mut written =
         format!("{name}, {kind}: {about}\n  of section {section}: {}\n", requirements.join(", "));
@@ -21,10 +19,14 @@ fn written(test: &Test) -> String {
         let _ = writeln!(written, "  asks which {reading} it is");
     }
     let mut before = Inputs::default();
-    let states = scenario.run(&Machine::REFERENCE).map(|(control, _)| control.state);
+    let (machine, protocol) = (Machine::new(*edition, edition.readings), Protocol::of(edition));
+    let states = scenario.run(&machine).map(|(control, _)| control.state);
     for (step, state) in scenario.steps.iter().zip(states) {
-        let inputs =
-            if step.inputs == before { "the same".to_owned() } else { InputsAsJson(step.inputs).to_string() };
+        let inputs = if step.inputs == before {
+            "the same".to_owned()
+        } else {
+            protocol.object(&InputsAsJson(step.inputs)).to_string()
+        };
         let _ = writeln!(written, "  {} ms, {inputs} -> {state}", step.dt_ms);
         before = step.inputs;
     }
@@ -33,15 +35,23 @@ fn written(test: &Test) -> String {
 
 #[test]
 fn every_test_is_as_written() {
-    let all: Vec<String> = tests().iter().map(written).collect();
-    expect_file!["tests.txt"].assert_eq(&all.join("\n"));
+    for (edition, file) in
+        [(&Edition::V3_0, expect_file!["tests.txt"]), (&Edition::V4_0, expect_file!["v4_0/tests.txt"])]
+    {
+        let all: Vec<String> = suite::generate(edition).iter().map(|test| written(edition, test)).collect();
+        file.assert_eq(&all.join("\n"));
+    }
 }
 
 #[test]
 fn every_requirement_without_a_test_has_a_reason() {
-    let untested: String = suite::untested().fold(String::new(), |mut all, untested| {
-        let _ = writeln!(all, "{:9} {}", untested.id, untested.reason);
-        all
-    });
-    expect_file!["untested.txt"].assert_eq(&untested);
+    for (edition, file) in
+        [(&Edition::V3_0, expect_file!["untested.txt"]), (&Edition::V4_0, expect_file!["v4_0/untested.txt"])]
+    {
+        let untested: String = suite::untested(edition).fold(String::new(), |mut all, untested| {
+            let _ = writeln!(all, "{:9} {}", untested.id, untested.reason);
+            all
+        });
+        file.assert_eq(&untested);
+    }
 }

@@ -1,6 +1,5 @@
 //! Data of a frame: drawn, cut by hand, read, and written again.
 
-#[cfg(not(kani))]
 use adsdv_spec::editions::V3_0;
 #[cfg(not(kani))]
 use adsdv_spec::messages::AnyMessage;
@@ -42,6 +41,11 @@ impl Layout {
 impl Data {
     /// Any data.
     pub(super) fn any<M: Coded + kani::Arbitrary>() -> Self {
+        Self::any_in::<V3_0, M>()
+    }
+
+    /// Any data, for a message of an edition.
+    pub(super) fn any_in<E, M: Coded<E> + kani::Arbitrary>() -> Self {
         let data = Self { bytes: kani::any(), len: kani::any_where(|len| *len <= 9) };
         #[cfg(not(kani))]
         if kani::any() {
@@ -135,6 +139,11 @@ impl Data {
     /// Asserts that there is one if and only if every signal is there and every value allowed; and that it is written
     /// again as the bits of these signals and no others.
     pub(super) fn read<M: Coded>(&self, layout: &Layout, allowed: bool) -> Option<M> {
+        self.read_in::<V3_0, M>(layout, allowed)
+    }
+
+    /// The same of a message of an edition.
+    pub(super) fn read_in<E, M: Coded<E>>(&self, layout: &Layout, allowed: bool) -> Option<M> {
         let complete = u32::from(self.len) >= layout.needed();
         kani::cover!(!complete && allowed, "the end is missing");
         kani::cover!(complete && allowed && u32::from(self.len) == layout.needed(), "all is just there");
@@ -142,7 +151,7 @@ impl Data {
         let read = M::decode(self.received(layout.id).given()).ok();
         assert!(read.is_some() == (complete && allowed), "read if and only if all is there and allowed");
         if let Some(message) = read {
-            let written = written(message, layout);
+            let written = written::<E, M>(message, layout);
             assert!(
                 written.word() == self.word() & layout.used(),
                 "written as the bits of the signals alone"
@@ -154,7 +163,7 @@ impl Data {
 
 /// The data that a message is written as. Asserts that its frame has this identifier, this length and nothing outside of
 /// the signals, and that it is read as the same message.
-fn written<M: Coded>(message: M, layout: &Layout) -> Data {
+fn written<E, M: Coded<E>>(message: M, layout: &Layout) -> Data {
     let frame = subject().sent(message.encode());
     assert!(frame.id == layout.id, "the identifier");
     assert!(frame.len == layout.len, "the length");
@@ -166,8 +175,13 @@ fn written<M: Coded>(message: M, layout: &Layout) -> Data {
 
 /// Any message that the edition can say is written as one that is read as the same.
 pub(super) fn any_is_written<M: Coded + kani::Arbitrary>(layout: &Layout) {
+    any_is_written_in::<V3_0, M>(layout);
+}
+
+/// The same of a message of an edition.
+pub(super) fn any_is_written_in<E, M: Coded<E> + kani::Arbitrary>(layout: &Layout) {
     let message = kani::any::<M>();
     kani::assume(message.is_held());
-    let data = written(message, layout);
+    let data = written::<E, M>(message, layout);
     kani::cover!(data.word() != 0, "something is in it");
 }

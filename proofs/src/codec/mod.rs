@@ -8,6 +8,7 @@
 //! - [`ai`]: what the AI Computer sends, 510h to 514h;
 //! - [`vcu`]: what the VCU sends, 520h to 526h;
 //! - [`log`]: what both send for the data logger, 500h to 502h;
+//! - [`v4_0`]: the messages and identifiers of version 4.0; all others are about version 3.0;
 //! - [`any`]: frames of which it is not known what they are;
 //! - [`table`]: the table of all signals, and the lenient reading that goes by it;
 //! - [`quantities`]: numbers that have a range;
@@ -26,4 +27,5 @@ mod names;
 pub mod quantities;
 pub mod reserved;
 pub mod table;
+pub mod v4_0;
 pub mod vcu;

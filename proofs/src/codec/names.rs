@@ -1,7 +1,8 @@
 //! The numbers that stand for a name, as the text of sections 2.1 and 2.2 has them. No other number has a meaning.
 
 use adsdv_spec::messages::{
-    AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ServiceBrake, ShutdownCause,
+    AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ServiceBrake, ShutdownCause, SmAs, SmSys,
+    StatusBrk, SysActionState,
 };
 
 /// `AS_STATE` of 520h and `State_ASSI` of 502h.
@@ -31,7 +32,7 @@ pub(super) const fn ami_state(number: i32) -> Option<AmiState> {
     }
 }
 
-/// `State_EBS` of 502h.
+/// `State_EBS` of 502h, and `STATUS_EBS` of 524h in version 4.0.
 pub(super) const fn ebs_state(number: i32) -> Option<EbsState> {
     match number {
         1 => Some(EbsState::Unavailable),
@@ -65,6 +66,68 @@ pub(super) const fn shutdown_cause(number: i32) -> Option<ShutdownCause> {
         8 => Some(ShutdownCause::MissionStatusFault),
         9 => Some(ShutdownCause::ChargeProcedureFault),
         10 => Some(ShutdownCause::BmsFault),
+        _ => None,
+    }
+}
+
+/// `SHUTDOWN_CAUSE` of 520h in version 4.0, which has one more.
+pub(super) const fn shutdown_cause_of_4_0(number: i32) -> Option<ShutdownCause> {
+    match number {
+        11 => Some(ShutdownCause::BrakePlausibilityFault),
+        _ => shutdown_cause(number),
+    }
+}
+
+/// `SM_SYS` of 120h.
+pub(super) const fn sm_sys(number: i32) -> Option<SmSys> {
+    match number {
+        0 => Some(SmSys::InitialActions),
+        1 => Some(SmSys::PowerOnSelfTest),
+        2 => Some(SmSys::Aux),
+        3 => Some(SmSys::PowertrainEnable),
+        4 => Some(SmSys::DriveAutonomous),
+        5 => Some(SmSys::DriveManual),
+        6 => Some(SmSys::Charge),
+        7 => Some(SmSys::Shutdown),
+        8 => Some(SmSys::ShutdownOff),
+        9 => Some(SmSys::PushbarMode),
+        _ => None,
+    }
+}
+
+/// `SM_AS` of 120h.
+pub(super) const fn sm_as(number: i32) -> Option<SmAs> {
+    match number {
+        1 => Some(SmAs::Off),
+        2 => Some(SmAs::Ready),
+        3 => Some(SmAs::Driving),
+        4 => Some(SmAs::EmergencyBrake),
+        5 => Some(SmAs::Finished),
+        6 => Some(SmAs::R2d),
+        _ => None,
+    }
+}
+
+/// `SYS_ACTION_STATE` of 120h.
+pub(super) const fn sys_action_state(number: i32) -> Option<SysActionState> {
+    match number {
+        0 => Some(SysActionState::Initialise),
+        1 => Some(SysActionState::Charge),
+        2 => Some(SysActionState::DriveAuto),
+        3 => Some(SysActionState::DriveMan),
+        4 => Some(SysActionState::Shutdown),
+        _ => None,
+    }
+}
+
+/// `STATUS_BRK` of 524h.
+pub(super) const fn status_brk(number: i32) -> Option<StatusBrk> {
+    match number {
+        0 => Some(StatusBrk::Initialising),
+        1 => Some(StatusBrk::Ready),
+        2 => Some(StatusBrk::ShuttingDown),
+        3 => Some(StatusBrk::ShutdownComplete),
+        4 => Some(StatusBrk::Fault),
         _ => None,
     }
 }

@@ -7,7 +7,7 @@ use adsdv_spec::messages::{
     AnyMessage, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
     LapCounter, MissionStatus, MotorSpeedMax, Node, ShutdownCause, SpeedKmh, SteerAngle, SteerAngleMax,
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
+    Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus, WheelSpeed,
 };
 use adsdv_spec::{
     AiMessages, Atom, Atoms, Control, Edition, Fault, Faults, Handshake, Inputs, Knowledge, Observation,
@@ -152,7 +152,6 @@ made!(
     Faults,
     LapCounter,
     MotorSpeedMax,
-    Observation,
     Readings,
     SpeedKmh,
     SteerAngleMax,
@@ -164,6 +163,7 @@ made!(
     Vcu2AiWheelCounts,
     Vcu2LogDynamics1,
     Vcu2LogStatus,
+    VcuStatus,
     Ai2VcuStatus,
 );
 
@@ -195,6 +195,14 @@ impl Arbitrary for Atoms {
             1 => few(source),
             _ => Self::ALL.difference(few(source)),
         }
+    }
+}
+
+/// Half of them without a fault: of the others hardly any is without one that opens the shutdown circuit.
+impl Arbitrary for Observation {
+    fn any(source: &mut Source) -> Self {
+        let drawn: Self = source.arbitrary();
+        if source.below(2) == 0 { Self::new(drawn.atoms(), Faults::NONE) } else { drawn }
     }
 }
 
@@ -290,6 +298,9 @@ const SPREAD: Atoms = Atoms::of(&[
     Atom::MissionFinished,
     Atom::Moving,
     Atom::AtRest,
+    Atom::EbsUnavailable,
+    Atom::AiMessagesMissed,
+    Atom::BmsFault,
 ]);
 
 /// Of conditions that are hardly ever so by chance, half of all inputs show each: no fault, a request of zero, a vehicle

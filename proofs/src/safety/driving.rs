@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// at rest.
 ///
 /// Requirements: DTE-1, SM-13, RTE-2 to RTE-8, D-5.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_sdc() {
     let step = any_step_from(Driving);
     let open = step.words().section_3_5_sdc_open();
@@ -21,7 +21,7 @@ pub fn driving_sdc() {
 /// **ASMS off in AS_DRIVING leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: DTE-3, SM-13, D-5.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_asms() {
     let step = any_step_from(Driving);
     kani::cover!(!step.inputs.asms && step.words().section_3_3(), "the vehicle has finished at once");
@@ -31,7 +31,7 @@ pub fn driving_asms() {
 /// **"Go" off in AS_DRIVING leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: DTE-2, SM-13, D-5.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_go_off() {
     let step = any_step_from(Driving);
     kani::cover!(!step.inputs.go && step.words().section_3_3(), "the vehicle has finished at once");
@@ -42,7 +42,7 @@ pub fn driving_go_off() {
 /// MISSION_STATUS was before.
 ///
 /// Requirements: DTE-4, IMP-1, IMP-3, IMP-4, SM-13, D-2.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_finished() {
     let step = any_step_from(Driving);
     let finished = step.words().finished();
@@ -54,7 +54,7 @@ pub fn driving_finished() {
 /// DIRECTION_REQUEST was before.
 ///
 /// Requirements: DTE-5, IMP-1, IMP-2, IMP-4, SM-13, D-2.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_neutral() {
     let step = any_step_from(Driving);
     let neutral = step.inputs.ai.status.direction_request == DirectionRequest::Neutral;
@@ -65,7 +65,7 @@ pub fn driving_neutral() {
 /// **A handshake unanswered for 50 ms in AS_DRIVING leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: HS-9, HS-10, D-10.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_comms() {
     let step = any_step_from(Driving);
     kani::cover!(step.comms_just_lost(), "the 50 ms are just full");
@@ -75,7 +75,7 @@ pub fn driving_comms() {
 /// **ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: D-9.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_estop() {
     let step = any_step_from(Driving);
     must_lead(&step, step.inputs.ai.status.estop_request, EmergencyBrake);
@@ -84,7 +84,7 @@ pub fn driving_estop() {
 /// **AS_FINISHED is entered only at rest**: with FINISHED, and every wheel slower than 10 rpm.
 ///
 /// Requirements: FIN-4, SM-14, D-24.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_at_rest() {
     let step = any_step_from(Driving);
     let fastest_rpm = fastest_rpm(&step.inputs);
@@ -97,7 +97,7 @@ pub fn finished_at_rest() {
 /// is a reason to brake.
 ///
 /// Requirements: FIN-4, SM-14, D-5.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_due() {
     let step = any_step_from(Driving);
     let due = step.words().finished() && fastest_rpm(&step.inputs) < 10;

@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// only when 15000 ms are full.
 ///
 /// Requirements: ETO-1, SM-17.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn brake_time() {
     let step = any_step();
     let (was, is) = (step.before.state == EmergencyBrake, step.after.state == EmergencyBrake);
@@ -24,7 +24,7 @@ pub fn brake_time() {
 /// **EMERGENCY_BRAKE is left only with ASMS off.**
 ///
 /// Requirements: ETO-2, SM-17.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn brake_asms() {
     let step = any_step_from(EmergencyBrake);
     kani::cover!(step.inputs.asms && step.lasted_ms() >= 15000, "ASMS is still on after 15 seconds");
@@ -35,7 +35,7 @@ pub fn brake_asms() {
 /// switched.
 ///
 /// Requirements: ETO-2, SM-17, D-23.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn brake_due() {
     let step = any_step_from(EmergencyBrake);
     let due = step.lasted_ms() >= 15000 && !step.inputs.asms;
@@ -48,7 +48,7 @@ pub fn brake_due() {
 /// and AS_OFF, whatever it sees, until its power is cycled.
 ///
 /// Requirements: ETO-3, D-11.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn power_cycle() {
     let step = any_step();
     let shut_down = step.before.shutdown_cause != ShutdownCause::NoShutdown;
@@ -63,7 +63,7 @@ pub fn power_cycle() {
 /// then never changes, and 520h shows it.
 ///
 /// Requirements: D-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn shutdown_cause() {
     let step = any_step();
     let (before, after) = (step.before.shutdown_cause, step.after.shutdown_cause);

@@ -11,7 +11,7 @@ use crate::words::Arrow;
 /// **The state changes only along an arrow of Figure 2.**
 ///
 /// Requirements: SM-18, D-36.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn figure_2_arrows() {
     let step = any_step();
     let (from, to) = (step.before.state, step.after.state);
@@ -25,7 +25,7 @@ pub fn figure_2_arrows() {
 /// moving.
 ///
 /// Requirements: SM-12, SM-13, SM-15, HS-10, D-9, D-10, D-24, D-26, D-27.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn brake_founded() {
     let step = any_step();
     let enters = step.before.state != EmergencyBrake && step.after.state == EmergencyBrake;
@@ -38,7 +38,7 @@ pub fn brake_founded() {
 /// **A standing vehicle is switched off only by ASMS**: AS_READY and AS_FINISHED are left for AS_OFF only with ASMS off.
 ///
 /// Requirements: SM-10, SM-16.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn off_founded() {
     let step = any_step();
     let switched_off = step.leads(Ready, Off) || step.leads(Finished, Off);
@@ -50,7 +50,7 @@ pub fn off_founded() {
 /// **With TSMS off, no silence of the AI Computer causes an emergency**: SHUTDOWN_CAUSE does not become AI_COMMS_FAULT.
 ///
 /// Requirements: D-8.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn comms_tsms() {
     let step = any_step();
     let (before, after) = (step.before.shutdown_cause, step.after.shutdown_cause);
@@ -68,7 +68,7 @@ pub fn comms_tsms() {
 /// ASMS and "Go" on and the shutdown circuit closed.
 ///
 /// Requirements: DRV-2, DRV-3, FIN-5, FIN-6, D-21.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn actuators() {
     let step = any_step();
     let Actuation {
@@ -102,7 +102,7 @@ pub fn actuators() {
 /// "Go" has been accepted.
 ///
 /// Requirements: DRV-14, D-7.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn go_signal() {
     let step = any_step();
     let told = step.outputs.go_signal;
@@ -122,7 +122,7 @@ pub fn go_signal() {
 /// step on.
 ///
 /// Requirements: HS-1, HS-4, HS-6, HS-7, HS-9, HS-15, D-8, D-11, D-44.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn control_invariant() {
     let step = any_step();
     assert!(subject().is_consistent(&step.after, Readings::DEFAULT), "the invariant is kept");

@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// off.
 ///
 /// Requirements: FTE-1, SM-15, RTE-2 to RTE-8, D-4.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_sdc() {
     let step = any_step_from(Finished);
     let open = step.words().section_3_5_sdc_open();
@@ -20,7 +20,7 @@ pub fn finished_sdc() {
 /// **ASMS off leads out of AS_FINISHED**: to AS_OFF, or to EMERGENCY_BRAKE where there is a reason for that.
 ///
 /// Requirements: FTO-1, SM-16.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_asms() {
     let step = any_step_from(Finished);
     let off = !step.inputs.asms;
@@ -32,7 +32,7 @@ pub fn finished_asms() {
 /// **A handshake unanswered for 50 ms in AS_FINISHED leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: HS-9, HS-10, D-10.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_comms() {
     let step = any_step_from(Finished);
     kani::cover!(step.comms_just_lost(), "the 50 ms are just full");
@@ -42,7 +42,7 @@ pub fn finished_comms() {
 /// **ESTOP_REQUEST in AS_FINISHED leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: D-9.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn finished_estop() {
     let step = any_step_from(Finished);
     must_lead(&step, step.inputs.ai.status.estop_request, EmergencyBrake);

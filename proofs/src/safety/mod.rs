@@ -12,7 +12,8 @@
 //! - [`driving`]: what stops the vehicle, and when it has finished;
 //! - [`finished`]: what ends AS_FINISHED;
 //! - [`emergency_brake`]: how long it lasts, and what it leaves behind;
-//! - [`every_state`]: what holds of every step.
+//! - [`every_state`]: what holds of every step;
+//! - [`v4_0`]: what version 4.0 has otherwise, from all states.
 //!
 //! Most of them are one of two sentences, `must_lead` and `only_if`, about conditions on raw inputs. Conditions that
 //! several need are in [`words`], or below.
@@ -29,6 +30,7 @@ pub mod every_state;
 pub mod finished;
 pub mod off;
 pub mod ready;
+pub mod v4_0;
 
 /// A step in which the condition holds leads to this state.
 fn must_lead(step: &Step, condition: bool, to: AsState) {

@@ -19,7 +19,7 @@ pub(super) fn all_for_ready(inputs: &Inputs) -> bool {
 /// **AS_READY needs its switches.** It is entered only with ASMS and TSMS on and the EBS ARMED.
 ///
 /// Requirements: RDY-1, RDY-2, RDY-4.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_switches() {
     let step = any_step_from(Off);
     let inputs = &step.inputs;
@@ -30,7 +30,7 @@ pub fn ready_switches() {
 /// **AS_READY needs the AMI.** It is entered only with a mission selected on the AMI.
 ///
 /// Requirements: RDY-3.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_ami() {
     let step = any_step_from(Off);
     only_if(&step, Ready, step.inputs.ami != AmiState::NotSelected);
@@ -39,7 +39,7 @@ pub fn ready_ami() {
 /// **AS_READY needs the AI Computer.** It is entered only with MISSION_STATUS SELECTED.
 ///
 /// Requirements: SM-9, MSG-9, D-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_mission_status() {
     let step = any_step_from(Off);
     only_if(&step, Ready, step.inputs.ai.status.mission_status == MissionStatus::Selected);
@@ -49,7 +49,7 @@ pub fn ready_mission_status() {
 /// MISSION_STATUS, and the EBS ARMED, a VCU that has not been shut down enters it; also with an open shutdown circuit.
 ///
 /// Requirements: RDY-5, SM-9, D-1, D-45.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_due() {
     let step = any_step_from(Off);
     let all = all_for_ready(&step.inputs);

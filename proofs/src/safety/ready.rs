@@ -11,7 +11,7 @@ use crate::prelude::*;
 /// off; even if "Go" was remembered to have been off too early, which the invariant rules out.
 ///
 /// Requirements: DRV-4, SM-11.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_dwell() {
     let before = Control { go_seen_low: kani::any(), ..any_control_in(Ready) };
     let step = Step::of(before, kani::any(), kani::any());
@@ -28,7 +28,7 @@ pub fn driving_dwell() {
 /// steering request, wheels less than 5 degrees from straight to either side, and NEUTRAL.
 ///
 /// Requirements: DRV-5 to DRV-9, SM-11, D-25.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_requests() {
     let step = any_step_from(Ready);
     let ai = &step.inputs.ai;
@@ -49,7 +49,7 @@ pub fn driving_requests() {
 /// is seen of "Go" at any other step is forgotten by the next.
 ///
 /// Requirements: DRV-11, DRV-12, SM-2, D-6.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_go() {
     let step = any_step();
     let stays_ready = step.leads(Ready, Ready);
@@ -67,7 +67,7 @@ pub fn driving_go() {
 /// for AS_DRIVING, unless there is a reason to brake or ASMS is off.
 ///
 /// Requirements: DRV-15, SM-11.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn driving_due() {
     let step = any_step_from(Ready);
     let edge = step.before.go_seen_low && step.inputs.go;
@@ -80,7 +80,7 @@ pub fn driving_due() {
 /// or at the edge of "Go".
 ///
 /// Requirements: RTE-1 to RTE-8, SM-12, D-3.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_sdc() {
     let step = any_step_from(Ready);
     let open = step.words().section_3_5_sdc_open();
@@ -92,7 +92,7 @@ pub fn ready_sdc() {
 /// **ASMS off leads out of AS_READY**: to AS_OFF, or to EMERGENCY_BRAKE where there is a reason for that.
 ///
 /// Requirements: RTO-1, SM-10, D-22.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_asms() {
     let step = any_step_from(Ready);
     let off = !step.inputs.asms;
@@ -104,7 +104,7 @@ pub fn ready_asms() {
 /// **A handshake unanswered for 50 ms in AS_READY leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: HS-9, HS-10, D-10.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_comms() {
     let step = any_step_from(Ready);
     kani::cover!(step.comms_just_lost(), "the 50 ms are just full");
@@ -114,7 +114,7 @@ pub fn ready_comms() {
 /// **ESTOP_REQUEST in AS_READY leads to EMERGENCY_BRAKE.**
 ///
 /// Requirements: D-9.
-#[cfg_attr(kani, kani::proof, kani::unwind(12))]
+#[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn ready_estop() {
     let step = any_step_from(Ready);
     must_lead(&step, step.inputs.ai.status.estop_request, EmergencyBrake);

@@ -4,14 +4,19 @@
 use adsdv_proofs::subject::Subject;
 use adsdv_proofs::theorems::Theorem;
 use adsdv_spec::messages::{Ai2VcuDriveF, Ai2VcuStatus, Frame, MessageDef, Node, SignalDef};
-use adsdv_spec::{AiMessages, Bus, Edition};
+use adsdv_spec::{AiMessages, Bus, Edition, Machine};
 
 use crate::Mutant;
 
 const BUS: &Bus = &Edition::DEFAULT.bus;
 
 pub(crate) fn mutants() -> Vec<Mutant> {
-    let mut mutants: Vec<Mutant> = BUS.messages.iter().flat_map(|message| of_message(message)).collect();
+    let mut mutants: Vec<Mutant> =
+        BUS.messages.iter().flat_map(|message| of_message(theorem(message, ""), message)).collect();
+    // What 4.0 has as 3.0 has it has its theorem there.
+    let anew = Edition::V4_0.bus.messages.iter().filter(|message| !matches!(message.id, 0x501 | 0x526));
+    mutants.extend(anew.flat_map(|message| of_message(theorem(message, "_in_4_0"), message)));
+    mutants.extend(of_4_0());
     mutants.extend(of_any());
     mutants.extend(of_the_table());
     mutants.extend(of_identifiers());
@@ -71,14 +76,13 @@ fn head(mut data: [u8; 9], change: impl FnOnce([u8; 8]) -> [u8; 8]) -> [u8; 9] {
     data
 }
 
-/// The theorem of a message: `ai2vcu_steer_513h`.
-fn theorem(message: &MessageDef) -> &'static str {
-    let name = format!("{}_{:x}h", message.name.to_lowercase(), message.id);
+/// The theorem of a message: `ai2vcu_steer_513h`, and what is added for an edition.
+fn theorem(message: &MessageDef, of_edition: &str) -> &'static str {
+    let name = format!("{}_{:x}h{of_edition}", message.name.to_lowercase(), message.id);
     Theorem::find(&name).unwrap_or_else(|| panic!("there is no theorem {name}")).name
 }
 
-fn of_message(message: &'static MessageDef) -> Vec<Mutant> {
-    let theorem = theorem(message);
+fn of_message(theorem: &'static str, message: &'static MessageDef) -> Vec<Mutant> {
     let mut mutants = vec![
         sent(theorem, "another identifier", |frame| Frame { id: frame.id ^ 0x10, ..frame }),
         sent(theorem, "a byte less", |frame| Frame { len: frame.len - 1, ..frame }),
@@ -307,5 +311,41 @@ fn of_identifiers() -> Vec<Mutant> {
         sends("the VCU may send its own messages only", |node, id| {
             BUS.may_send(node, id) && (node == Node::Ai || BUS.message(id).is_some())
         }),
+    ]
+}
+
+/// The bus of 4.0, changed.
+#[derive(Clone)]
+struct Bus4(Machine);
+
+impl Bus4 {
+    fn with(change: impl FnOnce(&mut Bus)) -> Self {
+        let mut edition = Edition::V4_0;
+        change(&mut edition.bus);
+        Self(Machine::new(edition, edition.readings))
+    }
+}
+
+impl Subject for Bus4 {
+    fn machine_of_4_0(&self) -> &Machine {
+        &self.0
+    }
+}
+
+fn of_4_0() -> Vec<Mutant> {
+    let messages_of_3_0 = |bus: &mut Bus| bus.messages = BUS.messages;
+    let reserved_of_3_0 = |bus: &mut Bus| bus.reserved = BUS.reserved;
+    vec![
+        Mutant::new("lengths_and_cycles_of_4_0", "those of 3.0", Bus4::with(messages_of_3_0)),
+        Mutant::new("names_of_4_0", "those of 3.0", Bus4::with(messages_of_3_0)),
+        Mutant::new("reserved_is_what_section_2_3_of_4_0_lists", "that of 3.0", Bus4::with(reserved_of_3_0)),
+        Mutant::new("who_may_send_what_in_4_0", "what 3.0 reserves", Bus4::with(reserved_of_3_0)),
+        Mutant::new(
+            "who_may_send_what_in_4_0",
+            "no message is anyone's",
+            Bus4::with(|bus| {
+                bus.messages = &[];
+            }),
+        ),
     ]
 }

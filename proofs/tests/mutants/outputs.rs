@@ -2,12 +2,12 @@
 //! actuators or do not get there.
 
 use adsdv_proofs::subject::Subject;
-use adsdv_spec::editions::V3_0;
+use adsdv_spec::editions::{V3_0, V4_0};
 use adsdv_spec::messages::{
     BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, Layout, LogBrake, LogDriveTorque,
-    LogSteerAngle, Message, MessageDef, MotorSpeedMax, SignalDef, SteerAngle, Vcu2AiBrake, Vcu2AiDriveF,
-    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
-    Vcu2LogStatus,
+    LogSteerAngle, Message, MessageDef, MotorSpeedMax, SignalDef, SmAs, StatusBrk, SteerAngle, Vcu2AiBrake,
+    Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Actuation, AsState, Control, Inputs, Machine, Outputs, VcuMessages};
 
@@ -19,6 +19,7 @@ pub(crate) fn mutants() -> Vec<Mutant> {
     mutants.extend(of_frames());
     mutants.extend(of_the_actuators());
     mutants.extend(of_the_assi());
+    mutants.extend(of_4_0());
     mutants
 }
 
@@ -284,4 +285,68 @@ impl Subject for ShowsTheStateBefore {
 
 fn of_the_assi() -> Vec<Mutant> {
     vec![Mutant::new("the_assi_shows_the_state", "the state before the step", ShowsTheStateBefore)]
+}
+
+/// What the theorems of `outputs_of_4_0.rs` catch.
+fn of_4_0() -> Vec<Mutant> {
+    let of = |theorem, what, change: fn(&mut VcuMessages, &Outputs, &Inputs)| {
+        Mutant::new(theorem, what, Sending(change))
+    };
+    let (timeouts, warnings) = ("status_120h_shows_the_timeouts", "status_120h_warns_of_what_520h_shows");
+    let modes = "status_120h_shows_the_modes";
+    let mut mutants: Vec<Mutant> = <V4_0 as Layout<VcuStatus>>::DEF
+        .signals
+        .iter()
+        .map(|signal| {
+            let theorem = match signal.name {
+                name if name.starts_with("R1_") => timeouts,
+                name if name.starts_with("WARN_") => warnings,
+                _ => modes,
+            };
+            let change = move |messages: &mut VcuMessages, _: &Outputs, _: &Inputs| {
+                let data = V4_0::encode(&messages.vcu_status).data;
+                let raw = signal.raw(&data).map(|raw| raw + 1).filter(|&raw| signal.allows(raw));
+                let other = signal.put(data, raw.unwrap_or(signal.min));
+                messages.vcu_status = V4_0::decode(&other).unwrap_or(messages.vcu_status);
+            };
+            Mutant::new(theorem, &format!("120h, {}: another value", signal.name), Sending(change))
+        })
+        .collect();
+    mutants.extend([
+        of(timeouts, "shown with TSMS off", |messages, _, inputs| {
+            messages.vcu_status.steer_timeout = inputs.ai_silence.steer_silence_ms >= 100;
+        }),
+        of(warnings, "WARN_AI_COMMS_LOST with a timeout", |messages, _, _| {
+            messages.vcu_status.warn_ai_comms_lost |= messages.vcu_status.steer_timeout;
+        }),
+        of(modes, "AS_R2D with \"Go\" in AS_READY", |messages, outputs, inputs| {
+            if outputs.state == AsState::Ready && inputs.go {
+                messages.vcu_status.sm_as = SmAs::R2d;
+            }
+        }),
+        of("states_of_524h", "a fault of the EBS is one of the brakes", |messages, _, inputs| {
+            if inputs.reports.ebs_fault {
+                messages.brake.status_brk = StatusBrk::Fault;
+            }
+        }),
+        of("states_of_524h", "the EBS as it reports itself", |messages, _, inputs| {
+            messages.brake.status_ebs = inputs.ebs;
+        }),
+        Mutant::new(
+            "each_message_of_4_0_goes_out_in_its_frame",
+            "120h goes out as 121h",
+            SentAs(0x120, 0x121),
+        ),
+    ]);
+    mutants
+}
+
+/// A message with another identifier.
+#[derive(Clone)]
+struct SentAs(u16, u16);
+
+impl Subject for SentAs {
+    fn sent(&self, frame: Frame) -> Frame {
+        if frame.id == self.0 { Frame { id: self.1, ..frame } } else { frame }
+    }
 }

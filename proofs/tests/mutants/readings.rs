@@ -2,12 +2,12 @@
 
 use adsdv_proofs::readings::CHOICES;
 use adsdv_proofs::subject::Subject;
-use adsdv_spec::{Control, Inputs, Machine, Outputs, Readings};
+use adsdv_spec::{Control, Inputs, Machine, Outputs};
 
 use crate::Mutant;
 
 pub(crate) fn mutants() -> Vec<Mutant> {
-    let deaf = |&(theorem, choice)| Mutant::new(theorem, &format!("{choice} is not heard"), Deaf);
+    let deaf = |&(theorem, _, choice)| Mutant::new(theorem, &format!("{choice} is not heard"), Deaf);
     CHOICES.iter().map(deaf).collect()
 }
 
@@ -23,6 +23,6 @@ impl Subject for Deaf {
         inputs: &Inputs,
         dt_ms: u32,
     ) -> (Control, Outputs) {
-        Machine::new(*machine.edition(), Readings::DEFAULT).step(before, inputs, dt_ms)
+        Machine::new(*machine.edition(), machine.edition().readings).step(before, inputs, dt_ms)
     }
 }

@@ -14,22 +14,24 @@ mod mutants;
 mod random;
 
 use adsdv_spec::table::Row;
-use adsdv_spec::{Choice, Edition, Machine, Reading, Readings};
+use adsdv_spec::{Choice, Edition, Machine, Readings};
 
 use crate::exhaustive::explore;
 use crate::random::{Prng, Run};
 
 /// The default readings, and each other choice alone.
 fn one_choice_each() -> impl Iterator<Item = Readings> {
-    let others = Choice::ALL.iter().filter(|&&choice| !Readings::DEFAULT.is(choice));
-    std::iter::once(Readings::DEFAULT).chain(others.map(|&choice| Readings::DEFAULT.with(choice)))
+    let others = Edition::DEFAULT.alternatives().iter();
+    std::iter::once(Readings::DEFAULT).chain(others.map(|choice| Readings::DEFAULT.with(choice)))
 }
 
 /// Any combination of choices.
 fn any_readings(prng: &mut Prng) -> Readings {
-    Reading::ALL
-        .iter()
-        .fold(Readings::DEFAULT, |readings, reading| readings.with(prng.pick(reading.choices())))
+    let edition = Edition::DEFAULT;
+    edition.questions().fold(edition.readings, |readings, reading| {
+        let choices: Vec<Choice> = edition.choices.of_reading(reading).collect();
+        readings.with(prng.pick(&choices))
+    })
 }
 
 /// Every row of the table is taken at least this often in a run, or the run says too little.

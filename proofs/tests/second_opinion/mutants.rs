@@ -16,7 +16,16 @@ pub(crate) const EQUIVALENT: &[(&str, &str)] = &[
 ];
 
 /// Every mutant.
+#[allow(dead_code, reason = "of two tests that have this file one needs those of one edition")]
 pub(crate) fn all() -> impl Iterator<Item = Mutant> {
-    let mutations = Mutation::all(Edition::DEFAULT);
-    mutations.map(|mutation| Mutant { name: mutation.to_string(), edition: mutation.apply(Edition::DEFAULT) })
+    all_of(Edition::DEFAULT)
+}
+
+/// Every mutant of an edition.
+pub(crate) fn all_of(edition: &Edition) -> impl Iterator<Item = Mutant> + use<> {
+    let edition = *edition;
+    let mutations: Vec<Mutation> = Mutation::all(&edition).collect();
+    let mutant =
+        move |mutation: Mutation| Mutant { name: mutation.to_string(), edition: mutation.apply(&edition) };
+    mutations.into_iter().map(mutant)
 }

@@ -3,7 +3,7 @@
 use super::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Message, Node,
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus,
+    Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 
 macro_rules! any_message {
@@ -72,6 +72,7 @@ macro_rules! any_message {
 }
 
 any_message! {
+    VcuStatus,
     Vcu2LogDynamics1,
     Ai2LogDynamics2,
     Vcu2LogStatus,

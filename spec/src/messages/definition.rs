@@ -100,15 +100,34 @@ impl SignalDef {
         Self { values, ..self }
     }
 
+    /// The same row with other names for the numbers that its type has.
+    pub(crate) const fn with_values(self, values: &'static [(i32, &'static str)]) -> Self {
+        assert!(!values.is_empty() && values.len() == self.values.len(), "one name for each number");
+        let mut i = 0;
+        while i < values.len() {
+            assert!(values[i].0 == self.values[i].0, "the numbers are those of the type");
+            i += 1;
+        }
+        Self { values, ..self }
+    }
+
     /// The same row, carried by a field.
     pub(crate) const fn carried_by(self, field: &'static str) -> Self {
         Self { field, ..self }
     }
 
-    /// The same row with a range of its own, inside that of the type.
+    /// The same row with a range of its own, inside that of the type, and of the type's named values those in it.
     pub(crate) const fn within(self, min: i32, max: i32) -> Self {
         assert!(self.min <= min && min <= max && max <= self.max, "the type has no such values");
-        Self { min, max, ..self }
+        let (mut first, mut end) = (0, self.values.len());
+        while first < end && self.values[first].0 < min {
+            first += 1;
+        }
+        while first < end && self.values[end - 1].0 > max {
+            end -= 1;
+        }
+        let values = self.values.split_at(end).0.split_at(first).1;
+        Self { min, max, values, ..self }
     }
 
     /// The length that data must have to hold this signal: the number of its last byte, from 1.
@@ -303,7 +322,7 @@ const fn held_by(width: u8, signed: bool) -> (i64, i64) {
 mod tests {
     use super::{MessageDef, SignalDef, are_in_order, held_by};
     use crate::editions::V3_0;
-    use crate::messages::{Layout, SteerAngle, Vcu2LogDynamics1};
+    use crate::messages::{AsState, Layout, SteerAngle, Vcu2LogDynamics1};
 
     /// A message as tables have it.
     const MESSAGE: &MessageDef = <V3_0 as Layout<Vcu2LogDynamics1>>::DEF;
@@ -345,11 +364,41 @@ mod tests {
         let _ = SignalDef::of::<SteerAngle>("angle", 0, 16, "").with_flag_names(&[(0, "no"), (1, "yes")]);
     }
 
+    /// A row whose type has the numbers 1 to 5.
+    const STATE: SignalDef = SignalDef::of::<AsState>("state", 16, 4, "");
+
+    #[test]
+    fn a_row_may_name_the_numbers_of_its_type_otherwise() {
+        let named = STATE.with_values(&[(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, "e")]);
+        assert_eq!((named.min, named.max, named.value_name(4)), (1, 5, Some("d")));
+        assert_eq!(named.within(2, 3).values, [(2, "b"), (3, "c")], "and a narrower row keeps its share");
+    }
+
+    #[test]
+    #[should_panic(expected = "one name for each number")]
+    fn a_number_without_a_name_does_not_compile() {
+        let _ = STATE.with_values(&[(1, "a"), (2, "b"), (3, "c"), (4, "d")]);
+    }
+
+    #[test]
+    #[should_panic(expected = "one name for each number")]
+    fn a_type_without_names_cannot_be_named() {
+        let _ = SignalDef::of::<u8>("count", 0, 8, "").with_values(&[]);
+    }
+
+    #[test]
+    #[should_panic(expected = "the numbers are those of the type")]
+    fn a_name_for_another_number_does_not_compile() {
+        let _ = STATE.with_values(&[(1, "a"), (2, "b"), (3, "c"), (4, "d"), (6, "e")]);
+    }
+
     #[test]
     fn a_row_may_allow_less_than_its_type() {
         let angle = SignalDef::of::<SteerAngle>("angle", 0, 16, "");
         let narrow = angle.within(-240, 239);
         assert_eq!((narrow.min, narrow.max), (-240, 239));
+        let named = STATE.within(2, 4).values.iter().map(|(raw, _)| *raw);
+        assert!(named.eq(2..=4), "and names no more than that");
     }
 
     #[test]

@@ -115,8 +115,8 @@ enumerations! {
         Finished = 5 "AS_FINISHED",
     }
 
-    /// The state of the Emergency Braking System; `State_EBS` of 502h.
-    EbsState { //= MSG-36
+    /// The state of the Emergency Braking System; `State_EBS` of 502h and, since version 4.0, `STATUS_EBS` of 524h.
+    EbsState { //= MSG-36, MSG-87
         /// It cannot brake.
         #[default]
         Unavailable = 1 "UNAVAILABLE",
@@ -161,7 +161,7 @@ enumerations! {
     }
 
     /// The fault that made the VCU shut down; `SHUTDOWN_CAUSE` of 520h.
-    ShutdownCause { //= MSG-64
+    ShutdownCause { //= MSG-64, MSG-85
         /// There was no shutdown.
         #[default]
         NoShutdown = 0 "NO SHUTDOWN",
@@ -185,6 +185,8 @@ enumerations! {
         ChargeProcedureFault = 9 "CHARGE PROCEDURE FAULT",
         /// The battery management system has a fault.
         BmsFault = 10 "BMS FAULT",
+        /// Torque and hydraulic braking were requested at once; since version 4.0.
+        BrakePlausibilityFault = 11 "BRAKE PLAUSIBILITY FAULT",
     }
 
     /// How far the mission is, as the AI Computer reports it; `MISSION_STATUS` of 510h.
@@ -210,5 +212,81 @@ enumerations! {
         Neutral = 0 "NEUTRAL",
         /// Drive forward.
         Forward = 1 "FORWARD",
+    }
+
+    /// The state of the braking controller; `STATUS_BRK` of 524h since version 4.0.
+    StatusBrk { //= MSG-86
+        /// It starts.
+        #[default]
+        Initialising = 0 "INITIALISING",
+        /// It can brake.
+        Ready = 1 "READY",
+        /// It stops.
+        ShuttingDown = 2 "SHUTTING_DOWN",
+        /// It has stopped.
+        ShutdownComplete = 3 "SHUTDOWN_COMPLETE",
+        /// It has a fault.
+        Fault = 4 "FAULT",
+    }
+
+    /// The state of the whole vehicle; `SM_SYS` of 120h since version 4.0.
+    ///
+    /// The document names the states and does not describe them.
+    SmSys { //= MSG-89
+        /// The first actions after power-on.
+        #[default]
+        InitialActions = 0 "INITIAL_ACTIONS",
+        /// The self-test after power-on.
+        PowerOnSelfTest = 1 "POWER_ON_SELF_TEST",
+        /// The low voltage is on, and nothing else.
+        Aux = 2 "AUX",
+        /// The drive is being enabled.
+        PowertrainEnable = 3 "POWERTRAIN_ENABLE",
+        /// The AI Computer may drive.
+        DriveAutonomous = 4 "DRIVE_AUTONOMOUS",
+        /// A person drives by the joystick.
+        DriveManual = 5 "DRIVE_MANUAL",
+        /// The battery is being charged.
+        Charge = 6 "CHARGE",
+        /// The vehicle shuts down.
+        Shutdown = 7 "SHUTDOWN",
+        /// The vehicle has shut down.
+        ShutdownOff = 8 "SHUTDOWN_OFF",
+        /// A person pushes the vehicle.
+        PushbarMode = 9 "PUSHBAR_MODE",
+    }
+
+    /// The state of the Autonomous System as the vehicle keeps it; `SM_AS` of 120h since version 4.0.
+    ///
+    /// It has one state more than [`AsState`], of which the document gives the name alone.
+    SmAs { //= MSG-90
+        /// Off.
+        #[default]
+        Off = 1 "AS_OFF",
+        /// Ready for the "Go" signal.
+        Ready = 2 "AS_READY",
+        /// The AI Computer drives.
+        Driving = 3 "AS_DRIVING",
+        /// The EBS brakes.
+        EmergencyBrake = 4 "AS_EMERGENCY_BRAKE",
+        /// The mission is over and the vehicle at rest.
+        Finished = 5 "AS_FINISHED",
+        /// The name stands for "ready to drive", perhaps.
+        R2d = 6 "AS_R2D",
+    }
+
+    /// What the vehicle as a whole is doing; `SYS_ACTION_STATE` of 120h since version 4.0.
+    SysActionState { //= MSG-91
+        /// It initialises.
+        #[default]
+        Initialise = 0 "INITIALISE",
+        /// The battery is being charged.
+        Charge = 1 "CHARGE",
+        /// Autonomous driving.
+        DriveAuto = 2 "DRIVE_AUTO",
+        /// Manual driving.
+        DriveMan = 3 "DRIVE_MAN",
+        /// It shuts down.
+        Shutdown = 4 "SHUTDOWN",
     }
 }

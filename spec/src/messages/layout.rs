@@ -80,17 +80,19 @@ pub(crate) fn raw_of<T: SignalValue>(row: &SignalDef, value: T) -> i32 {
 ///     field = "SIGNAL" start|width;
 ///     flag = "SIGNAL" start|width ["NAME OF 0", "NAME OF 1"];
 ///     quantity = "SIGNAL" start|width in lowest to highest;
+///     enumeration = "SIGNAL" start|width of NAMES;
 /// }
 /// ```
 ///
 /// and becomes the edition's [`Layout`] of the message. Ranges are raw numbers; where there is none, that of the field's type
-/// holds.
+/// holds. `NAMES` are the edition's own names of the numbers that the field's type has; where there are none, its own hold.
 macro_rules! layouts {
     ($edition:ident: $(
         $message:ident = $name:literal, $len:literal bytes, every $cycle:literal ms, section $section:literal {
             $(
                 $field:ident = $signal:literal $start:literal|$width:literal
                     $([$off:literal, $on:literal])?
+                    $(of $names:ident)?
                     $(in $min:literal to $max:literal)?;
             )+
         }
@@ -115,6 +117,7 @@ macro_rules! layouts {
                         )
                         .carried_by(stringify!($field))
                         $(.with_flag_names(&[(0, $off), (1, $on)]))?
+                        $(.with_values($names))?
                         $(.within($min, $max))?
                     ),+],
                     doc: $message::DOC,
@@ -135,7 +138,7 @@ macro_rules! layouts {
                     $($field),+
                 }
 
-                //= D-33
+                //= D-33, D-66
                 let Some(word) = bits::load::<NEEDED>(data) else {
                     return Err(DecodeError::too_short(DEF, data.len()));
                 };

@@ -13,7 +13,8 @@
 //!   frame that the strict codec refuses.
 //!
 //! What a signal's numbers mean follows from the type of its field, and stands there once: an
-//! enumeration (`enums.rs`) names its values, a quantity (`quantity.rs`) has a unit, a step and a range.
+//! enumeration (`enums.rs`) names its values, a quantity (`quantity.rs`) has a unit, a step and a range. Where an edition
+//! spells the names of an enumeration in its own way, its row has them.
 //!
 //! The bit layout, the lengths and the names are those of the CAN database; where the document's text
 //! says otherwise about a range, a sign or a value's name, the text is followed and the row says so.

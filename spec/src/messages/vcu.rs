@@ -2,11 +2,47 @@
 
 use super::content::contents;
 use super::{
-    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ShutdownCause, SteerAngle,
-    SteerAngleMax, WheelSpeed,
+    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, EbsState, ShutdownCause, SmAs, SmSys,
+    StatusBrk, SteerAngle, SteerAngleMax, SysActionState, WheelSpeed,
 };
 
 contents! {
+    /// State of the vehicle, and what the VCU misses from the AI Computer.
+    VcuStatus 0x120 from Vcu {
+        /// State of the vehicle.
+        sm_sys: SmSys;
+        /// State of the Autonomous System, as the vehicle keeps it.
+        sm_as: SmAs;
+        /// Missed messages: `AI2VCU_Status`.
+        status_timeout: bool;
+        /// Missed messages: `AI2VCU_Drive_F`.
+        drive_f_timeout: bool;
+        /// Missed messages: `AI2VCU_Drive_R`.
+        drive_r_timeout: bool;
+        /// Handshake unanswered.
+        handshake_timeout: bool;
+        /// Missed messages: `AI2VCU_Steer`.
+        steer_timeout: bool;
+        /// Missed messages: `AI2VCU_Brake`.
+        brake_timeout: bool;
+        /// What the vehicle is doing.
+        sys_action_state: SysActionState;
+        /// Brake plausibility warning.
+        warn_brake_plausibility: bool;
+        /// Low 12 V supply warning.
+        ///
+        /// The document gives no threshold.
+        warn_kl15_under_v: bool;
+        /// AI system E-stop request warning.
+        warn_ai_estop_req: bool;
+        /// AI CAN communications warning.
+        warn_ai_comms_lost: bool;
+        /// Braking in Autonomous Driving mode warning.
+        warn_auto_braking: bool;
+        /// Autonomous mission status warning.
+        warn_mission_status: bool;
+    }
+
     /// VCU status.
     Vcu2AiStatus 0x520 from Vcu {
         /// Handshake.
@@ -71,6 +107,10 @@ contents! {
         charge_procedure_fault: bool;
         /// BMS fault.
         bms_fault: bool;
+        /// Brake plausibility fault.
+        ///
+        /// Torque and hydraulic braking were requested at once (section 4 of version 4.0).
+        brake_plausibility_fault: bool;
         /// Fault causing a system shutdown.
         shutdown_cause: ShutdownCause;
     }
@@ -127,6 +167,14 @@ contents! {
         ///
         /// As received in `AI2VCU_Brake`.
         hyd_press_r_req: BrakePressure;
+        /// Braking controller status.
+        ///
+        /// Since version 4.0.
+        status_brk: StatusBrk;
+        /// Emergency Braking System (EBS) status.
+        ///
+        /// Since version 4.0.
+        status_ebs: EbsState;
     }
 
     /// Measured wheel speeds.

@@ -21,8 +21,18 @@ fn dbc() {
 }
 
 #[test]
+fn dbc_of_version_4_0() {
+    compare("adsdv-4.0.dbc", &Dbc(&Edition::V4_0));
+}
+
+#[test]
 fn mermaid() {
     compare("figure2.mmd", &Mermaid(&Machine::REFERENCE));
+}
+
+#[test]
+fn mermaid_of_version_4_0() {
+    compare("figure2-4.0.mmd", &Mermaid(&Machine::new(Edition::V4_0, Edition::V4_0.readings)));
 }
 
 #[test]

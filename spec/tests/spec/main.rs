@@ -1,5 +1,6 @@
 //! The specification's own tests, in one program: it is built anew for every mutant that `scripts/mutants.sh` makes.
 
+mod alias;
 mod codec;
 mod consistent;
 mod edition;
@@ -22,3 +23,4 @@ mod serde;
 mod show;
 mod small;
 mod truth;
+mod v4_0;

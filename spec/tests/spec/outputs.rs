@@ -2,8 +2,8 @@
 
 use adsdv_spec::messages::{
     AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest,
-    EbsState, LapCounter, MotorSpeedMax, ServiceBrake, SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiBrake,
-    Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    EbsState, LapCounter, MotorSpeedMax, ServiceBrake, SpeedKmh, StatusBrk, SteerAngle, SteerAngleMax,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{Actuation, Assi, Atom, Control, Inputs, Machine, Outputs};
@@ -215,6 +215,8 @@ fn requests_are_returned_and_measurements_passed_on() {
                 hyd_press_f_req: ai.brake.hyd_press_f_req,
                 hyd_press_r: vehicle.hyd_press_r,
                 hyd_press_r_req: ai.brake.hyd_press_r_req,
+                status_brk: StatusBrk::Ready,
+                status_ebs: messages.log_status.state_ebs,
             }
         );
         assert_eq!(

@@ -2,8 +2,8 @@
 
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Choices, Control, Edition, Faults, Handshake, Machine, Observation,
-    Reading, Readings, Taken,
+    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Handshake, Machine, Observation, Reading,
+    Readings, Taken,
 };
 
 use crate::random::Random;
@@ -71,9 +71,11 @@ impl Random {
 #[test]
 fn a_step_depends_on_nothing_but_what_it_reads() {
     let mut random = Random(0x0A15_D5DE);
-    let machines: Vec<Machine> = Choices::ALL
-        .combinations(Reading::ALL)
-        .map(|readings| Machine::new(Edition::V3_0, readings))
+    let machines: Vec<Machine> = Edition::ALL
+        .iter()
+        .flat_map(|edition| {
+            edition.choices.combinations(Reading::ALL).map(|readings| Machine::new(**edition, readings))
+        })
         .collect();
     let mut taken = 0;
     for round in 0..1_000_000 {
@@ -81,6 +83,7 @@ fn a_step_depends_on_nothing_but_what_it_reads() {
         let (control, seen) = (random.control(machine), random.observation());
         let dt_ms = [10, 10, 1, 25, 5000, 20_000][random.below(6)];
         let reads = machine.reads(&control, dt_ms);
+        assert!(reads.atoms.is_subset(machine.scope()), "{reads:?}");
         let all = machine.react(&control, seen, dt_ms);
         let read = machine.react(&control, reads.of(seen), dt_ms);
         assert_eq!(
@@ -117,14 +120,17 @@ fn what_cannot_matter_is_not_read() {
 fn the_possible_alternatives_are_those_of_which_each_is_possible() {
     let mut random = Random(0x0A15_D5DF);
     let (mut open, mut all) = (0, 0);
-    for readings in Choices::ALL.combinations(Reading::ALL) {
-        let machine = Machine::new(Edition::V3_0, readings);
+    let machines = Edition::ALL.iter().flat_map(|edition| {
+        edition.choices.combinations(Reading::ALL).map(|readings| Machine::new(**edition, readings))
+    });
+    for machine in machines {
+        let (edition, readings) = (machine.edition(), machine.readings());
         for _ in 0..20 {
             let control = random.control(&machine);
             let dt_ms = [10, 5000][random.below(2)];
             let listed: Vec<_> = machine.possible(&control, dt_ms).collect();
             let mut asked = Vec::new();
-            for (row, def) in (0..).zip(Edition::V3_0.rules.table.rows()) {
+            for (row, def) in (0..).zip(edition.rules.table.rows()) {
                 for (term, alternative) in (0..).zip(def.terms()) {
                     if machine.is_possible(&control, dt_ms, Taken { row, term }) {
                         asked.push((def, alternative));

@@ -53,9 +53,11 @@ fn the_names_of_atoms() {
             "mission-finished",
             "mission-finished-edge",
             "ebs-armed",
+            "ebs-unavailable",
             "dwell-elapsed",
             "front-torque-zero",
             "rear-torque-zero",
+            "brake-request-zero",
             "steer-request-zero",
             "steer-straight",
             "direction-neutral",
@@ -65,8 +67,10 @@ fn the_names_of_atoms() {
             "moving",
             "at-rest",
             "ai-handshake",
+            "ai-messages-missed",
             "ai-comms-lost",
             "ai-estop",
+            "bms-fault",
             "power-cycle-needed",
         ])
     );
@@ -88,6 +92,9 @@ fn the_names_of_readings_and_choices() {
             "ai-estop",
             "comms-lost",
             "power-cycle",
+            "message-watch",
+            "torque-control",
+            "bms-fault",
         ])
     );
     assert_eq!(
@@ -114,8 +121,15 @@ fn the_names_of_readings_and_choices() {
             "ai-estop=driving",
             "comms-lost=every-state",
             "comms-lost=no-arrow",
+            "comms-lost=driving",
             "power-cycle=latched",
             "power-cycle=not-latched",
+            "message-watch=handshake",
+            "message-watch=always",
+            "torque-control=always",
+            "torque-control=never",
+            "bms-fault=sdc",
+            "bms-fault=driving",
         ])
     );
 }
@@ -135,6 +149,7 @@ fn the_names_of_faults_are_their_flags() {
             "MISSION_STATUS_FAULT",
             "CHARGE_PROCEDURE_FAULT",
             "BMS_FAULT",
+            "BRAKE_PLAUSIBILITY_FAULT",
         ])
     );
 }
@@ -364,7 +379,7 @@ fn the_table_is_a_list_of_arrows() {
     assert_eq!(edition["version"], "3.0");
     assert_eq!(edition["rules"]["table"], table);
     assert_eq!(edition["rules"]["timing"]["ebs_timer_ms"], 15000);
-    assert_eq!(edition["rules"]["thresholds"], json!({"wheel_speed": 10, "straight": 50}));
+    assert_eq!(edition["rules"]["thresholds"], json!({"wheel_speed": 10, "straight": 50, "missed_ms": null}));
     assert_eq!(
         edition["rules"]["priorities"][0],
         json!({"choice": "ready-priority=as-off", "from": "AS_READY", "first": "AS_OFF"})

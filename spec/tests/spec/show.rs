@@ -2,14 +2,15 @@
 //! [`Inputs::observe`], over random inputs.
 
 use adsdv_spec::messages::{
-    AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiWheelSpeeds,
-    WheelSpeed,
+    AmiState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle,
+    Vcu2AiWheelSpeeds, WheelSpeed,
 };
-use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Inputs, Observation, Reads, Thresholds};
+use adsdv_spec::{AiSilence, Atom, Atoms, Edition, Fault, Faults, Inputs, Observation, Reads, Thresholds};
 
 use crate::random::Random;
 
-const THRESHOLDS: Thresholds = Edition::V3_0.rules.thresholds;
+/// Those of an edition that has a limit for everything.
+const THRESHOLDS: Thresholds = Edition::V4_0.rules.thresholds;
 
 impl Random {
     fn pick<T: Copy>(&mut self, values: &[T]) -> T {
@@ -71,6 +72,19 @@ impl Random {
         status.direction_request = self.pick(&DirectionRequest::ALL);
         inputs.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(self.pick(&[0, 1, 1950]));
         inputs.ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(self.pick(&[0, 1, 1950]));
+        let brake = &mut inputs.ai.brake;
+        brake.hyd_press_f_req = BrakePressure::clamped(self.pick(&[0, 0, 1, 200]));
+        brake.hyd_press_r_req = BrakePressure::clamped(self.pick(&[0, 0, 1, 200]));
+        let silence = &mut inputs.ai_silence;
+        for silence_ms in [
+            &mut silence.status_silence_ms,
+            &mut silence.drive_f_silence_ms,
+            &mut silence.drive_r_silence_ms,
+            &mut silence.steer_silence_ms,
+            &mut silence.brake_silence_ms,
+        ] {
+            *silence_ms = self.pick(&[0, 0, 10, 10, 99, 100, u16::MAX]);
+        }
         inputs.ai.steer.steer_request = SteerAngle::clamped(self.pick(&[-240, -1, 0, 1, 240]));
         inputs.vehicle.steer_angle = SteerAngle::clamped(self.pick(&[-240, -50, -49, -1, 0, 1, 49, 50, 240]));
         let mut speed = || WheelSpeed::clamped(self.pick(&[0, 9, 10, 11, 1250]));
@@ -101,7 +115,9 @@ fn taken_along(atom: Atom) -> Atoms {
             Atoms::of(&[Atom::MissionSelected, Atom::MissionRunning, Atom::MissionFinished])
         }
         Atom::Moving | Atom::AtRest => Atoms::of(&[Atom::Moving, Atom::AtRest]),
-        Atom::Asms | Atom::Tsms => Atoms::NONE.with(Atom::SdcOpen),
+        Atom::EbsArmed | Atom::EbsUnavailable => Atoms::of(&[Atom::EbsArmed, Atom::EbsUnavailable]),
+        Atom::Asms | Atom::Tsms | Atom::BmsFault => Atoms::NONE.with(Atom::SdcOpen),
+        Atom::SdcOpen => Atoms::NONE.with(Atom::BmsFault),
         _ => Atoms::NONE,
     };
     with_it.with(atom)
@@ -148,6 +164,20 @@ fn where_a_threshold_decides_the_value_is_next_to_it() {
     assert_eq!(shown(bent, Atom::SteerStraight, true).vehicle.steer_angle.raw(), straight - 1);
     let asked = shown(Inputs::default(), Atom::SteerRequestZero, false);
     assert_eq!(asked.ai.steer.steer_request.raw(), 1);
+    let silent = shown(Inputs::default(), Atom::AiMessagesMissed, true);
+    assert_eq!(silent.ai_silence, AiSilence::of(100));
+    assert_eq!(shown(silent, Atom::AiMessagesMissed, false).ai_silence, AiSilence::of(99));
+    let braking = shown(Inputs::default(), Atom::BrakeRequestZero, false);
+    assert_eq!((braking.ai.brake.hyd_press_f_req.raw(), braking.ai.brake.hyd_press_r_req.raw()), (1, 0));
+}
+
+#[test]
+fn where_no_silence_is_too_long_none_is_shown() {
+    let thresholds = Edition::V3_0.rules.thresholds;
+    let mut inputs = Inputs { ai_silence: AiSilence::of(u16::MAX), ..Inputs::default() };
+    assert!(!inputs.observe(&thresholds).atoms().has(Atom::AiMessagesMissed));
+    inputs.show(Atom::AiMessagesMissed, true, &thresholds);
+    assert!(!inputs.observe(&thresholds).atoms().has(Atom::AiMessagesMissed));
 }
 
 #[test]
@@ -170,7 +200,7 @@ fn a_fault_that_is_shown_is_present_and_no_other_changes() {
         let expected = if value { before.faults().with(fault) } else { before.faults().without(fault) };
         assert_eq!(switched_on.faults(), expected, "{fault} {value} from {before:?}");
         let (now, then) = (after.observe(&THRESHOLDS).atoms(), before.observe(&THRESHOLDS).atoms());
-        let effects = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop]);
+        let effects = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
         assert_eq!(now.difference(effects), then.difference(effects), "{fault} {value}");
     }
 }

@@ -1,6 +1,6 @@
 //! Choices that a fuzzer makes.
 
-use adsdv_spec::{Reading, Readings};
+use adsdv_spec::{Edition, Readings};
 use arbitrary::{Arbitrary, Unstructured};
 
 use crate::world::Chance;
@@ -39,8 +39,10 @@ impl<'a> Bytes<'a> {
 
     /// Any answers to the questions that the document leaves open, mostly the usual ones.
     pub fn readings(&mut self) -> Readings {
-        Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
-            if self.one_in(3) { readings.with(self.pick(reading.choices())) } else { readings }
+        let edition = Edition::DEFAULT;
+        edition.questions().fold(edition.readings, |readings, reading| {
+            let choices: Vec<_> = edition.choices.of_reading(reading).collect();
+            if self.one_in(3) { readings.with(self.pick(&choices)) } else { readings }
         })
     }
 }

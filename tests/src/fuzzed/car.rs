@@ -1,6 +1,6 @@
 //! The car and the small AI Computer, and what watches a bus: any frames at any times, any switches.
 
-use adsdv_can::ai::{Ai, Plan};
+use adsdv_can::ai::Ai;
 use adsdv_can::bus::{Disturbance, Received};
 use adsdv_can::car::{Action, Car, Switch, missing_for};
 use adsdv_can::live::Watch;
@@ -10,7 +10,7 @@ use adsdv_spec::messages::{AnyMessage, AsState, Frame, Node, Vcu2LogStatus, Whee
 use adsdv_spec::{Edition, Machine};
 
 use super::Bytes;
-use crate::bus::{BUS, encoded};
+use crate::bus::BUS;
 use crate::world::Chance;
 
 /// Nothing goes on for longer than this many times.
@@ -27,7 +27,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
     let mut bytes = Bytes::new(bytes);
     let readings = bytes.readings();
     let mut car = Car::new(Machine::new(*Edition::DEFAULT, readings));
-    let mut ai = Ai::new(Plan::DEFAULT);
+    let mut ai = Ai::default();
     let mut watch = Watch::new("can0", LogOptions::default());
     let switches: Vec<Switch> = Switch::all().collect();
     let mut time_ns: i64 = 1_000_000_000_000;
@@ -167,8 +167,9 @@ fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
 fn frame(bytes: &mut Bytes<'_>) -> Frame {
     if bytes.one_in(2)
         && let Ok(message) = bytes.0.arbitrary::<AnyMessage>()
+        && let Some(frame) = BUS.encode(message)
     {
-        return encoded(message);
+        return frame;
     }
     let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(BUS.messages).id };
     Frame::new(id, bytes.some(8)).expect("the identifier and the length are those of a frame")

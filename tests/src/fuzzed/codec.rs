@@ -100,8 +100,10 @@ fn received(id: u16, data: &[u8]) {
 
 /// A message is read as it was written; one that the edition cannot say is read as what it can.
 fn same_again(message: AnyMessage) {
+    let Some(def) = BUS.message(message.id()) else {
+        return assert!(BUS.encode(message).is_none() && !BUS.holds(message), "{message:?}");
+    };
     let frame = encoded(message);
-    let def = BUS.message(message.id()).expect("it has been written");
     assert!(frame.is_valid() && frame.id == def.id && frame.data().len() == usize::from(def.len));
     let read = BUS.decode(frame.id, frame.data()).expect("what is written can be read");
     assert!(BUS.holds(read) && (read == message) == BUS.holds(message), "{message:?}");
@@ -123,5 +125,7 @@ fn any_outputs(bytes: &mut Bytes<'_>) {
         let message = BUS.decode(frame.id, frame.data());
         same_again(message.expect("the VCU sends what its messages allow"));
     }
-    assert_eq!(BUS.decode_as(encoded(messages.status).data()), Ok(messages.status));
+    // The outputs may be of a later version, and show what this one does not have.
+    let read = BUS.decode_as(encoded(messages.status).data());
+    assert_eq!(read == Ok(messages.status), BUS.holds(messages.status), "{messages:?}");
 }

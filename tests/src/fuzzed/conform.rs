@@ -8,7 +8,8 @@ use adsdv_oracle::conform::{
 };
 use adsdv_oracle::protocol::{Answer, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Scenario, Test};
-use adsdv_spec::{Control, Edition, Machine, Mutation, Readings};
+use adsdv_spec::messages::ShutdownCause;
+use adsdv_spec::{Control, Edition, Fault, Machine, Mutation, Readings};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -41,7 +42,7 @@ pub fn body(bytes: &[u8]) {
         runs: bytes.pick(&[0, 0, 0, 1]),
         // As a rule nothing is made shorter: how far that goes depends on the clock.
         shrinking: Duration::from_millis(if bytes.one_in(8) { 50 } else { 0 }),
-        possible: if bytes.one_in(4) { readings.choices() } else { adsdv_spec::Choices::ALL },
+        possible: if bytes.one_in(4) { readings.choices() } else { Edition::DEFAULT.choices },
         ..ConformOptions::default()
     };
     if honest {
@@ -112,20 +113,20 @@ struct Liar<'a> {
 }
 
 impl Liar<'_> {
-    fn reply(&mut self, right: Shown) -> Result<Reply, ProgramError> {
+    fn reply(&mut self, right: &Shown) -> Result<Reply, ProgramError> {
         self.steps += 1;
         let gone = |what| Err(ProgramError { place: None, what, stderr: vec!["gone".to_owned()] });
         if self.steps > STEPS {
             return gone(ProgramErrorKind::Closed);
         }
         if !self.bytes.are_left() || !self.bytes.one_in(16) {
-            return Ok(right.into());
+            return Ok((*right).into());
         }
         match self.bytes.below(8) {
             0 => Ok(Reply::Nothing),
             1 => gone(ProgramErrorKind::Ended("exit status 3".to_owned())),
-            2 | 3 => Ok(Reply::Answer(self.partly(&right))),
-            _ => Ok(Reply::Answer(self.lie(&right))),
+            2 | 3 => Ok(Reply::Answer(self.partly(right))),
+            _ => Ok(Reply::Answer(self.lie(right))),
         }
     }
 
@@ -135,6 +136,7 @@ impl Liar<'_> {
             serde_json::from_str(&right.to_string()).expect("what is shown is an object");
         let field = self.bytes.pick(&SHOWN);
         let other = Shown::of(
+            self.machine.edition(),
             &self.machine.step(&self.bytes.any::<Seen>().0, &self.bytes.any(), self.bytes.any()).1,
             &self.bytes.any(),
         );
@@ -177,11 +179,22 @@ impl Default for Seen {
 
 impl arbitrary::Arbitrary<'_> for Seen {
     fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
-        u.arbitrary().map(Self)
+        let mut control: Control = u.arbitrary()?;
+        // What this edition has no fault for was never the cause.
+        let known =
+            Fault::of_cause(control.shutdown_cause).is_none_or(|fault| Edition::DEFAULT.faults.has(fault));
+        if !known {
+            control.shutdown_cause = ShutdownCause::NoShutdown;
+        }
+        Ok(Self(control))
     }
 }
 
 impl Vcu for Liar<'_> {
+    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+        InProcess(self.machine).hello(edition)
+    }
+
     fn ask(
         &mut self,
         scenarios: &[(&str, &Scenario)],
@@ -193,7 +206,7 @@ impl Vcu for Liar<'_> {
             let mut replies = Vec::with_capacity(shown.len());
             for step in 0..shown.len() {
                 let reply = match step.checked_sub(self.late).and_then(|step| shown.get(step)) {
-                    Some(&right) => self.reply(right)?,
+                    Some(right) => self.reply(right)?,
                     None => Reply::Nothing,
                 };
                 replies.push(reply);

@@ -34,7 +34,7 @@ pub fn text(bytes: &[u8]) -> Option<(LogOptions, &[u8])> {
 }
 
 fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
-    let readings = if bytes.one_in(2) { bytes.any() } else { adsdv_spec::Choices::ALL };
+    let readings = if bytes.one_in(2) { bytes.any() } else { adsdv_spec::Edition::DEFAULT.choices };
     let mut below = |n| u32::try_from(bytes.below(n)).unwrap_or(0);
     let (window_ms, deadline_ms) = match below(8) {
         0 => (bytes.any(), bytes.any()),

@@ -4,8 +4,8 @@ use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
 use adsdv_oracle::conform::{LineBuffer, Place, ProgramError, ProgramErrorKind, Reply, TooLong};
-use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, InputsAsJson, Request, SHOWN, Shown};
-use adsdv_spec::{Control, Edition, Inputs, Machine};
+use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
+use adsdv_spec::{AiSilence, Control, Edition, Inputs, Machine};
 
 use super::Bytes;
 use crate::world::Chance;
@@ -71,13 +71,15 @@ fn answered(line: &[u8]) {
             assert!(!text.contains(|c: char| c.is_control() && c != '\n'), "{text:?}");
         }
     };
-    let late = Reply::to_step(line, true);
+    let protocol = Protocol::of(Edition::DEFAULT);
+    let late = Reply::to_step(line, true, &protocol);
     if !matches!(late, Ok(Reply::Nothing)) {
-        assert_eq!(Reply::to_step(line, false).is_ok(), late.is_ok());
+        assert_eq!(Reply::to_step(line, false, &protocol).is_ok(), late.is_ok());
     }
     let reset = Reply::to_reset(line);
     assert!(reset.is_err() || !matches!(late, Ok(Reply::Answer(_))));
-    late.err().into_iter().chain(reset.err()).for_each(given);
+    let hello = Reply::to_hello(line, Edition::DEFAULT);
+    late.err().into_iter().chain(reset.err()).chain(hello.err()).for_each(given);
 }
 
 /// A line is each of the sorts or not, and what is one is written as it was read.
@@ -125,19 +127,23 @@ fn any_step(bytes: &mut Bytes<'_>) {
     let readings = bytes.readings();
     let machine = Machine::new(*Edition::DEFAULT, readings);
     let (inputs, dt_ms): (Inputs, u32) = (bytes.any(), bytes.any());
-    let inputs = inputs.held_by(&machine.edition().bus);
+    // This edition has no key for a silence.
+    let inputs = Inputs { ai_silence: AiSilence::default(), ..inputs.held_by(&machine.edition().bus) };
     let given = Request::Step { dt_ms, inputs }.to_string();
     // What a VCU measures itself, and the protocol has no key for, is left at its default.
     let Ok(Request::Step { dt_ms: again, inputs: read }) = given.parse() else { panic!("{given} is a step") };
     assert_eq!(again, dt_ms);
-    for field in INPUTS {
+    for field in INPUTS.iter().filter(|field| field.is_in(machine.edition())) {
         assert_eq!((field.get)(&read), (field.get)(&inputs), "{}", field.key);
     }
     let (_, outputs) = machine.step(&Control::INITIAL, &read, dt_ms);
-    let shown = Shown::of(&outputs, &read);
+    let shown = Shown::of(machine.edition(), &outputs, &read);
     let answer: Answer = shown.to_string().parse().expect("what is shown is an answer");
     assert_eq!(answer, Answer::from(shown));
     assert!(answer.agrees(&shown) && answer.differences(&shown).next().is_none());
     // What it sees of the rest of the car is no condition of the document.
-    assert_eq!(shown, Shown::of(&machine.step(&Control::INITIAL, &inputs, dt_ms).1, &read));
+    assert_eq!(
+        shown,
+        Shown::of(machine.edition(), &machine.step(&Control::INITIAL, &inputs, dt_ms).1, &read)
+    );
 }

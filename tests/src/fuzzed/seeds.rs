@@ -34,7 +34,7 @@ const LINES: usize = 60;
 /// A word of a dictionary has at most so many bytes: libFuzzer takes no longer ones.
 const WORD: usize = 64;
 /// A body has at most so many inputs to begin with: one for each theorem.
-pub const MOST: usize = 150;
+pub const MOST: usize = 200;
 
 /// By the name of a body, the inputs that it begins with, each with its name.
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;

@@ -76,8 +76,9 @@ pub fn body(bytes: &[u8]) {
 pub fn taken(bytes: &[u8]) -> Vec<Taken> {
     let mut taken = Vec::new();
     let mut bytes = Bytes::new(bytes);
-    let readings = bytes.readings();
-    let machine = Machine::new(*Edition::DEFAULT, readings);
+    let machine = Machine::new(*Edition::DEFAULT, bytes.readings());
+    // Those that the edition has, of which the words speak.
+    let readings = machine.readings();
     let timing = &machine.edition().rules.timing;
     let mut control =
         if bytes.one_in(2) { any_control(&mut bytes, timing, readings) } else { Control::INITIAL };

@@ -1,9 +1,10 @@
 //! What an operator, a vehicle and an AI Computer may do at any time, chosen by chance or by a fuzzer.
 
 use adsdv_spec::messages::{
-    AmiState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
+    AmiState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle,
+    WheelSpeed,
 };
-use adsdv_spec::{Reading, Readings};
+use adsdv_spec::{Choice, Edition, Readings};
 
 use super::{MS, World};
 
@@ -23,10 +24,11 @@ pub trait Chance {
     }
 }
 
-/// The usual readings of the document, but for one in three questions.
-pub fn any_readings(chance: &mut impl Chance) -> Readings {
-    Reading::ALL.iter().fold(Readings::DEFAULT, |readings, reading| {
-        if chance.one_in(3) { readings.with(chance.pick(reading.choices())) } else { readings }
+/// The usual readings of an edition, but for one in three of the questions that it leaves open.
+pub fn any_readings(chance: &mut impl Chance, edition: &Edition) -> Readings {
+    edition.questions().fold(edition.readings, |readings, reading| {
+        let possible: Vec<Choice> = edition.choices.of_reading(reading).collect();
+        if chance.one_in(3) { readings.with(chance.pick(&possible)) } else { readings }
     })
 }
 
@@ -78,6 +80,17 @@ impl World {
             17 => self.ai.status.estop_request = chance.one_in(3),
             18 => self.ai_answers = mostly(chance),
             _ => self.ai_sends = mostly(chance),
+        }
+    }
+
+    /// Somebody does something that matters since version 4.0.
+    pub fn anything_newer(&mut self, chance: &mut impl Chance) {
+        match chance.below(5) {
+            0 => self.ai.brake.hyd_press_f_req = BrakePressure::clamped(chance.pick(&[0, 0, 1, 200])),
+            1 => self.ai.brake.hyd_press_r_req = BrakePressure::clamped(chance.pick(&[0, 0, 1, 200])),
+            2 => self.inputs.sdc.bms_fault = chance.one_in(4),
+            3 => self.mutes.clear(),
+            _ => self.mutes.push(chance.pick(&[0x510, 0x511, 0x512, 0x513, 0x514])),
         }
     }
 

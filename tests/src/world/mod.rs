@@ -15,7 +15,9 @@ mod recording;
 mod routes;
 
 use adsdv_oracle::judge::{JudgeOptions, Report};
-use adsdv_spec::messages::Vcu2AiStatus;
+use adsdv_spec::messages::{
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Vcu2AiStatus,
+};
 use adsdv_spec::{AiMessages, Choice, Control, Edition, Inputs, Machine, Readings};
 
 pub use deeds::{Chance, any_readings};
@@ -42,6 +44,8 @@ pub struct World {
     pub ai_sends: bool,
     /// Whether the AI Computer answers the handshake.
     pub ai_answers: bool,
+    /// The identifiers of those of its messages that it leaves out.
+    pub mutes: Vec<u16>,
     /// Changes each message of 520h before it is sent: for a VCU that shows something else than it does.
     pub shows: fn(&mut Vcu2AiStatus),
     /// The time.
@@ -62,6 +66,7 @@ impl World {
             ai: AiMessages::default(),
             ai_sends: true,
             ai_answers: true,
+            mutes: Vec::new(),
             shows: |_| {},
             t: 0,
             ebs_changed: 0,
@@ -72,6 +77,11 @@ impl World {
     /// A world with the reference VCU.
     pub fn reference() -> Self {
         Self::new(Machine::REFERENCE)
+    }
+
+    /// A world with the VCU of an edition.
+    pub fn of(edition: &Edition) -> Self {
+        Self::new(Machine::new(*edition, edition.readings))
     }
 
     /// A world with a VCU that takes one reading differently.
@@ -94,13 +104,29 @@ impl World {
         if self.ai_answers {
             self.ai.status.handshake = messages.status.handshake;
         }
-        if self.ai_sends {
-            for (place, frame) in (0..).zip(self.ai.frames(bus)) {
-                self.log.push(Recorded { t: self.t + CYCLE / 2 + place * MS / 4, frame });
+        self.inputs.ai_silence = self.inputs.ai_silence.after(CYCLE_MS.into());
+        let sent = self.ai.frames(bus);
+        for (place, frame) in (0..).zip(sent) {
+            if !self.sends(frame.id) {
+                continue;
             }
-            self.inputs.ai = self.ai;
+            self.log.push(Recorded { t: self.t + CYCLE / 2 + place * MS / 4, frame });
+            self.inputs.ai_silence.end(frame.id);
+            match frame.id {
+                Ai2VcuStatus::ID => self.inputs.ai.status = self.ai.status,
+                Ai2VcuDriveF::ID => self.inputs.ai.drive_f = self.ai.drive_f,
+                Ai2VcuDriveR::ID => self.inputs.ai.drive_r = self.ai.drive_r,
+                Ai2VcuSteer::ID => self.inputs.ai.steer = self.ai.steer,
+                Ai2VcuBrake::ID => self.inputs.ai.brake = self.ai.brake,
+                _ => {}
+            }
         }
         self.t += CYCLE;
+    }
+
+    /// Whether the AI Computer sends messages of this identifier.
+    fn sends(&self, id: u16) -> bool {
+        self.ai_sends && !self.mutes.contains(&id)
     }
 
     /// Lets this many milliseconds pass.

@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use adsdv_oracle::judge::{Judge, JudgeOptions, Report, Severity};
+use adsdv_spec::Edition;
 use adsdv_spec::messages::{Frame, MessageDef, Node};
 
 use super::random::Random;
 use super::{Chance, World};
-use crate::bus::BUS;
 
 /// A frame of the recording.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,8 @@ pub struct Recorded {
 impl Recorded {
     /// Who sends such frames, if they are of a message of the document.
     pub fn sender(&self) -> Option<Node> {
-        BUS.message(self.frame.id).map(|message| message.sender)
+        let message = |edition: &&Edition| edition.bus.message(self.frame.id);
+        Edition::ALL.iter().find_map(message).map(|message| message.sender)
     }
 }
 

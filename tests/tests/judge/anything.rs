@@ -26,7 +26,7 @@ const LIES: [fn(&mut Vcu2AiStatus); 8] = [
 ];
 
 fn any_vcu(random: &mut Random) -> Machine {
-    let readings = any_readings(random);
+    let readings = any_readings(random, Edition::DEFAULT);
     let mutations: Vec<Mutation> = Mutation::all(Edition::DEFAULT).collect();
     let errs = random.one_in(2);
     let mutation = &mutations[index(random, mutations.len())];

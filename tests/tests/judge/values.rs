@@ -1,7 +1,10 @@
 //! Every signal whose bits can hold a value that is not allowed.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, Node, SignalDef, Vcu2AiDriveF};
+use adsdv_spec::messages::{
+    Ai2LogDynamics2, Ai2VcuDriveF, Ai2VcuStatus, Node, SignalDef, Vcu2AiBrake, Vcu2AiDriveF,
+};
+use adsdv_spec::{Edition, Machine, Readings};
 use adsdv_tests::bus::{BUS, def_of, encoded};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
@@ -14,20 +17,39 @@ fn refused(signal: &SignalDef) -> Option<i32> {
     (lowest..=highest).rev().find(|&raw| !signal.allows(raw))
 }
 
-#[test]
-fn each_is_reported_once_with_its_name() {
-    let mut world = World::reference();
+/// Version 3.0 with the bus of version 4.0.
+const ON_THE_BUS_OF_4_0: Edition = Edition { bus: Edition::V4_0.bus, ..Edition::V3_0 };
+
+/// A vehicle that drives, and since when, in a recording of an edition.
+fn driving(edition: &'static Edition) -> (World, i64, JudgeOptions) {
+    let mut world = World::new(Machine::new(*edition, Readings::DEFAULT));
     world.driving();
     let since = world.t;
     world.wait(500);
+    (world, since, JudgeOptions { edition, ..JudgeOptions::default() })
+}
+
+#[test]
+fn each_is_reported_once_with_its_name() {
+    each_is_reported(Edition::DEFAULT, 20);
+}
+
+#[test]
+fn each_of_version_4_0_is_reported_once_with_its_name() {
+    each_is_reported(&ON_THE_BUS_OF_4_0, 30);
+}
+
+/// So many at least.
+fn each_is_reported(edition: &'static Edition, least: u32) {
+    let (mut world, since, options) = driving(edition);
     // The simulated AI Computer does not send the logger's 501h.
     let dynamics = encoded(Ai2LogDynamics2::default());
     world.log.extend((0..world.t / (100 * MS)).map(|n| Recorded { t: n * 100 * MS, frame: dynamics }));
     world.log.sort_by_key(|recorded| recorded.t);
-    assert_eq!(judge(&world.log, JudgeOptions::default()).findings, []);
+    assert_eq!(judge(&world.log, options).findings, []);
 
     let mut count = 0;
-    for message in BUS.messages {
+    for message in edition.bus.messages {
         for signal in message.signals {
             let Some(raw) = refused(signal) else { continue };
             let mut log = world.log.clone();
@@ -37,7 +59,7 @@ fn each_is_reported_once_with_its_name() {
                     recorded.frame.data = signal.put(recorded.frame.data, raw);
                 }
             }
-            let report = judge(&log, JudgeOptions::default());
+            let report = judge(&log, options);
             let name = format!("{} {} = {raw}", message.name, signal.name);
             // Of 502h, the start value of the CAN database is a note.
             let (rule, severity) = if raw == 0 {
@@ -53,7 +75,20 @@ fn each_is_reported_once_with_its_name() {
             count += 1;
         }
     }
-    assert!(count >= 20, "only {count} signals");
+    assert!(count >= least, "only {count} signals");
+}
+
+#[test]
+fn the_start_value_of_the_ebs_is_a_note_in_524h_too() {
+    let (mut world, _, options) = driving(&ON_THE_BUS_OF_4_0);
+    let status = options.edition.bus.signal_of("status_ebs").expect("a signal of 524h");
+    for recorded in world.log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2AiBrake::ID) {
+        recorded.frame.data = status.put(recorded.frame.data, 0);
+    }
+    let report = judge(&world.log, options);
+    let [finding] = &report.findings[..] else { panic!("{:#?}", report.findings) };
+    assert_eq!((finding.rule, finding.severity), (Rule::StartValue, Severity::Note));
+    assert!(finding.message.contains(status.name), "{}", finding.message);
 }
 
 /// Behind a step back of time it is another recording: what is wrong there as well is told again.

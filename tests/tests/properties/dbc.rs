@@ -137,7 +137,9 @@ fn what_the_codec_encodes_the_database_decodes() {
         }
         decodes_alike(&frame)
     };
-    holds(CASES, regressions!("dbc"), &any::<AnyMessage>(), decodes, |message| {
+    let any = any::<AnyMessage>()
+        .prop_filter("a message of the edition", |message| BUS.message(message.id()).is_some());
+    holds(CASES, regressions!("dbc"), &any, decodes, |message| {
         format!("{message:?}\n{}", bus::encoded(*message))
     });
 }

@@ -20,7 +20,7 @@ use crate::second_opinion::SecondOpinion;
 use crate::timeline::timeline;
 
 /// So many runs tell all mutants apart.
-const CASES: u32 = 600;
+const CASES: u32 = 2500;
 
 /// The properties of every step, all at once, of the document as it is.
 struct All(Clocks, Handshake, Power, SecondOpinion);

@@ -209,7 +209,8 @@ fn waits() -> Vec<u32> {
 /// Anything that anybody may do.
 fn anything() -> impl Strategy<Value = Operation> {
     // The bit of the handshake is the AI Computer's to answer with.
-    let fields: Vec<_> = INPUTS.iter().filter(|field| field.key != "handshake").collect();
+    let fields: Vec<_> =
+        INPUTS.iter().filter(|field| field.is_in(&EDITION) && field.key != "handshake").collect();
     let any_field = sample::select(fields).prop_flat_map(set_to_any);
     let often = ["asms", "go", "mission_status", "direction_request"];
     let often: Vec<_> = INPUTS.iter().filter(|field| often.contains(&field.key)).collect();
@@ -277,7 +278,8 @@ pub(crate) fn operations() -> impl Strategy<Value = Vec<Operation>> {
 
 /// Any run, of a VCU with any readings.
 pub(crate) fn runs() -> impl Strategy<Value = Run> {
-    let readings = prop_oneof![Just(Readings::DEFAULT), any::<Readings>()];
+    let readings =
+        prop_oneof![Just(Readings::DEFAULT), any::<Readings>().prop_map(|readings| EDITION.admit(readings))];
     let cycle_ms = prop_oneof![Just(u32::from(EDITION.rules.timing.cycle_ms)), Just(1), 2..=20_u32];
     (readings, cycle_ms, operations()).prop_map(|(readings, cycle_ms, operations)| Run {
         readings,

@@ -21,7 +21,7 @@ const A_WHILE: Operation = Operation::Wait(50);
 /// Everybody lets go: the switches are off, the faults are gone, and nothing is requested, for as long as an emergency lasts.
 fn all_off() -> Vec<Operation> {
     let off = Inputs::default();
-    let fields = INPUTS.iter().filter(|field| field.key != "handshake");
+    let fields = INPUTS.iter().filter(|field| field.is_in(Edition::DEFAULT) && field.key != "handshake");
     let mut operations: Vec<_> = fields.map(|field| Operation::Set(field, (field.get)(&off))).collect();
     let ebs_timer_ms = Edition::DEFAULT.rules.timing.ebs_timer_ms.into();
     operations.extend([Operation::Answers(true), A_WHILE, Operation::Wait(ebs_timer_ms), A_WHILE]);

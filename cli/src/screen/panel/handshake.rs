@@ -1,7 +1,6 @@
 //! The handshake: who sends what, and how fast the AI Computer answers.
 
 use adsdv_can::status::Status;
-use adsdv_spec::Machine;
 use ratatui::style::Style;
 use ratatui::text::Span;
 
@@ -37,7 +36,7 @@ pub(in crate::screen) fn pieces(status: &Status, theme: Theme, all: bool) -> Vec
 
 fn silence(status: &Status, theme: Theme) -> Vec<Span<'static>> {
     // Silent is who does not send for longer than an answer may take.
-    let limit = Machine::REFERENCE.edition().rules.timing.handshake_ms.into();
+    let limit = status.answer_limit_ms;
     let (text, style) = match status.ai_silent_ms {
         None => ("no frame of the AI yet".to_owned(), theme.care()),
         Some(silent) if silent > limit => (format!("silent for {}", seconds(silent)), theme.bad()),
@@ -48,4 +47,23 @@ fn silence(status: &Status, theme: Theme) -> Vec<Span<'static>> {
 
 fn bit(on: bool) -> &'static str {
     if on { "1" } else { "0" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How long an answer may take is the edition's to say.
+    #[test]
+    fn silent_is_who_says_nothing_for_longer_than_the_edition_allows() {
+        let told = |silent, answer_limit_ms| {
+            let status = Status { ai_silent_ms: Some(silent), answer_limit_ms, ..Status::default() };
+            silence(&status, Theme::new(false))
+                .iter()
+                .map(|span| span.content.to_string())
+                .collect::<String>()
+        };
+        assert_eq!(told(60, 100), "heard 60 ms ago");
+        assert!(told(60, 50).starts_with("silent for "), "{}", told(60, 50));
+    }
 }

@@ -47,7 +47,12 @@ pub(super) fn a_truncated_log() {
     let line = b"(1795209995.294610) vcan0 520#0000010000000000";
     for cut in 1..=line.len() {
         let outcome = check(&[&lines(WHOLE)[..], &line[..cut]].concat());
-        let frames = outcome.stdout.split(' ').nth(2).and_then(|count| count.parse().ok());
+        let frames = outcome
+            .stdout
+            .lines()
+            .nth(1)
+            .and_then(|line| line.split(' ').nth(2))
+            .and_then(|count| count.parse().ok());
         let frames = frames.unwrap_or_else(|| panic!("{}", outcome.stdout));
         assert!(frames == WHOLE || frames == WHOLE + 1, "{frames} frames, cut after {cut}");
         if cut < line.len() {
@@ -112,7 +117,8 @@ pub(super) fn a_log_that_fails_while_it_is_read() {
             (_, 0) => assert_eq!(stdout, ""),
             ("--json", _) => {
                 assert!(
-                    stdout.starts_with("{\"frames\":1000,")
+                    stdout.starts_with("{\"schema\":1,\"edition\":\"4.0\",\"recognised\":")
+                        && stdout.contains("\"frames\":1000,")
                         && stdout.contains("cannot read on after line 1000")
                 );
             }

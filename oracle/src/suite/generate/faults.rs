@@ -1,9 +1,9 @@
 //! Each fault and its cause: the flag, the number, what stays of it, and which of several counts.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Fault, Faults, Inputs, Machine};
+use adsdv_spec::{Atom, Choice, Fault, Faults, Inputs, Machine, Reading};
 
-use super::{Walk, test, walk_cycle, words};
+use super::{Walk, braking_by, terms, test, walk_cycle, words};
 use crate::protocol::{Domain, INPUTS, InputField};
 use crate::suite::{Kind, Test};
 
@@ -13,6 +13,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
     tests.extend(switches(machine));
     tests.extend(warnings(machine));
     tests.extend(several(machine));
+    tests.extend(levels(machine));
     tests
 }
 
@@ -71,11 +72,15 @@ fn of_cause(machine: &Machine, field: &'static InputField) -> Vec<Test> {
     for state in [AsState::Ready, AsState::Driving, AsState::Finished] {
         let stays =
             Walk::to(machine, state).step(walk_cycle(machine), set(1)).step(walk_cycle(machine), set(0));
-        let about = format!("{key} in {state} leads to EMERGENCY_BRAKE, and its cause stays when it goes");
-        tests.push(
-            test(Kind::Fault, format!("fault-{key}-in-{state}"), about, "3.5", stays)
-                .checks(ids().chain(["D-12", "D-14", "D-15", "D-17"])),
-        );
+        let name = format!("fault-{key}-in-{state}");
+        tests.push(if stays.state() == AsState::EmergencyBrake {
+            let about =
+                format!("{key} in {state} leads to EMERGENCY_BRAKE, and its cause stays when it goes");
+            test(Kind::Fault, name, about, "3.5", stays).checks(ids().chain(["D-12", "D-14", "D-15", "D-17"]))
+        } else {
+            let about = format!("{key} in {state} shows while it is there, and is no reason to brake");
+            test(Kind::Fault, name, about, "2.2", stays).checks(ids().chain(["D-17"]))
+        });
     }
     if faults == Faults::NONE.with(Fault::ChargeProcedureFault) {
         let off = Walk::new(machine).step(walk_cycle(machine), set(1));
@@ -89,13 +94,31 @@ fn of_cause(machine: &Machine, field: &'static InputField) -> Vec<Test> {
 
 /// The switches that are reasons to brake without a number of their own.
 fn switches(machine: &Machine) -> Vec<Test> {
-    [(Atom::Asms, "DTE-3"), (Atom::GoOn, "DTE-2")]
-        .map(|(atom, id)| {
+    [Atom::Asms, Atom::GoOn]
+        .map(|atom| {
             let walk = Walk::to(machine, AsState::Driving).show(atom, false).cycle().show(atom, true).cycle();
             let about = format!("{} in AS_DRIVING is told as an open circuit", words(machine, atom, false));
-            test(Kind::Fault, format!("fault-{atom}-off"), about, "3.7", walk).checks([id, "D-13", "D-17"])
+            let rows = braking_by(machine, atom).flat_map(|term| term.cites.requirements).copied();
+            test(Kind::Fault, format!("fault-{atom}-off"), about, "3.7", walk)
+                .checks(rows.chain(["D-13", "D-17"]))
         })
         .into()
+}
+
+/// Where it is settled that FINISHED and NEUTRAL count while they last: each is there before the vehicle moves.
+fn levels(machine: &Machine) -> Vec<Test> {
+    if machine.edition().choices.has(Choice::FaultEdge) {
+        return Vec::new();
+    }
+    let level = |atom: Atom| {
+        let walk = Walk::to(machine, AsState::Driving).show(Atom::AtRest, false).show(atom, true).cycle();
+        let walk = walk.show(Atom::Moving, true).cycle();
+        let rows = braking_by(machine, atom).flat_map(|term| term.cites.requirements).copied();
+        let about = format!("{} before the vehicle moves", words(machine, atom, true));
+        test(Kind::Fault, format!("fault-{atom}-level"), about, "4", walk)
+            .checks(rows.chain([Reading::FaultTrigger.decision()]))
+    };
+    [Atom::MissionFinished, Atom::DirectionNeutral].map(level).into()
 }
 
 /// The warnings of 520h.
@@ -118,9 +141,13 @@ fn warnings(machine: &Machine) -> Vec<Test> {
 fn several(machine: &Machine) -> Vec<Test> {
     let faults: Vec<Fault> = Faults::OPENING.with(Fault::AiComputerRequest).iter().collect();
     let pairs = faults.iter().zip(faults.iter().skip(1));
+    // Where each of them is a reason to brake.
+    let from_ready =
+        terms(machine).any(|(row, term)| row.from == AsState::Ready && term.on.has(Atom::AiEstop));
+    let state = if from_ready { AsState::Ready } else { AsState::Driving };
     let mut tests: Vec<Test> = pairs
         .map(|(&low, &high)| {
-            let at_once = Walk::to(machine, AsState::Ready).step(walk_cycle(machine), |inputs| {
+            let at_once = Walk::to(machine, state).step(walk_cycle(machine), |inputs| {
                 inputs.show_fault(low, true);
                 inputs.show_fault(high, true);
             });
@@ -136,7 +163,7 @@ fn several(machine: &Machine) -> Vec<Test> {
         })
         .collect();
     if let (Some(&first), Some(&last)) = (faults.last(), faults.first()) {
-        let later = Walk::to(machine, AsState::Ready)
+        let later = Walk::to(machine, state)
             .step(walk_cycle(machine), |inputs| inputs.show_fault(first, true))
             .step(walk_cycle(machine), |inputs| inputs.show_fault(last, true));
         let about = format!("{last} comes after {first}: the first cause stays");

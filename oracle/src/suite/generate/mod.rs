@@ -3,17 +3,22 @@
 //! What a test has to be is read off the table and the interface: a row, a term, a condition, a time, a threshold. How the
 //! machine gets to where the test begins is a [`Walk`].
 
+mod braking;
+mod ebs;
 mod faults;
 mod handshake;
 mod limits;
+mod missed;
 mod no_arrow;
 mod outputs;
 mod pairs;
 mod readings;
 mod rows;
 
+use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Choice, Edition, Machine, Row, Term};
 
+use super::requirements::of_edition;
 use super::walk::{Walk, walk_cycle};
 use super::{Kind, Test};
 
@@ -25,10 +30,13 @@ pub(super) fn all(edition: &Edition) -> Vec<Test> {
     tests.extend(pairs::tests(&machine));
     tests.extend(no_arrow::tests(&machine));
     tests.extend(handshake::tests(&machine));
+    tests.extend(missed::tests(&machine));
     tests.extend(faults::tests(&machine));
+    tests.extend(braking::tests(&machine));
+    tests.extend(ebs::tests(&machine));
     tests.extend(outputs::tests(&machine));
     tests.extend(readings::tests(&machine));
-    each_once(tests)
+    each_once(tests.into_iter().map(|test| test.of(edition)).collect())
 }
 
 /// A test without its requirements and its reading.
@@ -60,6 +68,12 @@ impl Test {
         }
         self
     }
+
+    /// With the requirements that an edition has in the place of those of the first one.
+    fn of(mut self, edition: &Edition) -> Self {
+        let first = std::mem::take(&mut self.requirements);
+        self.checks(first.iter().flat_map(|id| of_edition(edition, id)))
+    }
 }
 
 /// The rows of a machine with the terms that its readings have.
@@ -68,6 +82,13 @@ fn terms(machine: &Machine) -> impl Iterator<Item = (&Row, &Term)> {
     let rows = machine.edition().rules.table.rows().iter();
     rows.flat_map(|row| row.terms().iter().map(move |term| (row, term)))
         .filter(move |(_, term)| term.readings.is_subset(choices))
+}
+
+/// The alternatives of the way from AS_DRIVING into EMERGENCY_BRAKE that an atom decides, alone or with others.
+fn braking_by(machine: &Machine, atom: Atom) -> impl Iterator<Item = &Term> {
+    let brakes = |(row, _): &(&Row, &Term)| (row.from, row.to) == (AsState::Driving, AsState::EmergencyBrake);
+    let by = move |term: &&Term| term.on.has(atom) || term.off.has(atom);
+    terms(machine).filter(brakes).map(|(_, term)| term).filter(by)
 }
 
 /// The walk to where a term can be tried: in the state that its row leaves, with all that its memory conditions need.

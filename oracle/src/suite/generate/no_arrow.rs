@@ -47,9 +47,12 @@ fn of_other_states(machine: &Machine, state: AsState) -> Test {
 /// What AS_READY asks for and no arrow of another state does: TSMS, and an EBS that is armed.
 fn of_what_led_there(machine: &Machine, state: AsState) -> Test {
     let cycle = walk_cycle(machine);
+    // Where one that cannot brake is a reason to leave the state, one that brakes is not armed either.
+    let asks = terms(machine).any(|(row, term)| row.from == state && term.on.has(Atom::EbsUnavailable));
+    let ebs = if asks { EbsState::Triggered } else { EbsState::Unavailable };
     let walk = Walk::to(machine, state).step(cycle, |inputs| inputs.tsms = false).step(cycle, |inputs| {
         inputs.tsms = true;
-        inputs.ebs = EbsState::Unavailable;
+        inputs.ebs = ebs;
     });
     let about = format!("TSMS goes off in {state}, and then the EBS is not armed: the state stays");
     test(Kind::NoArrow, format!("no-tsms-no-ebs-in-{state}"), about, "3.1", walk).checks(["D-36"])

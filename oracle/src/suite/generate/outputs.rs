@@ -2,10 +2,10 @@
 //! mission and steering.
 
 use adsdv_spec::messages::{
-    AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MissionStatus, MotorSpeedMax,
-    SteerAngle,
+    Ai2VcuBrake, AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MissionStatus,
+    MotorSpeedMax, SteerAngle,
 };
-use adsdv_spec::{Actuation, Bus, Inputs, Machine};
+use adsdv_spec::{Actuation, Bus, Fault, Inputs, Machine};
 
 use super::{Walk, test, walk_cycle};
 use crate::suite::{Kind, Test};
@@ -23,19 +23,44 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
 /// one the other way round.
 fn requests(machine: &Machine, state: AsState) -> Test {
     let (cycle, bus) = (walk_cycle(machine), &machine.edition().bus);
+    // Where torque and brakes exclude each other while driving, they are requested one after the other.
+    let apart = machine.edition().faults.has(Fault::BrakePlausibilityFault);
+    let torque = |inputs: &mut Inputs, most: Axle| {
+        request(inputs, bus, most);
+        if apart {
+            inputs.ai.brake = Ai2VcuBrake::default();
+        }
+    };
+    let brakes = |inputs: &mut Inputs, most: Axle| {
+        request(inputs, bus, most);
+        inputs.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::MIN;
+        inputs.ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::MIN;
+    };
     let start = Walk::new(machine).set(|inputs| request(inputs, bus, Axle::Front));
     let walk = match state {
         AsState::Off => start.cycle(),
         AsState::Ready => start.into_ready(),
         // Its arrow asks for zero.
-        AsState::Driving => Walk::to(machine, state).step(cycle, |inputs| request(inputs, bus, Axle::Front)),
+        AsState::Driving => {
+            let walk = Walk::to(machine, state);
+            let walk = if apart {
+                walk.step(cycle, |inputs| brakes(inputs, Axle::Front))
+                    .step(cycle, |inputs| brakes(inputs, Axle::Rear))
+            } else {
+                walk
+            };
+            walk.step(cycle, |inputs| torque(inputs, Axle::Front))
+        }
         AsState::Finished => Walk::to(machine, AsState::Driving).step(cycle, |inputs| {
             inputs.ai.status.mission_status = MissionStatus::Finished;
-            request(inputs, bus, Axle::Front);
+            torque(inputs, Axle::Front);
         }),
         AsState::EmergencyBrake => start.into_ready().step(cycle, |inputs| inputs.sdc.vehicle_estop = true),
     };
-    let walk = walk.step(cycle, |inputs| request(inputs, bus, Axle::Rear));
+    let walk = walk.step(cycle, |inputs| match state {
+        AsState::Driving => torque(inputs, Axle::Rear),
+        _ => request(inputs, bus, Axle::Rear),
+    });
     let about = format!("which requests of the AI Computer reach the actuators in {state}");
     test(Kind::Output, format!("requests-in-{state}"), about, "2.1", walk)
         .checks(Actuation::requirements(state).iter().copied())

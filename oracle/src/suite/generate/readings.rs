@@ -1,7 +1,7 @@
 //! What tells the answers to each open question apart.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Choice, Machine};
+use adsdv_spec::{Atom, Choice, Machine};
 
 use super::{Walk, rows, terms, test, under, walk_cycle};
 use crate::suite::{Kind, Scenario, Test};
@@ -64,5 +64,14 @@ fn candidates(machine: &Machine) -> Vec<Walk<'_>> {
         inputs.ai.status.mission_status = adsdv_spec::messages::MissionStatus::Finished;
         inputs.go = false;
     }));
+    // The battery, torque with a brake, and messages that nobody watches.
+    walks.push(Walk::to(machine, AsState::Ready).step(cycle, |inputs| inputs.sdc.bms_fault = true));
+    walks.push(
+        Walk::to(machine, AsState::Driving)
+            .show(Atom::FrontTorqueZero, false)
+            .show(Atom::BrakeRequestZero, false)
+            .cycle(),
+    );
+    walks.push(Walk::new(machine).show(Atom::AiMessagesMissed, true).cycle());
     walks
 }

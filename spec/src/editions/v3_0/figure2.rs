@@ -100,7 +100,7 @@ const TIMER: &Cites = &Cites {
 
 /// Figure 2 of the document, with the readings' terms beside the figure's own.
 //= SM-1
-pub(super) const FIGURE_2: Table = {
+pub(in crate::editions) const FIGURE_2: Table = {
     use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
     #[allow(clippy::enum_glob_use, reason = "a row reads like the figure's label")]
     use Atom::*;

@@ -1,7 +1,7 @@
 //! ADS-DV Software Interface Specification 3.0, of 27 January 2021, with its CAN database.
 
 mod ai;
-mod figure2;
+pub(super) mod figure2;
 mod log;
 mod vcu;
 
@@ -9,13 +9,13 @@ use core::ops::RangeInclusive;
 
 use crate::bus::bus;
 use crate::edition::{Edition, Rules, Thresholds, Timing};
-use crate::faults::Faults;
+use crate::faults::{Fault, Faults};
 use crate::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, SteerAngle,
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed,
 };
-use crate::readings::{Choices, Readings};
+use crate::readings::{Choice, Choices, Readings};
 
 /// The layouts of version 3.0 and its database; see [`Layout`](crate::messages::Layout).
 #[derive(Clone, Copy, Debug)]
@@ -37,10 +37,11 @@ impl Edition {
             thresholds: Thresholds {
                 wheel_speed: WheelSpeed::clamped(10),
                 straight: SteerAngle::clamped(50),
+                missed_ms: None,
             },
         },
-        faults: Faults::ALL,
-        choices: Choices::ALL,
+        faults: Faults::ALL.without(Fault::BrakePlausibilityFault),
+        choices: Choices::ALL.difference(LATER),
         readings: Readings::DEFAULT,
         bus: V3_0::bus(RESERVED),
     };
@@ -63,6 +64,10 @@ bus! { V3_0:
     Vcu2AiWheelSpeeds of V3_0,
     Vcu2AiWheelCounts of V3_0,
 }
+
+/// The answers to questions that later editions raise. Their defaults are how version 3.0 has it.
+const LATER: Choices =
+    Choices::of(&[Choice::CommsDriving, Choice::WatchAlways, Choice::TorqueNever, Choice::BmsDriving]);
 
 /// The reserved identifiers.
 const RESERVED: &[RangeInclusive<u16>] = &[

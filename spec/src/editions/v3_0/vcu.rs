@@ -31,7 +31,7 @@ layouts! { V3_0:
         mission_status_fault = "MISSION_STATUS_FAULT" 47|1 ["FALSE", "TRUE"];
         charge_procedure_fault = "CHARGE_PROCEDURE_FAULT" 48|1 ["FALSE", "TRUE"];
         bms_fault = "BMS_FAULT" 49|1 ["FALSE", "TRUE"];
-        shutdown_cause = "SHUTDOWN_CAUSE" 56|8;
+        shutdown_cause = "SHUTDOWN_CAUSE" 56|8 in 0 to 10;
     }
 
     Vcu2AiDriveF = "VCU2AI_Drive_F", 8 bytes, every 10 ms, section "2.2" { //= MSG-65 to MSG-68

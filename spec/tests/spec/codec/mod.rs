@@ -9,6 +9,7 @@ mod ranges;
 mod recorded;
 mod round_trips;
 mod table;
+mod v4_0;
 
 use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
@@ -16,8 +17,9 @@ use adsdv_spec::messages::{
     AmiState, AnyMessage, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, ConesCountAll, DecodeError,
     DirectionRequest, EbsState, Frame, LapCounter, Layout, LogBrake, LogDriveTorque, LogSteerAngle,
     MessageDef, MissionStatus, MotorSpeedMax, Node, QuantityError, ServiceBrake, ShutdownCause, SignalDef,
-    SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
-    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, WheelSpeed, YawRate,
+    SmAs, SmSys, SpeedKmh, StatusBrk, SteerAngle, SteerAngleMax, SysActionState, Vcu2AiBrake, Vcu2AiDriveF,
+    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
+    Vcu2LogStatus, VcuStatus, WheelSpeed, YawRate,
 };
 
 use adsdv_spec::{Bus, Edition};
@@ -27,11 +29,12 @@ use crate::random::Random;
 /// The bus of version 3.0.
 const BUS: Bus = Edition::V3_0.bus;
 
+/// The buses of all editions.
+const BUSES: &[Bus] = &[BUS, Edition::V4_0.bus];
+
 /// Every message of every edition, with its bus.
 fn messages() -> impl Iterator<Item = (&'static Bus, &'static MessageDef)> {
-    Edition::ALL
-        .iter()
-        .flat_map(|edition| edition.bus.messages.iter().map(|&message| (&edition.bus, message)))
+    BUSES.iter().flat_map(|bus| bus.messages.iter().map(move |&message| (bus, message)))
 }
 
 /// Bit `index` of a frame's data, bit 0 being the lowest of the first byte.

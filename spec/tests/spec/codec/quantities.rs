@@ -55,7 +55,7 @@ fn values_display_with_their_units() {
     assert!((speed.physical(127) - 63.5).abs() < 1e-9);
 }
 
-//= MSG-8, MSG-10, MSG-35 to MSG-37, MSG-39, MSG-48, MSG-49, MSG-64
+//= MSG-8, MSG-10, MSG-35 to MSG-37, MSG-39, MSG-48, MSG-49, MSG-64, MSG-85
 #[test]
 fn enumerations_go_by_the_document_s_numbers_and_names() {
     assert_eq!(AsState::ALL.map(AsState::raw), [1, 2, 3, 4, 5]);
@@ -66,7 +66,7 @@ fn enumerations_go_by_the_document_s_numbers_and_names() {
     assert_eq!(EbsState::ALL.map(EbsState::raw), [1, 2, 3]);
     assert_eq!(AmiState::ALL.map(AmiState::raw), [0, 1, 2, 3, 4, 5, 6, 7]);
     assert_eq!(ServiceBrake::ALL.map(ServiceBrake::raw), [1, 2, 3]);
-    assert_eq!(ShutdownCause::ALL.map(ShutdownCause::raw), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    assert_eq!(ShutdownCause::ALL.map(ShutdownCause::raw), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
     assert_eq!(
         MissionStatus::ALL.map(MissionStatus::name),
         ["NOT SELECTED", "SELECTED", "RUNNING", "FINISHED"]
@@ -75,7 +75,7 @@ fn enumerations_go_by_the_document_s_numbers_and_names() {
     for raw in -1..=256 {
         assert_eq!(
             ShutdownCause::from_raw(raw).map(ShutdownCause::raw),
-            (0..=10).contains(&raw).then_some(raw)
+            (0..=11).contains(&raw).then_some(raw)
         );
     }
 }

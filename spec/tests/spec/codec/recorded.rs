@@ -93,7 +93,13 @@ fn recorded_frames_of_the_vcu() -> Result<(), QuantityError> {
     let half = BrakePressure::from_pct(50.0)?;
     recorded(
         "524#64646464",
-        Vcu2AiBrake { hyd_press_f: half, hyd_press_f_req: half, hyd_press_r: half, hyd_press_r_req: half },
+        Vcu2AiBrake {
+            hyd_press_f: half,
+            hyd_press_f_req: half,
+            hyd_press_r: half,
+            hyd_press_r_req: half,
+            ..Vcu2AiBrake::default()
+        },
     );
     let speed = WheelSpeed::from_rpm(400.0)?;
     recorded(
@@ -207,6 +213,7 @@ fn fields_of_one_type_have_their_own_places() -> Result<(), QuantityError> {
             hyd_press_f_req: pct(2)?,
             hyd_press_r: pct(3)?,
             hyd_press_r_req: pct(4)?,
+            ..Vcu2AiBrake::default()
         },
     );
     let nm = AxleTorqueRequest::from_raw;

@@ -16,6 +16,19 @@ pub(crate) struct Citation<'a> {
     pub(crate) line: usize,
 }
 
+impl Citation<'_> {
+    /// The edition in whose folder it stands, if it stands in one.
+    pub(crate) fn folder(&self) -> Option<String> {
+        folder_of_edition(&self.path)
+    }
+}
+
+/// The edition in whose folder a source is, such as 3.0 for `spec/src/editions/v3_0/figure2.rs`.
+pub(crate) fn folder_of_edition(path: &str) -> Option<String> {
+    let (folder, _) = path.strip_prefix("spec/src/editions/v")?.split_once('/')?;
+    Some(folder.replace('_', "."))
+}
+
 /// The files to write, by their paths: each annotation quotes its requirement, and names the line that cites it.
 pub(crate) fn annotations(citations: &[Citation<'_>], requirements: &str) -> BTreeMap<String, String> {
     let mut files: BTreeMap<String, String> = BTreeMap::new();
@@ -35,9 +48,22 @@ pub(crate) fn annotations(citations: &[Citation<'_>], requirements: &str) -> BTr
 
 #[cfg(test)]
 mod tests {
-    use super::{Citation, annotations};
+    use super::{Citation, annotations, folder_of_edition};
     use crate::kind::Kind;
     use crate::requirements::{Requirements, tests::SMALL};
+
+    #[test]
+    fn folders_have_editions() {
+        for (path, edition) in [
+            ("spec/src/editions/v3_0/figure2.rs", Some("3.0")),
+            ("spec/src/editions/v4_0/more/mod.rs", Some("4.0")),
+            ("spec/src/editions/fictional.rs", None),
+            ("spec/src/editions/v4_0.rs", None),
+            ("model/src/editions/v4_0/mod.rs", None),
+        ] {
+            assert_eq!(folder_of_edition(path).as_deref(), edition, "{path}");
+        }
+    }
 
     #[test]
     fn an_annotation_quotes_the_requirement_in_full() {
@@ -58,7 +84,7 @@ mod tests {
 //= spec/REQUIREMENTS.md#3-2-as-ready-to-as-driving
 //= type=implication
 //= reason=proofs/src/kani/go.rs:7
-//# - **DRV-10** The AI Computer SHOULD set DIRECTION_REQUEST to FORWARD (3.2).
+//# - **DRV-10** The AI Computer SHOULD set DIRECTION_REQUEST to FORWARD (3.0: 3.2; 4.0: 4).
 
 ";
         assert_eq!(

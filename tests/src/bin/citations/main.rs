@@ -8,6 +8,9 @@
 //! in full, which would bury the code, so this program writes those quotes into files of their own ([`annotate`]).
 //! What a citation stands for, an implementation, a proof or a test, follows from where it is ([`kind`]).
 //!
+//! A requirement holds in one edition of the document or in several. The gate is for the editions that the code has; what holds
+//! only in others waits, and is counted ([`gate`]).
+//!
 //! `scripts/trace.sh` runs all of it.
 
 mod annotate;
@@ -22,7 +25,8 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-use annotate::{Citation, annotations};
+use adsdv_spec::Edition;
+use annotate::{Citation, annotations, folder_of_edition};
 use gate::Verdict;
 use mistake::Mistake;
 use requirements::Requirements;
@@ -35,8 +39,10 @@ Usage: citations write | check | count
 write  finds every citation in the sources below the current folder, and writes them as annotations for duvet
        into target/duvet/annotations
 check  reads duvet's report, target/duvet/report.json, and names every requirement that lacks an
-       implementation, a proof or a test
-count  names the same from the sources alone, where there is no duvet
+       implementation, a proof or a test; then as count
+count  names the same from the sources alone
+
+What holds only in an edition that the code does not have yet is counted, and may lack anything.
 
 Exit status: 0 all is well, 1 a citation is wrong or a requirement lacks something, 2 wrong usage or a file
 cannot be read or written.";
@@ -78,15 +84,33 @@ fn write() -> io::Result<ExitCode> {
 }
 
 fn check() -> io::Result<ExitCode> {
-    let verdict = Verdict::of_report(&sources::read(Path::new(REPORT))?, &requirements()?)
+    let requirements = requirements()?;
+    let code = editions_of_the_code(&requirements)?;
+    let verdict = Verdict::of_report(&sources::read(Path::new(REPORT))?, &requirements, &code)
         .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, format!("{REPORT}: {error}")))?;
-    Ok(printed(&verdict))
+    // The sources tell more: in which edition a citation counts.
+    if verdict.is_complete() { count() } else { Ok(printed(&verdict)) }
 }
 
 fn count() -> io::Result<ExitCode> {
     let requirements = requirements()?;
     let Some(citations) = all_cited(&requirements)? else { return Ok(ExitCode::FAILURE) };
-    Ok(printed(&Verdict::of_citations(&citations, &requirements)))
+    let code = editions_of_the_code(&requirements)?;
+    Ok(printed(&Verdict::of_citations(&citations, &requirements, &code)))
+}
+
+/// The editions that the code has, each of which has to have requirements.
+fn editions_of_the_code(requirements: &Requirements) -> io::Result<Vec<&'static str>> {
+    let code: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
+    match code.iter().find(|version| !requirements.editions().iter().any(|edition| edition == *version)) {
+        Some(version) => Err(io::Error::new(
+            io::ErrorKind::InvalidData,
+            format!(
+                "{REQUIREMENTS}: no edition {version}, which the code has; expected it under \"Editions\""
+            ),
+        )),
+        None => Ok(code),
+    }
 }
 
 fn printed(verdict: &Verdict) -> ExitCode {
@@ -134,6 +158,14 @@ fn meant<'a>(
     let here = |trouble: Mistake| trouble.in_line(written.line);
     let kind = kind::of(&source.path, written.form, written.in_tests).map_err(here)?;
     let cited = requirements.list(&written.ids).map_err(here)?;
+    if let Some(edition) = folder_of_edition(&source.path)
+        && let Some(other) = cited.iter().find(|requirement| !requirement.holds_in(&edition))
+    {
+        return Err(here(Mistake::new(
+            format!("{} does not hold in {edition}", other.id),
+            format!("what holds in {edition} in its folder"),
+        )));
+    }
     let citation =
         |requirement| Citation { kind, requirement, path: source.path.clone(), line: written.line };
     Ok(cited.into_iter().map(citation).collect())
@@ -185,6 +217,20 @@ mod tests {
                  such as HS-4"
                     .to_owned(),
                 "spec/src/a.rs:4: \"HS-6 to HS-4\" runs backwards; expected HS-4 to HS-6".to_owned(),
+            ])
+        );
+    }
+
+    #[test]
+    fn the_folder_of_an_edition_cites_what_holds_in_it() {
+        let well = cited_in("spec/src/editions/v4_0/mod.rs", "//= HS-4, HS-17\n");
+        assert_eq!(well, Ok(vec!["Implementation HS-4 1".to_owned(), "Implementation HS-17 1".to_owned()]));
+        let wrong = cited_in("spec/src/editions/v4_0/mod.rs", "//= HS-4\n//= HS-4, HS-6\n");
+        assert_eq!(
+            wrong,
+            Err(vec![
+                "spec/src/editions/v4_0/mod.rs:2: HS-6 does not hold in 4.0; expected what holds in 4.0 in its folder"
+                    .to_owned()
             ])
         );
     }

@@ -1,0 +1,116 @@
+//! The protocol in an edition: which fields it has there, and which values they have.
+
+use std::fmt;
+
+use adsdv_spec::{Bus, Edition, Inputs};
+
+use super::answer::Answer;
+use super::bad_line::BadLine;
+use super::field::{Domain, Value};
+use super::inputs::{INPUTS, InputField};
+use super::request::{InputsAsJson, Request};
+use super::shown::{FIELDS, SHOWN, ShownField};
+
+/// The edition that a program speaks of until somebody says which, as all did before there was another.
+pub const UNSAID: &Edition = &Edition::V3_0;
+
+/// The protocol as an edition has it: reads and writes the lines that say something in it. A line that is parsed or displayed
+/// by itself says it of [`UNSAID`].
+///
+/// Names are written as the edition spells them, and read as that or as [`UNSAID`] does.
+///
+/// ```
+/// use adsdv_oracle::protocol::Protocol;
+/// use adsdv_spec::Edition;
+///
+/// let protocol = Protocol::of(&Edition::V3_0);
+/// assert!(protocol.answer(r#"{"as_state":"AS_READY","steer":240}"#).is_ok());
+/// let refused = protocol.answer(r#"{"as_state":"AS_READY","steer":241}"#).unwrap_err();
+/// assert_eq!(refused.to_string(), "\"steer\" is 241; expected a whole number from -240 to 240");
+///
+/// let newer = Protocol::of(&Edition::V4_0);
+/// let step = newer.request(r#"{"op":"step","dt_ms":10,"ami":"TRACK_DRIVE","brake_silence_ms":90}"#).unwrap();
+/// let line = r#"{"op":"step","dt_ms":10,"ami":"TRACK DRIVE","brake_silence_ms":90}"#;
+/// assert_eq!(newer.line(&step).to_string(), line);
+/// assert!(protocol.request(line).is_err()); // 3.0 has neither
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Protocol {
+    /// Those of [`INPUTS`], in its order; `None` for what the edition does not have.
+    inputs: [Option<Domain>; INPUTS.len()],
+    /// Those of [`SHOWN`], likewise.
+    shown: [Option<Domain>; SHOWN.len()],
+    /// Where the words are from.
+    bus: Bus,
+}
+
+impl Protocol {
+    /// Where nobody says of which edition a program speaks.
+    pub(super) const UNSAID: Self = Self::of(UNSAID);
+
+    /// That of an edition.
+    pub const fn of(edition: &Edition) -> Self {
+        let mut protocol =
+            Self { inputs: [None; INPUTS.len()], shown: [None; SHOWN.len()], bus: edition.bus };
+        let mut place = 0;
+        while place < INPUTS.len() {
+            protocol.inputs[place] = INPUTS[place].domain_in(edition);
+            place += 1;
+        }
+        place = 0;
+        while place < SHOWN.len() {
+            protocol.shown[place] = SHOWN[place].domain_in(edition);
+            place += 1;
+        }
+        protocol
+    }
+
+    /// The inputs that the edition has, in the order of [`INPUTS`], each with its values.
+    pub fn inputs(&self) -> impl Iterator<Item = (&'static InputField, Domain)> + use<'_> {
+        INPUTS.iter().zip(self.inputs).filter_map(|(field, domain)| Some((field, domain?)))
+    }
+
+    /// What a step shows in the edition, in the order of [`SHOWN`], each with its values.
+    pub fn shown(&self) -> impl Iterator<Item = (&'static ShownField, Domain)> + use<'_> {
+        FIELDS.iter().zip(self.shown).filter_map(|(field, domain)| Some((field, domain?)))
+    }
+
+    /// The values of a field of [`SHOWN`], by its place there.
+    pub(super) fn shown_at(&self, place: usize) -> Option<Domain> {
+        *self.shown.get(place)?
+    }
+
+    pub(super) const fn bus(&self) -> &Bus {
+        &self.bus
+    }
+
+    /// The value of an input, in the words of the edition.
+    pub fn input(&self, field: &InputField, inputs: &Inputs) -> Value {
+        Value { domain: field.domain_on(&self.bus), raw: Some((field.get)(inputs)) }
+    }
+
+    /// A request as the edition has it, without the end of the line. What it does not have is not told.
+    pub fn line<'a>(&'a self, request: &'a Request) -> impl fmt::Display + 'a {
+        fmt::from_fn(move |f| request.write(f, self))
+    }
+
+    /// Inputs as an object of their own, as the edition has it.
+    pub fn object<'a>(&'a self, inputs: &'a InputsAsJson) -> impl fmt::Display + 'a {
+        fmt::from_fn(move |f| inputs.write(f, self))
+    }
+
+    /// Reads what is asked of a program.
+    pub fn request(&self, line: &str) -> Result<Request, BadLine> {
+        Request::read(line, self)
+    }
+
+    /// Reads inputs that are an object of their own.
+    pub fn inputs_as_json(&self, object: &str) -> Result<InputsAsJson, BadLine> {
+        InputsAsJson::read(object, self)
+    }
+
+    /// Reads what a program answers to a step.
+    pub fn answer(&self, line: &str) -> Result<Answer, BadLine> {
+        Answer::read(line, self)
+    }
+}

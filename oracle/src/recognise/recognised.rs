@@ -1,0 +1,78 @@
+//! The edition that fits best, and why.
+
+use std::cmp::Reverse;
+use std::fmt;
+
+use adsdv_spec::Edition;
+
+use super::facts::Fact;
+
+/// Which edition the frames fit best.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recognised {
+    /// The edition; the default where the frames do not tell.
+    pub edition: &'static Edition,
+    /// Whether it fits better than every other.
+    pub certain: bool,
+    /// What fits it and not every other, in words, such as `511h has 4 bytes (3.0: 8)`.
+    pub evidence: Vec<String>,
+    /// What does not fit it, such as `120h is absent (4.0: every 10 ms)`. It is judged by this edition all the same.
+    pub against: Vec<String>,
+}
+
+impl Recognised {
+    /// An edition that was named and not recognised.
+    pub(crate) const fn named(edition: &'static Edition) -> Self {
+        Self { edition, certain: true, evidence: Vec::new(), against: Vec::new() }
+    }
+}
+
+/// In one line, such as `version 4.0: 511h has 4 bytes (3.0: 8)`.
+impl fmt::Display for Recognised {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "version {}", self.edition.version)?;
+        if !self.certain {
+            f.write_str(", as the frames do not tell which")?;
+        }
+        if !self.evidence.is_empty() {
+            write!(f, ": {}", self.evidence.join(", "))?;
+        }
+        if !self.against.is_empty() {
+            let but = if self.evidence.is_empty() { ", but " } else { "; but " };
+            write!(f, "{but}{}", self.against.join(", "))?;
+        }
+        Ok(())
+    }
+}
+
+/// The edition that the fewest facts speak against.
+pub(super) fn best(editions: &[&'static Edition], default: &'static Edition, facts: &[Fact]) -> Recognised {
+    let misfits = |place: usize| {
+        facts.iter().filter(move |fact| fact.tells() && matches!(fact.instead.get(place), Some(Some(_))))
+    };
+    let score = |place: usize| misfits(place).fold(0, |sum: u32, fact| sum.saturating_add(fact.weight));
+    // Of those that fit as well: the default, the one that lacks the least, the newest.
+    let rank = |&place: &usize| {
+        let other = editions.get(place).is_none_or(|edition| edition.version != default.version);
+        (score(place), other, misfits(place).count(), Reverse(place))
+    };
+    let Some(place) = (0..editions.len()).min_by_key(rank) else {
+        return Recognised { edition: default, certain: false, evidence: Vec::new(), against: Vec::new() };
+    };
+    let least = score(place);
+    let others = (0..editions.len()).filter(|&other| other != place);
+    let certain = others.map(score).all(|score| score > least);
+    let fits = |fact: &&Fact| !matches!(fact.instead.get(place), Some(Some(_)));
+    let in_words = |fact: &Fact| {
+        let said = editions.iter().zip(&fact.instead);
+        let said = said.filter_map(|(edition, instead)| Some((edition.version, instead.as_ref()?)));
+        let said: Vec<String> = said.map(|(version, instead)| format!("{version}: {instead}")).collect();
+        format!("{} ({})", fact.text, said.join(", "))
+    };
+    Recognised {
+        edition: editions.get(place).copied().unwrap_or(default),
+        certain,
+        evidence: facts.iter().filter(fits).filter(|fact| fact.weight > 0).map(in_words).collect(),
+        against: facts.iter().filter(|fact| !fits(fact)).map(in_words).collect(),
+    }
+}
