@@ -36,6 +36,12 @@ pub struct adsdv_outputs {
     pub fault_status: u8,
     /// 520h: one of the warnings is there.
     pub warning_status: u8,
+    /// 520h: what the vehicle is operated for, the number of OP_STATE, since 2026.
+    pub op_state: u8,
+    /// 520h: the state of the tractive system, the number of TS_STATE, since 2026.
+    pub ts_state: u8,
+    /// 520h: the stage of the EBS, the number of EBS_STATE, since 2026.
+    pub ebs_state: u8,
     /// 520h, warning: the traction battery is hot.
     pub warn_batt_temp_high: u8,
     /// 520h, warning: the traction battery's charge is low.
@@ -119,7 +125,7 @@ impl adsdv_outputs {
             ami_state, shutdown_cause, fault_status, warning_status, warn_batt_temp_high, warn_batt_soc_low,
             ai_estop_request, hvil_open_fault, hvil_short_fault, ebs_fault, offboard_charger_fault, ai_comms_lost,
             autonomous_braking_fault, mission_status_fault, charge_procedure_fault, bms_fault,
-            brake_plausibility_fault,
+            brake_plausibility_fault, op_state, ts_state, ebs_state,
         });
         shown.actuate(outputs.actuation(inputs));
         if let Some(taken) = outputs.taken {

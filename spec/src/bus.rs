@@ -3,7 +3,9 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-use crate::messages::{AnyMessage, DecodeError, Frame, Message, MessageDef, Node, SignalDef};
+use crate::messages::{
+    AnyMessage, DecodeError, Device, DeviceMessage, Frame, Message, MessageDef, Node, SignalDef,
+};
 
 /// The bus of one edition.
 #[derive(Clone, Copy)]
@@ -12,6 +14,8 @@ pub struct Bus {
     pub messages: &'static [&'static MessageDef],
     /// The identifiers that the AI Computer must not use (section 2.3), as ranges, ascending.
     pub reserved: &'static [RangeInclusive<u16>],
+    /// What the VCU and its devices tell each other, by ascending identifier; the AI Computer has no part in it.
+    pub devices: &'static [DeviceMessage],
     /// Reads the data of a frame with this identifier; see [`Bus::decode`].
     pub read: fn(id: u16, data: &[u8]) -> Result<AnyMessage, DecodeError>,
     /// The frame of a message; see [`Bus::encode`].
@@ -35,6 +39,25 @@ impl Bus {
         while i < self.messages.len() {
             if self.messages[i].id == id {
                 return Some(self.messages[i]);
+            }
+            i += 1;
+        }
+        None
+    }
+
+    /// The message of a device with this identifier.
+    ///
+    /// ```
+    /// use adsdv_spec::Edition;
+    ///
+    /// assert_eq!(Edition::V2026.bus.device(0x181).map(|message| message.name), Some("RES_TPDO"));
+    /// assert_eq!(Edition::V4_0.bus.device(0x181), None);
+    /// ```
+    pub const fn device(&self, id: u16) -> Option<&'static DeviceMessage> {
+        let mut i = 0;
+        while i < self.devices.len() {
+            if self.devices[i].id == id {
+                return Some(&self.devices[i]);
             }
             i += 1;
         }
@@ -126,7 +149,7 @@ impl Bus {
     }
 
     /// Whether a node may send frames with this identifier: its own messages, and, as far as the document goes,
-    /// identifiers that it neither gives to the other node nor reserves (sections 2.1 to 2.3).
+    /// identifiers that it gives to nobody else and does not reserve (sections 2.1 to 2.3).
     ///
     /// ```
     /// use adsdv_spec::Edition;
@@ -138,16 +161,21 @@ impl Bus {
     pub const fn may_send(&self, node: Node, id: u16) -> bool {
         match (node, self.message(id)) {
             (_, Some(message)) => message.sender as u8 == node as u8,
-            (Node::Ai, None) => !self.is_reserved(id),
-            (Node::Vcu, None) => true,
+            (Node::Ai, None) => !self.is_reserved(id) && self.device(id).is_none(),
+            (Node::Vcu, None) => match self.device(id) {
+                Some(message) => matches!(message.sender, Device::Vcu),
+                None => true,
+            },
         }
     }
 }
 
 /// Two buses with the same messages, laid out alike, read and write alike.
+//
+// No number of a device's row is NaN, so a row equals itself.
 impl PartialEq for Bus {
     fn eq(&self, other: &Self) -> bool {
-        self.messages == other.messages && self.reserved == other.reserved
+        self.messages == other.messages && self.reserved == other.reserved && self.devices == other.devices
     }
 }
 
@@ -159,6 +187,7 @@ impl fmt::Debug for Bus {
         f.debug_struct("Bus")
             .field("messages", &Names(names))
             .field("reserved", &self.reserved)
+            .field("devices", &Names(self.devices.iter().map(|message| message.name)))
             .finish_non_exhaustive()
     }
 }
@@ -175,9 +204,10 @@ impl<I: Iterator<Item: fmt::Debug> + Clone> fmt::Debug for Names<I> {
 impl serde::Serialize for Bus {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        let mut bus = serializer.serialize_struct("Bus", 2)?;
+        let mut bus = serializer.serialize_struct("Bus", 3)?;
         bus.serialize_field("messages", self.messages)?;
         bus.serialize_field("reserved", self.reserved)?;
+        bus.serialize_field("devices", self.devices)?;
         bus.end()
     }
 }
@@ -222,11 +252,12 @@ macro_rules! bus {
                 }
             }
 
-            /// The bus, with these identifiers reserved.
+            /// The bus, with these identifiers reserved, and without devices.
             const fn bus(reserved: &'static [core::ops::RangeInclusive<u16>]) -> $crate::Bus {
                 $crate::Bus {
                     messages: Self::MESSAGES,
                     reserved,
+                    devices: &[],
                     read: Self::read,
                     write: Self::write,
                     holds: Self::holds,

@@ -15,8 +15,10 @@ use crate::table::{Priority, Table, Term};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edition {
-    /// The document's version.
+    /// The version by which it is named: the document's, or that of the CAN database that changes it.
     pub version: &'static str,
+    /// What describes it, by its full name.
+    pub document: &'static str,
     /// What the state machine follows.
     pub rules: Rules,
     /// The faults that 520h can show.

@@ -7,10 +7,11 @@ use crate::faults::{Fault, Faults};
 use crate::inputs::Inputs;
 use crate::machine::{Machine, Taken};
 use crate::messages::{
-    AnyMessage, AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame,
-    LogBrake, LogDriveTorque, LogSteerAngle, MotorSpeedMax, ServiceBrake, ShutdownCause, SmAs, SmSys,
-    StatusBrk, SteerAngle, SysActionState, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus,
-    Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
+    AnyMessage, AsState, AxleTorqueRequest, BrakePressure, ConesCountAll, DirectionRequest, EbsStage,
+    EbsState, Frame, LogBrake, LogDriveTorque, LogSteerAngle, MotorSpeedMax, OpState, ServiceBrake,
+    ShutdownCause, SmAs, SmSys, StatusBrk, SteerAngle, SysActionState, TsState, Vcu2AiBrake, Vcu2AiDriveF,
+    Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogDynamics1,
+    Vcu2LogStatus, VcuStatus,
 };
 use crate::silence::AiSilence;
 use crate::table::{Row, Term};
@@ -221,6 +222,19 @@ impl Outputs {
             warn_batt_temp_high: inputs.reports.batt_temp_high, //= MSG-52
             warn_batt_soc_low: inputs.reports.batt_soc_low, //= MSG-53
             shutdown_cause: self.shutdown_cause,
+            //= MSG-106, D-71
+            op_state: match (inputs.reports.charging, inputs.tsms) {
+                (true, _) => OpState::Charge,
+                (false, true) => OpState::Auto,
+                (false, false) => OpState::Init,
+            },
+            ts_state: if inputs.tsms { TsState::Running } else { TsState::Init }, //= MSG-107, D-72
+            //= MSG-108, D-73
+            ebs_state: match self.state_ebs(inputs) {
+                EbsState::Unavailable => EbsStage::Init,
+                EbsState::Armed => EbsStage::Armed,
+                EbsState::Triggered => EbsStage::Triggered,
+            },
             // SHUTDOWN_REQUEST stays 0: the document names no condition under which the VCU asks the AI Computer to
             // shut down. The flags of the faults follow below.
             //= D-38

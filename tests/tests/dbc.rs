@@ -1,19 +1,22 @@
 //! The exported CAN database, read back by another program: it says what the table says, and what the original
 //! database says but for the listed differences.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::path::Path;
 use std::{fs, iter};
 
 use adsdv_spec::export::Dbc;
-use adsdv_spec::messages::Decimal;
+use adsdv_spec::messages::{Coding, Decimal};
 use adsdv_spec::{Bus, Edition};
-use can_dbc::{AttributeValue, ByteOrder, MessageId, ValueDescription, ValueType};
+use can_dbc::{AttributeValue, ByteOrder, MessageId, SignalExtendedValueType, ValueDescription, ValueType};
 
 /// Each edition with the original of its database, as it lies beside the checkout.
-const EDITIONS: [(Edition, &str); 2] =
-    [(Edition::V3_0, "dbc/adsdv_2021_vcu_ai_interface_v1.dbc"), (Edition::V4_0, "v4/ADS-DV_v2.dbc")];
+const EDITIONS: [(Edition, &str); 3] = [
+    (Edition::V3_0, "dbc/adsdv_2021_vcu_ai_interface_v1.dbc"),
+    (Edition::V4_0, "v4/ADS-DV_v2.dbc"),
+    (Edition::V2026, "v4/ADS-DV_2026_CAN1.dbc"),
+];
 
 /// A database as a list of facts, each the text of one attribute of a signal, or, under an empty signal name, of
 /// the message itself.
@@ -34,8 +37,10 @@ fn range(min: &dyn Display, max: &dyn Display) -> String {
     format!("[{min}|{max}]")
 }
 
+/// By number, whatever their order is in the database.
 fn values<'a>(values: impl Iterator<Item = (i64, &'a str)>) -> String {
-    values.map(|(value, name)| format!("{value} \"{name}\"")).collect::<Vec<_>>().join(" ")
+    let values: BTreeMap<_, _> = values.collect();
+    values.into_iter().map(|(value, name)| format!("{value} \"{name}\"")).collect::<Vec<_>>().join(" ")
 }
 
 fn parse(text: &str) -> can_dbc::Dbc {
@@ -46,6 +51,9 @@ fn exported(edition: &Edition) -> can_dbc::Dbc {
     parse(&Dbc(edition).to_string())
 }
 
+/// The pseudo message under which a database keeps signals that are in no frame.
+const NO_FRAME: &str = "VECTOR__INDEPENDENT_SIG_MSG";
+
 fn standard(id: MessageId) -> u32 {
     assert!(matches!(id, MessageId::Standard(_)), "{id:?} is not an 11-bit identifier");
     id.raw()
@@ -54,7 +62,7 @@ fn standard(id: MessageId) -> u32 {
 /// What a database says of layout and values.
 fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
     let mut facts = Facts::new();
-    for message in &dbc.messages {
+    for message in dbc.messages.iter().filter(|message| message.name != NO_FRAME) {
         let id = standard(message.id);
         facts.extend([
             fact(id, "", "name", &message.name),
@@ -63,13 +71,13 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
         ]);
         for signal in &message.signals {
             assert_eq!(signal.byte_order, ByteOrder::LittleEndian, "{}", signal.name);
-            assert_eq!(signal.offset.to_string(), "0", "{}", signal.name);
             let sign = if signal.value_type == ValueType::Signed { '-' } else { '+' };
             facts.extend([
                 fact(id, &signal.name, "start", &signal.start_bit),
                 fact(id, &signal.name, "width", &signal.size),
                 fact(id, &signal.name, "sign", &sign),
                 fact(id, &signal.name, "scale", &signal.factor),
+                fact(id, &signal.name, "offset", &signal.offset),
                 fact(id, &signal.name, "range", &range(&signal.min, &signal.max)),
                 fact(id, &signal.name, "unit", &signal.unit),
             ]);
@@ -81,6 +89,10 @@ fn facts_of(dbc: &can_dbc::Dbc) -> Facts {
         };
         let values = values(value_descriptions.iter().map(|value| (value.id, value.description.as_str())));
         facts.extend([fact(standard(*message_id), name, "values", &values)]);
+    }
+    for float in &dbc.signal_extended_value_type_list {
+        assert_eq!(float.signal_extended_value_type, SignalExtendedValueType::IEEEfloat32Bit);
+        facts.extend([fact(standard(float.message_id), &float.signal_name, "coding", &"float")]);
     }
     facts
 }
@@ -102,9 +114,36 @@ fn facts_of_table(bus: &Bus) -> Facts {
                 fact(id, signal.name, "width", &signal.width),
                 fact(id, signal.name, "sign", &if signal.signed { '-' } else { '+' }),
                 fact(id, signal.name, "scale", &signal.scale),
+                fact(id, signal.name, "offset", &0),
                 fact(id, signal.name, "range", &range(&decimal(signal.min), &decimal(signal.max))),
                 fact(id, signal.name, "unit", &signal.unit),
             ]);
+            if !signal.values.is_empty() {
+                let names = values(signal.values.iter().map(|&(value, name)| (i64::from(value), name)));
+                facts.extend([fact(id, signal.name, "values", &names)]);
+            }
+        }
+    }
+    for message in bus.devices {
+        let id = u32::from(message.id);
+        facts.extend([
+            fact(id, "", "name", &message.name),
+            fact(id, "", "length", &message.len),
+            fact(id, "", "sender", &message.sender),
+        ]);
+        for signal in message.signals {
+            facts.extend([
+                fact(id, signal.name, "start", &signal.start),
+                fact(id, signal.name, "width", &signal.width),
+                fact(id, signal.name, "sign", &if signal.coding == Coding::Unsigned { '+' } else { '-' }),
+                fact(id, signal.name, "scale", &signal.scale),
+                fact(id, signal.name, "offset", &signal.offset),
+                fact(id, signal.name, "range", &range(&signal.min, &signal.max)),
+                fact(id, signal.name, "unit", &signal.unit),
+            ]);
+            if signal.coding == Coding::Float {
+                facts.extend([fact(id, signal.name, "coding", &"float")]);
+            }
             if !signal.values.is_empty() {
                 let names = values(signal.values.iter().map(|&(value, name)| (i64::from(value), name)));
                 facts.extend([fact(id, signal.name, "values", &names)]);
@@ -150,7 +189,11 @@ fn export_says_what_the_table_says() {
         assert_eq!(differences(&facts_of(&dbc), &facts_of_table(&edition.bus)), [""; 0]);
 
         let senders: Vec<_> = dbc.nodes.iter().map(|node| node.0.as_str()).collect();
-        assert_eq!(senders, ["AI", "VCU"]);
+        let beyond = edition.bus.devices.iter().map(|message| message.sender.name());
+        let all: BTreeSet<_> = beyond.chain(["AI", "VCU"]).collect();
+        assert_eq!(senders[..2], ["AI", "VCU"]);
+        assert_eq!(senders.len(), all.len(), "{senders:?}");
+        assert_eq!(BTreeSet::from_iter(senders), all);
         assert_eq!(dbc.version.0, edition.version);
     }
 }
@@ -176,8 +219,13 @@ fn export_gives_every_message_its_cycle_time() {
     for (edition, _) in &EDITIONS {
         let dbc = exported(edition);
         for message in edition.bus.messages {
-            let expected = if message.id == 0x502 { 100 } else { 10 };
+            let slow = message.id == 0x502 || (message.id == 0x500 && edition.version == "2026");
+            let expected = if slow { 100 } else { 10 };
             assert_eq!(cycle(&dbc, message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
+        }
+        for message in edition.bus.devices {
+            let expected = message.cycle_ms.map(|cycle| AttributeValue::Uint(cycle.into()));
+            assert_eq!(cycle(&dbc, message.id), expected, "{}", message.name);
         }
     }
 }
@@ -193,11 +241,14 @@ fn cycle(dbc: &can_dbc::Dbc, id: u16) -> Option<AttributeValue> {
 /// An original, if it is there.
 fn original(path: &str) -> Option<can_dbc::Dbc> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared").join(path);
-    let Ok(text) = fs::read_to_string(&path) else {
+    let Ok(bytes) = fs::read(&path) else {
         println!("skipped: the original database is not at {}", path.display());
         return None;
     };
-    Some(parse(&text))
+    // Windows-1252, as the tools of a CAN bus write it. What the databases have of it (°, µ, ±) has the same number there as
+    // in Unicode.
+    assert!(bytes.iter().all(|byte| !(0x80..=0x9F).contains(byte)), "{}", path.display());
+    Some(parse(&bytes.into_iter().map(char::from).collect::<String>()))
 }
 
 //= D-30, D-31
@@ -222,14 +273,23 @@ fn export_differs_from_the_original_only_as_listed() {
     }
 }
 
-/// Version 4.0 states its cycle times, and its database has them.
-//= MSG-95, MSG-96
+/// Version 4.0 states its cycle times, and its database and that of 2026 have them, the latter but for one message.
+//= MSG-95, MSG-96, MSG-110, MSG-113
 #[test]
-fn cycle_times_of_version_4_0_are_those_of_its_database() {
-    let [_, (edition, path)] = &EDITIONS;
-    let Some(original) = original(path) else { return };
-    for message in edition.bus.messages {
-        let expected = Some(AttributeValue::Uint(u64::from(message.cycle_ms)));
-        assert_eq!(cycle(&original, message.id), expected, "{}", message.name);
+fn cycle_times_since_version_4_0_are_those_of_the_database() {
+    let [_, later @ ..] = &EDITIONS;
+    for (edition, path) in later {
+        let Some(original) = original(path) else { continue };
+        for message in edition.bus.messages {
+            let expected = Some(AttributeValue::Uint(u64::from(message.cycle_ms)));
+            // The unit that measures it has no cycles in the database of 2026; the document asks for 10 ms.
+            let unset = edition.version == "2026" && message.id == 0x501;
+            let expected = if unset { None } else { expected };
+            assert_eq!(cycle(&original, message.id), expected, "{}", message.name);
+        }
+        for message in edition.bus.devices {
+            let expected = message.cycle_ms.map(|cycle| AttributeValue::Uint(cycle.into()));
+            assert_eq!(cycle(&original, message.id), expected, "{}", message.name);
+        }
     }
 }

@@ -7,17 +7,19 @@
 
 #[cfg(test)]
 mod fictional;
+mod v2026;
 mod v3_0;
 mod v4_0;
 
 pub use v3_0::V3_0;
 pub use v4_0::V4_0;
+pub use v2026::V2026;
 
 use crate::edition::Edition;
 
 impl Edition {
     /// Every edition, the oldest first.
-    pub const ALL: &'static [&'static Self] = &[&Self::V3_0, &Self::V4_0];
+    pub const ALL: &'static [&'static Self] = &[&Self::V3_0, &Self::V4_0, &Self::V2026];
 
     /// The edition that holds where nothing names another and no recording tells.
     pub const DEFAULT: &'static Self = &Self::V3_0;

@@ -89,8 +89,8 @@ pub(super) struct Title<'a>(pub(super) &'a Machine);
 
 impl fmt::Display for Title<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Edition { version, readings, .. } = self.0.edition();
-        write!(f, "Figure 2 of the ADS-DV Software Interface Specification {version}")?;
+        let Edition { document, readings, .. } = self.0.edition();
+        write!(f, "Figure 2 of the {document}")?;
         let others = self.0.readings().choices().difference(readings.choices());
         if others.is_empty() {
             return Ok(());

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::escape::Escaped;
 use crate::Edition;
-use crate::messages::{Decimal, MessageDef, Node, SignalDef};
+use crate::messages::{Coding, Decimal, Device, DeviceMessage, DeviceSignal, MessageDef, Node, SignalDef};
 
 /// The keywords that a database may use; readers expect the list, whether they are used or not.
 const NEW_SYMBOLS: [&str; 22] = [
@@ -32,13 +32,14 @@ const NEW_SYMBOLS: [&str; 22] = [
     "SG_MUL_VAL_",
 ];
 
-/// The nodes of the bus, and what each is.
+/// The nodes of the interface, and what each is.
 const NODES: [(Node, &str); 2] = [(Node::Ai, "AI Computer"), (Node::Vcu, "Vehicle Control Unit")];
 
 /// The attribute that tools read as the cycle time of a message, in milliseconds.
 const CYCLE_TIME: &str = "GenMsgCycleTime";
 
-/// Displays all messages of an edition as a CAN database (DBC), for the tools of a CAN bus.
+/// Displays all messages of an edition as a CAN database (DBC), for the tools of a CAN bus: those of the interface, then those
+/// of the devices. It is in UTF-8.
 ///
 /// Scales and ranges are exact decimals, in physical units. A range is what the codec allows, so a tool that checks
 /// ranges refuses what [`Bus::decode`](crate::Bus::decode) refuses, but for the numbers between the values of an enumeration.
@@ -59,11 +60,42 @@ impl fmt::Display for Dbc<'_> {
         for message in self.0.bus.messages {
             layout(f, message)?;
         }
+        for message in self.0.bus.devices {
+            device_layout(f, message)?;
+        }
         self.comments(f)?;
         self.cycle_times(f)?;
         for message in self.0.bus.messages {
             for signal in message.signals.iter().filter(|signal| !signal.values.is_empty()) {
-                value_names(f, message, signal)?;
+                value_names(f, message.id, signal.name, signal.values)?;
+            }
+        }
+        for message in self.0.bus.devices {
+            for signal in message.signals.iter().filter(|signal| !signal.values.is_empty()) {
+                value_names(f, message.id, signal.name, signal.values)?;
+            }
+        }
+        self.floats(f)
+    }
+}
+
+impl Dbc<'_> {
+    /// The nodes of the bus, and what each is.
+    fn nodes(self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let devices = self.0.bus.devices;
+        let sends = move |device| devices.iter().any(|message| message.sender == device);
+        let beyond = Device::ALL.into_iter().filter(move |&device| device != Device::Vcu && sends(device));
+        NODES
+            .map(|(node, what)| (node.name(), what))
+            .into_iter()
+            .chain(beyond.map(|device| (device.name(), device.what())))
+    }
+
+    /// Which signals are floats: the type is not part of a signal's row.
+    fn floats(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for message in self.0.bus.devices {
+            for signal in message.signals.iter().filter(|signal| signal.coding == Coding::Float) {
+                writeln!(f, "SIG_VALTYPE_ {} {} : 1;", message.id, signal.name)?;
             }
         }
         Ok(())
@@ -78,16 +110,15 @@ impl Dbc<'_> {
             writeln!(f, "\t{symbol}")?;
         }
         f.write_str("\nBS_:\n\nBU_:")?;
-        for (node, _) in NODES {
+        for (node, _) in self.nodes() {
             write!(f, " {node}")?;
         }
         f.write_str("\n\n")
     }
 
     fn comments(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let version = Escaped(self.0.version, in_quotes);
-        writeln!(f, "CM_ \"ADS-DV Software Interface Specification {version}\";")?;
-        for (node, what) in NODES {
+        writeln!(f, "CM_ {};", Quoted(self.0.document))?;
+        for (node, what) in self.nodes() {
             writeln!(f, "CM_ BU_ {node} {};", Quoted(what))?;
         }
         for message in self.0.bus.messages {
@@ -104,6 +135,11 @@ impl Dbc<'_> {
         writeln!(f, "BA_DEF_DEF_ \"{CYCLE_TIME}\" 0;")?;
         for message in self.0.bus.messages {
             writeln!(f, "BA_ \"{CYCLE_TIME}\" BO_ {} {};", message.id, message.cycle_ms)?;
+        }
+        for DeviceMessage { id, cycle_ms, .. } in self.0.bus.devices {
+            if let Some(cycle_ms) = cycle_ms {
+                writeln!(f, "BA_ \"{CYCLE_TIME}\" BO_ {id} {cycle_ms};")?;
+            }
         }
         Ok(())
     }
@@ -124,9 +160,41 @@ fn layout(f: &mut fmt::Formatter<'_>, message: &MessageDef) -> fmt::Result {
     f.write_str("\n")
 }
 
-fn value_names(f: &mut fmt::Formatter<'_>, message: &MessageDef, signal: &SignalDef) -> fmt::Result {
-    write!(f, "VAL_ {} {}", message.id, signal.name)?;
-    for &(value, name) in signal.values {
+/// A message of a device. The VCU has its own there as well.
+fn device_layout(f: &mut fmt::Formatter<'_>, message: &DeviceMessage) -> fmt::Result {
+    let DeviceMessage { id, name, len, sender, .. } = message;
+    writeln!(f, "BO_ {id} {name}: {len} {sender}")?;
+    for signal in message.signals {
+        let DeviceSignal { name, start, width, scale, offset, min, max, .. } = signal;
+        let sign = if signal.coding == Coding::Unsigned { '+' } else { '-' };
+        let unit = Quoted(signal.unit);
+        writeln!(
+            f,
+            " SG_ {name} : {start}|{width}@1{sign} ({scale},{offset}) [{}|{}] {unit} Vector__XXX",
+            Number(*min),
+            Number(*max),
+        )?;
+    }
+    f.write_str("\n")
+}
+
+/// Displays a number, with an exponent where it would be mostly zeros.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.abs() < 1e15 { write!(f, "{}", self.0) } else { write!(f, "{:E}", self.0) }
+    }
+}
+
+fn value_names(
+    f: &mut fmt::Formatter<'_>,
+    message: u16,
+    signal: &str,
+    values: &[(i32, &str)],
+) -> fmt::Result {
+    write!(f, "VAL_ {message} {signal}")?;
+    for &(value, name) in values {
         write!(f, " {value} {}", Quoted(name))?;
     }
     f.write_str(" ;\n")

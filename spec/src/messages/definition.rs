@@ -62,8 +62,20 @@ pub struct SignalDef {
     pub max: i32,
     /// The raw values that have names, ascending. Where there are any, no other value is allowed.
     pub values: &'static [(i32, &'static str)],
+    /// A raw value that is read as another one: the interface does not tell the two apart.
+    pub read_as: Option<ReadAs>,
     /// What the signal says, in one sentence: the comment of the CAN database where there is one.
     pub doc: &'static str,
+}
+
+/// A raw value that is read as another one. It is allowed, and never written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ReadAs {
+    /// The value that may be on the bus.
+    pub raw: i32,
+    /// The value that it counts as.
+    pub meaning: i32,
 }
 
 impl SignalDef {
@@ -85,6 +97,7 @@ impl SignalDef {
             min: T::MIN,
             max: T::MAX,
             values: T::VALUES,
+            read_as: None,
             doc: doc.trim_ascii(),
         };
         assert!(signal.fits_a_frame(), "out of the frame");
@@ -100,15 +113,42 @@ impl SignalDef {
         Self { values, ..self }
     }
 
-    /// The same row with other names for the numbers that its type has.
+    /// The same row with a number before those of its type, which is read as one of them.
+    pub(crate) const fn reading(self, raw: i32, meaning: i32) -> Self {
+        assert!(raw < self.min, "the number comes before those of the type");
+        assert!(self.allows(meaning), "it is read as a number of the type");
+        Self { min: raw, read_as: Some(ReadAs { raw, meaning }), ..self }
+    }
+
+    /// The same row with other names for the numbers that its type has, and before them one for that which is read as another.
     pub(crate) const fn with_values(self, values: &'static [(i32, &'static str)]) -> Self {
-        assert!(!values.is_empty() && values.len() == self.values.len(), "one name for each number");
-        let mut i = 0;
+        let before = match self.read_as {
+            Some(ReadAs { raw, .. }) => {
+                assert!(
+                    !values.is_empty() && values[0].0 == raw,
+                    "the first name is of what is read as another"
+                );
+                1
+            }
+            None => 0,
+        };
+        let named = !values.is_empty() && values.len() == self.values.len() + before;
+        assert!(named, "one name for each number");
+        let mut i = before;
         while i < values.len() {
-            assert!(values[i].0 == self.values[i].0, "the numbers are those of the type");
+            assert!(values[i].0 == self.values[i - before].0, "the numbers are those of the type");
             i += 1;
         }
         Self { values, ..self }
+    }
+
+    /// The raw value that the interface takes for this one: itself, or what it is [read as](SignalDef::read_as).
+    #[inline]
+    pub const fn meaning(&self, raw: i32) -> i32 {
+        match self.read_as {
+            Some(ReadAs { raw: other, meaning }) if raw == other => meaning,
+            _ => raw,
+        }
     }
 
     /// The same row, carried by a field.
@@ -320,7 +360,7 @@ const fn held_by(width: u8, signed: bool) -> (i64, i64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{MessageDef, SignalDef, are_in_order, held_by};
+    use super::{MessageDef, ReadAs, SignalDef, are_in_order, held_by};
     use crate::editions::V3_0;
     use crate::messages::{AsState, Layout, SteerAngle, Vcu2LogDynamics1};
 
@@ -390,6 +430,35 @@ mod tests {
     #[should_panic(expected = "the numbers are those of the type")]
     fn a_name_for_another_number_does_not_compile() {
         let _ = STATE.with_values(&[(1, "a"), (2, "b"), (3, "c"), (4, "d"), (6, "e")]);
+    }
+
+    #[test]
+    fn a_number_that_the_type_lacks_may_be_read_as_one_that_it_has() {
+        let names = &[(0, "init"), (1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, "e")];
+        let row = STATE.reading(0, 1).with_values(names);
+        assert_eq!((row.min, row.max, row.value_name(0)), (0, 5, Some("init")));
+        assert_eq!(row.read_as, Some(ReadAs { raw: 0, meaning: 1 }));
+        assert_eq!([-1, 0, 1, 2].map(|raw| row.meaning(raw)), [-1, 1, 1, 2]);
+        assert_eq!([-1, 0, 1, 5, 6].map(|raw| row.allows(raw)), [false, true, true, true, false]);
+        assert_eq!((STATE.read_as, STATE.meaning(0)), (None, 0));
+    }
+
+    #[test]
+    #[should_panic(expected = "before those of the type")]
+    fn a_number_of_the_type_is_not_read_as_another() {
+        let _ = STATE.reading(1, 2);
+    }
+
+    #[test]
+    #[should_panic(expected = "read as a number of the type")]
+    fn a_number_is_not_read_as_one_that_the_type_lacks() {
+        let _ = STATE.reading(0, 6);
+    }
+
+    #[test]
+    #[should_panic(expected = "the first name is of what is read as another")]
+    fn a_number_that_is_read_as_another_has_a_name_too() {
+        let _ = STATE.reading(0, 1).with_values(&[(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, "e")]);
     }
 
     #[test]

@@ -275,6 +275,62 @@ enumerations! {
         R2d = 6 "AS_R2D",
     }
 
+    /// What the vehicle is operated for; `OP_STATE` of 520h since the database of 2026.
+    ///
+    /// No document describes the states. The database gives the fault a number that its four bits do not hold, 255; it is read
+    /// as what they can hold of it, 15.
+    OpState { //= MSG-106, D-68
+        /// After power-on.
+        #[default]
+        Init = 0 "OP_INIT",
+        /// A person pushes the vehicle.
+        Pushbar = 1 "OP_PUSHBAR",
+        /// The AI Computer drives.
+        Auto = 2 "OP_AUTO",
+        /// The battery is being charged.
+        Charge = 3 "OP_CHARGE",
+        /// There is a fault.
+        Fault = 15 "OP_FAULT",
+    }
+
+    /// The state of the tractive system; `TS_STATE` of 520h since the database of 2026.
+    ///
+    /// No document describes the states; on the number of the fault see [`OpState`].
+    TsState { //= MSG-107, D-68
+        /// After power-on.
+        #[default]
+        Init = 0 "TS_INIT",
+        /// The capacitors are being charged.
+        Precharge = 1 "TS_PRECHARGE",
+        /// It is being switched on.
+        Activate = 2 "TS_ACTIVATE",
+        /// It is on.
+        Running = 3 "TS_RUNNING",
+        /// It is being switched off.
+        Shutdown = 4 "TS_SHUTDOWN",
+        /// There is a fault.
+        Fault = 15 "TS_FAULT",
+    }
+
+    /// The stage of the Emergency Braking System between power-on and its use; `EBS_STATE` of 520h since the database of 2026.
+    ///
+    /// Its numbers are not those of [`EbsState`]. No document describes the stages; on the number of the fault see [`OpState`].
+    EbsStage { //= MSG-108, D-68
+        /// After power-on.
+        #[default]
+        Init = 0 "EBS_INIT",
+        /// Its pressure is being built up.
+        Charging = 1 "EBS_CHARGING",
+        /// It will brake when the shutdown circuit opens.
+        Armed = 2 "EBS_ARMED",
+        /// It brakes.
+        Triggered = 3 "EBS_TRIGGERED",
+        /// Its pressure is being let off.
+        Discharging = 4 "EBS_DISCHARGING",
+        /// There is a fault.
+        Fault = 15 "EBS_FAULT",
+    }
+
     /// What the vehicle as a whole is doing; `SYS_ACTION_STATE` of 120h since version 4.0.
     SysActionState { //= MSG-91
         /// It initialises.

@@ -53,7 +53,7 @@ pub(crate) const fn row_of<M, T: SignalValue>(
 /// The value of a raw number, if its type and its row have it.
 #[inline]
 pub(crate) fn value_of<T: SignalValue>(row: &SignalDef, raw: i32) -> Option<T> {
-    match T::from_raw(raw) {
+    match T::from_raw(row.meaning(raw)) {
         Some(value) if row.min <= raw && raw <= row.max => Some(value),
         _ => None,
     }
@@ -81,11 +81,13 @@ pub(crate) fn raw_of<T: SignalValue>(row: &SignalDef, value: T) -> i32 {
 ///     flag = "SIGNAL" start|width ["NAME OF 0", "NAME OF 1"];
 ///     quantity = "SIGNAL" start|width in lowest to highest;
 ///     enumeration = "SIGNAL" start|width of NAMES;
+///     enumeration = "SIGNAL" start|width of NAMES with number as another;
 /// }
 /// ```
 ///
 /// and becomes the edition's [`Layout`] of the message. Ranges are raw numbers; where there is none, that of the field's type
-/// holds. `NAMES` are the edition's own names of the numbers that the field's type has; where there are none, its own hold.
+/// holds. `NAMES` are the edition's own names of the numbers that the field's type has; where there are none, its own hold. A
+/// number that the type does not have may be read as one that it has; it is the first of the names.
 macro_rules! layouts {
     ($edition:ident: $(
         $message:ident = $name:literal, $len:literal bytes, every $cycle:literal ms, section $section:literal {
@@ -93,6 +95,7 @@ macro_rules! layouts {
                 $field:ident = $signal:literal $start:literal|$width:literal
                     $([$off:literal, $on:literal])?
                     $(of $names:ident)?
+                    $(with $raw:literal as $meaning:literal)?
                     $(in $min:literal to $max:literal)?;
             )+
         }
@@ -117,6 +120,7 @@ macro_rules! layouts {
                         )
                         .carried_by(stringify!($field))
                         $(.with_flag_names(&[(0, $off), (1, $on)]))?
+                        $(.reading($raw, $meaning))?
                         $(.with_values($names))?
                         $(.within($min, $max))?
                     ),+],

@@ -16,6 +16,9 @@
 //! enumeration (`enums.rs`) names its values, a quantity (`quantity.rs`) has a unit, a step and a range. Where an edition
 //! spells the names of an enumeration in its own way, its row has them.
 //!
+//! Where an edition's database has messages that only the VCU and its devices exchange, they stand in rows of their own
+//! (`device.rs`), without a struct.
+//!
 //! The bit layout, the lengths and the names are those of the CAN database; where the document's text
 //! says otherwise about a range, a sign or a value's name, the text is followed and the row says so.
 //!
@@ -43,6 +46,7 @@ mod any;
 pub(crate) mod bits;
 pub(crate) mod content;
 mod definition;
+pub(crate) mod device;
 mod enums;
 mod error;
 mod frame;
@@ -56,7 +60,8 @@ mod vcu;
 pub use ai::*;
 pub use any::AnyMessage;
 pub use content::Message;
-pub use definition::{DisplayRaw, MessageDef, Node, SignalDef};
+pub use definition::{DisplayRaw, MessageDef, Node, ReadAs, SignalDef};
+pub use device::{Coding, Device, DeviceMessage, DeviceSignal};
 pub use enums::*;
 pub use error::{DecodeError, OutOfRange, ValueError};
 pub use frame::Frame;

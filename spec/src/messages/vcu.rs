@@ -2,8 +2,8 @@
 
 use super::content::contents;
 use super::{
-    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, EbsState, ShutdownCause, SmAs, SmSys,
-    StatusBrk, SteerAngle, SteerAngleMax, SysActionState, WheelSpeed,
+    AmiState, AsState, AxleTorque, AxleTorqueRequest, BrakePressure, EbsStage, EbsState, OpState,
+    ShutdownCause, SmAs, SmSys, StatusBrk, SteerAngle, SteerAngleMax, SysActionState, TsState, WheelSpeed,
 };
 
 contents! {
@@ -49,6 +49,10 @@ contents! {
         ///
         /// The bit that the AI Computer answers (section 2.4).
         handshake: bool;
+        /// What the vehicle is operated for.
+        ///
+        /// Since the database of 2026.
+        op_state: OpState;
         /// Shutdown request to AI.
         shutdown_request: bool;
         /// Autonomous System switch status.
@@ -75,10 +79,18 @@ contents! {
         fault_status: bool;
         /// System warning status.
         warning_status: bool;
+        /// State of the tractive system.
+        ///
+        /// Since the database of 2026.
+        ts_state: TsState;
         /// High traction battery temperature warning.
         warn_batt_temp_high: bool;
         /// Low traction battery SOC warning.
         warn_batt_soc_low: bool;
+        /// Stage of the Emergency Braking System (EBS).
+        ///
+        /// Since the database of 2026.
+        ebs_state: EbsStage;
         /// AI system E-stop request.
         ai_estop_request: bool;
         /// HVIL open-circuit fault.

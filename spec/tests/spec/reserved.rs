@@ -7,7 +7,11 @@ use adsdv_spec::{Bus, Edition};
 type List = &'static [(u16, u16)];
 
 /// Each edition with section 2.3 as it lists them.
-const EDITIONS: [(Bus, List); 2] = [(Edition::V3_0.bus, LISTED_3_0), (Edition::V4_0.bus, LISTED_4_0)];
+const EDITIONS: [(Bus, List); 3] = [
+    (Edition::V3_0.bus, LISTED_3_0),
+    (Edition::V4_0.bus, LISTED_4_0),
+    (Edition::V2026.bus, LISTED_4_0), // the database has no list, and 4.0 stays valid
+];
 
 const LISTED_3_0: List = &[
     (0x000, 0x000), //= ID-1

@@ -25,6 +25,7 @@ impl Edition {
     /// ADS-DV Software Interface Specification 3.0.
     pub const V3_0: Self = Self {
         version: "3.0",
+        document: "ADS-DV Software Interface Specification 3.0",
         rules: Rules {
             table: figure2::FIGURE_2,
             priorities: figure2::PRIORITIES,

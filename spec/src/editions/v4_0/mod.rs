@@ -4,6 +4,8 @@ mod ai;
 mod figure2;
 mod log;
 mod values;
+
+pub(super) use values::{CAUSES, MISSIONS};
 mod vcu;
 
 use core::ops::RangeInclusive;
@@ -29,6 +31,7 @@ impl Edition {
     /// ADS-DV Software Interface Specification 4.0.
     pub const V4_0: Self = Self {
         version: "4.0",
+        document: "ADS-DV Software Interface Specification 4.0",
         rules: Rules {
             table: figure2::FIGURE_2,
             timing: Timing {

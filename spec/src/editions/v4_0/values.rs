@@ -1,7 +1,7 @@
 //! The names of values that version 4.0's database spells otherwise than version 3.0's.
 
 /// The missions of `AMI_STATE`, with spaces.
-pub(super) const MISSIONS: &[(i32, &str)] = &[
+pub(in crate::editions) const MISSIONS: &[(i32, &str)] = &[
     (0, "NOT SELECTED"),
     (1, "ACCELERATION"),
     (2, "SKIDPAD"),
@@ -13,7 +13,7 @@ pub(super) const MISSIONS: &[(i32, &str)] = &[
 ];
 
 /// The causes of `SHUTDOWN_CAUSE`, with underscores.
-pub(super) const CAUSES: &[(i32, &str)] = &[
+pub(in crate::editions) const CAUSES: &[(i32, &str)] = &[
     (0, "NO_SHUTDOWN"),
     (1, "AI_COMPUTER_REQUEST"),
     (2, "HVIL_OPEN_FAULT"),

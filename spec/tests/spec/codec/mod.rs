@@ -9,6 +9,7 @@ mod ranges;
 mod recorded;
 mod round_trips;
 mod table;
+mod v2026;
 mod v4_0;
 
 use adsdv_spec::editions::V3_0;
@@ -30,7 +31,7 @@ use crate::random::Random;
 const BUS: Bus = Edition::V3_0.bus;
 
 /// The buses of all editions.
-const BUSES: &[Bus] = &[BUS, Edition::V4_0.bus];
+const BUSES: &[Bus] = &[BUS, Edition::V4_0.bus, Edition::V2026.bus];
 
 /// Every message of every edition, with its bus.
 fn messages() -> impl Iterator<Item = (&'static Bus, &'static MessageDef)> {
@@ -63,6 +64,16 @@ fn write(signal: &SignalDef, data: &mut [u8], raw: i32) {
     for place in 0..signal.width {
         set_bit(data, signal.start + place, raw >> place & 1 == 1);
     }
+}
+
+/// The data as it is written where it is read like this: a number that is read as another is written as that.
+fn as_written(message: &MessageDef, mut data: [u8; 8]) -> [u8; 8] {
+    for signal in message.signals {
+        let raw = read(signal, &data);
+        let meaning = signal.read_as.filter(|other| other.raw == raw).map_or(raw, |other| other.meaning);
+        write(signal, &mut data, meaning);
+    }
+    data
 }
 
 fn used_bits(message: &MessageDef) -> Vec<u8> {
