@@ -22,6 +22,9 @@ pub(super) struct Change {
     pub(super) property: &'static str,
     pub(super) from: Value,
     pub(super) to: Value,
+    /// What the property is called in words.
+    #[serde(skip)]
+    pub(super) label: String,
     /// Both in words; empty where there is nothing.
     #[serde(skip)]
     pub(super) words: (String, String),
@@ -34,7 +37,9 @@ impl Change {
         (from, from_words): (Value, String),
         (to, to_words): (Value, String),
     ) -> Option<Self> {
-        (from != to).then(|| Self { property, from, to, words: (from_words, to_words) })
+        // The unit stands with the value.
+        let label = property.trim_end_matches("_ms").to_owned();
+        (from != to).then_some(Self { property, from, to, label, words: (from_words, to_words) })
     }
 }
 
@@ -122,16 +127,21 @@ impl<'a, T> Pairs<'a, T> {
         }
     }
 
-    /// The order of those of both lists, if it differs: in the first and in the second list, from the first to the last that
-    /// stands elsewhere.
-    pub(super) fn order(&self) -> Option<(Vec<&'a T>, Vec<&'a T>)> {
-        let mut sorted: Vec<_> = self.places.iter().zip(&self.both).collect();
-        sorted.sort_by_key(|(place, _)| **place);
-        let places = self.places.iter().zip(&sorted).enumerate();
-        let moved: Vec<_> = places.filter(|(_, (one, (other, _)))| one != other).map(|(at, _)| at).collect();
-        let (first, last) = (*moved.first()?, *moved.last()?);
-        let from = self.both.get(first..=last)?.iter().map(|(one, _)| *one).collect();
-        let to = sorted.get(first..=last)?.iter().map(|(_, (_, other))| *other).collect();
-        Some((from, to))
+    /// Those of both lists that stand in another order, in the first and in the second list: as few as possible in a row.
+    pub(super) fn order(&self) -> Vec<(Vec<&'a T>, Vec<&'a T>)> {
+        let mut sorted: Vec<_> = self.places.iter().copied().zip(&self.both).collect();
+        sorted.sort_by_key(|(place, _)| *place);
+        let (mut runs, mut from, mut to, mut highest) = (Vec::new(), Vec::new(), Vec::new(), 0);
+        for ((&here, (one, _)), &(there, (_, other))) in self.places.iter().zip(&self.both).zip(&sorted) {
+            from.push(*one);
+            to.push(*other);
+            highest = highest.max(here);
+            // The same things stand here and there up to this place.
+            if highest == there {
+                runs.push((std::mem::take(&mut from), std::mem::take(&mut to)));
+            }
+        }
+        runs.retain(|(from, _)| from.len() > 1);
+        runs
     }
 }

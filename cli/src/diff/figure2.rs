@@ -14,8 +14,10 @@ use super::change::{Change, Pairs, Parts, Property, Sides, changes};
 /// An arrow that only one of the editions has, or that is compared.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct ArrowOutline {
-    pub(super) from: &'static str,
-    pub(super) to: &'static str,
+    /// The state that it leaves.
+    pub(super) state: &'static str,
+    /// The state that it leads to.
+    pub(super) next: &'static str,
     pub(super) section: &'static str,
     pub(super) alternatives: Vec<Alternative>,
 }
@@ -50,8 +52,8 @@ impl PartialEq for Condition {
 /// What differs of an arrow.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct ArrowChange {
-    pub(super) from: &'static str,
-    pub(super) to: &'static str,
+    pub(super) state: &'static str,
+    pub(super) next: &'static str,
     /// Its section, and the order of its alternatives.
     pub(super) changes: Vec<Change>,
     pub(super) alternatives: Parts<Alternative, AlternativeChange>,
@@ -106,7 +108,10 @@ pub(super) const OF_AN_ALTERNATIVE: &[Property<Alternative>] = &[
         name: "readings",
         fields: &["readings"],
         value: |one| json!(one.readings),
-        words: |one, _| one.under(),
+        words: |one, _| match one.readings.as_slice() {
+            [] => "always".to_owned(),
+            readings => format!("if {}", readings.join(" and ")),
+        },
     },
 ];
 
@@ -119,7 +124,7 @@ pub(super) fn compare(from: &Edition, to: &Edition) -> (Parts<ArrowOutline, Arro
         sides: Sides { new: owned(&pairs.new), gone: owned(&pairs.gone) },
         changed: pairs.both.iter().filter_map(|(from, to)| ArrowChange::between(from, to)).collect(),
     };
-    (parts, AsState::ALL.iter().filter_map(|state| OrderChange::of(*state, &from, &to)).collect())
+    (parts, AsState::ALL.iter().flat_map(|state| OrderChange::of(*state, &from, &to)).collect())
 }
 
 /// The priorities that are new or gone.
@@ -135,8 +140,8 @@ pub(super) fn priorities(from: &Edition, to: &Edition) -> Sides<PriorityOutline>
 fn arrows(edition: &Edition) -> Vec<ArrowOutline> {
     let settled = settled(edition);
     let arrow = |row: &Row| ArrowOutline {
-        from: row.from.name(),
-        to: row.to.name(),
+        state: row.from.name(),
+        next: row.to.name(),
         section: row.section,
         alternatives: row
             .terms()
@@ -157,7 +162,7 @@ fn settled(edition: &Edition) -> Choices {
 
 impl ArrowOutline {
     fn is_same(&self, other: &Self) -> bool {
-        (self.from, self.to) == (other.from, other.to)
+        (self.state, self.next) == (other.state, other.next)
     }
 }
 
@@ -181,12 +186,9 @@ impl Alternative {
     /// All of it.
     pub(super) fn in_full(&self) -> String {
         let reports = self.reports.map(|fault| format!(", reports {fault}")).unwrap_or_default();
-        let under = if self.readings.is_empty() { String::new() } else { format!(", if {}", self.under()) };
+        let under =
+            self.readings.iter().map(|reading| format!(", if {reading}")).collect::<Vec<_>>().concat();
         format!("{} (section {}{reports}{under})", self.words(), self.section)
-    }
-
-    fn under(&self) -> String {
-        self.readings.join(" and ")
     }
 }
 
@@ -210,7 +212,8 @@ impl ArrowChange {
             &[|one, other| one == other, |one, other| one.conditions == other.conditions];
         let pairs = Pairs::of(&from.alternatives, &to.alternatives, same);
         let words = |all: &[&Alternative]| all.iter().map(|one| one.words()).collect::<Vec<_>>();
-        let order = pairs.order().and_then(|(from, to)| order(&words(&from), &words(&to)));
+        let order = pairs.order();
+        let order = order.iter().filter_map(|(from, to)| order_of(&words(from), &words(to)));
         let owned = |all: &[&Alternative]| all.iter().map(|&one| one.clone()).collect();
         let alternatives = Parts {
             sides: Sides { new: owned(&pairs.new), gone: owned(&pairs.gone) },
@@ -222,12 +225,12 @@ impl ArrowChange {
         };
         let changes: Vec<_> = changes(OF_AN_ARROW, from, to).into_iter().chain(order).collect();
         let differs = !changes.is_empty() || !alternatives.is_empty();
-        differs.then_some(Self { from: to.from, to: to.to, changes, alternatives })
+        differs.then_some(Self { state: to.state, next: to.next, changes, alternatives })
     }
 }
 
 /// The order of alternatives, of which the first that holds says what is reported.
-fn order(from: &[String], to: &[String]) -> Option<Change> {
+fn order_of(from: &[String], to: &[String]) -> Option<Change> {
     let side = |words: &[String]| (words.iter().map(|one| json!(one)).collect::<Value>(), words.join(", "));
     Change::of("order", side(from), side(to))
 }
@@ -240,14 +243,18 @@ impl AlternativeChange {
 }
 
 impl OrderChange {
-    fn of(state: AsState, from: &[ArrowOutline], to: &[ArrowOutline]) -> Option<Self> {
+    fn of(state: AsState, from: &[ArrowOutline], to: &[ArrowOutline]) -> Vec<Self> {
         let leaving = |arrows: &[ArrowOutline]| {
-            arrows.iter().filter(|arrow| arrow.from == state.name()).map(|arrow| arrow.to).collect::<Vec<_>>()
+            arrows
+                .iter()
+                .filter(|arrow| arrow.state == state.name())
+                .map(|arrow| arrow.next)
+                .collect::<Vec<_>>()
         };
         let (from, to) = (leaving(from), leaving(to));
-        let (from, to) = Pairs::of(&from, &to, &[|one, other| one == other]).order()?;
-        let names = |all: Vec<&&'static str>| all.into_iter().copied().collect();
-        Some(Self { state: state.name(), from: names(from), to: names(to) })
+        let names = |all: &[&&'static str]| all.iter().map(|&&name| name).collect();
+        let runs = Pairs::of(&from, &to, &[|one, other| one == other]).order();
+        runs.iter().map(|(from, to)| Self { state: state.name(), from: names(from), to: names(to) }).collect()
     }
 }
 

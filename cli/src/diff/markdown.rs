@@ -28,11 +28,14 @@ fn in_a_sentence(title: &str) -> String {
     format!("{first}{}", rest.to_lowercase())
 }
 
+/// What a column has for a line.
+type Cell = fn(&Group, &Line) -> String;
+
 /// A column that no line has anything in is left out.
 fn write_table(text: &mut String, section: &Section, versions: [&str; 2]) {
     let lines = || section.groups.iter().flat_map(|group| group.lines.iter().map(move |line| (group, line)));
     let [thing, part] = section.kinds;
-    let columns: [(&str, fn(&Group, &Line) -> String); 5] = [
+    let columns: [(&str, Cell); 5] = [
         (thing, |group, _| about(group)),
         (part, |_, line| line.subject.clone()),
         ("property", |_, line| line.property.clone()),

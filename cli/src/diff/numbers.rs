@@ -1,12 +1,13 @@
 //! Times and thresholds.
 
+use adsdv_spec::mutation::{Threshold, Time};
 use adsdv_spec::{Thresholds, Timing};
 use serde_json::{Value, json};
 
 use super::change::Change;
 
-/// A number by its name, for programs and in words.
-type Number = (&'static str, Value, String);
+/// A number by its name for programs and in words, with its value for both.
+type Number = (&'static str, String, Value, String);
 
 /// The times that differ.
 pub(super) fn timing(from: &Timing, to: &Timing) -> Vec<Change> {
@@ -21,12 +22,12 @@ pub(super) fn thresholds(from: &Thresholds, to: &Thresholds) -> Vec<Change> {
 /// A further time has to be named here before this compiles.
 fn times(timing: &Timing) -> [Number; 4] {
     let Timing { ready_dwell_ms, ebs_timer_ms, handshake_ms, cycle_ms } = *timing;
-    let ms = |name, ms: u16| (name, json!(ms), milliseconds(ms));
+    let ms = |name, label: &dyn ToString, ms: u16| (name, label.to_string(), json!(ms), milliseconds(ms));
     [
-        ms("ready_dwell_ms", ready_dwell_ms),
-        ms("ebs_timer_ms", ebs_timer_ms),
-        ms("handshake_ms", handshake_ms),
-        ms("cycle_ms", cycle_ms),
+        ms("ready_dwell_ms", &Time::ReadyDwell, ready_dwell_ms),
+        ms("ebs_timer_ms", &Time::EbsTimer, ebs_timer_ms),
+        ms("handshake_ms", &Time::Handshake, handshake_ms),
+        ms("cycle_ms", &"cycle of the VCU", cycle_ms),
     ]
 }
 
@@ -34,9 +35,14 @@ fn times(timing: &Timing) -> [Number; 4] {
 fn limits(thresholds: &Thresholds) -> [Number; 3] {
     let Thresholds { wheel_speed, straight, missed_ms } = *thresholds;
     [
-        ("wheel_speed", json!(wheel_speed.raw()), wheel_speed.to_string()),
-        ("straight", json!(straight.raw()), straight.to_string()),
-        ("missed_ms", json!(missed_ms), missed_ms.map(milliseconds).unwrap_or_default()),
+        ("wheel_speed", Threshold::WheelSpeed.to_string(), json!(wheel_speed.raw()), wheel_speed.to_string()),
+        ("straight", Threshold::Straight.to_string(), json!(straight.raw()), straight.to_string()),
+        (
+            "missed_ms",
+            Threshold::Missed.to_string(),
+            json!(missed_ms),
+            missed_ms.map(milliseconds).unwrap_or_default(),
+        ),
     ]
 }
 
@@ -46,8 +52,8 @@ fn milliseconds(ms: u16) -> String {
 
 fn differing<const N: usize>(from: [Number; N], to: [Number; N]) -> Vec<Change> {
     let both = from.into_iter().zip(to);
-    both.filter_map(|((name, from, from_words), (_, to, to_words))| {
-        Change::of(name, (from, from_words), (to, to_words))
-    })
-    .collect()
+    let change = |((name, label, from, from_words), (_, _, to, to_words)): (Number, Number)| {
+        Some(Change { label, ..Change::of(name, (from, from_words), (to, to_words))? })
+    };
+    both.filter_map(change).collect()
 }

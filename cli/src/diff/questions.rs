@@ -18,7 +18,8 @@ pub(super) struct Questions {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Question {
     pub(super) id: &'static str,
-    pub(super) question: &'static str,
+    #[serde(rename = "question")]
+    pub(super) words: &'static str,
     pub(super) from: Answers,
     pub(super) to: Answers,
 }
@@ -64,7 +65,7 @@ pub(super) fn compare(from: &Edition, to: &Edition) -> Questions {
             (true, false) => &mut questions.settled,
             _ => &mut questions.changed,
         };
-        list.push(Question { id: reading.id(), question: reading.question(), from, to });
+        list.push(Question { id: reading.id(), words: reading.question(), from, to });
     }
     questions
 }

@@ -108,24 +108,19 @@ impl Line {
 
     fn of(subject: &str, change: &Change) -> Self {
         let (from, to) = change.words.clone();
-        Self::changed(subject.to_owned(), &named(change.property), from, to)
+        Self::changed(subject.to_owned(), &change.label, from, to)
     }
 }
 
 /// A line that says that something is new, or that it is gone.
 type OneSided = fn(&str, &str, String) -> Line;
 
-/// A property in words: the unit stands with its value.
-fn named(property: &str) -> String {
-    property.trim_end_matches("_ms").replace('_', " ")
-}
-
 fn title(id: u16, name: &str) -> String {
     format!("{id:03X}h {name}")
 }
 
 fn message(one: &MessageOutline, line: OneSided) -> Group {
-    let itself = line("", "message", one.words.clone());
+    let itself = line("", "", one.words.clone());
     let signals = one.signals.iter().map(|signal| line(signal.name, "", signal.words.clone()));
     Group {
         title: title(one.id, one.name),
@@ -149,7 +144,7 @@ fn arrow(one: &ArrowOutline, line: OneSided) -> Group {
     let section = line("", "section", one.section.to_owned());
     let alternatives = one.alternatives.iter().map(|alternative| line("", "guard", alternative.in_full()));
     Group {
-        title: format!("{} -> {}", one.from, one.to),
+        title: format!("{} -> {}", one.state, one.next),
         lines: std::iter::once(section).chain(alternatives).collect(),
         ..Group::default()
     }
@@ -165,7 +160,7 @@ fn changed_arrow(one: &ArrowChange) -> Group {
         let conditions = in_words(&alternative.conditions);
         lines.extend(alternative.changes.iter().map(|change| Line::of(&conditions, change)));
     }
-    Group { title: format!("{} -> {}", one.from, one.to), lines, ..Group::default() }
+    Group { title: format!("{} -> {}", one.state, one.next), lines, ..Group::default() }
 }
 
 /// A line for each thing that is new or gone.
@@ -183,7 +178,7 @@ fn sides<T>(sides: &Sides<T>, words: impl Fn(&T) -> (&'static str, String)) -> V
 fn numbers(changes: &[Change]) -> Vec<Line> {
     let line = |change: &Change| {
         let (from, to) = change.words.clone();
-        Line::changed(named(change.property), "", from, to)
+        Line::changed(change.label.clone(), "", from, to)
     };
     changes.iter().map(line).collect()
 }
@@ -204,7 +199,7 @@ fn question(one: &Question, how: &str) -> Group {
     let default = line("default", one.from.default.to_owned(), one.to.default.to_owned());
     Group {
         title: format!("{} ({how})", one.id),
-        about: one.question,
+        about: one.words,
         lines: [answers, default].into_iter().flatten().collect(),
     }
 }
