@@ -108,7 +108,8 @@ fn a_signal_is_new_or_gone() {
     assert_eq!(signals(&without)["gone"][0]["name"], "HYD_PRESS_F_REQ_pct");
     assert!(is_empty(&signals(&without)["new"]) && is_empty(&signals(&without)["changed"]));
     let more = changed(&with_signals(0x514, |signals| {
-        signals.push(SignalDef { ..signals[0] });
+        let more = signals[0];
+        signals.push(more);
     }));
     assert_eq!(signals(&more)["new"][0]["name"], "HYD_PRESS_F_REQ_pct");
     assert!(is_empty(&signals(&more)["gone"]) && is_empty(&signals(&more)["changed"]));
