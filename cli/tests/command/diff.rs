@@ -77,10 +77,10 @@ fn the_schema_refuses_what_is_not_a_difference() {
             _ = d["messages"]["new"][0].as_object_mut().map(|message| message.remove("signals"));
         }),
         ("another property", |d| {
-            d["messages"]["changed"][0]["signals"]["changed"][0]["changes"][0]["property"] = json!("color")
+            d["messages"]["changed"][0]["signals"]["changed"][0]["changes"][0]["property"] = json!("color");
         }),
         ("a name that is none", |d| {
-            d["messages"]["changed"][0]["signals"]["changed"][0]["changes"][0]["from"] = json!(7)
+            d["messages"]["changed"][0]["signals"]["changed"][0]["changes"][0]["from"] = json!(7);
         }),
         ("a time that is none", |d| d["timing"][0]["to"] = json!("100 ms")),
         ("a state that is none", |d| d["arrows"]["changed"][0]["state"] = json!("AS_PARKED")),
