@@ -1,5 +1,6 @@
 //! The arguments, and the help texts that stand for a manual page: `bus`, `conform` and `verify` have those of the commands on a
-//! bus, of those that judge a program, and of those that explore the state machine; this file has all others.
+//! bus, of those that judge a program, and of those that explore the state machine, and `diff` those of the comparison of
+//! editions; this file has all others.
 
 use std::path::PathBuf;
 
@@ -10,11 +11,13 @@ use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
 mod bus;
 mod conform;
+mod diff;
 mod edition;
 mod verify;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
 pub(crate) use conform::{ConformArgs, SuiteArgs};
+pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
 
@@ -59,6 +62,9 @@ EXAMPLES
       adsdv dbc --edition 3.0
       export ADSDV_EDITION=3.0
 
+  What another edition changes:
+      adsdv diff 3.0 4.0
+
   What each command does, in full:
       adsdv check --help
 
@@ -82,6 +88,7 @@ pub(crate) enum Command {
     Dbc(DbcArgs),
     Demo(DemoArgs),
     Diagram(DiagramArgs),
+    Diff(DiffArgs),
     Explore(ExploreArgs),
     Export(ExportArgs),
     Readings(ReadingsArgs),
@@ -153,6 +160,8 @@ pub(crate) enum WithJson {
     Verify,
     /// adsdv readings.
     Readings,
+    /// adsdv diff.
+    Diff,
 }
 
 /// Judge a recorded CAN log.

@@ -13,6 +13,9 @@ pub(crate) const SCHEMA: u32 = 1;
 /// The JSON Schema of what [`readings`] writes.
 pub(crate) const READINGS_SCHEMA: &str = include_str!("../schema/readings.schema.json");
 
+/// The JSON Schema of what `adsdv diff --json` writes.
+pub(crate) const DIFF_SCHEMA: &str = include_str!("../schema/diff.schema.json");
+
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
 

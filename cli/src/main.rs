@@ -10,6 +10,7 @@
 //!   +------> watch ----> the judge of a live bus until it is stopped, and the exit status
 //!   +------> verify ---> the properties of the state machine, and the exit status
 //!   +------> explore:    a web page, until it is stopped
+//!   +------> diff -----> what one edition changes of another
 //!   +------> suite ----> the conformance test suite, or the proof that it is complete
 //!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model
 //! ```
@@ -24,6 +25,7 @@ mod args;
 mod check;
 mod conform;
 mod demo;
+mod diff;
 mod error;
 mod explore;
 mod interrupt;
@@ -67,6 +69,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Conform(args) => conform::run(args),
         Command::Dbc(args) => tables::dbc(args),
         Command::Diagram(args) => tables::diagram(args),
+        Command::Diff(args) => diff::run(args),
         Command::Readings(args) => tables::readings(args),
         Command::Schema(args) => tables::schema(args),
         Command::Suite(args) => suite::run(args),

@@ -43,6 +43,7 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
         WithJson::Prove => json::PROVE_SCHEMA,
         WithJson::Verify => json::VERIFY_SCHEMA,
         WithJson::Readings => json::READINGS_SCHEMA,
+        WithJson::Diff => json::DIFF_SCHEMA,
     })
 }
 

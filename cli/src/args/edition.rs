@@ -24,7 +24,8 @@ fn help() -> String {
     format!("The edition of the interface [default: what {VARIABLE} says, or {}]", Edition::DEFAULT.version)
 }
 
-fn known() -> impl TypedValueParser<Value = &'static Edition> {
+/// Reads the version of an edition; an unknown one is refused with those that there are.
+pub(super) fn known() -> impl TypedValueParser<Value = &'static Edition> {
     PossibleValuesParser::new(Edition::ALL.iter().map(|edition| edition.version))
         .try_map(|version| Edition::find(&version).ok_or("there is no such edition"))
 }

@@ -2,9 +2,9 @@
 
 use crate::run::run;
 
-const COMMANDS: [&str; 14] = [
-    "ai", "check", "conform", "dbc", "demo", "diagram", "explore", "export", "readings", "schema", "suite",
-    "vcu", "verify", "watch",
+const COMMANDS: [&str; 15] = [
+    "ai", "check", "conform", "dbc", "demo", "diagram", "diff", "explore", "export", "readings", "schema",
+    "suite", "vcu", "verify", "watch",
 ];
 
 #[test]

@@ -7,6 +7,7 @@ mod bad_input;
 mod color;
 mod conform;
 mod demo;
+mod diff;
 mod edition;
 mod errors;
 mod explore;

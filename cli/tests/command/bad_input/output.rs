@@ -27,6 +27,7 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["export", "--format", "promela"], 0),
     (&["help"], 0),
     (&["readings"], 0),
+    (&["diff", "3.0", "4.0"], 0),
     (&["schema", "verify"], 0),
     (&["suite"], 0),
     (&["suite", "--prove"], 0),
