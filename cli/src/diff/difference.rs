@@ -4,6 +4,7 @@ use adsdv_spec::{Bus, Edition, Rules};
 use serde::Serialize;
 
 use super::change::{Change, Parts, Sides};
+use super::devices::{self, DeviceOutline};
 use super::faults::{self, CauseOutline, FaultOutline};
 use super::figure2::{self, ArrowChange, ArrowOutline, OrderChange, PriorityOutline};
 use super::messages::{self, MessageChange, MessageOutline};
@@ -36,6 +37,7 @@ pub(super) struct Changed {
     pub(super) faults: Sides<FaultOutline>,
     pub(super) causes: Sides<CauseOutline>,
     pub(super) reserved: Sides<Range>,
+    pub(super) devices: Sides<DeviceOutline>,
     pub(super) readings: Questions,
 }
 
@@ -44,9 +46,9 @@ impl Difference {
     pub(super) fn between(from: &Edition, to: &Edition) -> Self {
         // Without `..`, so that a further field has to be compared before this compiles. How frames are read and written
         // follows from the messages, and where the answers by default matter they stand with their questions.
-        let Edition { version, rules, faults, choices: _, readings: _, bus } = from;
+        let Edition { version, document: _, rules, faults, choices: _, readings: _, bus } = from;
         let Rules { table: _, priorities: _, timing, thresholds } = rules;
-        let Bus { messages, reserved: _, read: _, write: _, holds: _ } = bus;
+        let Bus { messages, devices, reserved: _, read: _, write: _, holds: _ } = bus;
         let (arrows, order) = figure2::compare(from, to);
         let changed = Changed {
             messages: messages::compare(messages, to.bus.messages),
@@ -58,6 +60,7 @@ impl Difference {
             faults: faults::compare(*faults, to.faults),
             causes: faults::causes(bus, &to.bus),
             reserved: reserved::compare(bus, &to.bus),
+            devices: devices::compare(devices, to.bus.devices),
             readings: questions::compare(from, to),
         };
         Self { from: version, to: to.version, differs: !changed.is_empty(), changed }
@@ -76,6 +79,7 @@ impl Changed {
             faults,
             causes,
             reserved,
+            devices,
             readings,
         } = self;
         messages.is_empty()
@@ -87,6 +91,7 @@ impl Changed {
             && faults.is_empty()
             && causes.is_empty()
             && reserved.is_empty()
+            && devices.is_empty()
             && readings.is_empty()
     }
 }

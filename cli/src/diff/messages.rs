@@ -1,6 +1,6 @@
 //! Messages, the same by their identifier, and their signals, the same by the field that carries them.
 
-use adsdv_spec::messages::{Decimal, MessageDef, SignalDef};
+use adsdv_spec::messages::{Decimal, MessageDef, ReadAs, SignalDef};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -112,6 +112,12 @@ pub(super) const OF_A_SIGNAL: &[Property<SignalDef>] = &[
         value: |s| s.values.iter().map(|(value, name)| json!({ "value": value, "name": name })).collect(),
         words: |s, other| values(s, other.map(|other| other.values).unwrap_or_default()),
     },
+    Property {
+        name: "read_as",
+        fields: &["read_as"],
+        value: |s| s.read_as.map_or(Value::Null, |read| json!({ "raw": read.raw, "meaning": read.meaning })),
+        words: |s, _| s.read_as.map(|read| read_as(s, read)).unwrap_or_default(),
+    },
     Property { name: "meaning", fields: &["doc"], value: |s| json!(s.doc), words: |s, _| s.doc.to_owned() },
 ];
 
@@ -190,6 +196,10 @@ fn bits(signal: &SignalDef) -> String {
             format!("bits {start} to {}", (u16::from(start) + u16::from(width)).saturating_sub(1))
         }
     }
+}
+
+fn read_as(signal: &SignalDef, ReadAs { raw, meaning }: ReadAs) -> String {
+    format!("{raw} = {} is read as {meaning} = {}", signal.display(raw), signal.display(meaning))
 }
 
 fn range(signal: &SignalDef) -> String {

@@ -10,6 +10,7 @@
 //! the properties by which they are compared, is in `change`.
 
 mod change;
+mod devices;
 mod difference;
 mod faults;
 mod figure2;

@@ -1,6 +1,7 @@
 //! A difference for people: sections of groups of lines. Text and Markdown print the same of them.
 
 use super::change::{Change, Sides};
+use super::devices::DeviceOutline;
 use super::difference::{Changed, Difference};
 use super::figure2::{Alternative, ArrowChange, ArrowOutline, in_words};
 use super::messages::{MessageChange, MessageOutline};
@@ -47,6 +48,7 @@ pub(super) fn of(difference: &Difference) -> Vec<Section> {
         faults,
         causes,
         reserved,
+        devices,
         readings,
     } = &difference.changed;
 
@@ -87,6 +89,11 @@ pub(super) fn of(difference: &Difference) -> Vec<Section> {
             title: "RESERVED IDENTIFIERS",
             kinds: ["", "what"],
             groups: one_group(identifiers(reserved)),
+        },
+        Section {
+            title: "MESSAGES OF THE DEVICES",
+            kinds: ["", "message"],
+            groups: one_group(of_devices(devices)),
         },
         Section { title: "READINGS", kinds: ["question", ""], groups: questions.collect() },
     ];
@@ -189,6 +196,12 @@ fn identifiers(reserved: &Sides<Range>) -> Vec<Line> {
         (!ranges.is_empty()).then(|| line("reserved", "", words))
     };
     [line(Line::new, &reserved.new), line(Line::gone, &reserved.gone)].into_iter().flatten().collect()
+}
+
+fn of_devices(devices: &Sides<DeviceOutline>) -> Vec<Line> {
+    let line = |line: OneSided, one: &DeviceOutline| line(&title(one.id, one.name), "", one.words.clone());
+    let new = devices.new.iter().map(|one| line(Line::new, one));
+    new.chain(devices.gone.iter().map(|one| line(Line::gone, one))).collect()
 }
 
 fn question(one: &Question, how: &str) -> Group {

@@ -21,6 +21,7 @@ fn printed(options: &[&str]) -> String {
 #[test]
 fn as_text() {
     compare_text("diff-3.0-4.0.txt", &printed(&["3.0", "4.0"]));
+    compare_text("diff-4.0-2026.txt", &printed(&["4.0", "2026"]));
 }
 
 #[test]

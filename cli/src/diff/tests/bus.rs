@@ -1,6 +1,6 @@
 //! Messages, signals and reserved identifiers.
 
-use adsdv_spec::messages::{MessageDef, Node, SignalDef};
+use adsdv_spec::messages::{Device, DeviceMessage, MessageDef, Node, ReadAs, SignalDef};
 
 use super::super::change::Property;
 use super::super::messages::{OF_A_MESSAGE, OF_A_SIGNAL};
@@ -64,6 +64,8 @@ fn each_property_of_a_signal_is_compared() {
     assert_eq!(of_the_signal(|signal| signal.max = 211), one("range", &range(-210, 210), &range(-210, 211)));
     let values = of_the_signal(|signal| signal.values = &[(1, "left")]);
     assert_eq!(values, one("values", &json!([]), &json!([{ "value": 1, "name": "left" }])));
+    let read_as = of_the_signal(|signal| signal.read_as = Some(ReadAs { raw: 0, meaning: 1 }));
+    assert_eq!(read_as, one("read_as", &Value::Null, &json!({ "raw": 0, "meaning": 1 })));
     assert_eq!(of_the_signal(|signal| signal.doc = "Else.")[0]["property"], "meaning");
 }
 
@@ -174,6 +176,41 @@ fn reserved_identifiers_are_new_and_gone_however_the_ranges_are_cut() {
     let expected =
         json!({ "new": [range(0x105, 0x106)], "gone": [range(0x100, 0x100), range(0x103, 0x103)] });
     assert_eq!(json["reserved"], expected);
+}
+
+#[test]
+fn a_message_of_a_device_that_changes_is_new_and_gone() {
+    let [first, .., last] = Edition::V2026.bus.devices else { panic!("devices") };
+    let with = |devices: &[DeviceMessage]| {
+        let mut edition = *BEFORE;
+        edition.bus.devices = devices.to_vec().leak();
+        edition
+    };
+    let json = |from: &[DeviceMessage], to: &[DeviceMessage]| {
+        let json = serde_json::to_value(Difference::between(&with(from), &with(to))).expect("JSON");
+        let ids = |side: &str| {
+            let list = json["devices"][side].as_array().cloned().unwrap_or_default();
+            list.iter().map(|message| message["id"].as_u64()).collect::<Vec<_>>()
+        };
+        (json["differs"].clone(), ids("new"), ids("gone"))
+    };
+    let id = |message: &DeviceMessage| Some(u64::from(message.id));
+    assert_eq!(json(&[*first, *last], &[*first]), (json!(true), vec![], vec![id(last)]));
+    assert_eq!(json(&[], &[*last]), (json!(true), vec![id(last)], vec![]));
+    let signals = first.signals.split_first().map(|(_, others)| others).unwrap_or_default();
+    for changed in [
+        DeviceMessage { cycle_ms: None, ..*first },
+        DeviceMessage { len: 8, ..*first },
+        DeviceMessage { sender: Device::Res, ..*first },
+        DeviceMessage { signals, ..*first },
+    ] {
+        assert_eq!(
+            json(&[*first], &[changed]),
+            (json!(true), vec![id(first)], vec![id(first)]),
+            "{changed:?}"
+        );
+    }
+    assert_eq!(json(&[*first, *last], &[*first, *last]), (json!(false), vec![], vec![]));
 }
 
 #[test]
