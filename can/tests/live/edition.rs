@@ -90,7 +90,7 @@ fn a_vcu_says_once_which_other_edition_its_ai_computer_speaks() {
         Edition::ALL.iter().flat_map(|own| Edition::ALL.iter().map(move |other| (*own, *other)))
     {
         let bench = Bench::new();
-        bench.plug_in(ai(other));
+        bench.plug_in_other(ai(other));
         let mut vcu = vcu(&bench, own);
         run(&mut vcu, &bench, ms(5000));
         let said = said(vcu.status(), Node::Ai);
@@ -143,7 +143,7 @@ fn a_partner_that_is_exchanged_is_noticed_and_an_odd_frame_is_outweighed() {
     bench.frame_comes(ms(500), FrameKind::Standard, 0x511, &[0; 4]);
     run(&mut vcu, &bench, ms(3000));
     assert_eq!(said(vcu.status(), Node::Ai), []);
-    bench.plug_in(ai(&Edition::V4_0));
+    bench.plug_in_other(ai(&Edition::V4_0));
     run(&mut vcu, &bench, ms(8000));
     let said = said(vcu.status(), Node::Ai);
     assert!(matches!(&said[..], [(3000..5100, versions)] if versions.contains(&"4.0")), "{said:?}");

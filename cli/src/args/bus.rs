@@ -141,7 +141,8 @@ EXAMPLES
 OUTPUT
   A line for each thing that happens: the AS state that the VCU shows, frames that were
   refused, another AI Computer on the bus, once that the VCU speaks another edition and
-  which --edition speaks that, error frames, the bus going down and coming back. In the end the frames, and how well the cycle of 10 ms was held.
+  which --edition speaks that, error frames, the bus going down and coming back. In the
+  end the frames, and how well the cycle of 10 ms was held.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none
