@@ -2,11 +2,11 @@
 //!
 //! No version says that the two are the same: the names do, and so the judge notes it where they differ, and blames nobody.
 
-use adsdv_spec::messages::{Message as _, VcuStatus};
+use adsdv_spec::messages::VcuStatus;
 use adsdv_spec::{Fault, Faults};
 
+use super::Judge;
 use super::finding::{Party, Rule, Severity};
-use super::{Judge, VCU_STATUS};
 
 /// What 120h shows, and since when some of it differs from 520h.
 #[derive(Clone, Copy, Debug)]
