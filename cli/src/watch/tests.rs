@@ -92,7 +92,7 @@ fn a_bus_is_judged_by_the_edition_that_it_speaks_and_by_the_one_that_is_named() 
         assert!(watched.is_recognised && watched.lines.is_read());
         let report = watched.watch.finish().expect("frames");
         assert_eq!(report.findings, [], "nothing is noted");
-        assert_eq!(report.transitions.len(), 3, "those of the first second are there");
+        assert_eq!(report.transitions.len(), 4, "of the whole run");
 
         for named in Edition::ALL {
             let words = ["--json", "--edition", named.version];
