@@ -3,7 +3,8 @@
 use std::collections::VecDeque;
 
 use adsdv_oracle::judge::ResponseTimes;
-use adsdv_spec::messages::AsState;
+use adsdv_oracle::recognise::Recognised;
+use adsdv_spec::messages::{AsState, Node};
 use adsdv_spec::{Inputs, Outputs};
 
 use crate::bus::Disturbance;
@@ -145,6 +146,15 @@ pub enum HappeningKind {
     OtherVcu(String),
     /// Somebody else sends frames with identifiers of the AI Computer, to an AI Computer.
     OtherAi(String),
+    /// The other node speaks another edition than this one.
+    OtherEdition {
+        /// Who that is.
+        node: Node,
+        /// What it speaks, and by what it differs from the edition of this node.
+        spoken: Recognised,
+        /// The version of the edition of this node.
+        own: &'static str,
+    },
     /// An error frame came.
     ErrorFrame(String),
     /// Something is wrong with the bus.

@@ -35,6 +35,8 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     if args.screen {
         return on_screen(args);
     }
+    // Before a file is made: what the arguments lack is told before anything is lost.
+    let chosen = args.edition.chosen()?;
     let scenario = match &args.scenario {
         Some(file) => read(file)?,
         None => Scenario::mission(),
@@ -43,7 +45,6 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
         Some(file) => Some(create(file, args.scenario.as_deref())?),
         None => None,
     };
-    let chosen = args.edition.chosen()?;
     let options = LogOptions { judge: JudgeOptions::of(chosen.edition()), ..LogOptions::default() };
     let mut judge = LogJudge::new(options.clone());
     let made = demo::run(

@@ -36,12 +36,18 @@ pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json"
 
 /// A report as one JSON object on one line.
 pub(crate) fn text(edition: &Edition, recognised: Option<&Recognised>, report: &Report) -> String {
-    line(&CheckJson { recognised: recognised.map(RecognisedJson::of), ..CheckJson::new(edition, report) })
+    line(&CheckJson::new(edition, recognised, report))
 }
 
 /// A report of a live bus, and what went over it, as one JSON object on one line.
-pub(crate) fn watched(edition: &Edition, report: &Report, bus: &Bus<'_>) -> String {
-    line(&WatchJson { report: CheckJson::new(edition, report), bus: BusJson::new(bus, report.duration_ns) })
+pub(crate) fn watched(
+    edition: &Edition,
+    recognised: Option<&Recognised>,
+    report: &Report,
+    bus: &Bus<'_>,
+) -> String {
+    let report_json = CheckJson::new(edition, recognised, report);
+    line(&WatchJson { report: report_json, bus: BusJson::new(bus, report.duration_ns) })
 }
 
 /// What a live bus was like.
@@ -175,11 +181,11 @@ struct ChoiceJson {
 }
 
 impl<'a> CheckJson<'a> {
-    fn new(edition: &Edition, report: &'a Report) -> Self {
+    fn new(edition: &Edition, recognised: Option<&'a Recognised>, report: &'a Report) -> Self {
         Self {
             schema: SCHEMA,
             edition: edition.version,
-            recognised: None,
+            recognised: recognised.map(RecognisedJson::of),
             frames: report.frames,
             duration_s: seconds(report.duration_ns),
             transitions: report.transitions.iter().map(TransitionJson::from).collect(),

@@ -29,7 +29,7 @@ pub(crate) fn on_screen(
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
     let operated = Operated { handle: &handle, told: &told };
-    screen::run(&operated, output::is_colored(color)).map_err(|error| Error::screen(&error))?;
+    screen::run(&operated, chosen, output::is_colored(color)).map_err(|error| Error::screen(&error))?;
     let status = handle.join().map_err(|error| Error::mistake(&bus, error))?;
     plain::conclude(&status, chosen, color)?;
     Ok(status)

@@ -117,8 +117,12 @@ fn summary(status: &Status) -> String {
 
 #[cfg(test)]
 mod tests {
+    use adsdv_can::ai::{Ai, Plan};
     use adsdv_can::bus::Disturbance;
+    use adsdv_can::demo::LocalBus;
+    use adsdv_can::live::Vcu;
     use adsdv_can::status::KEPT;
+    use adsdv_spec::{Edition, Machine};
 
     use super::*;
 
@@ -127,6 +131,41 @@ mod tests {
         let happening = Happening { time_ms: 12_345, what: HappeningKind::Disturbance(Disturbance::Down) };
         let text = anstream::adapter::strip_str(&line(&happening)).to_string();
         assert_eq!(text, "    12.345 s  the interface is down\n");
+    }
+
+    /// The lines about the partner's edition that a VCU prints within the first seconds.
+    fn lines_about_editions(own: &'static Edition, partner: &'static Edition) -> Vec<String> {
+        let bus = LocalBus::new(Ai::new(partner, Plan::DEFAULT));
+        let mut vcu = Vcu::new(bus, Machine::new(*own, own.readings), None);
+        while vcu.status().time_ms < 2200 {
+            vcu.turn();
+        }
+        let lines = vcu.status().happened.iter().map(line);
+        let lines = lines.map(|line| anstream::adapter::strip_str(&line).to_string());
+        lines.filter(|line| line.contains(" speaks edition ")).collect()
+    }
+
+    #[test]
+    fn a_vcu_prints_once_that_its_partner_speaks_another_edition_and_what_to_do() {
+        let cases = [(&Edition::V3_0, &Edition::V4_0), (&Edition::V4_0, &Edition::V3_0)];
+        std::thread::scope(|scope| {
+            for (own, partner) in cases {
+                scope.spawn(move || {
+                    let lines = lines_about_editions(own, partner);
+                    let [line] = &lines[..] else { panic!("{lines:?}") };
+                    // An AI Computer may fit several editions.
+                    let not = format!(", and not {}: 511h has ", own.version);
+                    let (speaks, by) = line.split_once(&not).unwrap_or_else(|| panic!("{line}"));
+                    let (_, option) = by.split_once("; --edition ").unwrap_or_else(|| panic!("{line}"));
+                    assert!(
+                        speaks.contains("  the AI Computer speaks edition ")
+                            && speaks.contains(partner.version)
+                    );
+                    assert!(option.contains(partner.version), "{line}");
+                });
+                scope.spawn(move || assert_eq!(lines_about_editions(own, own), [""; 0]));
+            }
+        });
     }
 
     #[test]

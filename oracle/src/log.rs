@@ -324,7 +324,8 @@ impl LogJudge {
 
     /// Nothing has been told yet, and the frames are to tell the edition. The one of the options is for frames that do not.
     ///
-    /// Nothing is judged before enough was heard, which takes a second; then all of it is.
+    /// Nothing is judged before enough was heard; then all of it is. That takes a second, or up to ten where the frames of the
+    /// first do not tell, such as those of an AI Computer alone.
     ///
     /// ```
     /// use adsdv_oracle::log::{LogJudge, LogOptions};
@@ -357,8 +358,20 @@ impl LogJudge {
         }
     }
 
+    /// Whether it is still not known, when it is this time, by which edition to judge.
+    #[cold]
+    fn still_hears(&mut self, time_ns: i64) -> bool {
+        if self.hearing.as_mut().is_some_and(|hearing| hearing.is_enough_before(time_ns)) {
+            self.decide();
+        }
+        self.hearing.is_some()
+    }
+
     /// Judges by the edition that was recognised, from the first frame on.
-    fn decide(&mut self) {
+    ///
+    /// It is decided by what has come so far, where that is not done yet. Nobody has to ask for it but who wants to know the
+    /// edition before the end of frames that are few.
+    pub fn decide(&mut self) {
         let Some(hearing) = self.hearing.take() else { return };
         let (recognised, held, later) = hearing.end();
         self.options.judge = self.options.judge.under(recognised.edition);
@@ -403,7 +416,7 @@ impl LogJudge {
     /// Judges a frame, of whatever kind.
     #[inline]
     pub fn frame(&mut self, record: &Record<'_>) {
-        if self.hearing.is_some() {
+        if self.hearing.is_some() && self.still_hears(record.time_ns) {
             return self.hear(Held::frame(record));
         }
         self.frames += 1;
@@ -490,8 +503,8 @@ impl LogJudge {
     ///
     /// Before the first frame there is nothing to wait for, and a time before that of the last frame changes nothing.
     pub fn time_passes(&mut self, time_ns: i64) {
-        if let Some(hearing) = &self.hearing {
-            if hearing.has_frame() {
+        if self.hearing.is_some() && self.still_hears(time_ns) {
+            if self.has_frame() {
                 self.hear(Held::TimePasses(time_ns));
             }
             return;

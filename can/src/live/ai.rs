@@ -5,6 +5,7 @@ use adsdv_spec::messages::{AsState, Node, Vcu2AiStatus};
 use super::handle::Runner;
 use super::line::LiveBus;
 use super::note::Note;
+use super::partner::Partner;
 use crate::ai::Ai;
 use crate::bus::{Bus, Received};
 use crate::car::Action;
@@ -20,6 +21,7 @@ const SILENT_MS: u64 = 200;
 pub struct AiComputer<B> {
     line: LiveBus<B>,
     ai: Ai,
+    partner: Partner,
     /// The AS state that the VCU shows, and when it did so last, in milliseconds since the beginning.
     shown: Option<(AsState, u64)>,
 }
@@ -27,7 +29,8 @@ pub struct AiComputer<B> {
 impl<B: Bus> AiComputer<B> {
     /// An AI Computer that has just been switched on.
     pub fn new(bus: B, ai: Ai) -> Self {
-        Self { line: LiveBus::new(bus, ai.edition()), ai, shown: None }
+        let line = LiveBus::new(bus, ai.edition());
+        Self { line, partner: Partner::new(Node::Vcu, ai.edition()), ai, shown: None }
     }
 
     /// One cycle: receives until it is due, and sends its frames.
@@ -49,6 +52,7 @@ impl<B: Bus> AiComputer<B> {
 
     fn hear(&mut self, received: &Received) {
         let Some(frame) = received.frame() else { return };
+        self.line.listen(&mut self.partner, &frame);
         let bus = self.ai.edition().bus;
         if bus.message(frame.id).is_some_and(|message| message.sender == Node::Ai) {
             self.line.status.foreign += 1;

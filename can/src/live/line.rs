@@ -9,6 +9,7 @@ use adsdv_spec::{Edition, Timing};
 use crate::bus::{Bus, Disturbance, Event, Received};
 use crate::clock::{Begun, Clock};
 use crate::live::note::{LastNotes, Note};
+use crate::live::partner::Partner;
 use crate::socket;
 use crate::status::{HappeningKind, Status};
 
@@ -173,6 +174,14 @@ impl<B: Bus> LiveBus<B> {
     pub(super) fn happen(&mut self, what: HappeningKind) {
         let time_ms = self.time_ms();
         self.status.happen(time_ms, what);
+    }
+
+    /// Has the partner listened to, and tells if it speaks another edition.
+    pub(super) fn listen(&mut self, partner: &mut Partner, frame: &Frame) {
+        if let Some(spoken) = partner.frame(self.now_ns(), frame) {
+            let own = self.status.edition;
+            self.happen(HappeningKind::OtherEdition { node: partner.node(), spoken, own });
+        }
     }
 
     /// Tells what may come again and again, not too often.

@@ -14,6 +14,7 @@ mod ai;
 mod handle;
 mod line;
 mod note;
+mod partner;
 mod traffic;
 mod vcu;
 mod watch;

@@ -6,6 +6,7 @@ use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node};
 use super::handle::Runner;
 use super::line::LiveBus;
 use super::note::{Note, TOLD_EVERY_MS};
+use super::partner::Partner;
 use crate::bus::{Bus, Received};
 use crate::car::{Action, Car, Cycle, missing, missing_for};
 use crate::scenario::Player;
@@ -33,6 +34,7 @@ pub struct Vcu<B> {
     /// For how long the player may wait for a state, in milliseconds; `None` without end.
     patience_ms: Option<u64>,
     meter: Meter,
+    partner: Partner,
     /// When the last frame of the AI Computer came, in nanoseconds since the beginning.
     heard_at: Option<i64>,
     /// Since when it is heard without a pause, in nanoseconds since the beginning; `None` while it is silent.
@@ -49,6 +51,7 @@ impl<B: Bus> Vcu<B> {
         let car = Car::new(machine);
         Self {
             line: LiveBus::new(bus, car.machine().edition()),
+            partner: Partner::new(Node::Ai, car.machine().edition()),
             car,
             player,
             patience_ms: None,
@@ -110,6 +113,7 @@ impl<B: Bus> Vcu<B> {
 
     fn hear(&mut self, received: &Received) {
         let Some(frame) = received.frame() else { return };
+        self.line.listen(&mut self.partner, &frame);
         match self.car.machine().edition().bus.message(frame.id).map(|message| message.sender) {
             Some(Node::Vcu) => {
                 self.line.status.foreign += 1;

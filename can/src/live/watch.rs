@@ -3,6 +3,7 @@
 use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
+use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::Edition;
 
 use super::traffic::{Outage, Outages, Traffic};
@@ -31,8 +32,19 @@ pub struct Watch {
 impl Watch {
     /// The judge of a bus of this name.
     pub fn new(bus: &str, options: LogOptions) -> Self {
+        Self::by(bus, LogJudge::new(options))
+    }
+
+    /// The judge of a bus that tells by its frames which edition it speaks; the one of the options is for frames that do not.
+    ///
+    /// It says nothing before it [is known](Self::recognised), then about all that came: see [`LogJudge::recognising`].
+    pub fn recognising(bus: &str, options: LogOptions) -> Self {
+        Self::by(bus, LogJudge::recognising(options))
+    }
+
+    fn by(bus: &str, judge: LogJudge) -> Self {
         Self {
-            judge: LogJudge::new(options),
+            judge,
             bus: bus.to_owned(),
             traffic: Traffic::default(),
             outages: Outages::default(),
@@ -43,6 +55,18 @@ impl Watch {
     /// The edition of the interface that is judged by.
     pub const fn edition(&self) -> &Edition {
         self.judge.edition()
+    }
+
+    /// Which edition was recognised, and by what, once that is known. `None` before, and where it was not asked for.
+    pub const fn recognised(&self) -> Option<&Recognised> {
+        self.judge.recognised()
+    }
+
+    /// Nothing more is to come: the edition is recognised by the frames that have, where it is not known yet.
+    pub fn decide(&mut self) {
+        if self.first_ns.is_some() {
+            self.judge.decide();
+        }
     }
 
     /// A frame came. Returns it as the log is to have it.

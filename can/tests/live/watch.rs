@@ -1,13 +1,17 @@
 //! The live judge says what `check` says of the same frames, and says it as soon as it is certain.
 
+use std::convert::Infallible;
 use std::error::Error;
 
-use adsdv_can::ai::Ai;
+use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::bus::{Disturbance, Received};
+use adsdv_can::demo::{self, DemoOptions};
 use adsdv_can::live::Watch;
+use adsdv_can::scenario::Scenario;
 use adsdv_oracle::candump::{FrameKind, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
-use adsdv_oracle::log::{LogError, LogOptions, judge_log};
+use adsdv_oracle::log::{LogError, LogOptions, judge_log, judge_recognised};
+use adsdv_spec::Edition;
 use adsdv_spec::messages::{AsState, Vcu2AiStatus};
 
 use super::bench::{encoded, received};
@@ -78,6 +82,94 @@ fn watch_reports_what_check_reports_of_the_recorded_log() -> Result<(), Box<dyn 
     assert!(findings.iter().all(|told| live.findings.contains(told)) && !findings.is_empty());
     assert_eq!((traffic.frames, traffic.errors), (live.frames, live.frames / 104 + 1));
     assert!((800..=860).contains(&traffic.busiest), "{}", traffic.busiest);
+    Ok(())
+}
+
+/// A mission of an edition, both sides, as it is on the bus.
+fn both_sides(edition: &'static Edition) -> Vec<Received> {
+    let mut frames = Vec::new();
+    let ai = Ai::new(edition, Plan::DEFAULT);
+    demo::run(&Scenario::mission(), ai, &DemoOptions::default(), |ns, frame| {
+        frames.push(at(ns, received(FrameKind::Standard, frame.id.into(), frame.data())));
+        Ok::<(), Infallible>(())
+    })
+    .expect("it drives");
+    frames
+}
+
+/// Whatever comes first, and however long the pauses are in which silence is told.
+#[test]
+fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> Result<(), Box<dyn Error>> {
+    let ai_first = |frames: &[Received], alone: i64| -> Vec<Received> {
+        let is_ai = |frame: &Received| (0x510..=0x514).contains(&frame.id);
+        let later = |frame: &Received| Received { time_ns: frame.time_ns + alone, ..*frame };
+        let ai = frames.iter().filter(|frame| is_ai(frame) && frame.time_ns < ORIGIN + alone).copied();
+        ai.chain(frames.iter().map(later)).collect()
+    };
+    for edition in Edition::ALL {
+        let whole = both_sides(edition);
+        let vcu_only: Vec<Received> = whole.iter().filter(|frame| frame.id >= 0x520).copied().collect();
+        let status_only: Vec<Received> = whole.iter().filter(|frame| frame.id == 0x520).copied().collect();
+        let pause: Vec<Received> = whole
+            .iter()
+            .filter(|frame| !(900..2700).contains(&((frame.time_ns - ORIGIN) / MS)))
+            .copied()
+            .collect();
+        let few = whole.iter().take(30).copied().collect();
+        let all = [
+            ai_first(&whole, 3000 * MS),
+            ai_first(&whole, 12_000 * MS),
+            whole,
+            vcu_only,
+            status_only,
+            pause,
+            few,
+        ];
+        for (place, frames) in all.iter().enumerate() {
+            let case = format!("edition {}, case {place}", edition.version);
+            let mut watch = Watch::recognising("vcan0", LogOptions::default());
+            let mut log = Vec::new();
+            let mut told_after = None;
+            let mut now = ORIGIN;
+            let (mut transitions, mut findings): (Vec<Transition>, Vec<Finding>) = Default::default();
+            for frame in frames {
+                // As the thread does that listens: nothing came for so long, and then again.
+                while frame.time_ns - now > 50 * MS {
+                    now += 50 * MS;
+                    watch.silence(now);
+                }
+                now = frame.time_ns;
+                write_record(&mut log, &watch.frame(frame).record("vcan0"))?;
+                if watch.recognised().is_some() && told_after.is_none() {
+                    told_after = Some(watch.since_first(now));
+                }
+                let (new_transitions, new_findings) = watch.news();
+                transitions.extend(new_transitions);
+                findings.extend(new_findings);
+            }
+            watch.decide();
+            let live = watch.recognised().cloned().expect("it is decided");
+            let report = watch.finish()?;
+            let check = judge_recognised(log.as_slice(), &LogOptions::default(), |_| {})?;
+            assert_eq!(live, check.recognised, "{case}");
+            assert_eq!(report.transitions, check.report.transitions, "{case}");
+            assert_eq!(report.findings, check.report.findings, "{case}");
+            assert!(transitions.iter().all(|told| report.transitions.contains(told)), "{case}");
+            assert!(findings.iter().all(|told| report.findings.contains(told)), "{case}");
+            assert_eq!(
+                transitions.len(),
+                report.transitions.len(),
+                "{case}: none is lost before it is decided"
+            );
+            let long = frames.last().map_or(0, |frame| frame.time_ns) - ORIGIN;
+            let bound = 10_100 * MS;
+            assert!(told_after.is_none_or(|told| told <= bound), "{case}: {told_after:?}");
+            assert!(told_after.is_some() || long < bound, "{case}: it takes too long");
+            if live.certain {
+                assert_eq!(live.edition, *edition, "{case}: {live}");
+            }
+        }
+    }
     Ok(())
 }
 

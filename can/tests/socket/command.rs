@@ -181,7 +181,8 @@ fn stops() -> Outcome {
         ensure!(code == Some(0) && error.is_empty(), "watch: {code:?} {error}\n{out}");
         let sent = vcan.sent()?;
         ensure!(
-            out.starts_with(&format!("{{\"schema\":1,\"edition\":\"3.0\",\"frames\":{sent},"))
+            out.starts_with("{\"schema\":1,\"edition\":\"3.0\",\"recognised\":{\"certain\":true,")
+                && out.contains(&format!("\"frames\":{sent},"))
                 && out.ends_with("}\n"),
             "{sent} frames: {out}"
         );

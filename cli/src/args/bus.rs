@@ -77,7 +77,8 @@ OUTPUT
   With --plain a line for each thing that happens: the AS state with the section and the
   conditions that decided, what the operator does, frames that were refused, another VCU
   on the bus, error frames, the bus going down and coming back, cycles that were late, the
-  AI Computer falling silent and being heard again, frames that were lost. What comes again
+  AI Computer falling silent and being heard again, once that it speaks another edition and
+  which --edition speaks that, frames that were lost. What comes again
   and again is told once a second. In the end the frames, how well the cycle of 10 ms was
   held, and how fast the AI Computer answered the handshake. The kernel tells of lost
   frames with the next one that comes: the count is as of the last frame.
@@ -139,8 +140,9 @@ EXAMPLES
 
 OUTPUT
   A line for each thing that happens: the AS state that the VCU shows, frames that were
-  refused, another AI Computer on the bus, error frames, the bus going down and coming
-  back. In the end the frames, and how well the cycle of 10 ms was held.
+  refused, another AI Computer on the bus, once that the VCU speaks another edition and
+  which --edition speaks that, error frames, the bus going down and coming back. In the
+  end the frames, and how well the cycle of 10 ms was held.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none
@@ -170,10 +172,17 @@ pub(crate) struct AiArgs {
 ///
 /// Frames that the kernel had to drop, because they were not taken in time, are counted, told and noted in the log; what they said
 /// is unknown, and nobody is blamed for it, by this command or by `adsdv check` of the log.
+///
+/// Which edition of the interface the bus speaks is recognised by its frames, as `adsdv check` does it: within a second of the
+/// first frame, or within ten where they tell too little, as those of an AI Computer alone may. A line then says which it is and by
+/// what, and all that came before is judged as well. --edition overrides.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
   adsdv watch can0
+
+  By an edition that is known, from the first frame on:
+      adsdv watch --edition 4.0 can0
 
   Record the run at the same time, and judge it again later:
       adsdv watch can0 --log run.log

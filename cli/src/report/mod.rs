@@ -8,6 +8,7 @@ use std::fmt::{self, Write as _};
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
+use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Rules};
 
 use style::Styled;
@@ -44,6 +45,25 @@ pub(crate) fn news(rules: &Rules, transitions: &[Transition], findings: &[Findin
     // Writing to a string does not fail.
     let _ = write_news(&mut text, rules, transitions, findings, width);
     text
+}
+
+/// The line about an edition that was recognised, and by what. What does not fit it is among the findings.
+pub(crate) fn recognised(recognised: &Recognised) -> String {
+    let Recognised { edition, certain, evidence, .. } = recognised;
+    let why =
+        if *certain || !evidence.is_empty() { first(evidence) } else { "the frames do not tell".to_owned() };
+    format!("edition {} (recognised: {why})", edition.version)
+}
+
+/// What an edition was recognised by, in a line.
+pub(crate) fn first(evidence: &[String]) -> String {
+    /// So many facts tell enough.
+    const SHOWN: usize = 2;
+    let mut facts: Vec<String> = evidence.iter().take(SHOWN).cloned().collect();
+    if let Some(more) = evidence.len().checked_sub(SHOWN).filter(|more| *more > 0) {
+        facts.push(format!("{more} more such"));
+    }
+    facts.join("; ")
 }
 
 fn write_news(

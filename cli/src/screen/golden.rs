@@ -81,6 +81,27 @@ fn scrolled_back() {
     golden("scrolled", &sample::emergency(), &screen, &[(100, 30)]);
 }
 
+/// As far as there is room: what is wrong with the bus is more urgent.
+#[test]
+fn the_first_line_says_how_the_edition_was_chosen() {
+    let chosen = "edition 3.0 (default; --edition 9.9 for today's car)";
+    let long = format!("VCU of {chosen} on vcan0 ");
+    let short = "VCU of edition 3.0 on vcan0  ";
+    let screen = Screen::new(true).of(&chosen);
+    for (status, screen, width, begins) in [
+        (sample::off(), &screen, 120, long.as_str()),
+        (sample::off(), &screen, 100, &long),
+        (sample::off(), &screen, 80, short),
+        (sample::emergency(), &screen, 120, &(long.clone() + " the interface is down")),
+        (sample::emergency(), &screen, 100, &(short.to_owned() + "the interface is down")),
+        (sample::off(), &Screen::new(true), 120, short),
+    ] {
+        let text = text(&drawn(&status, screen, width, 40).0);
+        let line = text.lines().next().unwrap_or_default();
+        assert!(line.starts_with(begins) && line.ends_with("q quit"), "{width}: {line}");
+    }
+}
+
 #[test]
 fn the_screen_reports_a_terminal_that_is_too_small() {
     let (buffer, room) = drawn(&sample::driving(), &Screen::new(true), 20, 5);

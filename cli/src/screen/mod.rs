@@ -56,6 +56,8 @@ const FLASH_MS: u128 = 250;
 pub(crate) struct Screen {
     /// Colors are wanted.
     color: bool,
+    /// How the edition was chosen, as the line says it with which an answer begins; empty where nobody asks.
+    edition: String,
     /// The keys are explained.
     help: bool,
     /// A light that flashes is lit.
@@ -86,7 +88,13 @@ enum Effect {
 impl Screen {
     /// A screen as it begins.
     fn new(color: bool) -> Self {
-        Self { color, help: false, lit: true, back: 0, log: panel::Room::default(), turned: Vec::new() }
+        let (edition, log, turned) = (String::new(), panel::Room::default(), Vec::new());
+        Self { color, edition, help: false, lit: true, back: 0, log, turned }
+    }
+
+    /// The same, of a VCU whose edition was chosen like this.
+    fn of(self, edition: &impl ToString) -> Self {
+        Self { edition: edition.to_string(), ..self }
     }
 
     /// So many milliseconds have passed since the screen began, and the car was looked at anew.

@@ -48,7 +48,7 @@ pub(super) fn render(status: &Status, screen: &Screen, area: Rect, buffer: &mut 
         return panel::Room::default();
     }
     let [head, body] = area.layout(&Layout::vertical([Constraint::Length(1), Constraint::Fill(1)]));
-    header(status, theme, head, buffer);
+    header(status, screen, theme, head, buffer);
     let drawing = Drawing { status, screen, theme };
     let room = if has(area, ROOMY) { drawing.roomy(body, buffer) } else { drawing.compact(body, buffer) };
     if screen.help {
@@ -74,15 +74,8 @@ fn too_small(status: &Status, area: Rect, buffer: &mut Buffer) {
     Text::from_iter(lines).render(area, buffer);
 }
 
-/// The edition; the bus and what is wrong with it; the time; how to get help.
-fn header(status: &Status, theme: Theme, area: Rect, buffer: &mut Buffer) {
-    let mut left = Line::from(vec![
-        Span::raw(format!("VCU of edition {} on ", status.edition)),
-        Span::styled(status.bus.clone(), STRONG),
-    ]);
-    if let Some(trouble) = &status.trouble {
-        left.push_span(Span::styled(format!("  {trouble}"), theme.bad()));
-    }
+/// The edition and, where there is room, how it was chosen; the bus and what is wrong with it; the time; how to get help.
+fn header(status: &Status, screen: &Screen, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let right = Line::from(vec![
         Span::raw(seconds(status.time_ms)),
         Span::styled("   ?", theme.key()),
@@ -93,8 +86,24 @@ fn header(status: &Status, theme: Theme, area: Rect, buffer: &mut Buffer) {
     let width = u16::try_from(right.width()).unwrap_or(u16::MAX);
     let parts = Layout::horizontal([Constraint::Fill(1), Constraint::Length(width)]).spacing(2);
     let [left_area, right_area] = area.layout(&parts);
-    left.render(left_area, buffer);
+    let short = format!("edition {}", status.edition);
+    let left = [&screen.edition, &short].map(|edition| vcu_on_bus(status, edition, theme));
+    let fits = |line: &Line<'_>| line.width() <= usize::from(left_area.width);
+    let [long, short] = left;
+    if fits(&long) && !screen.edition.is_empty() { long } else { short }.render(left_area, buffer);
     right.render(right_area, buffer);
+}
+
+/// The left of the first line.
+fn vcu_on_bus(status: &Status, edition: &str, theme: Theme) -> Line<'static> {
+    let mut line = Line::from(vec![
+        Span::raw(format!("VCU of {edition} on ")),
+        Span::styled(status.bus.clone(), STRONG),
+    ]);
+    if let Some(trouble) = &status.trouble {
+        line.push_span(Span::styled(format!("  {trouble}"), theme.bad()));
+    }
+    line
 }
 
 struct Drawing<'a> {

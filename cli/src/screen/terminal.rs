@@ -18,6 +18,7 @@ use ratatui::layout::{Position, Rect};
 use super::keyboard::Keyboard;
 use super::render::render;
 use super::{Effect, Screen, Source, keys};
+use crate::args::ChosenEdition;
 
 /// The screen is drawn this often, at least.
 const FRAME: Duration = Duration::from_millis(50);
@@ -29,14 +30,14 @@ const FRAME: Duration = Duration::from_millis(50);
 /// # Errors
 ///
 /// Standard output is no terminal, or a dumb one, or the terminal cannot be read or written.
-pub(crate) fn run(source: &dyn Source, color: bool) -> io::Result<()> {
+pub(crate) fn run(source: &dyn Source, chosen: ChosenEdition, color: bool) -> io::Result<()> {
     fit(stdout().is_terminal(), env::var_os("TERM").as_deref())?;
     // Whether colors are wanted has been decided; NO_COLOR was asked then.
     force_color_output(color);
     let keyboard = Keyboard::open()?;
     // The panic hook that this sets puts the terminal back before a panic is told.
     let mut open = Open(ManuallyDrop::new(ratatui::try_init().inspect_err(|_| put_back())?));
-    let (mut screen, begun) = (Screen::new(color), Instant::now());
+    let (mut screen, begun) = (Screen::new(color).of(&chosen), Instant::now());
     while !source.is_over() {
         let status = source.status();
         screen.tick(begun.elapsed().as_millis());

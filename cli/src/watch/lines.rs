@@ -6,19 +6,21 @@ use std::path::Path;
 use adsdv_can::bus::Disturbance;
 use adsdv_can::live::Traffic;
 use adsdv_oracle::judge::{Finding, Transition};
-use adsdv_spec::Rules;
+use adsdv_oracle::recognise::Recognised;
+use adsdv_spec::{Choice, Rules};
 use clap::ColorChoice;
 
 use crate::args::{ChosenEdition, WatchArgs};
 use crate::error::Error;
 use crate::layout::{Seconds, counted};
 use crate::report::style::{self, Styled};
-use crate::{output, report};
+use crate::{output, pins, report};
 
 /// Prints lines, unless JSON was asked for, which comes in the end.
 pub(super) struct Lines {
     color: ColorChoice,
     edition: ChosenEdition,
+    pins: Vec<Choice>,
     quiet: bool,
     read: bool,
     failed: Option<Error>,
@@ -26,7 +28,13 @@ pub(super) struct Lines {
 
 impl Lines {
     pub(super) fn new(args: &WatchArgs, edition: ChosenEdition) -> Self {
-        Self { edition, color: args.color, quiet: args.json, read: true, failed: None }
+        let pins = args.readings.clone();
+        Self { edition, pins, color: args.color, quiet: args.json, read: true, failed: None }
+    }
+
+    /// Whether somebody has named the edition, so that it need not be recognised.
+    pub(super) fn is_named(&self) -> bool {
+        self.edition.asked_for().is_some()
     }
 
     /// Whether anybody still reads what is printed, and it can be.
@@ -41,7 +49,24 @@ impl Lines {
 
     pub(super) fn begin(&mut self, bus: &str, log: Option<&Path>) {
         let recorded = log.map(|log| format!(", recorded in {}", log.display())).unwrap_or_default();
-        self.print(&format!("{}\n{bus} is watched{recorded}; Ctrl-C stops\n", self.edition));
+        self.print(&format!("{}\n{bus} is watched{recorded}; Ctrl-C stops\n", self.edition()));
+    }
+
+    /// The first line.
+    pub(super) fn edition(&self) -> String {
+        if self.is_named() {
+            self.edition.to_string()
+        } else {
+            "edition as the frames tell; --edition names one".to_owned()
+        }
+    }
+
+    /// Which edition the frames tell, and by what. One in which a reading that was pinned is no answer ends the watching.
+    pub(super) fn recognised(&mut self, recognised: &Recognised) {
+        self.print(&format!("{}\n", report::recognised(recognised)));
+        if let Err(error) = pins::possible(recognised.edition, &self.pins) {
+            self.note(Err(error));
+        }
     }
 
     /// What the judge found.

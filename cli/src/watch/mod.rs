@@ -21,8 +21,9 @@ use adsdv_can::live::Watch;
 use adsdv_can::socket;
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogError, LogOptions};
+use adsdv_oracle::recognise::Recognised;
 
-use crate::args::{ChosenEdition, WatchArgs};
+use crate::args::WatchArgs;
 use crate::error::Error;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
@@ -33,13 +34,14 @@ use record::Recorder;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
+    let possible = if chosen.asked_for().is_none() { pins::possible_in_some } else { pins::possible };
     let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
-        readings: pins::possible(chosen.edition(), &args.readings)?,
+        readings: possible(chosen.edition(), &args.readings)?,
         ..JudgeOptions::of(chosen.edition())
     };
-    let options = LogOptions { judge, interface: None };
+    let mut options = LogOptions { judge, interface: None };
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let listener = socket::listen(&args.interface)?;
     let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
@@ -47,13 +49,19 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &told)?;
     let log = recorder.map_or(Ok(()), Recorder::finish);
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
+    let recognised = watch.recognised().cloned();
+    if let Some(recognised) = &recognised {
+        options.judge = options.judge.under(recognised.edition);
+    }
     let report = watch.finish().map_err(|error| match error {
         LogError::NoFrame { .. } => Error::silent_bus(&args.interface),
         error => Error::log(&args.interface, &error),
     });
     let printed = match &report {
         Ok(report) if lines.is_read() => {
-            summarize(args, chosen, &options, report, &json::Bus { traffic, outages: &outages })
+            let line = recognised.as_ref().map_or_else(|| chosen.to_string(), report::recognised);
+            let judged = Judged { line, recognised, options };
+            summarize(args, &judged, report, &json::Bus { traffic, outages: &outages })
         }
         _ => lines.finish(),
     };
@@ -81,9 +89,13 @@ struct Watched {
     watch: Watch,
     recorder: Option<Recorder>,
     lines: Lines,
+    /// Which edition was recognised has been said.
+    is_recognised: bool,
 }
 
 /// Watches until it is told to stop, or nothing can be printed any more.
+///
+/// What waits for the edition is judged in the end, however short the run was.
 fn watch(
     listener: impl Listen + Send + 'static,
     options: &LogOptions,
@@ -92,10 +104,11 @@ fn watch(
     told: &AtomicBool,
 ) -> Result<Watched, Error> {
     let name = listener.name().to_owned();
-    let watch = Watch::new(&name, options.clone());
+    let begin = if lines.is_named() { Watch::new } else { Watch::recognising };
+    let watch = begin(&name, options.clone());
     let ears = Ears::start(listener).map_err(|error| Error::system("threads", &error))?;
     lines.begin(&name, recorder.as_ref().map(Recorder::path));
-    let mut watched = Watched { name, watch, recorder, lines };
+    let mut watched = Watched { name, watch, recorder, lines, is_recognised: false };
     while watched.lines.is_read() && !told.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
         ears.take().into_iter().for_each(|heard| watched.hear(heard));
@@ -106,13 +119,14 @@ fn watch(
     }
     // What the kernel had when it was told to stop is of the run as well.
     ears.finish().into_iter().for_each(|heard| watched.hear(heard));
+    watched.watch.decide();
     watched.print_news();
     Ok(watched)
 }
 
 impl Watched {
     fn hear(&mut self, heard: Arrival) {
-        let Self { name, watch, recorder, lines } = self;
+        let Self { name, watch, recorder, lines, .. } = self;
         let Arrival { event, dropped, now_ns } = heard;
         if let Some(lost) = watch.dropped(dropped)
             && let Some(recorder) = recorder
@@ -139,23 +153,30 @@ impl Watched {
     }
 
     fn print_news(&mut self) {
+        if let Some(recognised) = self.watch.recognised().filter(|_| !self.is_recognised) {
+            self.is_recognised = true;
+            self.lines.recognised(recognised);
+        }
         let news = self.watch.news();
         self.lines.news(&self.watch.edition().rules, news);
     }
 }
 
-fn summarize(
-    args: &WatchArgs,
-    chosen: ChosenEdition,
-    options: &LogOptions,
-    report: &Report,
-    bus: &json::Bus<'_>,
-) -> Result<(), Error> {
+/// How a bus was judged in the end.
+struct Judged {
+    /// The line about the edition.
+    line: String,
+    /// How that was recognised, where nobody named it.
+    recognised: Option<Recognised>,
+    options: LogOptions,
+}
+
+fn summarize(args: &WatchArgs, judged: &Judged, report: &Report, bus: &json::Bus<'_>) -> Result<(), Error> {
+    let Judged { line, recognised, options } = judged;
     if args.json {
-        return output::plain(&json::watched(chosen.edition(), report, bus));
+        return output::plain(&json::watched(options.judge.edition, recognised.as_ref(), report, bus));
     }
-    let edition = chosen.to_string();
-    let subject = JudgedLog { edition: Some(&edition), name: &args.interface, options, pins: &args.readings };
+    let subject = JudgedLog { edition: Some(line), name: &args.interface, options, pins: &args.readings };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),

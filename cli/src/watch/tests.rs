@@ -6,9 +6,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::bus::{Disturbance, Event, Listen, Received};
+use adsdv_can::demo::{self, DemoOptions};
+use adsdv_can::scenario::Scenario;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_oracle::log::LogOptions;
+use adsdv_spec::Edition;
 use clap::Parser as _;
 
 use super::*;
@@ -53,11 +57,82 @@ fn lines(args: &WatchArgs) -> Lines {
 }
 
 fn watched(events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
+    // With --json nothing is printed while it is watched.
+    watched_as(&["--json"], events, dropped)
+}
+
+fn watched_as(words: &[&str], events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
     let told = Arc::new(AtomicBool::new(false));
     let script = Script(events.into_iter().collect(), Arc::clone(&told), Arc::new(Mutex::new(dropped)));
-    // With --json nothing is printed while it is watched.
-    let lines = lines(&args(&["--json"]));
-    watch(script, &LogOptions::default(), None, lines, &told).expect("it watches")
+    watch(script, &LogOptions::default(), None, lines(&args(words)), &told).expect("it watches")
+}
+
+/// A mission of an edition, both sides.
+fn mission(edition: &'static Edition) -> Vec<Event> {
+    let mut events = Vec::new();
+    let (ai, options) = (Ai::new(edition, Plan::DEFAULT), DemoOptions::default());
+    demo::run(&Scenario::mission(), ai, &options, |time_ns, frame| {
+        let (kind, id) = (FrameKind::Standard, frame.id.into());
+        let (mut data, len) = ([0; 8], frame.data().len());
+        data[..len].copy_from_slice(frame.data());
+        let len = u8::try_from(len).expect("8 at most");
+        events.push(Event::Frame(Received { time_ns, kind, id, len, data }));
+        Ok::<(), std::convert::Infallible>(())
+    })
+    .expect("it drives");
+    events
+}
+
+#[test]
+fn a_bus_is_judged_by_the_edition_that_it_speaks_and_by_the_one_that_is_named() {
+    for edition in Edition::ALL {
+        let watched = watched(mission(edition), 0);
+        let recognised = watched.watch.recognised().cloned().expect("it is decided");
+        assert_eq!((recognised.edition, recognised.certain), (*edition, true), "{recognised}");
+        assert!(watched.is_recognised && watched.lines.is_read());
+        let report = watched.watch.finish().expect("frames");
+        assert_eq!(report.findings, [], "nothing is noted");
+        assert_eq!(report.transitions.len(), 4, "of the whole run");
+
+        for named in Edition::ALL {
+            let words = ["--json", "--edition", named.version];
+            let watched = watched_as(&words, mission(edition), 0);
+            assert!(watched.watch.recognised().is_none() && !watched.is_recognised);
+        }
+    }
+}
+
+#[test]
+fn a_run_that_is_short_is_judged_by_the_edition_that_it_speaks_as_well() {
+    for edition in Edition::ALL {
+        // No more than three cycles: the lengths tell the newer ones from 3.0 at least.
+        let watched = watched(mission(edition).into_iter().take(30), 0);
+        let recognised = watched.watch.recognised().expect("it is decided in the end");
+        let is_default = |edition: &Edition| edition == Edition::DEFAULT;
+        assert_eq!(is_default(recognised.edition), is_default(edition), "{recognised}");
+        assert!(watched.is_recognised);
+    }
+}
+
+#[test]
+fn a_reading_that_is_no_answer_in_the_edition_ends_the_watching() {
+    let words = ["--json", "--reading", "fault-trigger=edge"];
+    let allowed = watched_as(&words, mission(&Edition::V3_0), 0);
+    assert!(allowed.lines.finish().is_ok());
+    let refused = watched_as(&words, mission(&Edition::V4_0), 0);
+    assert!(!refused.lines.is_read());
+    let error = refused.lines.finish().expect_err("4.0 has no such answer").to_string();
+    let said = "--reading fault-trigger=edge: is no answer in edition 4.0; expected fault-trigger=level\n";
+    assert!(error.starts_with(said), "{error}");
+}
+
+#[test]
+fn the_first_line_says_how_the_edition_is_chosen() {
+    let line = |words: &[&str]| lines(&args(words)).edition();
+    assert_eq!(line(&[]), "edition as the frames tell; --edition names one");
+    for edition in Edition::ALL {
+        assert_eq!(line(&["--edition", edition.version]), format!("edition {}", edition.version));
+    }
 }
 
 #[test]
@@ -91,13 +166,14 @@ fn the_json_of_a_live_bus_keeps_to_its_schema() {
     ];
     let watch = watched(events, 12).watch;
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
+    let recognised = watch.recognised().cloned().expect("it is decided");
     let report = watch.finish().expect("frames");
-    let text = json::watched(
-        LogOptions::default().judge.edition,
-        &report,
-        &json::Bus { traffic, outages: &outages },
-    );
+    let bus = json::Bus { traffic, outages: &outages };
+    let text = json::watched(recognised.edition, Some(&recognised), &report, &bus);
     let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(told["recognised"]["certain"], false, "520h alone tells nothing");
+    let named = json::watched(recognised.edition, None, &report, &bus);
+    assert!(!named.contains("recognised"), "{named}");
     let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
     let validator = jsonschema::draft202012::new(&schema).expect("a schema");
     let errors: Vec<_> = validator.iter_errors(&told).map(|error| error.to_string()).collect();
@@ -115,6 +191,10 @@ fn the_json_of_a_live_bus_keeps_to_its_schema() {
     for key in ["state", "transition", "finding", "response"] {
         assert_eq!(schema["$defs"][key], check["$defs"][key], "{key}");
     }
+    assert_eq!(schema["properties"]["recognised"], check["properties"]["recognised"]);
+    spoiled = told.clone();
+    spoiled["recognised"]["certain"] = "yes".into();
+    assert!(!validator.is_valid(&spoiled));
 }
 
 fn without_bus(told: &serde_json::Value) -> serde_json::Value {

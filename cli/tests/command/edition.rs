@@ -116,20 +116,56 @@ fn the_schemas_ask_for_both_keys() {
     }
 }
 
+/// Those that need a bus, a browser or a program, or take their time.
+const OTHERS: &[&[&str]] = &[
+    &["ai", "none0"],
+    &["vcu", "none0"],
+    &["vcu", "none0", "--plain", "--scenario", "mission"],
+    &["watch", "none0"],
+    &["watch", "none0", "--json"],
+    &["demo", "--screen"],
+    &["explore"],
+    &["conform", "--", "none"],
+    &["verify"],
+    &["verify", "--readings"],
+];
+
+/// Every command that depends on the edition, once at least.
+fn asked_for_an_edition() -> impl Iterator<Item = &'static [&'static str]> {
+    let printing = TEXT.iter().map(|(args, _)| *args).chain(JSON.iter().map(|(args, _)| *args));
+    printing.chain(OTHERS.iter().copied())
+}
+
+#[test]
+fn no_command_that_depends_on_the_edition_is_left_out_here() {
+    let overview = run(&["--help"]).stdout;
+    let commands = overview.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let names = commands.map_while(|line| line.strip_prefix("  "));
+    let names = names.filter(|line| !line.starts_with(' ')).filter_map(|line| line.split_whitespace().next());
+    let mut depending = 0;
+    for name in names.filter(|name| *name != "help") {
+        let depends = run(&[name, "--help"]).stdout.contains("--edition <VERSION>");
+        assert_eq!(asked_for_an_edition().any(|args| args[0] == name), depends, "{name}");
+        depending += u32::from(depends);
+    }
+    assert!(depending > 10, "{overview}");
+}
+
+/// A file that is there is not lost for an edition that is not.
+#[test]
+fn a_log_is_not_touched_where_the_edition_is_unknown() {
+    let log = std::env::temp_dir().join(format!("adsdv-edition-{}.log", std::process::id()));
+    std::fs::write(&log, "of before").expect("it is written");
+    let refused = asked(&["demo", "--log", log.to_str().expect("a name")], "9.9");
+    let left = std::fs::read_to_string(&log).expect("it is there");
+    std::fs::remove_file(&log).expect("it is there");
+    assert_eq!((refused.status, left.as_str()), (Some(2), "of before"));
+}
+
 #[test]
 fn an_unknown_edition_is_refused_with_those_that_there_are() {
-    let on_a_bus: &[&[&str]] = &[
-        &["ai", "none0"],
-        &["vcu", "none0"],
-        &["watch", "none0"],
-        &["explore"],
-        &["conform", "--", "none"],
-        &["verify"],
-        &["verify", "--readings"],
-    ];
-    let all = TEXT.iter().map(|(args, _)| *args).chain(JSON.iter().map(|(args, _)| *args));
-    for args in all.chain(on_a_bus.iter().copied()) {
-        for given in ["9.9", "", "v3.0", "3.0 "] {
+    for args in asked_for_an_edition() {
+        for given in ["5.0", "9.9", "", "v3.0", "3.0 "] {
             let (command, rest) = args.split_first().expect("a command");
             let refused = run(&[&[*command, "--edition", given], rest].concat());
             assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""), "{args:?}");

@@ -65,6 +65,11 @@ impl Fact {
     pub(super) fn tells(&self) -> bool {
         self.instead.iter().any(Option::is_some) && self.instead.iter().any(Option::is_none)
     }
+
+    /// Whether it does not fit the edition at this place.
+    pub(super) fn is_against(&self, place: usize) -> bool {
+        matches!(self.instead.get(place), Some(Some(_)))
+    }
 }
 
 /// What each edition that has the message says of it instead.

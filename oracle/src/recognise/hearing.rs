@@ -6,10 +6,13 @@ use super::later::Later;
 use super::{Recognised, Recogniser};
 use crate::candump::{Direction, Dropped, FrameKind, LineError, Record};
 
-/// After this time enough has been heard: ten frames of the slowest message.
-const LONG_ENOUGH_NS: i64 = 1_000_000_000;
+/// After this time the frames may have told enough, and after each further such time: ten frames of the slowest message.
+const LOOK_NS: i64 = 1_000_000_000;
 
-/// After so many frames as well, several times what a bus carries in that time: the log's clock may stand.
+/// After this time it is decided, whatever they have told: who looks at a live bus waits for it.
+const LONGEST_NS: i64 = 10 * LOOK_NS;
+
+/// After so many frames as well, several times what tells enough: the log's clock may stand.
 const ENOUGH: usize = 10_000;
 
 /// What was heard so far.
@@ -20,7 +23,11 @@ pub(crate) struct Hearing {
     interface: Option<String>,
     /// The time of the first frame.
     began: Option<i64>,
+    /// So long after it, it is seen next whether the frames have told enough.
+    look_ns: i64,
     held: Vec<Held>,
+    /// How many of those are no passing of time.
+    count: usize,
 }
 
 /// Something that happened, kept.
@@ -68,7 +75,8 @@ impl Held {
 
 impl Hearing {
     pub(crate) fn new(default: &'static Edition, interface: Option<String>) -> Self {
-        Self { recogniser: Recogniser::new(default), interface, began: None, held: Vec::new() }
+        let recogniser = Recogniser::new(default);
+        Self { recogniser, interface, began: None, look_ns: LOOK_NS, held: Vec::new(), count: 0 }
     }
 
     /// Whether a frame was heard, of whatever kind.
@@ -76,22 +84,35 @@ impl Hearing {
         self.began.is_some()
     }
 
-    /// Something happened. Tells whether enough has been heard.
+    /// Whether enough has been heard before this time. A frame of this time is not part of it, so that silence up to then and
+    /// that frame come to the same: a live bus is judged like its recording.
+    pub(crate) fn is_enough_before(&mut self, time_ns: i64) -> bool {
+        let Some(lasted) = self.began.map(|began| time_ns.saturating_sub(began)) else { return false };
+        if lasted < self.look_ns {
+            return false;
+        }
+        self.look_ns = (lasted - lasted % LOOK_NS).saturating_add(LOOK_NS);
+        lasted >= LONGEST_NS || self.recogniser.recognise().certain
+    }
+
+    /// Something happened. Tells whether that is so much that enough has been heard.
     pub(crate) fn hear(&mut self, held: Held) -> bool {
-        let now = match &held {
-            Held::Frame(frame) => {
+        match (&held, self.held.last_mut()) {
+            // Silence is told again and again, and the last time says it all.
+            (Held::TimePasses(now), Some(Held::TimePasses(before))) => *before = (*before).max(*now),
+            (Held::TimePasses(_), _) => self.held.push(held),
+            (Held::Frame(frame), _) => {
                 self.listen(&frame.record());
-                Some(frame.time_ns)
+                self.keep(held);
             }
-            Held::TimePasses(time_ns) => Some(*time_ns),
-            _ => None,
-        };
+            _ => self.keep(held),
+        }
+        self.count >= ENOUGH
+    }
+
+    fn keep(&mut self, held: Held) {
         self.held.push(held);
-        let long = match (self.began, now) {
-            (Some(began), Some(now)) => now.saturating_sub(began) >= LONG_ENOUGH_NS,
-            _ => false,
-        };
-        long || self.held.len() >= ENOUGH
+        self.count += 1;
     }
 
     fn listen(&mut self, record: &Record<'_>) {

@@ -92,4 +92,23 @@ impl Recogniser {
     pub fn recognise(&self) -> Recognised {
         recognised::best(self.editions, self.default, &facts(&self.seen))
     }
+
+    /// The edition that fits better than the default, if there is one. Its evidence is what does not fit the default.
+    ///
+    /// ```
+    /// # use adsdv_oracle::recognise::Recogniser;
+    /// # use adsdv_spec::Edition;
+    /// let mut recogniser = Recogniser::new(&Edition::V4_0);
+    /// recogniser.frame(0, 0x511, &[0; 4]);
+    /// assert_eq!(recogniser.fits_better(), None);
+    /// let mut recogniser = Recogniser::new(&Edition::V4_0);
+    /// recogniser.frame(0, 0x511, &[0; 8]);
+    /// assert_eq!(recogniser.fits_better().map(|other| other.edition.version), Some("3.0"));
+    /// ```
+    pub fn fits_better(&self) -> Option<Recognised> {
+        let facts = facts(&self.seen);
+        let best = recognised::best(self.editions, self.default, &facts);
+        let own = self.editions.iter().position(|edition| edition.version == self.default.version)?;
+        (best.edition.version != self.default.version).then(|| best.rather_than(own, self.editions, &facts))
+    }
 }

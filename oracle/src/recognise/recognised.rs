@@ -14,6 +14,8 @@ pub struct Recognised {
     pub edition: &'static Edition,
     /// Whether it fits better than every other.
     pub certain: bool,
+    /// Those that fit as well; none where it is certain.
+    pub alike: Vec<&'static Edition>,
     /// What fits it and not every other, in words, such as `511h has 4 bytes (3.0: 8)`.
     pub evidence: Vec<String>,
     /// What does not fit it, such as `120h is absent (4.0: every 10 ms)`. It is judged by this edition all the same.
@@ -22,8 +24,18 @@ pub struct Recognised {
 
 impl Recognised {
     /// An edition that was named and not recognised.
-    pub(crate) const fn named(edition: &'static Edition) -> Self {
-        Self { edition, certain: true, evidence: Vec::new(), against: Vec::new() }
+    pub const fn named(edition: &'static Edition) -> Self {
+        Self { edition, certain: true, alike: Vec::new(), evidence: Vec::new(), against: Vec::new() }
+    }
+
+    /// The same, with what fits it and not this one of the editions for evidence.
+    pub(super) fn rather_than(self, own: usize, editions: &[&'static Edition], facts: &[Fact]) -> Self {
+        let place = editions.iter().position(|edition| edition.version == self.edition.version);
+        let tells = |fact: &&Fact| fact.weight > 0 && fact.is_against(own);
+        let evidence =
+            facts.iter().filter(tells).filter(|fact| !place.is_some_and(|place| fact.is_against(place)));
+        let evidence = evidence.map(|fact| in_words(editions, fact)).collect();
+        Self { evidence, ..self }
     }
 }
 
@@ -47,9 +59,7 @@ impl fmt::Display for Recognised {
 
 /// The edition that the fewest facts speak against.
 pub(super) fn best(editions: &[&'static Edition], default: &'static Edition, facts: &[Fact]) -> Recognised {
-    let misfits = |place: usize| {
-        facts.iter().filter(move |fact| fact.tells() && matches!(fact.instead.get(place), Some(Some(_))))
-    };
+    let misfits = |place: usize| facts.iter().filter(move |fact| fact.tells() && fact.is_against(place));
     let score = |place: usize| misfits(place).fold(0, |sum: u32, fact| sum.saturating_add(fact.weight));
     // Of those that fit as well: the default, the one that lacks the least, the newest.
     let rank = |&place: &usize| {
@@ -57,22 +67,26 @@ pub(super) fn best(editions: &[&'static Edition], default: &'static Edition, fac
         (score(place), other, misfits(place).count(), Reverse(place))
     };
     let Some(place) = (0..editions.len()).min_by_key(rank) else {
-        return Recognised { edition: default, certain: false, evidence: Vec::new(), against: Vec::new() };
+        return Recognised { certain: false, ..Recognised::named(default) };
     };
     let least = score(place);
-    let others = (0..editions.len()).filter(|&other| other != place);
-    let certain = others.map(score).all(|score| score > least);
-    let fits = |fact: &&Fact| !matches!(fact.instead.get(place), Some(Some(_)));
-    let in_words = |fact: &Fact| {
-        let said = editions.iter().zip(&fact.instead);
-        let said = said.filter_map(|(edition, instead)| Some((edition.version, instead.as_ref()?)));
-        let said: Vec<String> = said.map(|(version, instead)| format!("{version}: {instead}")).collect();
-        format!("{} ({})", fact.text, said.join(", "))
-    };
+    let others = (0..editions.len()).filter(|&other| other != place && score(other) <= least);
+    let alike: Vec<_> = others.filter_map(|other| editions.get(other).copied()).collect();
+    let fits = |fact: &&Fact| !fact.is_against(place);
+    let in_words = |fact: &Fact| in_words(editions, fact);
     Recognised {
         edition: editions.get(place).copied().unwrap_or(default),
-        certain,
+        certain: alike.is_empty(),
+        alike,
         evidence: facts.iter().filter(fits).filter(|fact| fact.weight > 0).map(in_words).collect(),
         against: facts.iter().filter(|fact| !fits(fact)).map(in_words).collect(),
     }
+}
+
+/// A fact, and what each edition that it does not fit says instead.
+fn in_words(editions: &[&Edition], fact: &Fact) -> String {
+    let said = editions.iter().zip(&fact.instead);
+    let said = said.filter_map(|(edition, instead)| Some((edition.version, instead.as_ref()?)));
+    let said: Vec<String> = said.map(|(version, instead)| format!("{version}: {instead}")).collect();
+    format!("{} ({})", fact.text, said.join(", "))
 }

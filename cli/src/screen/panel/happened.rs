@@ -3,11 +3,13 @@
 use adsdv_can::bus::Disturbance;
 use adsdv_can::socket::RECEIVE_BUFFER;
 use adsdv_can::status::{Happening, HappeningKind, Status};
-use adsdv_spec::messages::AsState;
+use adsdv_oracle::recognise::Recognised;
+use adsdv_spec::messages::{AsState, Node};
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::layout::{Seconds, counted, wrapped};
+use crate::report::first;
 use crate::screen::theme::{QUIET, STRONG, Theme};
 
 /// The column of the times.
@@ -81,6 +83,7 @@ pub(crate) fn words(what: &HappeningKind) -> String {
         HappeningKind::Did(action) => format!("operator: {action}"),
         HappeningKind::Refused(why) => format!("frame refused: {why}"),
         HappeningKind::OtherVcu(what) | HappeningKind::OtherAi(what) => what.clone(),
+        HappeningKind::OtherEdition { node, spoken, own } => other_edition(*node, spoken, own),
         HappeningKind::ErrorFrame(what) => format!("error frame: {what}"),
         HappeningKind::Disturbance(Disturbance::Full) => {
             format!("{}; a longer queue: ip link set IFACE txqueuelen 1000", Disturbance::Full)
@@ -101,6 +104,15 @@ pub(crate) fn words(what: &HappeningKind) -> String {
     }
 }
 
+/// The partner speaks another edition, by what, and what to do.
+fn other_edition(node: Node, spoken: &Recognised, own: &str) -> String {
+    let who = if node == Node::Vcu { "the VCU" } else { "the AI Computer" };
+    let fitting = std::iter::once(&spoken.edition).chain(&spoken.alike);
+    let versions: Vec<&str> = fitting.map(|edition| edition.version).collect();
+    let (versions, by) = (versions.join(" or "), first(&spoken.evidence));
+    format!("{who} speaks edition {versions}, and not {own}: {by}; --edition {versions} speaks it as well")
+}
+
 fn style(what: &HappeningKind, theme: Theme) -> Style {
     match what {
         HappeningKind::State { to: Some(AsState::EmergencyBrake), .. } | HappeningKind::Disturbance(_) => {
@@ -112,6 +124,7 @@ fn style(what: &HappeningKind, theme: Theme) -> Style {
         HappeningKind::Refused(_)
         | HappeningKind::OtherVcu(_)
         | HappeningKind::OtherAi(_)
+        | HappeningKind::OtherEdition { .. }
         | HappeningKind::ErrorFrame(_)
         | HappeningKind::Dropped { .. }
         | HappeningKind::Late(_)
@@ -125,6 +138,9 @@ fn to_u64(count: usize) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use adsdv_oracle::recognise::Recogniser;
+    use adsdv_spec::Edition;
+
     use super::*;
 
     fn status(happened: impl IntoIterator<Item = HappeningKind>) -> Status {
@@ -158,6 +174,17 @@ mod tests {
         assert_eq!(text.join(" "), format!("frame refused: {why}"));
     }
 
+    /// A VCU of 4.0, as one of 3.0 notices it.
+    fn other(ids: &[u32], node: Node) -> HappeningKind {
+        const EDITIONS: &[&Edition] = &[&Edition::V3_0, &Edition::V4_0];
+        let mut recogniser = Recogniser::among(EDITIONS, &Edition::V3_0);
+        for &id in ids {
+            assert!(recogniser.frame(0, id, &[0; 6]));
+        }
+        let spoken = recogniser.fits_better().expect("another length");
+        HappeningKind::OtherEdition { node, spoken, own: Edition::V3_0.version }
+    }
+
     #[test]
     fn each_happening_has_its_words() {
         let state =
@@ -169,6 +196,18 @@ mod tests {
             (state(ready, None, "", ""), "AS_READY -> no power"),
             (HappeningKind::Did("asms on".to_owned()), "operator: asms on"),
             (HappeningKind::OtherVcu("somebody else sends 520h".to_owned()), "somebody else sends 520h"),
+            (
+                other(&[0x521, 0x522, 0x523], Node::Vcu),
+                "the VCU speaks edition 4.0, and not 3.0: 521h has 6 bytes (3.0: 8); 522h has 6 bytes (3.0: 8); 1 more such; --edition 4.0 speaks it as well",
+            ),
+            (
+                HappeningKind::OtherEdition {
+                    node: Node::Ai,
+                    spoken: Recognised { alike: vec![&Edition::V3_0], ..Recognised::named(&Edition::V4_0) },
+                    own: "2.0",
+                },
+                "the AI Computer speaks edition 4.0 or 3.0, and not 2.0: ; --edition 4.0 or 3.0 speaks it as well",
+            ),
             (HappeningKind::ErrorFrame("bus-off".to_owned()), "error frame: bus-off"),
             (HappeningKind::Disturbance(Disturbance::Down), "the interface is down"),
             (
