@@ -128,8 +128,6 @@ rules! {
     Edition = "edition";
     /// 502h shows another AS state than 520h.
     AssiDiffers = "assi-differs";
-    /// 120h shows other warnings than 520h fault flags.
-    WarningDiffers = "warning-differs";
     /// A line of the log could not be read.
     BrokenLine = "broken-line";
     /// The log's time went backwards.

@@ -53,11 +53,10 @@ mod steer;
 mod transitions;
 mod values;
 mod variants;
-mod warned;
 
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MessageDef, Node, Vcu2AiBrake,
-    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogStatus, VcuStatus,
+    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogStatus,
 };
 use adsdv_spec::{AsState, Atoms, Edition, Knowledge, Reading};
 
@@ -81,7 +80,6 @@ const MS: i64 = 1_000_000;
 const SILENCE_NS: i64 = 500 * MS;
 
 const STATUS: usize = slot_of(Vcu2AiStatus::ID);
-const VCU_STATUS: usize = slot_of(VcuStatus::ID);
 const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
 const STEER: usize = slot_of(Vcu2AiSteer::ID);
 const BRAKE: usize = slot_of(Vcu2AiBrake::ID);
@@ -212,8 +210,6 @@ impl Judge {
             self.answer_repeated(t);
         } else if index == LOG_STATUS {
             self.assi_repeated(t);
-        } else if index == VCU_STATUS {
-            self.warnings_repeated(t);
         }
         self.ends_silence(index, t);
     }

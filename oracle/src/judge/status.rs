@@ -29,7 +29,6 @@ pub(super) struct VcuSide {
     /// The last change of state.
     pub(super) left: Option<Left>,
     pub(super) assi: Option<super::flags::AssiSuspect>,
-    pub(super) warned: Option<super::warned::Warned>,
 }
 
 impl VcuSide {

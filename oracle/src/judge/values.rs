@@ -161,10 +161,7 @@ impl Judge {
             Some(Vcu2LogDynamics1::ID) => drop(self.read::<Vcu2LogDynamics1>(index, t, word)),
             Some(Vcu2AiDriveF::ID) => drop(self.read::<Vcu2AiDriveF>(index, t, word)),
             Some(Vcu2AiDriveR::ID) => drop(self.read::<Vcu2AiDriveR>(index, t, word)),
-            Some(VcuStatus::ID) => {
-                let Lenient { message, .. } = self.read::<VcuStatus>(index, t, word);
-                self.warnings_seen(t, &message);
-            }
+            Some(VcuStatus::ID) => drop(self.read::<VcuStatus>(index, t, word)),
             // All of their bits are allowed.
             _ => {}
         }

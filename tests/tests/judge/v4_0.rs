@@ -1,9 +1,9 @@
 //! What version 4.0 adds: missed messages, torque and brakes at once, the EBS in 524h, and ranges and identifiers of its own.
 
-use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity, Verdict};
+use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest,
-    BrakePressure, EbsState, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiSteer, VcuStatus,
+    BrakePressure, EbsState, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiSteer,
 };
 use adsdv_spec::{Choice, Choices, Edition, Fault, Machine};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
@@ -369,61 +369,4 @@ fn reserved_identifiers_are_those_of_the_edition() {
     {
         assert_eq!((reserved(id, &Edition::V3_0), reserved(id, EDITION)), (before, now), "{id:03X}h");
     }
-}
-
-/// What is said of the warnings of 120h, and when.
-fn warnings(report: &Report) -> Vec<(i64, &str)> {
-    let notes = report.findings.iter().filter(|finding| finding.rule == Rule::WarningDiffers);
-    notes
-        .map(|note| {
-            assert_eq!((note.severity, note.party, note.section), (Severity::Note, Party::Vcu, "2.2"));
-            (note.t_ns, note.message.as_str())
-        })
-        .collect()
-}
-
-/// Whether it is one that nobody needs, or one that is missing; a note, as no version says that they are the same.
-#[test]
-fn a_warning_that_differs_from_its_flag_for_long_is_noted_once() {
-    let status = EDITION.bus.message(VcuStatus::ID).expect("4.0 has it");
-    for (signal, flag) in [
-        ("WARN_BRAKE_PLAUSIBILITY", "BRAKE_PLAUSIBILITY_FAULT"),
-        ("WARN_AI_ESTOP_REQ", "AI_ESTOP_REQUEST"),
-        ("WARN_AI_COMMS_LOST", "AI_COMMS_LOST"),
-        ("WARN_AUTO_BRAKING", "AUTONOMOUS_BRAKING_FAULT"),
-        ("WARN_MISSION_STATUS", "MISSION_STATUS_FAULT"),
-    ] {
-        let mut world = world(&[]);
-        world.driving();
-        let since = world.t;
-        world.wait(60);
-        let short = world.t;
-        world.wait(440);
-        world.falsify(status, signal, since, 1);
-        for (how, log) in recordings(&world) {
-            let report = judge(&log, options(&[]));
-            let [(when, said)] = warnings(&report)[..] else { panic!("{how}: {:#?}", report.findings) };
-            let expected = format!(
-                "120h shows a warning of {flag}, which is not set in 520h; expected the same of both"
-            );
-            assert_eq!(said, expected);
-            assert!(
-                report.verdict() == Verdict::Conforms && (50..90).contains(&((when - since) / MS)),
-                "{when}"
-            );
-        }
-        // As long as a few cycles, it is the frames that differ in time.
-        world.falsify(status, signal, short, 0);
-        assert_eq!(warnings(&judge(&world.log, options(&[]))), []);
-    }
-
-    let mut world = world(&[]);
-    world.driving();
-    world.mutes.push(Ai2VcuStatus::ID);
-    world.wait(400);
-    assert_eq!(warnings(&judge(&world.log, options(&[]))), [], "the VCU warns");
-    world.falsify(status, "WARN_AI_COMMS_LOST", 0, 0);
-    let report = judge(&world.log, options(&[]));
-    let said = "120h shows no warning of AI_COMMS_LOST, which is set in 520h; expected the same of both";
-    assert_eq!(warnings(&report).iter().map(|(_, said)| *said).collect::<Vec<_>>(), [said]);
 }
