@@ -189,8 +189,8 @@ fn a_message_of_a_device_that_changes_is_new_and_gone() {
     let json = |from: &[DeviceMessage], to: &[DeviceMessage]| {
         let json = serde_json::to_value(Difference::between(&with(from), &with(to))).expect("JSON");
         let ids = |side: &str| {
-            let list = json["devices"][side].as_array().cloned().unwrap_or_default();
-            list.iter().map(|message| message["id"].as_u64()).collect::<Vec<_>>()
+            let messages = json["devices"][side].as_array().cloned().unwrap_or_default();
+            messages.iter().map(|message| message["id"].as_u64()).collect::<Vec<_>>()
         };
         (json["differs"].clone(), ids("new"), ids("gone"))
     };
