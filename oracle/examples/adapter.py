@@ -13,10 +13,18 @@ import adsdv
 
 
 class VcuUnderTest:
-    """What is to be judged: here, the reference VCU. Replace both methods by calls of your own."""
+    """What is to be judged: here, the reference VCU. Replace the methods by calls of your own."""
 
     def __init__(self, readings):
-        self.vcu = adsdv.Vcu(readings)
+        self.readings = readings
+        # What all is about until a hello says otherwise.
+        self.vcu = adsdv.Vcu(readings, edition="3.0")
+
+    def hello(self, edition):
+        """All that follows is about this edition. Tells which one it will be; a program of one edition tells that."""
+        if edition in adsdv.editions():
+            self.vcu = adsdv.Vcu(self.readings, edition)
+        return self.vcu.machine.edition
 
     def reset(self):
         """Begins anew, as after a power cycle."""
@@ -30,12 +38,14 @@ class VcuUnderTest:
 def answer(vcu, request):
     """The answer to one request, as a dict."""
     operation = request.pop("op", None)
+    if operation == "hello":
+        return {"edition": vcu.hello(request.get("edition"))}
     if operation == "reset":
         vcu.reset()
         return {}
     if operation == "step":
         return vcu.step(request.pop("dt_ms", None), request)
-    raise ValueError(f'"op" is {operation!r}; expected "reset" or "step"')
+    raise ValueError(f'"op" is {operation!r}; expected "hello", "reset" or "step"')
 
 
 def main():
