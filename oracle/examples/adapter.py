@@ -16,22 +16,23 @@ class VcuUnderTest:
     """What is to be judged: here, the reference VCU. Replace the methods by calls of your own."""
 
     def __init__(self, readings):
-        self.readings = readings
-        # What all is about until a hello says otherwise.
-        self.vcu = adsdv.Vcu(readings, edition="3.0")
+        # All is about 3.0 until a hello says otherwise.
+        self.readings, self.edition, self.vcu = readings, "3.0", None
 
     def hello(self, edition):
-        """All that follows is about this edition. Tells which one it will be; a program of one edition tells that."""
+        """All that follows is about this edition. Tells which one this VCU is of: if it has only one, always that."""
         if edition in adsdv.editions():
-            self.vcu = adsdv.Vcu(self.readings, edition)
-        return self.vcu.machine.edition
+            self.edition = edition
+        return self.edition
 
     def reset(self):
         """Begins anew, as after a power cycle."""
-        self.vcu.reset()
+        self.vcu = adsdv.Vcu(self.readings, self.edition)
 
     def step(self, dt_ms, inputs):
         """Steps once. `inputs` has what is not at its default; the answer has as many outputs as there are."""
+        if self.vcu is None:
+            self.reset()
         return self.vcu.step(inputs, dt_ms).outputs
 
 

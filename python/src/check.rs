@@ -31,7 +31,7 @@ const LONGEST: u32 = 60_000;
 /// >>> import adsdv
 /// >>> adsdv.check(["(1.000000) can0 520#0000010000000000"]).verdict
 /// 'conforms'
-/// >>> adsdv.check(["(1.0) can0 511#00000000", "(1.01) can0 520#0000010000000000"]).edition
+/// >>> adsdv.check(["(1.00) can0 120#0010000000000000", "(1.01) can0 520#0000010000000000"]).edition
 /// '4.0'
 /// >>> adsdv.check(b"")
 /// Traceback (most recent call last):

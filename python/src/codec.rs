@@ -38,8 +38,8 @@ pub(crate) fn error(error: &DecodeError) -> PyErr {
 /// Traceback (most recent call last):
 ///     ...
 /// adsdv.CodecError: AI2VCU_Steer (513h): STEER_REQUEST_deg is 24.1 deg (raw 241), allowed: -24 to 24 deg (raw -240 to 240)
-/// >>> adsdv.decode(0x120, bytes(8), edition="4.0")["name"]
-/// 'VCU_STATUS'
+/// >>> adsdv.decode(0x511, bytes(4), edition="4.0")["signals"]
+/// {'FRONT_AXLE_TRQ_REQUEST': 0.0, 'FRONT_MOTOR_SPEED_MAX': 0}
 #[pyfunction]
 #[pyo3(signature = (id, data, edition=None))]
 fn decode<'py>(

@@ -33,7 +33,8 @@ const RECOGNISED: &str = "recognised";
 /// It can be compared and pickled. Times are in seconds since the first frame.
 ///
 /// >>> import adsdv
-/// >>> report = adsdv.check(["(1.000000) can0 520#0000040000000000", "(1.010000) can0 520#0000030000000000"])
+/// >>> log = ["(1.000000) can0 520#0000040000000000", "(1.010000) can0 520#0000030000000000"]
+/// >>> report = adsdv.check(log, edition="3.0")
 /// >>> report
 /// <adsdv.Report: violates, 1 violation, 0 warnings, 1 note>
 /// >>> report.violations[0]["rule"], report.violations[0]["party"]

@@ -126,7 +126,7 @@ def test_arguments_may_meddle():
 def test_reports_may_lie_about_their_length():
     whole = adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict()
     report = adsdv.Report({**whole, "findings": Endless(whole["findings"])})
-    assert report.violations == [] and "1 note" in repr(report)
+    assert report.violations == [] and "2 notes" in repr(report)
 
 
 def test_things_that_cannot_be_printed_are_named():
