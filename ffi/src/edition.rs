@@ -123,9 +123,9 @@ const fn ranges_alike(one: Option<&SignalDef>, other: Option<&SignalDef>) -> boo
 
 /// How many editions of the interface there are.
 #[unsafe(no_mangle)]
-pub extern "C" fn adsdv_edition_count() -> adsdv_edition {
+pub extern "C" fn adsdv_edition_count() -> u32 {
     // There are a few.
-    adsdv_edition::try_from(COUNT).unwrap_or(adsdv_edition::MAX)
+    u32::try_from(COUNT).unwrap_or(u32::MAX)
 }
 
 /// The version of an edition, such as "4.0"; NULL if there is no edition with that number. The text is the library's, and
