@@ -2,7 +2,7 @@
  *
  *     cargo build --release -p adsdv-ffi
  *     cc -O2 -Iffi/include oracle/examples/adapter.c target/release/libadsdv.a -lpthread -ldl -lm -o adapter
- *     adsdv conform -- ./adapter
+ *     adsdv conform [--edition 4.0] -- ./adapter
  *
  * Put your own VCU in place of adsdv_step. oracle/PROTOCOL.md says what the lines mean.
  */

@@ -2,7 +2,7 @@
 //
 //     cargo build --release -p adsdv-ffi
 //     c++ -std=c++17 -O2 -Iffi/include oracle/examples/adapter.cpp target/release/libadsdv.a -lpthread -ldl -lm -o adapter
-//     adsdv conform -- ./adapter
+//     adsdv conform [--edition 4.0] -- ./adapter
 // Put your own VCU in place of Vcu::step. oracle/PROTOCOL.md says what the lines mean.
 #include <cstdlib>
 #include <iostream>

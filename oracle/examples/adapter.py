@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A program under test for `adsdv conform`: the protocol of PROTOCOL.md, around the specification itself.
 
-    adsdv conform -- python3 oracle/examples/adapter.py [READING=CHOICE ...]
+    adsdv conform [--edition 4.0] -- python3 oracle/examples/adapter.py [READING=CHOICE ...]
 
 It needs the module adsdv (folder python/ of this project). For a VCU of your own, write a class like `VcuUnderTest`.
 """
