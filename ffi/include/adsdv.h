@@ -489,7 +489,7 @@ typedef struct adsdv_reading {
 // A signal, and what a frame says of it.
 typedef struct adsdv_signal {
     // Its name, such as "STEER_ANGLE_deg".
-    char name[32];
+    char name[48];
     // Its unit, such as "deg"; "" where there is none.
     char unit[8];
     // The value in words: by its name, or as a number with its unit, such as "AS_READY" or "-4.9 deg".
@@ -573,7 +573,7 @@ const char *adsdv_version(void);
 const char *adsdv_document_version(void);
 
 // How many editions of the interface there are.
-adsdv_edition adsdv_edition_count(void);
+uint32_t adsdv_edition_count(void);
 
 // The version of an edition, such as "4.0"; NULL if there is no edition with that number. The text is the library's, and
 // stays.

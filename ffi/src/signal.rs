@@ -15,6 +15,13 @@ use crate::text::{array, short};
 pub const ADSDV_MESSAGES: usize = 15;
 /// Room for the signals of any message of any edition.
 pub const ADSDV_MOST_SIGNALS: usize = 32;
+/// Room for the name of a signal and its NUL: that of its field.
+const SIGNAL_NAME: usize = {
+    const fn room<const N: usize>(_: fn(&adsdv_signal) -> &[c_char; N]) -> usize {
+        N
+    }
+    room(|signal| &signal.name)
+};
 /// How many choices the default edition leaves, of all readings together; adsdv_reading_count has those of others.
 pub const ADSDV_CHOICES: usize = 26;
 
@@ -26,7 +33,13 @@ const _: () = {
         let messages = Edition::ALL[number].bus.messages;
         let mut i = 0;
         while i < messages.len() {
-            assert!(messages[i].signals.len() <= ADSDV_MOST_SIGNALS, "a place for each signal");
+            let signals = messages[i].signals;
+            assert!(signals.len() <= ADSDV_MOST_SIGNALS, "a place for each signal");
+            let mut signal = 0;
+            while signal < signals.len() {
+                assert!(signals[signal].name.len() < SIGNAL_NAME, "room for each name and its NUL");
+                signal += 1;
+            }
             i += 1;
         }
         number += 1;
@@ -56,7 +69,7 @@ pub struct adsdv_message {
 #[derive(Clone, Copy, Debug)]
 pub struct adsdv_signal {
     /// Its name, such as "STEER_ANGLE_deg".
-    pub name: [c_char; 32],
+    pub name: [c_char; 48],
     /// Its unit, such as "deg"; "" where there is none.
     pub unit: [c_char; 8],
     /// The value in words: by its name, or as a number with its unit, such as "AS_READY" or "-4.9 deg".
