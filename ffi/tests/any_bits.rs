@@ -97,7 +97,6 @@ fn any_frame_is_taken_or_an_error() {
 /// Each function with NULL for each of its pointers in turn, and for all.
 #[test]
 fn null_is_an_error_for_each_pointer() {
-    let mut random = Random(9);
     let (mut machine, mut control, mut inputs): (adsdv_machine, adsdv_control, adsdv_inputs) =
         (zero(), zero(), zero());
     let (mut outputs, mut frame, mut signal) =
@@ -199,10 +198,16 @@ fn null_is_an_error_for_each_pointer() {
         assert_eq!(text(&error.text), "inputs is not aligned; expected a pointer to its type");
         assert_eq!(adsdv_inputs_init(odd, (&raw mut error).wrapping_byte_add(1)), ADSDV_BAD_POINTER);
     }
+}
+
+#[test]
+fn any_number_has_a_name_or_none() {
+    let mut random = Random(9);
     for _ in 0..100 {
         let (enumeration, value) = (random.bits(), random.bits());
         let (enumeration, value) = ((enumeration >> 32) as u32, (value >> 32) as i32);
         assert!(adsdv_value_name(enumeration, value).is_null());
+        assert!(adsdv_value_name_in(value.cast_unsigned(), enumeration, value).is_null());
         adsdv_is_reserved(enumeration);
     }
 }

@@ -302,7 +302,7 @@ enum Expected {
     Nothing,
     /// The edition: to a hello.
     Edition(&'static str),
-    Shown(Shown),
+    Shown(Box<Shown>),
 }
 
 /// Requests, and what the specification shows, in an edition that is greeted.
@@ -321,7 +321,7 @@ fn script(edition: &'static Edition, seed: u64, steps: u32) -> Vec<(String, Expe
         }
         let (dt_ms, inputs) = run.next(&control);
         let (next, outputs) = vcu.step(&control, &inputs, dt_ms);
-        let shown = Expected::Shown(Shown::of(edition, &outputs, &inputs));
+        let shown = Expected::Shown(Box::new(Shown::of(edition, &outputs, &inputs)));
         script.push((protocol.line(&Request::Step { dt_ms, inputs }).to_string(), shown));
         control = next;
     }
@@ -334,7 +334,7 @@ fn suite(edition: &'static Edition) -> impl Iterator<Item = (String, Expected)> 
     adsdv_oracle::suite::generate(edition).into_iter().flat_map(move |test| {
         let steps = test.scenario.steps.iter().zip(test.scenario.shown(&vcu));
         let steps = steps.map(|(&Step { dt_ms, inputs }, shown)| {
-            (protocol.line(&Request::Step { dt_ms, inputs }).to_string(), Expected::Shown(shown))
+            (protocol.line(&Request::Step { dt_ms, inputs }).to_string(), Expected::Shown(Box::new(shown)))
         });
         let reset = (Request::Reset.to_string(), Expected::Nothing);
         std::iter::once(reset).chain(steps).collect::<Vec<_>>()
