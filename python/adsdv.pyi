@@ -26,6 +26,11 @@ _Ami = Literal[
     "STATIC_INSPECTION_A",
     "STATIC_INSPECTION_B",
     "AUTONOMOUS_DEMO",
+    "NOT SELECTED",
+    "TRACK DRIVE",
+    "STATIC INSPECTION A",
+    "STATIC INSPECTION B",
+    "AUTONOMOUS DEMO",
 ]
 _AsState = Literal["AS_OFF", "AS_READY", "AS_DRIVING", "EMERGENCY_BRAKE", "AS_FINISHED"]
 _Direction = Literal["NEUTRAL", "FORWARD"]
@@ -43,6 +48,18 @@ _ShutdownCause = Literal[
     "MISSION STATUS FAULT",
     "CHARGE PROCEDURE FAULT",
     "BMS FAULT",
+    "NO_SHUTDOWN",
+    "AI_COMPUTER_REQUEST",
+    "HVIL_OPEN_FAULT",
+    "HVIL_SHORT_FAULT",
+    "EBS_FAULT",
+    "OFFBOARD_CHARGER_FAULT",
+    "AI_COMMS_FAULT",
+    "AUTONOMOUS_BRAKING_FAULT",
+    "MISSION_STATUS_FAULT",
+    "CHARGE_PROCEDURE_FAULT",
+    "BMS_FAULT",
+    "BRAKE_PLAUSIBILITY_FAULT",
 ]
 
 _Log = str | os.PathLike[str] | bytes | bytearray | memoryview | Iterable[str] | Iterable[bytes]
@@ -80,13 +97,18 @@ class _Inputs(TypedDict, total=False):
     steer_request: int
     hyd_press_f_req: int
     hyd_press_r_req: int
+    status_silence_ms: int
+    drive_f_silence_ms: int
+    drive_r_silence_ms: int
+    steer_silence_ms: int
+    brake_silence_ms: int
     steer_angle: int
     fl_wheel_speed: int
     fr_wheel_speed: int
     rl_wheel_speed: int
     rr_wheel_speed: int
 
-class _Outputs(TypedDict):
+class _OutputsOfAll(TypedDict):
     as_state: _AsState
     handshake: bool
     go_signal: bool
@@ -119,6 +141,9 @@ class _Outputs(TypedDict):
     hyd_press_r: int
     ebs_triggered: bool
     steer: int | None
+
+class _Outputs(_OutputsOfAll, total=False):
+    brake_plausibility_fault: bool
 
 class _Control(TypedDict):
     state: _AsState
@@ -178,13 +203,23 @@ class _Response(TypedDict):
     p99: float
     max: float
 
-class _Report(TypedDict):
+class _Recognised(TypedDict):
+    certain: bool
+    evidence: list[str]
+    against: list[str]
+
+class _ReportOfAll(TypedDict):
+    schema: int
+    edition: str
     frames: int
     duration_s: float
     transitions: list[_Transition]
     findings: list[_Finding]
     handshake_response_ms: _Response | None
     verdict: Literal["conforms", "violates"]
+
+class _Report(_ReportOfAll, total=False):
+    recognised: _Recognised
 
 class _InputField(TypedDict):
     key: str
@@ -258,7 +293,9 @@ class Control:
 
 @final
 class Machine:
-    def __new__(cls, readings: _Readings | None = None) -> Machine: ...
+    def __new__(cls, readings: _Readings | None = None, edition: str | None = None) -> Machine: ...
+    @property
+    def edition(self) -> str: ...
     @property
     def readings(self) -> dict[str, str]: ...
     def step(
@@ -274,7 +311,7 @@ class Machine:
 @final
 class Vcu:
     control: Control
-    def __new__(cls, readings: _Readings | None = None) -> Vcu: ...
+    def __new__(cls, readings: _Readings | None = None, edition: str | None = None) -> Vcu: ...
     @property
     def state(self) -> _AsState: ...
     @property
@@ -313,7 +350,10 @@ class Judge:
         readings: _Readings | None = None,
         window_ms: int | None = None,
         deadline_ms: int | None = None,
+        edition: str | None = None,
     ) -> Judge: ...
+    @property
+    def edition(self) -> str: ...
     @property
     def state(self) -> _AsState | None: ...
     @property
@@ -325,6 +365,10 @@ class Judge:
 @final
 class Report:
     def __new__(cls, report: Mapping[str, Any], /) -> Report: ...
+    @property
+    def edition(self) -> str: ...
+    @property
+    def recognised(self) -> _Recognised | None: ...
     @property
     def verdict(self) -> Literal["conforms", "violates"]: ...
     @property
@@ -349,12 +393,16 @@ def check(
     window_ms: int | None = None,
     deadline_ms: int | None = None,
     interface: str | None = None,
+    edition: str | None = None,
 ) -> Report: ...
-def decode(id: int, data: _Data) -> _Message: ...
-def encode(message: str | int, /, **signals: float | str) -> tuple[int, bytes]: ...
+def editions() -> list[str]: ...
+def decode(id: int, data: _Data, edition: str | None = None) -> _Message: ...
+def encode(
+    message: str | int, /, *, edition: str | None = None, **signals: float | str
+) -> tuple[int, bytes]: ...
 def frames(step: Step) -> list[tuple[int, bytes]]: ...
-def is_reserved(id: int) -> bool: ...
-def inputs() -> list[_InputField]: ...
-def outputs() -> list[_OutputField]: ...
-def messages() -> list[_Signal]: ...
-def readings() -> list[_Reading]: ...
+def is_reserved(id: int, edition: str | None = None) -> bool: ...
+def inputs(edition: str | None = None) -> list[_InputField]: ...
+def outputs(edition: str | None = None) -> list[_OutputField]: ...
+def messages(edition: str | None = None) -> list[_Signal]: ...
+def readings(edition: str | None = None) -> list[_Reading]: ...

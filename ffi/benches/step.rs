@@ -97,7 +97,7 @@ impl InC {
     fn new(state: AsState, readings: Option<&std::ffi::CStr>) -> Self {
         let InRust { control, inputs } = InRust::new(state);
         let machine = readings.map(|readings| {
-            let mut machine = adsdv_machine { readings: 0 };
+            let mut machine = adsdv_machine { edition: 0, readings: 0 };
             // SAFETY: the pointers are to what they are said to be.
             let status =
                 unsafe { adsdv::adsdv_machine_init(&raw mut machine, readings.as_ptr(), null_mut()) };

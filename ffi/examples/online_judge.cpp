@@ -1,4 +1,5 @@
-// Judges a log of `candump -L`, or a live bus (candump -L can0 | online_judge), as the frames come.
+// Judges a log of `candump -L`, or a live bus (candump -L can0 | online_judge), as the frames come: by the edition of the
+// interface that the argument says, such as 4.0, or by the default.
 #include <cstdint>
 #include <cstdlib>
 #include <iomanip>
@@ -15,7 +16,11 @@
 /// A judge that frees itself, and whose errors are exceptions.
 class Judge {
 public:
-    Judge() : judge_(adsdv_judge_new(nullptr, &error_), &adsdv_judge_free) {
+    explicit Judge(const char *version) : judge_(nullptr, &adsdv_judge_free) {
+        adsdv_judge_options options;
+        check(adsdv_judge_options_init(&options, &error_));
+        if (version) check(adsdv_edition_find(version, &options.edition, &error_));
+        judge_.reset(adsdv_judge_new(&options, &error_));
         if (!judge_) throw std::runtime_error(error_.text);
     }
 
@@ -78,8 +83,8 @@ void print_news(Judge &judge) {
     }
 }
 
-int main() try {
-    Judge judge;
+int main(int count, char **arguments) try {
+    Judge judge(count > 1 ? arguments[1] : nullptr);
     std::optional<std::int64_t> origin;
     for (std::string line; std::getline(std::cin, line);) {
         const auto frame = read(line);

@@ -1,6 +1,9 @@
-/* The executable specification of the ADS-DV AI/VCU interface (ADS-DV Software Interface Specification 3.0) as a C
- * library. Made by cbindgen from the sources of adsdv-ffi; do not edit.
+/* The executable specification of the ADS-DV AI/VCU interface (ADS-DV Software Interface Specification) as a C library.
+ * Made by cbindgen from the sources of adsdv-ffi; do not edit.
  *
+ * - Editions: adsdv_edition_find has the edition of a version such as "4.0". Where the name of a function ends in `_in`, it
+ *   is about the edition that it is given; the function without that is about the default, 3.0. A VCU is of the edition of
+ *   its adsdv_machine, and a judge of that of its options.
  * - Memory: the caller owns every struct, and hands over pointers to them. Nothing is allocated but by adsdv_judge_new
  *   and the judge that it makes, which adsdv_judge_free frees. A pointer must be NULL or point to as much as its type
  *   and comment say; texts end with a NUL.
@@ -21,17 +24,20 @@
 // The size of the text of an error, with the NUL at its end.
 #define ADSDV_ERROR_TEXT 508
 
-// How many frames the VCU sends after a step.
+// How many frames the VCU of the default edition sends after a step.
 #define ADSDV_VCU_FRAMES 9
 
-// How many messages the interface has.
+// Room for the frames that the VCU of any edition sends after a step.
+#define ADSDV_MOST_VCU_FRAMES 16
+
+// How many messages the default edition has; adsdv_message_count has those of others.
 #define ADSDV_MESSAGES 15
 
-// The most signals that a message has.
-#define ADSDV_MOST_SIGNALS 23
+// Room for the signals of any message of any edition.
+#define ADSDV_MOST_SIGNALS 32
 
-// How many choices there are, of all readings together.
-#define ADSDV_CHOICES 30
+// How many choices the default edition leaves, of all readings together; adsdv_reading_count has those of others.
+#define ADSDV_CHOICES 26
 
 // What a function answers. 0 is success; a function that fails changes nothing but the error, unless its comment says so.
 typedef enum adsdv_status {
@@ -41,9 +47,9 @@ typedef enum adsdv_status {
     ADSDV_BAD_POINTER = 1,
     // A field of a struct, a signal or an argument has a value that it cannot have.
     ADSDV_BAD_VALUE = 2,
-    // There is nothing of that name: no reading, choice, signal or value.
+    // There is nothing of that name in the edition: no reading, choice, signal or value.
     ADSDV_UNKNOWN_NAME = 3,
-    // No message of the interface has that identifier.
+    // No message of the edition has that identifier.
     ADSDV_UNKNOWN_ID = 4,
     // A frame has fewer bytes than the signal or the message needs.
     ADSDV_TOO_SHORT = 5,
@@ -53,6 +59,8 @@ typedef enum adsdv_status {
     ADSDV_FINISHED = 7,
     // A mistake in this library. The object concerned can only be freed.
     ADSDV_INTERNAL = 8,
+    // There is no edition of the interface with that version or number.
+    ADSDV_UNKNOWN_EDITION = 9,
 } adsdv_status;
 
 // State of the Autonomous System (AS_STATE of 520h).
@@ -157,7 +165,7 @@ typedef enum adsdv_shutdown_cause {
     ADSDV_CAUSE_BRAKE_PLAUSIBILITY_FAULT = 11,
 } adsdv_shutdown_cause;
 
-// The enumerations of the interface.
+// The enumerations of the interface. Their numbers say the same in all editions; their names need not.
 typedef enum adsdv_enumeration {
     // See adsdv_as_state.
     ADSDV_AS_STATE = 0,
@@ -188,6 +196,10 @@ typedef enum adsdv_severity {
 // A judge of one bus. It is made by adsdv_judge_new and freed by adsdv_judge_free.
 typedef struct adsdv_judge adsdv_judge;
 
+// An edition of the interface by its number, which counts from 0, the oldest first. adsdv_edition_find has it. A number is
+// this library's; what is to be kept for another is the version.
+typedef uint32_t adsdv_edition;
+
 // What went wrong, in words. A function writes it when it fails, and leaves it alone otherwise. Wherever a function
 // takes one, NULL may be given instead.
 typedef struct adsdv_error {
@@ -197,10 +209,12 @@ typedef struct adsdv_error {
     char text[ADSDV_ERROR_TEXT];
 } adsdv_error;
 
-// A VCU: the interface with an answer to every question that the document leaves open. It is four bytes that can be
+// A VCU: an edition of the interface with an answer to every question that it leaves open. It is eight bytes that can be
 // copied, compared and kept.
 typedef struct adsdv_machine {
-    // The readings; adsdv_machine_init writes them.
+    // The edition.
+    adsdv_edition edition;
+    // The readings; adsdv_machine_init and adsdv_machine_init_in write them.
     uint32_t readings;
 } adsdv_machine;
 
@@ -466,7 +480,7 @@ typedef struct adsdv_message {
 
 // A choice: one answer to a question that the document leaves open.
 typedef struct adsdv_reading {
-    // As adsdv_machine_init reads it, such as "fault-trigger=edge".
+    // As adsdv_machine_init_in reads it, such as "fault-trigger=edge".
     char name[48];
     // The answer in words.
     char text[48];
@@ -481,7 +495,7 @@ typedef struct adsdv_reading {
 // A signal, and what a frame says of it.
 typedef struct adsdv_signal {
     // Its name, such as "STEER_ANGLE_deg".
-    char name[32];
+    char name[48];
     // Its unit, such as "deg"; "" where there is none.
     char unit[8];
     // The value in words: by its name, or as a number with its unit, such as "AS_READY" or "-4.9 deg".
@@ -514,7 +528,9 @@ typedef struct adsdv_judge_options {
     uint32_t window_ms;
     // For how long a condition must hold before a missing effect is a violation, in ms.
     uint32_t deadline_ms;
-    // How the VCU is known to read the document, as for adsdv_machine_init; NULL if nothing is known. A violation is
+    // The edition of the interface to judge by; it is not recognised.
+    adsdv_edition edition;
+    // How the VCU is known to read the document, as for adsdv_machine_init_in; NULL if nothing is known. A violation is
     // what is one under all readings that are possible.
     const char *readings;
 } adsdv_judge_options;
@@ -558,28 +574,63 @@ extern "C" {
 // The version of the library, such as "0.1.0". The text is the library's, and stays.
 const char *adsdv_version(void);
 
-// The version of the ADS-DV Software Interface Specification that the library is: "3.0". The text is the library's, and
-// stays.
+// The version of the ADS-DV Software Interface Specification that functions without an edition are about: "3.0". The text is
+// the library's, and stays. adsdv_edition_version has the others.
 const char *adsdv_document_version(void);
 
-// The document's name of a value, such as "AS_READY" for 2 of ADSDV_AS_STATE; NULL if the value has none, or there is
+// How many editions of the interface there are.
+uint32_t adsdv_edition_count(void);
+
+// The version of an edition, such as "4.0"; NULL if there is no edition with that number. The text is the library's, and
+// stays.
+const char *adsdv_edition_version(adsdv_edition edition);
+
+// The edition that functions without an edition are about: that of adsdv_document_version.
+adsdv_edition adsdv_edition_default(void);
+
+// The edition with this version, such as "4.0". A version that there is not is an error (ADSDV_UNKNOWN_EDITION), which names
+// those that there are.
+enum adsdv_status adsdv_edition_find(const char *version,
+                                     adsdv_edition *edition,
+                                     struct adsdv_error *error);
+
+// The default edition's name of a value, such as "AS_READY" for 2 of ADSDV_AS_STATE; NULL if the value has none, or there is
 // no such enumeration. The text is the library's, and stays.
 const char *adsdv_value_name(uint32_t enumeration,
                              int32_t value);
 
-// The value of a name, such as 2 for "AS_READY" of ADSDV_AS_STATE. The name has `length` bytes, and needs no NUL.
+// An edition's name of a value, likewise; NULL if there is no such edition.
+const char *adsdv_value_name_in(adsdv_edition edition, uint32_t enumeration, int32_t value);
+
+// The value of a name of the default edition, such as 2 for "AS_READY" of ADSDV_AS_STATE. The name has `length` bytes, and
+// needs no NUL.
 enum adsdv_status adsdv_value_of_name(uint32_t enumeration,
                                       const char *name,
                                       size_t length,
                                       int32_t *value,
                                       struct adsdv_error *error);
 
-// A VCU that reads the document as this list says, such as "fault-trigger=edge power-cycle=not-latched": readings and
-// their choices, with spaces or commas between them. What is not in the list is read as the default says; NULL and ""
-// are all defaults. adsdv_reading tells which there are.
+// The value of a name in an edition, likewise. The default edition's name for a value that the edition has is understood.
+enum adsdv_status adsdv_value_of_name_in(adsdv_edition edition,
+                                         uint32_t enumeration,
+                                         const char *name,
+                                         size_t length,
+                                         int32_t *value,
+                                         struct adsdv_error *error);
+
+// A VCU of the default edition that reads the document as this list says, such as
+// "fault-trigger=edge power-cycle=not-latched": readings and their choices, with spaces or commas between them. What is not in
+// the list is read as the default says; NULL and "" are all defaults. adsdv_reading_at tells which there are.
 enum adsdv_status adsdv_machine_init(struct adsdv_machine *machine,
                                      const char *readings,
                                      struct adsdv_error *error);
+
+// A VCU of an edition, likewise. A choice that the edition does not leave is an error (ADSDV_UNKNOWN_NAME);
+// adsdv_reading_at_in tells which there are.
+enum adsdv_status adsdv_machine_init_in(adsdv_edition edition,
+                                        struct adsdv_machine *machine,
+                                        const char *readings,
+                                        struct adsdv_error *error);
 
 // The VCU after a power cycle: AS_OFF, nothing remembered.
 enum adsdv_status adsdv_control_init(struct adsdv_control *control, struct adsdv_error *error);
@@ -590,35 +641,62 @@ enum adsdv_status adsdv_inputs_init(struct adsdv_inputs *inputs, struct adsdv_er
 // Takes over what a frame of the AI Computer (510h to 514h) says. `taken`, which may be NULL, is set to 1 if it is one,
 // and to 0 if it is any other frame, which changes nothing. A frame with too few bytes or a value that is not allowed
 // is an error, and changes nothing either, as if it had not come. A frame that is taken over ends the silence of its
-// message; the caller adds the time that passes to each silence before the frames of a step are received.
+// message; the caller adds the time that passes to each silence before the frames of a step are received. The frame is one of
+// the default edition.
 enum adsdv_status adsdv_receive(struct adsdv_inputs *inputs,
                                 const struct adsdv_frame *frame,
                                 uint8_t *taken,
                                 struct adsdv_error *error);
 
-// Whether the AI Computer must not send frames with this identifier (section 2.3).
+// Takes over what a frame of the AI Computer says in an edition, likewise.
+enum adsdv_status adsdv_receive_in(adsdv_edition edition,
+                                   struct adsdv_inputs *inputs,
+                                   const struct adsdv_frame *frame,
+                                   uint8_t *taken,
+                                   struct adsdv_error *error);
+
+// Whether the AI Computer must not send frames with this identifier (section 2.3 of the default edition).
 bool adsdv_is_reserved(uint32_t id);
 
-// Begins a frame of the message with this identifier: every signal is 0, or the first value of its enumeration where
-// that has no 0. adsdv_frame_set sets the others.
+// Whether the AI Computer must not send frames with this identifier in an edition; false if there is no such edition.
+bool adsdv_is_reserved_in(adsdv_edition edition,
+                          uint32_t id);
+
+// Begins a frame of the message of the default edition with this identifier: every signal is 0, or the first value of its
+// enumeration where that has no 0. adsdv_frame_set sets the others.
 enum adsdv_status adsdv_frame_init(struct adsdv_frame *frame,
                                    uint16_t id,
                                    struct adsdv_error *error);
 
-// Sets a signal of a frame, such as "STEER_REQUEST_deg" of 513h, to a raw value: in steps of the signal, so that -49 is
-// -4.9 degrees. A value that the document does not allow is an error. All other bits stay.
+// Begins a frame of the message of an edition, likewise, as long as the edition has it.
+enum adsdv_status adsdv_frame_init_in(adsdv_edition edition,
+                                      struct adsdv_frame *frame,
+                                      uint16_t id,
+                                      struct adsdv_error *error);
+
+// Sets a signal of a frame of the default edition, such as "STEER_REQUEST_deg" of 513h, to a raw value: in steps of the
+// signal, so that -49 is -4.9 degrees. A value that the edition does not allow is an error. All other bits stay.
 enum adsdv_status adsdv_frame_set(struct adsdv_frame *frame,
                                   const char *signal,
                                   int32_t raw,
                                   struct adsdv_error *error);
 
+// Sets a signal of a frame of an edition, likewise. A name that another edition has for it is understood.
+enum adsdv_status adsdv_frame_set_in(adsdv_edition edition,
+                                     struct adsdv_frame *frame,
+                                     const char *signal,
+                                     int32_t raw,
+                                     struct adsdv_error *error);
+
 // One step of the VCU: what it does when it sees these inputs `dt_ms` milliseconds after its last step.
 //
-// `machine` says how the document is read; NULL is the reference, with all defaults. `control` is what the VCU
-// remembers, before and then after the step. What the step shows goes to `outputs`, and the frames that the VCU sends,
-// 520h to 526h, 500h and 502h, to `frames`, which has ADSDV_VCU_FRAMES places; either may be NULL.
+// `machine` says of which edition it is and how the document is read; NULL is the default edition with all defaults. `control`
+// is what the VCU remembers, before and then after the step. What the step shows goes to `outputs`, and the frames that the
+// VCU of the default edition sends, 520h to 526h, 500h and 502h, to `frames`, which has ADSDV_VCU_FRAMES places; either may be
+// NULL. A machine of an edition whose VCU sends another number of frames is refused (ADSDV_NO_ROOM) unless `frames` is NULL:
+// adsdv_step_frames tells how many there are.
 //
-// A field with a value that it cannot have is an error that names it, and nothing is changed.
+// A field with a value that it cannot have in the edition is an error that names it, and nothing is changed.
 enum adsdv_status adsdv_step(const struct adsdv_machine *machine,
                              struct adsdv_control *control,
                              const struct adsdv_inputs *inputs,
@@ -627,13 +705,45 @@ enum adsdv_status adsdv_step(const struct adsdv_machine *machine,
                              struct adsdv_frame *frames,
                              struct adsdv_error *error);
 
-// The messages of the interface, by ascending identifier: `index` is less than ADSDV_MESSAGES.
+// One step, like adsdv_step, of a VCU of any edition. The frames that it sends go to `frames`, which has `room` places
+// (ADSDV_MOST_VCU_FRAMES are always enough), and their number to `count`; the other places stay as they are. `outputs` may be
+// NULL. Too little room is an error (ADSDV_NO_ROOM), and nothing is changed.
+enum adsdv_status adsdv_step_frames(const struct adsdv_machine *machine,
+                                    struct adsdv_control *control,
+                                    const struct adsdv_inputs *inputs,
+                                    uint32_t dt_ms,
+                                    struct adsdv_outputs *outputs,
+                                    struct adsdv_frame *frames,
+                                    size_t room,
+                                    size_t *count,
+                                    struct adsdv_error *error);
+
+// The messages of the default edition, by ascending identifier: `index` is less than ADSDV_MESSAGES.
 enum adsdv_status adsdv_message_at(size_t index, struct adsdv_message *message, struct adsdv_error *error);
 
-// The choices of all readings, each reading's default first: `index` is less than ADSDV_CHOICES.
+// How many messages an edition has; 0 if there is no such edition.
+size_t adsdv_message_count(adsdv_edition edition);
+
+// The messages of an edition, by ascending identifier: `index` is less than adsdv_message_count says.
+enum adsdv_status adsdv_message_at_in(adsdv_edition edition,
+                                      size_t index,
+                                      struct adsdv_message *message,
+                                      struct adsdv_error *error);
+
+// The choices that the default edition leaves, reading by reading: `index` is less than ADSDV_CHOICES.
 enum adsdv_status adsdv_reading_at(size_t index, struct adsdv_reading *reading, struct adsdv_error *error);
 
-// Reads a frame of any message of the interface: every signal of it, by ascending bits, into `signals`, which has
+// How many choices an edition leaves, of all readings together; 0 if there is no such edition. A reading with a single one is
+// settled.
+size_t adsdv_reading_count(adsdv_edition edition);
+
+// The choices that an edition leaves, reading by reading: `index` is less than adsdv_reading_count says.
+enum adsdv_status adsdv_reading_at_in(adsdv_edition edition,
+                                      size_t index,
+                                      struct adsdv_reading *reading,
+                                      struct adsdv_error *error);
+
+// Reads a frame of any message of the default edition: every signal of it, by ascending bits, into `signals`, which has
 // `room` places (ADSDV_MOST_SIGNALS are always enough), and their number into `count`.
 //
 // A frame with too few bytes or a value that is not allowed is an error (ADSDV_TOO_SHORT, ADSDV_BAD_VALUE) that names
@@ -644,18 +754,35 @@ enum adsdv_status adsdv_decode(const struct adsdv_frame *frame,
                                size_t *count,
                                struct adsdv_error *error);
 
-// Reads one signal of a frame by its name, such as "STEER_ANGLE_deg" of 523h. A frame that ends before the signal does,
-// or a value that is not allowed, is an error; the signal is written all the same.
+// Reads a frame of any message of an edition, likewise.
+enum adsdv_status adsdv_decode_in(adsdv_edition edition,
+                                  const struct adsdv_frame *frame,
+                                  struct adsdv_signal *signals,
+                                  size_t room,
+                                  size_t *count,
+                                  struct adsdv_error *error);
+
+// Reads one signal of a frame of the default edition by its name, such as "STEER_ANGLE_deg" of 523h. A frame that ends before
+// the signal does, or a value that is not allowed, is an error; the signal is written all the same.
 enum adsdv_status adsdv_decode_signal(const struct adsdv_frame *frame,
                                       const char *name,
                                       struct adsdv_signal *value,
                                       struct adsdv_error *error);
 
-// What the judge assumes where nothing else is said.
+// Reads one signal of a frame of an edition, likewise. A name that another edition has for it is understood.
+enum adsdv_status adsdv_decode_signal_in(adsdv_edition edition,
+                                         const struct adsdv_frame *frame,
+                                         const char *name,
+                                         struct adsdv_signal *value,
+                                         struct adsdv_error *error);
+
+// What the judge assumes where nothing else is said; it is of the default edition.
 enum adsdv_status adsdv_judge_options_init(struct adsdv_judge_options *options, struct adsdv_error *error);
 
-// A new judge of a bus, which adsdv_judge_free must free; NULL if there is an error. `options` may be NULL.
-struct adsdv_judge *adsdv_judge_new(const struct adsdv_judge_options *options, struct adsdv_error *error);
+// A new judge of a bus, which adsdv_judge_free must free; NULL if there is an error. `options` may be NULL: then
+// it judges by the default edition.
+struct adsdv_judge *adsdv_judge_new(const struct adsdv_judge_options *options,
+                                    struct adsdv_error *error);
 
 // Frees a judge, whose texts are gone then. NULL is left alone.
 void adsdv_judge_free(struct adsdv_judge *judge);

@@ -21,6 +21,8 @@ unsafe impl Plain for u8 {}
 // SAFETY: an integer.
 unsafe impl Plain for i32 {}
 // SAFETY: an integer.
+unsafe impl Plain for u32 {}
+// SAFETY: an integer.
 unsafe impl Plain for usize {}
 // SAFETY: `repr(C)`; an integer and an array of `char`.
 unsafe impl Plain for adsdv_error {}

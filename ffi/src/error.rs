@@ -4,7 +4,7 @@ use core::ffi::c_char;
 use core::fmt;
 
 use adsdv_spec::messages::{DecodeError, OutOfRange};
-use adsdv_spec::{Reading, UnknownName};
+use adsdv_spec::{Choice, Edition, Reading, UnknownName};
 
 use crate::plain::Allowed;
 use crate::text;
@@ -22,9 +22,9 @@ pub enum adsdv_status {
     ADSDV_BAD_POINTER = 1,
     /// A field of a struct, a signal or an argument has a value that it cannot have.
     ADSDV_BAD_VALUE = 2,
-    /// There is nothing of that name: no reading, choice, signal or value.
+    /// There is nothing of that name in the edition: no reading, choice, signal or value.
     ADSDV_UNKNOWN_NAME = 3,
-    /// No message of the interface has that identifier.
+    /// No message of the edition has that identifier.
     ADSDV_UNKNOWN_ID = 4,
     /// A frame has fewer bytes than the signal or the message needs.
     ADSDV_TOO_SHORT = 5,
@@ -34,6 +34,8 @@ pub enum adsdv_status {
     ADSDV_FINISHED = 7,
     /// A mistake in this library. The object concerned can only be freed.
     ADSDV_INTERNAL = 8,
+    /// There is no edition of the interface with that version or number.
+    ADSDV_UNKNOWN_EDITION = 9,
 }
 
 /// What went wrong, in words. A function writes it when it fails, and leaves it alone otherwise. Wherever a function
@@ -75,6 +77,17 @@ pub(crate) enum Refusal<'a> {
     /// Bits that are not one choice of each reading.
     Machine {
         readings: u32,
+    },
+    /// No edition has this number.
+    NoEdition {
+        of: &'static str,
+        given: u32,
+    },
+    NoVersion(&'a str),
+    /// A choice that the edition does not leave.
+    NoChoice {
+        choice: Choice,
+        edition: &'static Edition,
     },
     NotText(&'static str),
     Reading {
@@ -125,9 +138,12 @@ impl Refusal<'_> {
             | Self::TooMany { .. }
             | Self::Signal(_)
             | Self::Decode(DecodeError::Value(_)) => adsdv_status::ADSDV_BAD_VALUE,
-            Self::NotText(_) | Self::Reading { .. } | Self::NoSuchValue { .. } | Self::NoSignal { .. } => {
-                adsdv_status::ADSDV_UNKNOWN_NAME
-            }
+            Self::NotText(_)
+            | Self::Reading { .. }
+            | Self::NoChoice { .. }
+            | Self::NoSuchValue { .. }
+            | Self::NoSignal { .. } => adsdv_status::ADSDV_UNKNOWN_NAME,
+            Self::NoEdition { .. } | Self::NoVersion(_) => adsdv_status::ADSDV_UNKNOWN_EDITION,
             Self::Decode(DecodeError::UnknownId { .. }) => adsdv_status::ADSDV_UNKNOWN_ID,
             Self::Decode(DecodeError::TooShort { .. }) => adsdv_status::ADSDV_TOO_SHORT,
             Self::NoRoom { .. } => adsdv_status::ADSDV_NO_ROOM,
@@ -151,6 +167,18 @@ impl fmt::Display for Refusal<'_> {
                 f,
                 "machine.readings is {readings:#x}; expected what adsdv_machine_init wrote: one choice of each reading"
             ),
+            Self::NoEdition { of, given } => {
+                write!(f, "{of}edition is {given}; expected less than {}", Edition::ALL.len())
+            }
+            Self::NoVersion(given) => {
+                write!(f, "there is no edition {given:?}; expected one of ")?;
+                separated(f, ", ", Edition::ALL.iter().map(|edition| edition.version))
+            }
+            Self::NoChoice { choice, edition } => {
+                let (reading, version) = (choice.reading(), edition.version);
+                write!(f, "readings: {choice} is no answer in edition {version}; expected {reading}=")?;
+                separated(f, " or ", edition.choices.of_reading(reading).map(Choice::id))
+            }
             Self::NotText(name) => write!(f, "{name} is not UTF-8; expected text"),
             Self::Reading { given, why } => write!(f, "readings: {given:?}: {why}"),
             Self::Twice(reading) => write!(f, "readings: {reading} is there twice; expected each once"),
@@ -176,6 +204,17 @@ impl fmt::Display for Refusal<'_> {
             }
         }
     }
+}
+
+fn separated(
+    f: &mut fmt::Formatter<'_>,
+    separator: &str,
+    texts: impl Iterator<Item = &'static str>,
+) -> fmt::Result {
+    for (place, text) in texts.enumerate() {
+        write!(f, "{}{text}", if place == 0 { "" } else { separator })?;
+    }
+    Ok(())
 }
 
 impl From<DecodeError> for Refusal<'_> {

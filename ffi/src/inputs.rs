@@ -5,8 +5,8 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{AiMessages, AiSilence, Inputs, Reports, ShutdownCircuit, Vehicle};
 
-use crate::EDITION;
 use crate::border::{Plain, answer, load, out};
+use crate::edition::{self, adsdv_edition};
 use crate::error::{adsdv_error, adsdv_status};
 use crate::frame::adsdv_frame;
 use crate::plain;
@@ -220,7 +220,8 @@ pub unsafe extern "C" fn adsdv_inputs_init(
 /// Takes over what a frame of the AI Computer (510h to 514h) says. `taken`, which may be NULL, is set to 1 if it is one,
 /// and to 0 if it is any other frame, which changes nothing. A frame with too few bytes or a value that is not allowed
 /// is an error, and changes nothing either, as if it had not come. A frame that is taken over ends the silence of its
-/// message; the caller adds the time that passes to each silence before the frames of a step are received.
+/// message; the caller adds the time that passes to each silence before the frames of a step are received. The frame is one of
+/// the default edition.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_receive(
     inputs: *mut adsdv_inputs,
@@ -228,12 +229,27 @@ pub unsafe extern "C" fn adsdv_receive(
     taken: *mut u8,
     error: *mut adsdv_error,
 ) -> adsdv_status {
+    // SAFETY: the caller promises the same.
+    unsafe { adsdv_receive_in(edition::DEFAULT, inputs, frame, taken, error) }
+}
+
+/// Takes over what a frame of the AI Computer says in an edition, likewise.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn adsdv_receive_in(
+    edition: adsdv_edition,
+    inputs: *mut adsdv_inputs,
+    frame: *const adsdv_frame,
+    taken: *mut u8,
+    error: *mut adsdv_error,
+) -> adsdv_status {
     let work = || {
+        let number = edition;
+        let edition = edition::given(number, "")?;
         // SAFETY: the caller promises it for the inputs and the frame.
         let (before, place, frame) =
             unsafe { (load(inputs, "inputs")?, out(inputs, "inputs")?, load(frame, "frame")?) };
-        let mut inputs = before.read()?;
-        let received = inputs.ai.receive(&EDITION.bus, frame.id, frame.sent()?)?;
+        let mut inputs = before.read(number)?;
+        let received = inputs.ai.receive(&edition.bus, frame.id, frame.sent()?)?;
         if received {
             inputs.ai_silence.end(frame.id);
         }

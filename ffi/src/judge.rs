@@ -8,6 +8,7 @@ use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Severity};
 use adsdv_spec::Choices;
 
 use crate::border::{Plain, answer, check, load, out, slice};
+use crate::edition::{self, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::machine::listed;
 use crate::text::short;
@@ -42,7 +43,9 @@ pub struct adsdv_judge_options {
     pub window_ms: u32,
     /// For how long a condition must hold before a missing effect is a violation, in ms.
     pub deadline_ms: u32,
-    /// How the VCU is known to read the document, as for adsdv_machine_init; NULL if nothing is known. A violation is
+    /// The edition of the interface to judge by; it is not recognised.
+    pub edition: adsdv_edition,
+    /// How the VCU is known to read the document, as for adsdv_machine_init_in; NULL if nothing is known. A violation is
     /// what is one under all readings that are possible.
     pub readings: *const c_char,
 }
@@ -194,7 +197,7 @@ unsafe fn handle<'a>(judge: *mut adsdv_judge) -> Result<&'a mut adsdv_judge, Ref
     Ok(unsafe { &mut *judge })
 }
 
-/// What the judge assumes where nothing else is said.
+/// What the judge assumes where nothing else is said; it is of the default edition.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_judge_options_init(
     options: *mut adsdv_judge_options,
@@ -204,14 +207,16 @@ pub unsafe extern "C" fn adsdv_judge_options_init(
         // SAFETY: the caller promises it for the options.
         let place = unsafe { out(options, "options")? };
         let JudgeOptions { window_ms, deadline_ms, .. } = JudgeOptions::default();
-        place.set(adsdv_judge_options { window_ms, deadline_ms, readings: core::ptr::null() });
+        let edition = edition::DEFAULT;
+        place.set(adsdv_judge_options { window_ms, deadline_ms, edition, readings: core::ptr::null() });
         Ok(())
     };
     // SAFETY: the caller promises it for the error.
     unsafe { answer(error, work) }
 }
 
-/// A new judge of a bus, which adsdv_judge_free must free; NULL if there is an error. `options` may be NULL.
+/// A new judge of a bus, which adsdv_judge_free must free; NULL if there is an error. `options` may be NULL: then
+/// it judges by the default edition.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_judge_new(
     options: *const adsdv_judge_options,
@@ -223,9 +228,11 @@ pub unsafe extern "C" fn adsdv_judge_new(
         if !options.is_null() {
             // SAFETY: the caller promises it for the options.
             let given = unsafe { load(options, "options")? };
+            let edition = edition::given(given.edition, "options.")?;
+            chosen = JudgeOptions::of(edition);
             (chosen.window_ms, chosen.deadline_ms) = (given.window_ms, given.deadline_ms);
             // SAFETY: and for the text that they point to.
-            chosen.readings = unsafe { listed(given.readings, chosen.readings, Choices::pin)? };
+            chosen.readings = unsafe { listed(edition, given.readings, chosen.readings, Choices::pin)? };
         }
         made = Box::into_raw(Box::new(adsdv_judge::new(chosen)));
         Ok(())

@@ -29,6 +29,7 @@
 mod border;
 mod constants;
 mod control;
+mod edition;
 mod error;
 mod frame;
 mod inputs;
@@ -45,6 +46,7 @@ mod version;
 
 pub use constants::*;
 pub use control::*;
+pub use edition::*;
 pub use error::*;
 pub use frame::*;
 pub use inputs::*;
@@ -56,9 +58,6 @@ pub use outputs::*;
 pub use signal::*;
 pub use step::*;
 pub use version::*;
-
-/// The edition of the interface that all functions speak of.
-pub(crate) const EDITION: &adsdv_spec::Edition = adsdv_spec::Edition::DEFAULT;
 
 /// A program without the standard library and without a handler of its own stops where a panic would be. No code of
 /// this crate or of the specification is known to panic.

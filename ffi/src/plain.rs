@@ -4,6 +4,7 @@ use core::fmt;
 
 use adsdv_spec::messages::{Decimal, Scale, SignalDef, SignalValue};
 
+use crate::edition::{self, Rows, adsdv_edition};
 use crate::error::Refusal;
 
 /// What a field may be; it displays as in `0 = NEUTRAL, 1 = FORWARD`.
@@ -19,6 +20,15 @@ pub(crate) struct Allowed {
 impl Allowed {
     pub(crate) const fn of<T: SignalValue>() -> Self {
         Self { min: T::MIN, max: T::MAX, values: T::VALUES, scale: T::SCALE, unit: T::UNIT }
+    }
+
+    /// What an edition allows of it, where that has a signal for it.
+    pub(crate) fn on_bus(self, signal: Option<&SignalDef>) -> Self {
+        match signal {
+            Some(signal) if self.values.is_empty() => Self { min: signal.min, max: signal.max, ..self },
+            Some(signal) if !signal.values.is_empty() => Self { values: signal.values, ..self },
+            _ => self,
+        }
     }
 }
 
@@ -46,16 +56,17 @@ impl fmt::Display for Allowed {
 pub(crate) fn value<T: SignalValue>(
     of: &'static str,
     field: &'static str,
-    signal: Option<&'static SignalDef>,
+    rows: Rows,
+    edition: adsdv_edition,
     raw: impl Into<i32>,
 ) -> Result<T, Refusal<'static>> {
     let raw = raw.into();
-    match (T::from_raw(raw), signal) {
+    match (T::from_raw(raw), rows.get(edition)) {
         (Some(_), Some(signal)) if raw < signal.min || raw > signal.max => {
-            Err(refused::<T>(of, field, Some(signal), raw))
+            Err(refused::<T>(of, field, edition, raw))
         }
         (Some(value), _) => Ok(value),
-        (None, _) => Err(refused::<T>(of, field, signal, raw)),
+        (None, _) => Err(refused::<T>(of, field, edition, raw)),
     }
 }
 
@@ -63,14 +74,12 @@ pub(crate) fn value<T: SignalValue>(
 fn refused<T: SignalValue>(
     of: &'static str,
     field: &'static str,
-    signal: Option<&SignalDef>,
+    edition: adsdv_edition,
     raw: i32,
 ) -> Refusal<'static> {
-    let mut allowed = Allowed::of::<T>();
-    if let Some(signal) = signal.filter(|_| T::VALUES.is_empty()) {
-        (allowed.min, allowed.max) = (signal.min, signal.max);
-    }
-    Refusal::Value { of, field, given: raw.into(), allowed }
+    let bus = edition::numbered(edition).map(|edition| &edition.bus);
+    let signal = bus.and_then(|bus| bus.signal_of(edition::on_the_bus(field)));
+    Refusal::Value { of, field, given: raw.into(), allowed: Allowed::of::<T>().on_bus(signal) }
 }
 
 /// The number of a value, in the type that its field has in C. Every value of every field fits: the tests go through
@@ -86,10 +95,13 @@ pub(crate) fn raw<T: SignalValue, C: TryFrom<i32> + Default>(value: T) -> C {
 macro_rules! conversions {
     ($of:literal $plain:ident: $type:ident $body:tt) => {
         impl $plain {
-            /// As the specification has it; an error names the field.
+            /// As the specification has it; an error names the field that the edition does not allow.
             #[inline(always)]
-            pub(crate) fn read(&self) -> Result<$type, crate::error::Refusal<'static>> {
-                Ok(crate::plain::conversions!(@read $of self $type $body))
+            pub(crate) fn read(
+                &self,
+                edition: crate::edition::adsdv_edition,
+            ) -> Result<$type, crate::error::Refusal<'static>> {
+                Ok(crate::plain::conversions!(@read $of self edition $type $body))
             }
         }
 
@@ -102,29 +114,31 @@ macro_rules! conversions {
             }
         }
     };
-    (@read $of:literal $from:ident $type:ident
+    (@read $of:literal $from:ident $edition:ident $type:ident
         { $($field:ident $(= $name:ident)? $(: $inner:ident $body:tt)?),* $(,)? }
     ) => {
-        $type { $($field: crate::plain::conversions!(@read_field $of $from $field $(= $name)? $(: $inner $body)?)),* }
+        $type { $($field: crate::plain::conversions!(@read_field $of $from $edition $field $(= $name)? $(: $inner $body)?)),* }
     };
-    (@read_field $of:literal $from:ident $field:ident) => {
+    (@read_field $of:literal $from:ident $edition:ident $field:ident) => {
         crate::plain::value(
             $of,
             stringify!($field),
-            const { crate::EDITION.bus.signal_of(stringify!($field)) },
+            const { crate::edition::Rows::of(stringify!($field)) },
+            $edition,
             $from.$field,
         )?
     };
-    (@read_field $of:literal $from:ident $field:ident = $name:ident) => {
+    (@read_field $of:literal $from:ident $edition:ident $field:ident = $name:ident) => {
         crate::plain::value(
             $of,
             stringify!($name),
-            const { crate::EDITION.bus.signal_of(stringify!($name)) },
+            const { crate::edition::Rows::of(stringify!($name)) },
+            $edition,
             $from.$name,
         )?
     };
-    (@read_field $of:literal $from:ident $field:ident: $inner:ident $body:tt) => {
-        crate::plain::conversions!(@read $of $from $inner $body)
+    (@read_field $of:literal $from:ident $edition:ident $field:ident: $inner:ident $body:tt) => {
+        crate::plain::conversions!(@read $of $from $edition $inner $body)
     };
     (@write $to:ident $path:tt { $($field:ident $(= $name:ident)? $(: $inner:ident $body:tt)?),* $(,)? }) => {
         $( crate::plain::conversions!(@write_field $to $path $field $(= $name)? $(: $inner $body)?); )*

@@ -27,7 +27,10 @@ fn any_bits_are_a_step_or_an_error() {
     let mut random = Random(7);
     let (mut fine, mut wrong) = (0, 0);
     for round in 0..ROUNDS {
-        let machine: adsdv_machine = any(&mut random);
+        let mut machine: adsdv_machine = any(&mut random);
+        if random.one_in(2) {
+            machine.edition %= adsdv_edition_count();
+        }
         let mut control: adsdv_control = any(&mut random);
         let mut inputs: adsdv_inputs = any(&mut random);
         let (mut outputs, mut error): (adsdv_outputs, adsdv_error) = (any(&mut random), any(&mut random));
@@ -52,9 +55,9 @@ fn any_bits_are_a_step_or_an_error() {
         };
         match status {
             ADSDV_OK => fine += 1,
-            ADSDV_BAD_VALUE => {
+            ADSDV_BAD_VALUE | ADSDV_UNKNOWN_EDITION => {
                 wrong += 1;
-                assert_eq!(error.status, ADSDV_BAD_VALUE as i32);
+                assert_eq!(error.status, status as i32);
                 let text = text(&error.text);
                 assert!(text.contains("expected"), "{text}");
             }
@@ -94,13 +97,14 @@ fn any_frame_is_taken_or_an_error() {
 /// Each function with NULL for each of its pointers in turn, and for all.
 #[test]
 fn null_is_an_error_for_each_pointer() {
-    let mut random = Random(9);
     let (mut machine, mut control, mut inputs): (adsdv_machine, adsdv_control, adsdv_inputs) =
         (zero(), zero(), zero());
     let (mut outputs, mut frame, mut signal) =
         (zero::<adsdv_outputs>(), zero::<adsdv_frame>(), zero::<adsdv_signal>());
     let (mut message, mut reading) = (zero::<adsdv_message>(), zero::<adsdv_reading>());
-    let (mut count, mut taken, mut value) = (0, 0, 0);
+    let (mut count, mut taken, mut value, mut edition) = (0, 0, 0, 0);
+    let mut frames = [zero::<adsdv_frame>(); ADSDV_MOST_VCU_FRAMES];
+    let places = frames.len();
     let name = c"HANDSHAKE".as_ptr();
     let room = ADSDV_MOST_SIGNALS;
     let mut signals = [zero::<adsdv_signal>(); ADSDV_MOST_SIGNALS];
@@ -115,6 +119,7 @@ fn null_is_an_error_for_each_pointer() {
 
         let (control, inputs, frame) = (&raw mut control, &raw mut inputs, &raw mut frame);
         let (outputs, signal, signals) = (&raw mut outputs, &raw mut signal, signals.as_mut_ptr());
+        let (sent, counted) = (frames.as_mut_ptr(), &raw mut count);
         for error in [null_mut(), &raw mut error] {
             // Every pointer is as it should be.
             for status in [
@@ -128,6 +133,9 @@ fn null_is_an_error_for_each_pointer() {
                 adsdv_message_at(0, &raw mut message, error),
                 adsdv_reading_at(0, &raw mut reading, error),
                 adsdv_value_of_name(4, c"FORWARD".as_ptr(), 7, &raw mut value, error),
+                adsdv_edition_find(c"3.0".as_ptr(), &raw mut edition, error),
+                adsdv_step_frames(null(), control, inputs, 0, outputs, sent, places, counted, error),
+                adsdv_step_frames(null(), control, inputs, 0, null_mut(), sent, places, counted, error),
             ] {
                 assert_eq!(status, ADSDV_OK);
             }
@@ -153,6 +161,28 @@ fn null_is_an_error_for_each_pointer() {
                 adsdv_reading_at(0, null_mut(), error),
                 adsdv_value_of_name(4, null(), 7, &raw mut value, error),
                 adsdv_value_of_name(4, c"FORWARD".as_ptr(), 7, null_mut(), error),
+                adsdv_edition_find(null(), &raw mut edition, error),
+                adsdv_edition_find(c"3.0".as_ptr(), null_mut(), error),
+                adsdv_step_frames(null(), null_mut(), inputs, 0, outputs, sent, places, counted, error),
+                adsdv_step_frames(null(), control, null(), 0, outputs, sent, places, counted, error),
+                adsdv_step_frames(null(), control, inputs, 0, outputs, null_mut(), places, counted, error),
+                adsdv_step_frames(null(), control, inputs, 0, outputs, sent, places, null_mut(), error),
+                adsdv_machine_init_in(0, null_mut(), null(), error),
+                adsdv_receive_in(0, null_mut(), frame, &raw mut taken, error),
+                adsdv_receive_in(0, inputs, null(), &raw mut taken, error),
+                adsdv_decode_in(0, null(), signals, room, counted, error),
+                adsdv_decode_in(0, frame, null_mut(), room, counted, error),
+                adsdv_decode_in(0, frame, signals, room, null_mut(), error),
+                adsdv_decode_signal_in(0, null(), name, signal, error),
+                adsdv_decode_signal_in(0, frame, null(), signal, error),
+                adsdv_decode_signal_in(0, frame, name, null_mut(), error),
+                adsdv_frame_init_in(0, null_mut(), 0x510, error),
+                adsdv_frame_set_in(0, null_mut(), name, 0, error),
+                adsdv_frame_set_in(0, frame, null(), 0, error),
+                adsdv_message_at_in(0, 0, null_mut(), error),
+                adsdv_reading_at_in(0, 0, null_mut(), error),
+                adsdv_value_of_name_in(0, 4, null(), 7, &raw mut value, error),
+                adsdv_value_of_name_in(0, 4, c"FORWARD".as_ptr(), 7, null_mut(), error),
             ]
             .into_iter()
             .enumerate()
@@ -168,10 +198,16 @@ fn null_is_an_error_for_each_pointer() {
         assert_eq!(text(&error.text), "inputs is not aligned; expected a pointer to its type");
         assert_eq!(adsdv_inputs_init(odd, (&raw mut error).wrapping_byte_add(1)), ADSDV_BAD_POINTER);
     }
+}
+
+#[test]
+fn any_number_has_a_name_or_none() {
+    let mut random = Random(9);
     for _ in 0..100 {
         let (enumeration, value) = (random.bits(), random.bits());
         let (enumeration, value) = ((enumeration >> 32) as u32, (value >> 32) as i32);
         assert!(adsdv_value_name(enumeration, value).is_null());
+        assert!(adsdv_value_name_in(value.cast_unsigned(), enumeration, value).is_null());
         adsdv_is_reserved(enumeration);
     }
 }

@@ -7,7 +7,8 @@ use std::ptr::{null, null_mut};
 
 use adsdv::adsdv_status::{self, *};
 use adsdv::*;
-use common::{outcome, text};
+use adsdv_spec::Edition;
+use common::{number, outcome, text};
 
 fn inputs() -> adsdv_inputs {
     let mut inputs = adsdv_inputs::default();
@@ -35,7 +36,7 @@ fn refused(call: impl FnOnce(*mut adsdv_error) -> adsdv_status, status: adsdv_st
 
 /// A step that is refused, and changes nothing.
 fn step_refused(machine: u32, control: adsdv_control, inputs: adsdv_inputs, expected: &str) {
-    let machine = adsdv_machine { readings: machine };
+    let machine = adsdv_machine { edition: adsdv_edition_default(), readings: machine };
     let (mut after, mut outputs) = (control, adsdv_outputs::default());
     let mut frames = [adsdv_frame::default(); ADSDV_VCU_FRAMES];
     let (shown, sent) = (&raw mut outputs, frames.as_mut_ptr());
@@ -52,7 +53,7 @@ fn step_refused(machine: u32, control: adsdv_control, inputs: adsdv_inputs, expe
 }
 
 fn reference() -> u32 {
-    let mut machine = adsdv_machine { readings: 0 };
+    let mut machine = adsdv_machine { edition: 0, readings: 0 };
     // SAFETY: the pointers are to what they are said to be.
     outcome(|error| unsafe { adsdv_machine_init(&raw mut machine, null(), error) }).unwrap();
     machine.readings
@@ -98,7 +99,7 @@ fn a_step_names_the_field() {
 
 #[test]
 fn a_list_of_readings_is_read_or_refused() {
-    let mut machine = adsdv_machine { readings: 0 };
+    let mut machine = adsdv_machine { edition: 0, readings: 0 };
     // SAFETY: the pointers are to what they are said to be.
     let mut init =
         |list: &CStr| outcome(|error| unsafe { adsdv_machine_init(&raw mut machine, list.as_ptr(), error) });
@@ -123,7 +124,7 @@ fn a_list_of_readings_is_read_or_refused() {
         )
     );
     // A list that was refused has not changed the machine.
-    let mut again = adsdv_machine { readings: 0 };
+    let mut again = adsdv_machine { edition: 0, readings: 0 };
     let list = c"power-cycle=not-latched fault-trigger=edge";
     // SAFETY: the pointers are to what they are said to be.
     outcome(|error| unsafe { adsdv_machine_init(&raw mut again, list.as_ptr(), error) }).unwrap();
@@ -216,26 +217,33 @@ fn texts_are_cut_where_they_do_not_fit() {
     let long = format!("{}é", "x".repeat(2 * ADSDV_ERROR_TEXT));
     for skip in 0..4 {
         let list = std::ffi::CString::new(long.as_bytes()[skip..].to_vec()).unwrap();
-        let mut machine = adsdv_machine { readings: 0 };
+        let mut machine = adsdv_machine { edition: 0, readings: 0 };
         // SAFETY: the pointers are to what they are said to be.
         let call = |error| unsafe { adsdv_machine_init(&raw mut machine, list.as_ptr(), error) };
         assert_eq!(outcome(call).unwrap_err().1.len(), ADSDV_ERROR_TEXT - 1);
     }
     let accents = std::ffi::CString::new("é".repeat(ADSDV_ERROR_TEXT)).unwrap();
-    let mut machine = adsdv_machine { readings: 0 };
+    let mut machine = adsdv_machine { edition: 0, readings: 0 };
     // SAFETY: the pointers are to what they are said to be.
     let call = |error| unsafe { adsdv_machine_init(&raw mut machine, accents.as_ptr(), error) };
     assert!(outcome(call).unwrap_err().1.len() >= ADSDV_ERROR_TEXT - 2);
     // The list of all causes is the longest of the errors that name what is allowed.
     let mut control = control();
     control.shutdown_cause = 200;
-    let mut error = common::no_error();
-    // SAFETY: the pointers are to what they are said to be, or NULL.
-    unsafe {
-        let (inputs, error) = (inputs(), &raw mut error);
-        adsdv_step(null(), &raw mut control, &raw const inputs, 0, null_mut(), null_mut(), error);
+    for edition in Edition::ALL {
+        let mut error = common::no_error();
+        let mut machine = adsdv_machine { edition: 0, readings: 0 };
+        // SAFETY: the pointers are to what they are said to be, or NULL.
+        unsafe {
+            let (inputs, error) = (inputs(), &raw mut error);
+            adsdv_machine_init_in(number(edition), &raw mut machine, null(), error);
+            let vcu = &raw const machine;
+            adsdv_step(vcu, &raw mut control, &raw const inputs, 0, null_mut(), null_mut(), error);
+        }
+        let causes = edition.bus.signal_of("shutdown_cause").unwrap().values;
+        let (raw, name) = causes.last().unwrap();
+        assert!(text(&error.text).ends_with(&format!("{raw} = {name}")), "{}", text(&error.text));
     }
-    assert!(text(&error.text).ends_with("11 = BRAKE PLAUSIBILITY FAULT"), "{}", text(&error.text));
 }
 
 #[test]

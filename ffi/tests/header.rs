@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use expect_test::expect_file;
 
 /// The sources in the order in which a reader wants to meet what is in them.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 12] = [
     "version",
     "error",
+    "edition",
     "constants",
     "names",
     "machine",

@@ -11,9 +11,9 @@ use adsdv::adsdv_status::*;
 use adsdv::*;
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Report, Severity};
 use adsdv_spec::messages::{AmiState, Frame};
-use adsdv_spec::{Choice, Choices};
+use adsdv_spec::{Choice, Edition};
 use adsdv_tests::world::World;
-use common::{no_error, outcome, text};
+use common::{no_error, number, outcome, text};
 
 /// A recorded run in which much is wrong.
 fn recording() -> Vec<(i64, Frame)> {
@@ -165,7 +165,7 @@ fn options_count() {
         judge.frame(t_ns, frame).unwrap();
     }
     let report = judge.finish();
-    let readings = Choices::ALL.pin(Choice::CommsNoArrow);
+    let readings = Edition::DEFAULT.choices.pin(Choice::CommsNoArrow);
     let expected =
         in_rust(JudgeOptions { window_ms: 1, deadline_ms: 100, readings, ..JudgeOptions::default() });
     agrees(report, std::iter::from_fn(|| judge.next()).collect(), &expected);
@@ -177,6 +177,51 @@ fn options_count() {
     assert!(unsafe { adsdv_judge_new(&raw const options, &raw mut error) }.is_null());
     assert_eq!(error.status, ADSDV_UNKNOWN_NAME as i32);
     assert!(text(&error.text).starts_with("readings: \"comms-lost=maybe\": no such choice of comms-lost"));
+}
+
+/// The recording is of 3.0: by 4.0 its frames are too long, and its handshake is slow enough.
+#[test]
+fn it_judges_by_the_edition_that_it_is_given() {
+    for &edition in Edition::ALL {
+        // SAFETY: numbers and a pointer, of which 0 is one.
+        let mut options: adsdv_judge_options = unsafe { std::mem::zeroed() };
+        // SAFETY: the pointer is to what it is said to be.
+        outcome(|error| unsafe { adsdv_judge_options_init(&raw mut options, error) }).unwrap();
+        assert_eq!(options.edition, adsdv_edition_default());
+        options.edition = number(edition);
+        let judge = Handle::new(&raw const options);
+        for (t_ns, frame) in recording() {
+            judge.frame(t_ns, frame).unwrap();
+        }
+        let report = judge.finish();
+        let found = std::iter::from_fn(|| judge.next()).collect();
+        agrees(report, found, &in_rust(JudgeOptions::of(edition)));
+    }
+    let by_newer = in_rust(JudgeOptions::of(&Edition::V4_0)).findings;
+    assert_ne!(by_newer, in_rust(JudgeOptions::default()).findings, "the edition was to make a difference");
+}
+
+#[test]
+fn an_edition_that_there_is_not_and_readings_that_it_settles_are_refused() {
+    let (newer, none) = (number(&Edition::V4_0), adsdv_edition_count());
+    let settled = c"fault-trigger=edge";
+    for (edition, readings, status, said) in [
+        (none, c"", ADSDV_UNKNOWN_EDITION, format!("options.edition is {none}; expected less than {none}")),
+        (
+            newer,
+            settled,
+            ADSDV_UNKNOWN_NAME,
+            "readings: fault-trigger=edge is no answer in edition 4.0; expected fault-trigger=level"
+                .to_owned(),
+        ),
+    ] {
+        let options =
+            adsdv_judge_options { window_ms: 30, deadline_ms: 50, edition, readings: readings.as_ptr() };
+        let mut error = no_error();
+        // SAFETY: the pointers are to what they are said to be.
+        assert!(unsafe { adsdv_judge_new(&raw const options, &raw mut error) }.is_null());
+        assert_eq!((error.status, text(&error.text)), (status as i32, said));
+    }
 }
 
 /// Whoever never asks for findings does not fill the memory: a judge keeps a bounded number.

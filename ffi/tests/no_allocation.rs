@@ -63,13 +63,17 @@ fn nothing_allocates_but_the_judge() {
         })
         .collect();
     // SAFETY: all their fields are numbers, of which 0 is one.
-    let (mut message, mut reading, mut signals): (adsdv_message, adsdv_reading, [adsdv_signal; 23]) =
-        unsafe { (std::mem::zeroed(), std::mem::zeroed(), std::mem::zeroed()) };
+    let (mut message, mut reading, mut signals): (
+        adsdv_message,
+        adsdv_reading,
+        [adsdv_signal; ADSDV_MOST_SIGNALS],
+    ) = unsafe { (std::mem::zeroed(), std::mem::zeroed(), std::mem::zeroed()) };
 
+    let seen = adsdv_inputs::from(&adsdv_spec::Inputs::default());
     let count = allocations(|| {
-        let mut machine = adsdv_machine { readings: 0 };
+        let mut machine = adsdv_machine { edition: 0, readings: 0 };
         let (mut control, mut outputs) = (adsdv_control::default(), adsdv_outputs::default());
-        let mut frames = [adsdv_frame::default(); ADSDV_VCU_FRAMES];
+        let mut frames = [adsdv_frame::default(); ADSDV_MOST_VCU_FRAMES];
         let (mut count, mut taken, mut value) = (0, 0, 0);
         let mut error = no_error();
         // SAFETY: the pointers are to what they are said to be, or NULL.
@@ -90,16 +94,35 @@ fn nothing_allocates_but_the_judge() {
                     let first = &raw const frames[0];
                     assert_eq!(adsdv_receive(&raw mut inputs, first, &raw mut taken, error), ADSDV_OK);
                 }
-                for frame in &frames {
+                for frame in frames.iter().take(ADSDV_VCU_FRAMES) {
                     let places = signals.as_mut_ptr();
-                    assert_eq!(adsdv_decode(frame, places, 23, &raw mut count, error), ADSDV_OK);
+                    assert_eq!(
+                        adsdv_decode(frame, places, ADSDV_MOST_SIGNALS, &raw mut count, error),
+                        ADSDV_OK
+                    );
                 }
             }
             for index in 0..ADSDV_MESSAGES {
                 assert_eq!(adsdv_message_at(index, &raw mut message, error), ADSDV_OK);
                 assert_eq!(adsdv_frame_init(&raw mut frames[0], message.id, error), ADSDV_OK);
             }
+            for edition in 0..adsdv_edition_count() {
+                let (places, room, count) = (frames.as_mut_ptr(), frames.len(), &raw mut count);
+                assert_eq!(adsdv_machine_init_in(edition, &raw mut machine, null(), error), ADSDV_OK);
+                let (vcu, inputs) = (&raw const machine, &raw const seen);
+                let control = &raw mut control;
+                for _ in 0..100 {
+                    let shown = null_mut();
+                    let status =
+                        adsdv_step_frames(vcu, control, inputs, 10, shown, places, room, count, error);
+                    assert_eq!(status, ADSDV_OK);
+                }
+                assert!(!adsdv_edition_version(edition).is_null());
+                assert_eq!(adsdv_frame_init_in(edition, places, 0x513, error), ADSDV_OK);
+            }
             // And what is refused, in words.
+            let nowhere = adsdv_edition_count();
+            assert_eq!(adsdv_frame_init_in(nowhere, &raw mut frames[0], 0x513, error), ADSDV_UNKNOWN_EDITION);
             let (name, frame) = (c"fault-trigger=slope".as_ptr(), &raw mut frames[0]);
             assert_eq!(adsdv_machine_init(&raw mut machine, name, error), ADSDV_UNKNOWN_NAME);
             assert_eq!(adsdv_frame_init(frame, 1, error), ADSDV_UNKNOWN_ID);

@@ -2,7 +2,7 @@
 //
 //     cargo build --release -p adsdv-ffi
 //     c++ -std=c++17 -O2 -Iffi/include oracle/examples/adapter.cpp target/release/libadsdv.a -lpthread -ldl -lm -o adapter
-//     adsdv conform -- ./adapter
+//     adsdv conform [--edition 4.0] -- ./adapter
 // Put your own VCU in place of Vcu::step. oracle/PROTOCOL.md says what the lines mean.
 #include <cstdlib>
 #include <iostream>
@@ -26,14 +26,17 @@ class Line {
         // What is not in the line is at its default.
         return std::strtol(std::string(after(key).substr(0, 12)).c_str(), nullptr, 10);
     }
-    // The value of an enumeration, by its name.
-    int named(const char *key, unsigned enumeration, int otherwise) const {
+    std::string_view text(const char *key) const {
         const std::string_view value = after(key);
-        if (value.empty()) return otherwise;
-        const std::string_view name = value.substr(1, value.find('"', 1) - 1);
+        return value.empty() ? value : value.substr(1, value.find('"', 1) - 1);
+    }
+    // The value of an enumeration, by its name.
+    int named(adsdv_edition edition, const char *key, unsigned enumeration, int otherwise) const {
+        const std::string_view name = text(key);
+        if (name.empty()) return otherwise;
         std::int32_t number = 0;
         adsdv_error error;
-        check(adsdv_value_of_name(enumeration, name.data(), name.size(), &number, &error), error);
+        check(adsdv_value_of_name_in(edition, enumeration, name.data(), name.size(), &number, &error), error);
         return number;
     }
 
@@ -46,30 +49,37 @@ class Line {
     std::string_view text_;
 };
 
-// A VCU that keeps its control state.
+// A VCU of an edition that keeps its control state.
 class Vcu {
   public:
-    Vcu() { check(adsdv_control_init(&control_, &error_), error_); }
+    explicit Vcu(adsdv_edition edition) {
+        check(adsdv_machine_init_in(edition, &machine_, nullptr, &error_), error_);
+        check(adsdv_control_init(&control_, &error_), error_);
+    }
+    adsdv_edition edition() const { return machine_.edition; }
     adsdv_outputs step(const Line &line) {
         adsdv_inputs in;
         adsdv_outputs out;
         check(adsdv_inputs_init(&in, &error_), error_);
 #define FLAG(key) in.key = line.flag(#key);
 #define NUMBER(key) in.key = static_cast<decltype(in.key)>(line.number(#key));
-#define NAME(key, of) in.key = static_cast<decltype(in.key)>(line.named(#key, of, in.key));
+#define NAME(key, of) in.key = static_cast<decltype(in.key)>(line.named(edition(), #key, of, in.key));
         FLAG(asms) FLAG(tsms) FLAG(go) FLAG(remote_estop) FLAG(res_link_lost) FLAG(vehicle_estop) FLAG(crash_sensor)
         FLAG(critical_fault) FLAG(bms_fault) FLAG(mpp_dongle_removed) FLAG(hvil_open) FLAG(hvil_short) FLAG(ebs_fault)
         FLAG(offboard_charger_fault) FLAG(charging) FLAG(batt_temp_high) FLAG(batt_soc_low) FLAG(handshake)
         FLAG(estop_request) NUMBER(front_axle_trq_request) NUMBER(rear_axle_trq_request) NUMBER(steer_request)
         NUMBER(steer_angle) NUMBER(fl_wheel_speed) NUMBER(fr_wheel_speed) NUMBER(rl_wheel_speed) NUMBER(rr_wheel_speed)
         NAME(ami, ADSDV_AMI_STATE) NAME(ebs, ADSDV_EBS_STATE) NAME(mission_status, ADSDV_MISSION_STATUS)
-        NAME(direction_request, ADSDV_DIRECTION)
+        NAME(direction_request, ADSDV_DIRECTION) NUMBER(status_silence_ms) NUMBER(drive_f_silence_ms)
+        NUMBER(drive_r_silence_ms) NUMBER(steer_silence_ms) NUMBER(brake_silence_ms) NUMBER(hyd_press_f_req)
+        NUMBER(hyd_press_r_req)
         const auto dt_ms = static_cast<std::uint32_t>(line.number("dt_ms"));
-        check(adsdv_step(nullptr, &control_, &in, dt_ms, &out, nullptr, &error_), error_);
+        check(adsdv_step(&machine_, &control_, &in, dt_ms, &out, nullptr, &error_), error_);
         return out;
     }
 
   private:
+    adsdv_machine machine_;
     adsdv_control control_;
     adsdv_error error_;
 };
@@ -77,11 +87,19 @@ class Vcu {
 
 int main() try {
     std::ios::sync_with_stdio(false);
-    Vcu vcu;
+    adsdv_edition edition;
+    adsdv_error error;
+    check(adsdv_edition_find("3.0", &edition, &error), error); // what all is about without a hello
+    Vcu vcu(edition);
     for (std::string text; std::getline(std::cin, text);) {
         const Line line(text);
-        if (text.find("\"op\":\"reset\"") != std::string::npos) {
-            vcu = Vcu();
+        if (line.text("op") == "hello") {
+            // An edition that there is not is answered with the one that this VCU is of.
+            const std::string version(line.text("edition"));
+            if (adsdv_edition_find(version.c_str(), &edition, nullptr) == ADSDV_OK) vcu = Vcu(edition);
+            std::cout << "{\"edition\":\"" << adsdv_edition_version(vcu.edition()) << "\"}\n";
+        } else if (line.text("op") == "reset") {
+            vcu = Vcu(vcu.edition());
             std::cout << "{}\n";
         } else {
             const adsdv_outputs out = vcu.step(line);

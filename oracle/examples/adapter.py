@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A program under test for `adsdv conform`: the protocol of PROTOCOL.md, around the specification itself.
 
-    adsdv conform -- python3 oracle/examples/adapter.py [READING=CHOICE ...]
+    adsdv conform [--edition 4.0] -- python3 oracle/examples/adapter.py [READING=CHOICE ...]
 
 It needs the module adsdv (folder python/ of this project). For a VCU of your own, write a class like `VcuUnderTest`.
 """
@@ -13,29 +13,40 @@ import adsdv
 
 
 class VcuUnderTest:
-    """What is to be judged: here, the reference VCU. Replace both methods by calls of your own."""
+    """What is to be judged: here, the reference VCU. Replace the methods by calls of your own."""
 
     def __init__(self, readings):
-        self.vcu = adsdv.Vcu(readings)
+        # All is about 3.0 until a hello says otherwise.
+        self.readings, self.edition, self.vcu = readings, "3.0", None
+
+    def hello(self, edition):
+        """All that follows is about this edition. Tells which one this VCU is of: if it has only one, always that."""
+        if edition in adsdv.editions():
+            self.edition = edition
+        return self.edition
 
     def reset(self):
         """Begins anew, as after a power cycle."""
-        self.vcu.reset()
+        self.vcu = adsdv.Vcu(self.readings, self.edition)
 
     def step(self, dt_ms, inputs):
         """Steps once. `inputs` has what is not at its default; the answer has as many outputs as there are."""
+        if self.vcu is None:
+            self.reset()
         return self.vcu.step(inputs, dt_ms).outputs
 
 
 def answer(vcu, request):
     """The answer to one request, as a dict."""
     operation = request.pop("op", None)
+    if operation == "hello":
+        return {"edition": vcu.hello(request.get("edition"))}
     if operation == "reset":
         vcu.reset()
         return {}
     if operation == "step":
         return vcu.step(request.pop("dt_ms", None), request)
-    raise ValueError(f'"op" is {operation!r}; expected "reset" or "step"')
+    raise ValueError(f'"op" is {operation!r}; expected "hello", "reset" or "step"')
 
 
 def main():

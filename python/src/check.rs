@@ -1,10 +1,11 @@
 //! `check`: judges a recorded log.
 
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_spec::Choices;
+use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_log, judge_recognised};
+use adsdv_spec::{Choice, Choices, Edition};
 use pyo3::prelude::*;
 
+use crate::edition;
 use crate::report::Report;
 use crate::source::Source;
 use crate::value;
@@ -21,6 +22,8 @@ const LONGEST: u32 = 60_000;
 /// window_ms: how long after a cause its effect may be seen; None for 30.
 /// deadline_ms: for how long a condition must hold before a missing effect is a violation; None for 50.
 /// interface: the CAN interface to judge, such as "can0"; None for the first that carries a message of the document.
+/// edition: the edition of the interface to judge by, one of adsdv.editions(); None to recognise it by the frames, and where
+/// they do not tell, adsdv.INTERFACE_VERSION. The report says which one it is.
 ///
 /// Other threads run meanwhile, so that logs can be judged side by side in threads. A line that is no frame is a finding; a
 /// log without a frame is a LogError; a log that cannot be read is an OSError.
@@ -28,12 +31,14 @@ const LONGEST: u32 = 60_000;
 /// >>> import adsdv
 /// >>> adsdv.check(["(1.000000) can0 520#0000010000000000"]).verdict
 /// 'conforms'
+/// >>> adsdv.check(["(1.00) can0 120#0010000000000000", "(1.01) can0 520#0000010000000000"]).edition
+/// '4.0'
 /// >>> adsdv.check(b"")
 /// Traceback (most recent call last):
 ///     ...
 /// adsdv.LogError: the log is empty; expected lines of candump -L, such as (1.000000) can0 520#0000010000000000
 #[pyfunction]
-#[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None))]
+#[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None, edition=None))]
 pub(crate) fn check(
     py: Python<'_>,
     log: &Bound<'_, PyAny>,
@@ -41,22 +46,50 @@ pub(crate) fn check(
     window_ms: Option<&Bound<'_, PyAny>>,
     deadline_ms: Option<&Bound<'_, PyAny>>,
     interface: Option<String>,
+    edition: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Report> {
-    let options = LogOptions { judge: options(readings, window_ms, deadline_ms)?, interface };
+    let edition = edition.map(edition::named).transpose()?;
+    let pins = value::choices(readings)?;
+    let (by, readings) = match edition {
+        Some(edition) => (edition, edition::pinned(edition, &pins)?),
+        None => (Edition::DEFAULT, edition::pinned_in_some(Edition::DEFAULT, &pins)?),
+    };
+    let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface };
     let mut source = Source::open(log)?;
-    match py.detach(|| judge_log(&mut source, &options, |_| {})) {
-        Ok(report) => Report::of(py, &report),
+    if edition.is_some() {
+        return match py.detach(|| judge_log(&mut source, &options, |_| {})) {
+            Ok(report) => Report::of(py, by, None, &report),
+            Err(error) => Err(source.error(py, &error)),
+        };
+    }
+    recognising(py, source, &options, &pins)
+}
+
+/// Judges by the edition that the log tells.
+fn recognising(
+    py: Python<'_>,
+    mut source: Source,
+    options: &LogOptions,
+    pins: &[Choice],
+) -> PyResult<Report> {
+    match py.detach(|| judge_recognised(&mut source, options, |_| {})) {
+        Ok(Judged { failure: Some(failure), .. }) => Err(source.error(py, &LogError::Read(failure))),
+        Ok(Judged { report, recognised, failure: None }) => {
+            edition::pinned(recognised.edition, pins)?;
+            Report::of(py, recognised.edition, Some(&recognised), &report)
+        }
         Err(error) => Err(source.error(py, &error)),
     }
 }
 
 /// What a judge may assume.
 pub(crate) fn options(
-    readings: Option<&Bound<'_, PyAny>>,
+    edition: &'static Edition,
+    readings: Choices,
     window_ms: Option<&Bound<'_, PyAny>>,
     deadline_ms: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<JudgeOptions> {
-    let usual = JudgeOptions::default();
+    let usual = JudgeOptions::of(edition);
     let ms = |key: &str, given: Option<&Bound<'_, PyAny>>, usual: u32| match given {
         Some(given) => value::whole(key, given, 0, LONGEST),
         None => Ok(usual),
@@ -64,7 +97,7 @@ pub(crate) fn options(
     Ok(JudgeOptions {
         window_ms: ms("window_ms", window_ms, usual.window_ms)?,
         deadline_ms: ms("deadline_ms", deadline_ms, usual.deadline_ms)?,
-        readings: value::choices(readings)?.into_iter().fold(crate::EDITION.choices, Choices::pin),
+        readings,
         ..usual
     })
 }

@@ -1,10 +1,11 @@
 //! The codec: `decode`, `encode`, the frames of a step, and the reserved identifiers.
 
+use adsdv_spec::Edition;
 use adsdv_spec::messages::{Decimal, DecodeError, Frame, MessageDef, Scale, SignalDef};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFloat, PyInt};
 
-use crate::EDITION;
+use crate::edition;
 use crate::error::CodecError;
 use crate::step::Step;
 use crate::value;
@@ -23,8 +24,10 @@ pub(crate) fn error(error: &DecodeError) -> PyErr {
 /// Reads the data of a frame with this identifier.
 ///
 /// The answer is a dict: the message's "name", "id" and "sender" ("AI" or "VCU"); its "signals" in physical units; the same
-/// "raw", as on the bus; and the "names" of those values that have one. Data that is no message of the document, is too
-/// short, or has a signal with a value that the document does not allow, is a CodecError.
+/// "raw", as on the bus; and the "names" of those values that have one. Data that is no message of the edition, is too
+/// short, or has a signal with a value that the edition does not allow, is a CodecError.
+///
+/// edition: one of adsdv.editions(); None for adsdv.INTERFACE_VERSION.
 ///
 /// >>> import adsdv
 /// >>> adsdv.decode(0x513, bytes.fromhex("9CFF"))
@@ -35,15 +38,20 @@ pub(crate) fn error(error: &DecodeError) -> PyErr {
 /// Traceback (most recent call last):
 ///     ...
 /// adsdv.CodecError: AI2VCU_Steer (513h): STEER_REQUEST_deg is 24.1 deg (raw 241), allowed: -24 to 24 deg (raw -240 to 240)
+/// >>> adsdv.decode(0x511, bytes(4), edition="4.0")["signals"]
+/// {'FRONT_AXLE_TRQ_REQUEST': 0.0, 'FRONT_MOTOR_SPEED_MAX': 0}
 #[pyfunction]
+#[pyo3(signature = (id, data, edition=None))]
 fn decode<'py>(
     py: Python<'py>,
     id: &Bound<'py, PyAny>,
     data: &Bound<'py, PyAny>,
+    edition: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let edition = edition::or_default(edition)?;
     let (id, data) = (value::id(id)?, value::data(data)?);
-    EDITION.bus.decode(id, &data).map_err(|wrong| error(&wrong))?;
-    let def = by_id(id)?;
+    edition.bus.decode(id, &data).map_err(|wrong| error(&wrong))?;
+    let def = by_id(edition, id)?;
     let (signals, raws, names) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
     for signal in def.signals {
         let Some(raw) = signal.raw(&data) else { continue };
@@ -75,8 +83,10 @@ fn physical<'py>(py: Python<'py>, signal: &SignalDef, raw: i32) -> Bound<'py, Py
 /// The frame of a message, as its identifier and data; `message` is its name or its identifier.
 ///
 /// Signals are given as keywords: in physical units, or by the name of a value. A physical value becomes the nearest raw one.
-/// A signal that is not given is 0, or the first of its values where 0 is none. What the document does not allow is a
+/// A signal that is not given is 0, or the first of its values where 0 is none. What the edition does not allow is a
 /// CodecError.
+///
+/// edition: as of decode.
 ///
 /// >>> import adsdv
 /// >>> adsdv.encode("AI2VCU_Steer", STEER_REQUEST_deg=-10.0)
@@ -88,14 +98,17 @@ fn physical<'py>(py: Python<'py>, signal: &SignalDef, raw: i32) -> Bound<'py, Py
 /// Traceback (most recent call last):
 ///     ...
 /// adsdv.CodecError: AI2VCU_Steer (513h): STEER_REQUEST_deg is 24.1 deg (raw 241), allowed: -24 to 24 deg (raw -240 to 240)
+/// >>> adsdv.encode("AI2VCU_Steer", edition="4.0", STEER_REQUEST=-10.0)
+/// (1299, b'\x9c\xff')
 #[pyfunction]
-#[pyo3(signature = (message, /, **signals))]
+#[pyo3(signature = (message, /, *, edition=None, **signals))]
 fn encode<'py>(
     py: Python<'py>,
     message: &Bound<'py, PyAny>,
+    edition: Option<&Bound<'py, PyAny>>,
     signals: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(u16, Bound<'py, PyBytes>)> {
-    let def = find(message)?;
+    let def = find(edition::or_default(edition)?, message)?;
     // What is not given: the first value that is allowed, from 0 on.
     let mut data = def.signals.iter().fold([0; 8], |data, signal| {
         let first = signal.values.first().map_or(signal.min, |&(first, _)| first);
@@ -122,19 +135,19 @@ fn no_signal(def: &MessageDef, name: &str) -> String {
 }
 
 /// The message of this name, in any edition, or of this identifier.
-fn find(message: &Bound<'_, PyAny>) -> PyResult<&'static MessageDef> {
+fn find(edition: &Edition, message: &Bound<'_, PyAny>) -> PyResult<&'static MessageDef> {
     let Some(name) = value::text(message) else {
-        return by_id(value::id(message)?);
+        return by_id(edition, value::id(message)?);
     };
-    EDITION.bus.known_as(&name).ok_or_else(|| {
-        let names: Vec<&str> = EDITION.bus.messages.iter().map(|def| def.name).collect();
+    edition.bus.known_as(&name).ok_or_else(|| {
+        let names: Vec<&str> = edition.bus.messages.iter().map(|def| def.name).collect();
         CodecError::new_err(format!("there is no message {name:?}; expected one of {}", names.join(", ")))
     })
 }
 
 /// The message of this identifier.
-fn by_id(id: u16) -> PyResult<&'static MessageDef> {
-    EDITION.bus.message(id).ok_or_else(|| error(&DecodeError::UnknownId { id }))
+fn by_id(edition: &Edition, id: u16) -> PyResult<&'static MessageDef> {
+    edition.bus.message(id).ok_or_else(|| error(&DecodeError::UnknownId { id }))
 }
 
 /// The raw value of what was given for a signal.
@@ -178,7 +191,8 @@ fn allowed(signal: &SignalDef) -> String {
     names.join(", ")
 }
 
-/// The frames that a VCU sends after a step, as pairs of identifier and data: 520h first, 502h last.
+/// The frames that a VCU sends after a step, as pairs of identifier and data: 520h first, 502h last; those of the edition of
+/// the VCU.
 ///
 /// 502h is sent less often than the others by a VCU: every 100 ms.
 ///
@@ -188,6 +202,9 @@ fn allowed(signal: &SignalDef) -> String {
 /// ['520', '521', '522', '523', '524', '525', '526', '500', '502']
 /// >>> frames[0][1].hex()
 /// '0000010000000000'
+/// >>> frames = adsdv.frames(adsdv.Vcu(edition="4.0").step())
+/// >>> [f"{id:03X}" for id, data in frames]
+/// ['520', '521', '522', '523', '524', '525', '526', '500', '120', '502']
 #[pyfunction]
 fn frames<'py>(py: Python<'py>, step: &Step) -> Vec<(u16, Bound<'py, PyBytes>)> {
     step.frames(py)
@@ -195,10 +212,13 @@ fn frames<'py>(py: Python<'py>, step: &Step) -> Vec<(u16, Bound<'py, PyBytes>)> 
 
 /// Whether the AI Computer must not send this identifier of 11 bits (section 2.3).
 ///
+/// edition: as of decode.
+///
 /// >>> import adsdv
 /// >>> adsdv.is_reserved(0x181), adsdv.is_reserved(0x510)
 /// (True, False)
 #[pyfunction]
-fn is_reserved(id: &Bound<'_, PyAny>) -> PyResult<bool> {
-    Ok(EDITION.bus.is_reserved(value::id(id)?))
+#[pyo3(signature = (id, edition=None))]
+fn is_reserved(id: &Bound<'_, PyAny>, edition: Option<&Bound<'_, PyAny>>) -> PyResult<bool> {
+    Ok(edition::or_default(edition)?.bus.is_reserved(value::id(id)?))
 }

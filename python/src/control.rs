@@ -1,6 +1,7 @@
 //! `Control`: what a VCU remembers between two steps.
 
 use adsdv_oracle::protocol::Domain;
+use adsdv_spec::Edition;
 use adsdv_spec::messages::SignalValue;
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
@@ -55,7 +56,8 @@ fields! {
 /// What a VCU remembers between two steps; as it is made, the VCU after a power cycle.
 ///
 /// It never changes: Machine.step makes a new one. It can be compared, hashed, copied and pickled. Its attributes can be
-/// given as keywords, or as a dict such as to_dict gives.
+/// given as keywords, or as a dict such as to_dict gives. It is of no edition: a Machine refuses one that its edition cannot
+/// have.
 ///
 /// state: the state of Figure 2, such as "AS_READY".
 /// in_state_ms: how long that state has lasted, in milliseconds, up to where it stops to matter; 0 to 65535.
@@ -63,7 +65,8 @@ fields! {
 /// was_running, was_forward: AS_DRIVING only, under the reading fault-trigger=edge: what the AI Computer asked for.
 /// handshake_active, handshake_bit, handshake_unanswered_ms: the handshake (section 2.4).
 /// power_cycle_needed: the vehicle must be power-cycled before it can drive again (section 3.9).
-/// shutdown_cause: the fault that shut the vehicle down first (section 2.2), such as "EBS FAULT".
+/// shutdown_cause: the fault that shut the vehicle down first (section 2.2), such as "EBS FAULT", by
+/// the name that any edition has for it.
 ///
 /// >>> import adsdv
 /// >>> adsdv.Control()
@@ -79,6 +82,17 @@ fields! {
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Control(pub(crate) adsdv_spec::Control);
 
+/// The raw number of what was given for a field, which may be by the name that any edition has for it.
+fn raw(field: &Field, given: &Bound<'_, PyAny>) -> PyResult<i32> {
+    let names = |edition: &Edition| edition.bus.signal_of(field.key).map(|signal| signal.values);
+    let names = Edition::ALL.iter().filter_map(|edition| names(edition)).filter(|names| !names.is_empty());
+    let known = |names| value::raw_or(field.key, given, field.domain, Domain::Names(names)).ok();
+    match names.filter(|_| matches!(field.domain, Domain::Names(_))).find_map(known) {
+        Some(raw) => Ok(raw),
+        None => value::raw(field.key, given, field.domain),
+    }
+}
+
 #[pymethods]
 impl Control {
     #[new]
@@ -89,8 +103,8 @@ impl Control {
             let field = FIELDS
                 .iter()
                 .find(|field| field.key == key)
-                .ok_or_else(|| value::unknown_key(key, FIELDS.iter().map(|field| field.key)))?;
-            let set = (field.set)(&mut control, value::raw(key, given, field.domain)?);
+                .ok_or_else(|| value::unknown_key(key, "", FIELDS.iter().map(|field| field.key)))?;
+            let set = (field.set)(&mut control, raw(field, given)?);
             if set { Ok(()) } else { Err(value::refused(key, given, field.domain)) }
         })?;
         Ok(Self(control))

@@ -1,9 +1,11 @@
 //! `Judge`: judges a live bus, frame by frame.
 
+use adsdv_spec::Edition;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::check;
+use crate::edition;
 use crate::error::InputError;
 use crate::report::{self, Report};
 use crate::value;
@@ -14,6 +16,8 @@ const LATEST_S: f64 = 9_223_372_036.0;
 /// Judges frames as they come, in memory that does not grow with their number but for what it finds.
 ///
 /// readings, window_ms, deadline_ms: as of check.
+/// edition: the edition of the interface to judge by, one of adsdv.editions(); None for adsdv.INTERFACE_VERSION. It is not
+/// recognised: that would take a second of frames.
 ///
 /// >>> import adsdv
 /// >>> judge, vcu = adsdv.Judge(), adsdv.Vcu()
@@ -27,14 +31,15 @@ const LATEST_S: f64 = 9_223_372_036.0;
 #[pyclass(module = "adsdv")]
 pub(crate) struct Judge {
     /// None once it has finished.
-    judge: Option<Box<adsdv_oracle::judge::Judge>>,
+    working: Option<Box<adsdv_oracle::judge::Judge>>,
+    edition: &'static Edition,
     /// The time of the first frame.
     origin: Option<i64>,
 }
 
 impl Judge {
     fn judging(&mut self) -> PyResult<&mut adsdv_oracle::judge::Judge> {
-        self.judge.as_deref_mut().ok_or_else(finished)
+        self.working.as_deref_mut().ok_or_else(finished)
     }
 }
 
@@ -45,14 +50,18 @@ fn finished() -> PyErr {
 #[pymethods]
 impl Judge {
     #[new]
-    #[pyo3(signature = (*, readings=None, window_ms=None, deadline_ms=None))]
+    #[pyo3(signature = (*, readings=None, window_ms=None, deadline_ms=None, edition=None))]
     fn new(
         readings: Option<&Bound<'_, PyAny>>,
         window_ms: Option<&Bound<'_, PyAny>>,
         deadline_ms: Option<&Bound<'_, PyAny>>,
+        edition: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let judge = adsdv_oracle::judge::Judge::new(check::options(readings, window_ms, deadline_ms)?);
-        Ok(Self { judge: Some(Box::new(judge)), origin: None })
+        let edition = edition::or_default(edition)?;
+        let readings = edition::pinned(edition, &value::choices(readings)?)?;
+        let options = check::options(edition, readings, window_ms, deadline_ms)?;
+        let judge = adsdv_oracle::judge::Judge::new(options);
+        Ok(Self { working: Some(Box::new(judge)), edition, origin: None })
     }
 
     /// Judges a classic data frame with an identifier of 11 bits.
@@ -99,27 +108,37 @@ impl Judge {
         Ok((report::transitions(py, &transitions)?, report::findings(py, &findings)?))
     }
 
+    /// The version of the edition that it judges by, one of adsdv.editions().
+    ///
+    /// >>> import adsdv
+    /// >>> adsdv.Judge(edition="4.0").edition
+    /// '4.0'
+    #[getter]
+    fn edition(&self) -> &'static str {
+        self.edition.version
+    }
+
     /// The AS state that the VCU showed last, such as "AS_READY"; None while nothing fresh was seen of it, or after finish.
     #[getter]
     fn state(&self) -> Option<&'static str> {
-        Some(self.judge.as_deref()?.state()?.name())
+        Some(self.working.as_deref()?.state()?.name())
     }
 
     /// How fast the AI Computer has answered the handshake so far, as in a Report; None if no answer was seen.
     #[getter]
     fn handshake_response_ms<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let judge = self.judge.as_deref().ok_or_else(finished)?;
+        let judge = self.working.as_deref().ok_or_else(finished)?;
         report::responses(py, judge.responses())
     }
 
     /// The end of the log: settles what is still open, and makes the Report. After it, the judge is of no more use.
     fn finish(&mut self, py: Python<'_>) -> PyResult<Report> {
-        let judge = self.judge.take().ok_or_else(finished)?;
-        Report::of(py, &judge.finish())
+        let judge = self.working.take().ok_or_else(finished)?;
+        Report::of(py, self.edition, None, &judge.finish())
     }
 
     fn __repr__(&self) -> String {
-        let state = self.state().unwrap_or(if self.judge.is_none() { "finished" } else { "no state seen" });
+        let state = self.state().unwrap_or(if self.working.is_none() { "finished" } else { "no state seen" });
         format!("<adsdv.Judge: {state}>")
     }
 }

@@ -1,6 +1,7 @@
 //! `import adsdv`: the specification of the ADS-DV AI/VCU interface, and the judge of its logs, from Python.
 //!
 //! ```text
+//! edition.rs   editions, and what an edition lets say
 //! machine.rs   Machine, Vcu: steps        control.rs   Control: what a VCU remembers
 //! step.rs      Step: what a step did      codec.rs     decode, encode, frames, is_reserved
 //! check.rs     check: judges a log        source.rs    what a log can be read from
@@ -16,6 +17,7 @@
 mod check;
 mod codec;
 mod control;
+mod edition;
 mod error;
 mod judge;
 mod machine;
@@ -25,11 +27,7 @@ mod step;
 mod tables;
 mod value;
 
-use adsdv_spec::Edition;
 use pyo3::prelude::*;
-
-/// The edition of the interface that all functions speak of.
-const EDITION: &Edition = Edition::DEFAULT;
 
 /// The executable specification of the ADS-DV AI/VCU interface.
 ///
@@ -49,13 +47,19 @@ const EDITION: &Edition = Edition::DEFAULT;
 /// >>> adsdv.check(log).transitions
 /// [{'t': 0.01, 'from': 'AS_OFF', 'to': 'AS_READY', 'section': '3.1', 'justified': 'unknown'}]
 ///
+/// There is more than one edition of the interface, of which adsdv.editions() has the versions. Whatever depends on the
+/// edition takes it as `edition`; where it is not said, it is that of adsdv.INTERFACE_VERSION, but check recognises it:
+///
+/// >>> adsdv.Vcu(edition="4.0").machine.edition
+/// '4.0'
+///
 /// Whatever is given that is not what was expected is an AdsdvError, which is a ValueError; whatever cannot be read is an
 /// OSError. Both say what was found, and what would have been right.
 #[pymodule]
 fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add("INTERFACE_VERSION", EDITION.version)?;
     error::add(module)?;
+    edition::add(module)?;
     module.add_class::<control::Control>()?;
     module.add_class::<machine::Machine>()?;
     module.add_class::<machine::Vcu>()?;

@@ -1,13 +1,12 @@
 //! `Machine`, which steps, and `Vcu`, which remembers.
 
-use adsdv_oracle::protocol::INPUTS;
-use adsdv_spec::{AiMessages, Inputs, Readings};
+use adsdv_spec::{AiMessages, Edition, Inputs, Readings};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
-use crate::EDITION;
 use crate::codec;
 use crate::control::Control;
+use crate::edition;
 use crate::step::Step;
 use crate::value;
 
@@ -15,6 +14,7 @@ use crate::value;
 ///
 /// readings: where the document allows more than one meaning, the one to follow, such as {"fault-trigger": "edge"};
 /// adsdv.readings() lists them. What is not in it is at its default.
+/// edition: the edition of the interface, one of adsdv.editions(); None for adsdv.INTERFACE_VERSION.
 ///
 /// >>> import adsdv
 /// >>> machine = adsdv.Machine(readings={"fault-trigger": "edge"})
@@ -22,76 +22,82 @@ use crate::value;
 /// >>> step = machine.step(control, {"asms": True, "tsms": True}, 10)
 /// >>> step.control
 /// Control(handshake_active=True, handshake_bit=True)
+/// >>> adsdv.Machine({"fault-trigger": "edge"}, edition="4.0")
+/// Traceback (most recent call last):
+///     ...
+/// adsdv.InputError: "fault-trigger" is 'edge'; expected in edition 4.0 level
 #[pyclass(frozen, eq, hash, module = "adsdv")]
 #[derive(Clone, Copy)]
-pub(crate) struct Machine(adsdv_spec::Machine);
+pub(crate) struct Machine {
+    machine: adsdv_spec::Machine,
+    edition: &'static Edition,
+}
 
-/// The same readings make the same machine.
+/// The same readings of the same edition make the same machine.
 impl PartialEq for Machine {
     fn eq(&self, other: &Self) -> bool {
-        self.0.readings() == other.0.readings()
+        self.machine.readings() == other.machine.readings() && self.edition.version == other.edition.version
     }
 }
 
 impl std::hash::Hash for Machine {
     fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        self.0.readings().hash(state);
+        self.machine.readings().hash(state);
+        self.edition.version.hash(state);
     }
 }
 
 impl Machine {
-    fn with(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let readings = value::choices(readings)?.into_iter().fold(EDITION.readings, Readings::with);
-        Ok(Self(adsdv_spec::Machine::new(*EDITION, readings)))
+    fn with(readings: Option<&Bound<'_, PyAny>>, edition: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let edition = edition::or_default(edition)?;
+        let pins = value::choices(readings)?;
+        edition::pinned(edition, &pins)?;
+        let readings = pins.into_iter().fold(edition.readings, Readings::with);
+        Ok(Self { machine: adsdv_spec::Machine::new(*edition, readings), edition })
     }
 
     fn take(&self, control: &adsdv_spec::Control, inputs: Inputs, dt_ms: u32) -> Step {
-        let (control, outputs) = self.0.step(control, &inputs, dt_ms);
-        Step { control, outputs, inputs }
+        let (control, outputs) = self.machine.step(control, &inputs, dt_ms);
+        Step { control, outputs, inputs, edition: self.edition }
     }
 
     fn readings_of(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        let readings = self.0.readings();
-        EDITION.questions().map(move |reading| (reading.id(), readings.choice(reading).id()))
+        let readings = self.machine.readings();
+        self.edition.questions().map(move |reading| (reading.id(), readings.choice(reading).id()))
     }
 }
 
 /// Inputs: those of the AI Computer as far as they were received, and what is given.
 fn inputs(
+    edition: &Edition,
     ai: AiMessages,
     given: Option<&Bound<'_, PyAny>>,
     keywords: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Inputs> {
     let mut inputs = Inputs { ai, ..Inputs::default() };
-    value::each(given, keywords, |key, given| {
-        let mut fields = INPUTS.iter().filter(|field| field.is_in(crate::EDITION));
-        let known = fields.clone().map(|field| field.key);
-        let field = fields.find(|field| field.key == key).ok_or_else(|| value::unknown_key(key, known))?;
-        let set = (field.set)(&mut inputs, value::raw(key, given, field.domain)?);
-        if set { Ok(()) } else { Err(value::refused(key, given, field.domain)) }
-    })?;
+    value::each(given, keywords, |key, given| edition::set_input(edition, &mut inputs, key, given))?;
     Ok(inputs)
 }
 
 /// How long a step takes if it is not said: a cycle of the reference VCU.
-fn time(dt_ms: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
+fn time(edition: &Edition, dt_ms: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     match dt_ms {
         Some(dt_ms) => value::whole("dt_ms", dt_ms, 0, u32::MAX),
-        None => Ok(EDITION.rules.timing.cycle_ms.into()),
+        None => Ok(edition.rules.timing.cycle_ms.into()),
     }
 }
 
 #[pymethods]
 impl Machine {
     #[new]
-    #[pyo3(signature = (readings=None))]
-    fn new(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        Self::with(readings)
+    #[pyo3(signature = (readings=None, edition=None))]
+    fn new(readings: Option<&Bound<'_, PyAny>>, edition: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        Self::with(readings, edition)
     }
 
     /// One step: what a VCU that remembers `control` does when it sees these inputs.
     ///
-    /// inputs: a flat dict with the keys of adsdv.inputs(), or keywords, or both; what is not there is at its default (off,
+    /// inputs: a flat dict with the keys of adsdv.inputs(edition), or keywords, or both; what is not there is at its default (off,
     /// 0, or the first name). Numbers are raw, as on the bus: a steer angle of -4.9 degrees is -49.
     /// dt_ms: the time since the last step in milliseconds; None for the reference VCU's cycle of 10 ms.
     ///
@@ -112,11 +118,22 @@ impl Machine {
         dt_ms: Option<&Bound<'_, PyAny>>,
         keywords: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Step> {
-        let inputs = self::inputs(AiMessages::default(), inputs, keywords)?;
-        Ok(self.take(&control.0, inputs, time(dt_ms)?))
+        edition::check_control(self.edition, &control.0)?;
+        let inputs = self::inputs(self.edition, AiMessages::default(), inputs, keywords)?;
+        Ok(self.take(&control.0, inputs, time(self.edition, dt_ms)?))
     }
 
-    /// Every reading with the choice that this machine makes.
+    /// The version of the edition that it is of, one of adsdv.editions().
+    ///
+    /// >>> import adsdv
+    /// >>> adsdv.Machine().edition == adsdv.INTERFACE_VERSION
+    /// True
+    #[getter]
+    fn edition(&self) -> &'static str {
+        self.edition.version
+    }
+
+    /// Every reading that the edition leaves open, with the choice that this machine makes.
     ///
     /// >>> import adsdv
     /// >>> adsdv.Machine({"fault-trigger": "edge"}).readings["fault-trigger"]
@@ -131,23 +148,36 @@ impl Machine {
     }
 
     fn __repr__(&self) -> String {
-        let usual = adsdv_spec::Machine::REFERENCE.readings();
-        let other = EDITION.questions().map(|reading| self.0.readings().choice(reading));
+        let readings = self.machine.readings();
+        let other = self.edition.questions().map(|reading| readings.choice(reading));
         let other: Vec<String> = other
-            .filter(|&choice| !usual.is(choice))
+            .filter(|&choice| !self.edition.readings.is(choice))
             .map(|choice| format!("'{}': '{}'", choice.reading().id(), choice.id()))
             .collect();
-        if other.is_empty() { "Machine()".to_owned() } else { format!("Machine({{{}}})", other.join(", ")) }
+        let mut given = Vec::new();
+        if !other.is_empty() {
+            given.push(format!("{{{}}}", other.join(", ")));
+        }
+        if self.edition != Edition::DEFAULT {
+            given.push(format!("edition='{}'", self.edition.version));
+        }
+        format!("Machine({})", given.join(", "))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, (Bound<'py, PyDict>,))> {
-        Ok((slf.get_type(), (slf.get().readings(slf.py())?,)))
+    #[expect(clippy::type_complexity, reason = "a class, and what makes one of it")]
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyType>, (Bound<'py, PyDict>, &'static str))> {
+        Ok((slf.get_type(), (slf.get().readings(slf.py())?, slf.get().edition.version)))
     }
 }
 
 /// A VCU that remembers: a Machine with its Control and the last messages of the AI Computer.
 ///
-/// readings: as of Machine.
+/// readings, edition: as of Machine.
+///
+/// It does not measure for how long messages have been missing, which matters from edition 4.0 on: that is an input of each
+/// step ("status_silence_ms" and its like), and 0 where it is not given.
 ///
 /// >>> import adsdv
 /// >>> vcu = adsdv.Vcu()
@@ -167,9 +197,9 @@ pub(crate) struct Vcu {
 #[pymethods]
 impl Vcu {
     #[new]
-    #[pyo3(signature = (readings=None))]
-    fn new(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let machine = Machine::with(readings)?;
+    #[pyo3(signature = (readings=None, edition=None))]
+    fn new(readings: Option<&Bound<'_, PyAny>>, edition: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let machine = Machine::with(readings, edition)?;
         Ok(Self { machine, control: adsdv_spec::Control::INITIAL, ai: AiMessages::default() })
     }
 
@@ -186,9 +216,12 @@ impl Vcu {
         keywords: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Step> {
         // The arguments may run code of their own, which may use this VCU. So it is not held meanwhile.
-        let ai = slf.try_borrow()?.ai;
-        let inputs = self::inputs(ai, inputs, keywords)?;
-        let dt_ms = time(dt_ms)?;
+        let (ai, edition) = {
+            let vcu = slf.try_borrow()?;
+            (vcu.ai, vcu.machine.edition)
+        };
+        let inputs = self::inputs(edition, ai, inputs, keywords)?;
+        let dt_ms = time(edition, dt_ms)?;
         let mut vcu = slf.try_borrow_mut()?;
         let step = vcu.machine.take(&vcu.control, inputs, dt_ms);
         vcu.control = step.control;
@@ -207,7 +240,9 @@ impl Vcu {
     /// 50.0
     fn receive(slf: &Bound<'_, Self>, id: &Bound<'_, PyAny>, data: &Bound<'_, PyAny>) -> PyResult<bool> {
         let (id, data) = (value::id(id)?, value::data(data)?);
-        slf.try_borrow_mut()?.ai.receive(&EDITION.bus, id, &data).map_err(|error| codec::error(&error))
+        let mut vcu = slf.try_borrow_mut()?;
+        let bus = &vcu.machine.edition.bus;
+        vcu.ai.receive(bus, id, &data).map_err(|error| codec::error(&error))
     }
 
     /// Begins anew, as after a power cycle.
@@ -216,15 +251,17 @@ impl Vcu {
         self.ai = AiMessages::default();
     }
 
-    /// What it remembers: a Control. It can be set.
+    /// What it remembers: a Control. It can be set to one that its edition can have.
     #[getter]
     fn control(&self) -> Control {
         Control(self.control)
     }
 
     #[setter]
-    fn set_control(&mut self, control: &Control) {
+    fn set_control(&mut self, control: &Control) -> PyResult<()> {
+        edition::check_control(self.machine.edition, &control.0)?;
         self.control = control.0;
+        Ok(())
     }
 
     /// The state that it is in, such as "AS_OFF".

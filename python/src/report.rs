@@ -1,14 +1,31 @@
 //! `Report`: what a judge says, in the form of `adsdv check --json`.
 
 use adsdv_oracle::judge::{self, Finding, ResponseTimes, Severity, Transition, Verdict};
+use adsdv_oracle::recognise::Recognised;
+use adsdv_spec::Edition;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyType};
 
 use crate::error::InputError;
 use crate::value;
 
-const KEYS: [&str; 6] =
-    ["frames", "duration_s", "transitions", "findings", "handshake_response_ms", "verdict"];
+/// The number of the form, as `adsdv check --json` has it.
+const SCHEMA: u32 = 1;
+
+/// What every report has.
+const KEYS: [&str; 8] = [
+    "schema",
+    "edition",
+    "frames",
+    "duration_s",
+    "transitions",
+    "findings",
+    "handshake_response_ms",
+    "verdict",
+];
+
+/// What a report has where the edition was recognised.
+const RECOGNISED: &str = "recognised";
 
 /// What a judge says about a log.
 ///
@@ -16,7 +33,8 @@ const KEYS: [&str; 6] =
 /// It can be compared and pickled. Times are in seconds since the first frame.
 ///
 /// >>> import adsdv
-/// >>> report = adsdv.check(["(1.000000) can0 520#0000040000000000", "(1.010000) can0 520#0000030000000000"])
+/// >>> log = ["(1.000000) can0 520#0000040000000000", "(1.010000) can0 520#0000030000000000"]
+/// >>> report = adsdv.check(log, edition="3.0")
 /// >>> report
 /// <adsdv.Report: violates, 1 violation, 0 warnings, 1 note>
 /// >>> report.violations[0]["rule"], report.violations[0]["party"]
@@ -27,8 +45,22 @@ const KEYS: [&str; 6] =
 pub(crate) struct Report(Py<PyDict>);
 
 impl Report {
-    pub(crate) fn of(py: Python<'_>, report: &judge::Report) -> PyResult<Self> {
+    pub(crate) fn of(
+        py: Python<'_>,
+        edition: &Edition,
+        recognised: Option<&Recognised>,
+        report: &judge::Report,
+    ) -> PyResult<Self> {
         let dict = PyDict::new(py);
+        dict.set_item("schema", SCHEMA)?;
+        dict.set_item("edition", edition.version)?;
+        if let Some(Recognised { certain, evidence, against, .. }) = recognised {
+            let recognised = PyDict::new(py);
+            recognised.set_item("certain", certain)?;
+            recognised.set_item("evidence", evidence)?;
+            recognised.set_item("against", against)?;
+            dict.set_item(RECOGNISED, recognised)?;
+        }
         dict.set_item("frames", report.frames)?;
         dict.set_item("duration_s", seconds(report.duration_ns))?;
         dict.set_item("transitions", transitions(py, &report.transitions)?)?;
@@ -62,13 +94,16 @@ impl Report {
         let dict = PyDict::new(report.py());
         value::each(Some(report), None, |key, given| {
             let right = match key {
+                "schema" => given.extract::<u32>().is_ok_and(|schema| schema == SCHEMA),
+                "edition" => value::text(given).is_some(),
+                RECOGNISED => given.is_instance_of::<PyDict>(),
                 "transitions" | "findings" => given.is_instance_of::<PyList>(),
                 "verdict" => value::text(given).is_some_and(|verdict| {
                     [Verdict::Conforms, Verdict::Violates].iter().any(|one| one.name() == verdict)
                 }),
                 "handshake_response_ms" => given.is_none() || given.is_instance_of::<PyDict>(),
                 "frames" | "duration_s" => given.extract::<f64>().is_ok(),
-                _ => return Err(value::unknown_key(key, KEYS.into_iter())),
+                _ => return Err(value::unknown_key(key, "", KEYS.into_iter().chain([RECOGNISED]))),
             };
             if right {
                 dict.set_item(key, given)
@@ -82,6 +117,27 @@ impl Report {
             }
         }
         Ok(Self(dict.unbind()))
+    }
+
+    /// The version of the edition of the interface that was judged by.
+    ///
+    /// >>> import adsdv
+    /// >>> adsdv.check(["(1.0) can0 520#0000010000000000"], edition="4.0").edition
+    /// '4.0'
+    #[getter]
+    fn edition<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.get(py, "edition")
+    }
+
+    /// How the edition was recognised: a dict of certain (whether it fits better than every other; if not, it is the default),
+    /// evidence (what fits it and not every other) and against (what does not fit it). None if somebody named the edition.
+    ///
+    /// >>> import adsdv
+    /// >>> adsdv.check(["(1.0) can0 520#0000010000000000"]).recognised["certain"]
+    /// False
+    #[getter]
+    fn recognised<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        self.0.bind(py).get_item(RECOGNISED)
     }
 
     /// "conforms" or "violates": whether at least one finding is a violation.
@@ -137,7 +193,7 @@ impl Report {
     ///
     /// >>> import adsdv
     /// >>> list(adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict())
-    /// ['frames', 'duration_s', 'transitions', 'findings', 'handshake_response_ms', 'verdict']
+    /// ['schema', 'edition', 'recognised', 'frames', 'duration_s', 'transitions', 'findings', 'handshake_response_ms', 'verdict']
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.0.bind(py).copy()
     }

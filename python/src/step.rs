@@ -2,11 +2,10 @@
 
 use adsdv_oracle::protocol::Shown;
 use adsdv_spec::messages::Frame;
-use adsdv_spec::{Inputs, Outputs, Row, Term};
+use adsdv_spec::{Edition, Inputs, Outputs, Row, Term};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::EDITION;
 use crate::control::Control;
 use crate::value;
 
@@ -23,20 +22,21 @@ pub(crate) struct Step {
     pub(crate) control: adsdv_spec::Control,
     pub(crate) outputs: Outputs,
     pub(crate) inputs: Inputs,
+    pub(crate) edition: &'static Edition,
 }
 
 impl Step {
     fn taken_row(&self) -> Option<&'static Row> {
-        self.outputs.taken?.row(&EDITION.rules.table)
+        self.outputs.taken?.row(&self.edition.rules.table)
     }
 
     fn taken_term(&self) -> Option<&'static Term> {
-        self.outputs.taken?.term(&EDITION.rules.table)
+        self.outputs.taken?.term(&self.edition.rules.table)
     }
 
     /// The frames that the VCU sends after the step.
     pub(crate) fn frames<'py>(&self, py: Python<'py>) -> Vec<(u16, Bound<'py, PyBytes>)> {
-        let frames = self.outputs.messages(&self.inputs).frames(&EDITION.bus);
+        let frames = self.outputs.messages(&self.inputs).frames(&self.edition.bus);
         frames.map(|frame: Frame| (frame.id, PyBytes::new(py, frame.data()))).collect()
     }
 }
@@ -49,7 +49,7 @@ impl Step {
         Control(self.control)
     }
 
-    /// What the step shows, as a dict with the keys of adsdv.outputs(): the signals of 520h and what reaches the
+    /// What the step shows, as a dict with the keys of adsdv.outputs(edition): the signals of 520h and what reaches the
     /// actuators. Flags are bools, named values strs, numbers raw ints as on the bus; "steer" is None while the steering is
     /// not active.
     ///
@@ -60,7 +60,7 @@ impl Step {
     #[getter]
     fn outputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
-        for (field, shown) in Shown::of(crate::EDITION, &self.outputs, &self.inputs).iter() {
+        for (field, shown) in Shown::of(self.edition, &self.outputs, &self.inputs).iter() {
             dict.set_item(field.key, value::python(py, shown.domain, shown.raw))?;
         }
         Ok(dict)
@@ -103,7 +103,7 @@ impl Step {
     #[getter]
     fn conditions(&self) -> Vec<String> {
         let conditions = self.taken_term().into_iter().flat_map(Term::literals);
-        conditions.map(|(atom, value)| EDITION.rules.text(atom, value).to_string()).collect()
+        conditions.map(|(atom, value)| self.edition.rules.text(atom, value).to_string()).collect()
     }
 
     fn __repr__(&self) -> String {

@@ -25,20 +25,26 @@ pub(crate) const fn domain<T: SignalValue>() -> Domain {
 
 /// The raw number of a value that was given for `key`.
 pub(crate) fn raw(key: &str, given: &Bound<'_, PyAny>, domain: Domain) -> PyResult<i32> {
-    let flag = || given.extract::<bool>().ok();
+    raw_or(key, given, domain, domain)
+}
+
+/// The same, where a value may have another edition's name as well: what it stands for has to be one of `domain` all the same.
+pub(crate) fn raw_or(key: &str, given: &Bound<'_, PyAny>, domain: Domain, other: Domain) -> PyResult<i32> {
+    let number = number(given, domain).or_else(|| number(given, other).filter(|&raw| domain.has(raw)));
+    number.ok_or_else(|| refused(key, given, domain))
+}
+
+fn number(given: &Bound<'_, PyAny>, domain: Domain) -> Option<i32> {
+    let is_bool = || given.extract::<bool>().is_ok();
     let number = match domain {
-        Domain::Flag => flag().map(i32::from).or_else(|| small(given)).filter(|&raw| raw == 0 || raw == 1),
+        Domain::Flag => given.extract::<bool>().map(i32::from).ok().or_else(|| small(given)),
         Domain::Names(names) => match text(given) {
             Some(name) => names.iter().find(|(_, known)| *known == name).map(|&(raw, _)| raw),
-            None => {
-                small(given).filter(|raw| flag().is_none() && names.iter().any(|(value, _)| value == raw))
-            }
+            None => small(given).filter(|_| !is_bool()),
         },
-        Domain::Number { min, max } => {
-            small(given).filter(|raw| flag().is_none() && (min..=max).contains(raw))
-        }
+        Domain::Number { .. } => small(given).filter(|_| !is_bool()),
     };
-    number.ok_or_else(|| refused(key, given, domain))
+    number.filter(|&raw| domain.has(raw))
 }
 
 fn small(given: &Bound<'_, PyAny>) -> Option<i32> {
@@ -157,10 +163,10 @@ pub(crate) fn choices(readings: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Choic
     Ok(choices)
 }
 
-/// A key that there is not.
-pub(crate) fn unknown_key<'a>(key: &str, expected: impl Iterator<Item = &'a str>) -> PyErr {
+/// A key that there is not, or not in `place`, which begins with a space where it says anything.
+pub(crate) fn unknown_key<'a>(key: &str, place: &str, expected: impl Iterator<Item = &'a str>) -> PyErr {
     let expected: Vec<&str> = expected.collect();
-    InputError::new_err(format!("there is no key {key:?}; expected one of {}", expected.join(", ")))
+    InputError::new_err(format!("there is no key {key:?}{place}; expected one of {}", expected.join(", ")))
 }
 
 /// A value that a key cannot have.

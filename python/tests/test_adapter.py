@@ -20,15 +20,17 @@ def start(adapter, *arguments):
     return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
-def scenario(seed, steps):
-    """Requests of random inputs, with some resets, and the reference VCU's answers."""
-    rng, vcu = random.Random(seed), adsdv.Vcu()
+def scenario(seed, steps, edition=None):
+    """Requests of random inputs, with some resets, and the reference VCU's answers; after a hello, if an edition is named."""
+    rng, vcu = random.Random(seed), adsdv.Vcu(edition=edition)
+    if edition:
+        yield {"op": "hello", "edition": edition}, {"edition": edition}
     for number in range(steps):
         if number == 0 or rng.random() < 0.01:
             vcu.reset()
             yield {"op": "reset"}, {}
         inputs = {}
-        for field in rng.sample(adsdv.inputs(), rng.randint(0, 12)):
+        for field in rng.sample(adsdv.inputs(edition), rng.randint(0, 12)):
             values = {"flag": [True], "name": field["names"], "number": [field["min"], field["max"], 0]}
             inputs[field["key"]] = rng.choice(values[field["kind"]])
         dt_ms = rng.choice([0, 10, 10, 10, 5000])
@@ -39,9 +41,10 @@ def test_it_is_short(adapter):
     assert len(adapter.read_text(encoding="utf-8").splitlines()) < 100
 
 
-def test_it_answers_line_by_line(adapter):
+@pytest.mark.parametrize("edition", [None, *adsdv.editions()])
+def test_it_answers_line_by_line(adapter, edition):
     with start(adapter) as program:
-        for request, expected in scenario(1, 300):
+        for request, expected in scenario(1, 300, edition):
             program.stdin.write(json.dumps(request, separators=(",", ":")) + "\n")
             program.stdin.flush()
             assert json.loads(program.stdout.readline()) == expected
@@ -75,28 +78,35 @@ def test_readings_are_arguments(adapter):
     assert json.loads(out.splitlines()[1])["go_signal"] is True
 
 
-OTHERS = [{}] + [
-    {reading["id"]: choice}
-    for reading in adsdv.readings()
+def test_an_edition_that_it_is_not_of_is_answered_with_its_own(adapter):
+    with start(adapter) as program:
+        out, err = program.communicate('{"op":"hello","edition":"2.9"}\n{"op":"hello"}\n', timeout=60)
+    assert (out, err, program.returncode) == ('{"edition": "3.0"}\n' * 2, "", 0)
+
+
+OTHERS = [(edition, {}) for edition in adsdv.editions()] + [
+    (edition, {reading["id"]: choice})
+    for edition in adsdv.editions()
+    for reading in adsdv.readings(edition)
     for choice in reading["choices"]
     if choice != reading["default"]
 ]
 
 
-@pytest.mark.parametrize("readings", OTHERS, ids=str)
-def test_it_conforms_and_its_readings_are_recognised(command, adapter, readings):
+@pytest.mark.parametrize("edition, readings", OTHERS, ids=str)
+def test_it_conforms_and_its_readings_are_recognised(command, adapter, edition, readings):
     arguments = [f"{reading}={choice}" for reading, choice in readings.items()]
-    conform = [command, "conform", "--json", "--", sys.executable, adapter, *arguments]
+    conform = [command, "conform", "--edition", edition, "--json", "--", sys.executable, adapter, *arguments]
     run = subprocess.run(conform, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
-    assert json.loads(run.stdout)["readings"] == adsdv.Machine(readings).readings
+    assert json.loads(run.stdout)["readings"] == adsdv.Machine(readings, edition).readings
 
 
 @pytest.mark.parametrize(
     "line, error",
     [
         ("rubbish", "line 2: Expecting value"),
-        ('{"op":"stop"}', "line 2: \"op\" is 'stop'; expected \"reset\" or \"step\""),
+        ('{"op":"stop"}', "line 2: \"op\" is 'stop'; expected \"hello\", \"reset\" or \"step\""),
         ('{"op":"step","dt_ms":10,"asm":1}', 'line 2: there is no key "asm"; expected one of asms, '),
     ],
 )

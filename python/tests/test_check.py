@@ -43,18 +43,47 @@ def test_finished_at_speed_violates(finished):
     [
         ({}, []),
         ({"readings": {"go-edge": "edge"}}, ["--reading=go-edge=edge"]),
-        ({"readings": {"fault-trigger": "edge"}}, ["--reading=fault-trigger=edge"]),
+        ({"edition": "3.0", "readings": {"fault-trigger": "edge"}}, ["--edition=3.0", "--reading=fault-trigger=edge"]),
+        *[({"edition": edition}, [f"--edition={edition}"]) for edition in adsdv.editions()],
         ({"window_ms": 0, "deadline_ms": 1}, ["--window=0", "--deadline=1"]),
         ({"interface": "vcan0"}, ["--interface=vcan0"]),
     ],
 )
 def test_reports_are_those_of_the_command(command, any_log, options, arguments):
-    run = subprocess.run([command, "check", "--json", any_log, *arguments], capture_output=True, check=False)
+    environment = {key: value for key, value in os.environ.items() if key != "ADSDV_EDITION"}
+    judge = [command, "check", "--json", any_log, *arguments]
+    run = subprocess.run(judge, capture_output=True, check=False, env=environment)
     assert run.returncode in (0, 1), run.stderr
     printed = json.loads(run.stdout)
     report = adsdv.check(any_log, **options)
     assert report.to_dict() == printed == json.loads(json.dumps(report.to_dict()))
     assert adsdv.Report(printed) == report
+
+
+def test_the_edition_is_recognised_unless_it_is_named(any_log):
+    report = adsdv.check(any_log)
+    assert report.edition != "3.0" and report.recognised["certain"]
+    assert "511h has 4 bytes (3.0: 8)" in report.recognised["evidence"]
+    for edition in adsdv.editions():
+        named = adsdv.check(any_log, edition=edition)
+        assert (named.edition, named.recognised) == (edition, None)
+    assert adsdv.check(any_log, edition="3.0").findings != report.findings
+
+
+def test_a_log_that_does_not_tell_its_edition_is_judged_by_the_default():
+    report = adsdv.check(["(1.0) can0 520#0000010000000000"])
+    assert (report.edition, report.recognised["certain"]) == (adsdv.INTERFACE_VERSION, False)
+    assert any(finding["rule"] == "edition" for finding in report.findings)
+
+
+def test_readings_are_those_of_the_edition_that_is_judged_by(any_log):
+    settled = {"readings": {"fault-trigger": "edge"}}
+    assert adsdv.check(any_log, edition="3.0", **settled).frames > 0
+    recognised = adsdv.check(any_log).edition
+    for edition, options in [(recognised, settled), ("4.0", {"edition": "4.0", **settled})]:
+        with pytest.raises(adsdv.InputError) as error:
+            adsdv.check(any_log, **options)
+        assert str(error.value) == f"\"fault-trigger\" is 'edge'; expected in edition {edition} level"
 
 
 @pytest.mark.parametrize("log, conforms, violates", written.DECIDED)
@@ -144,6 +173,8 @@ def test_what_cannot_be_read_is_an_os_error(tmp_path):
         ({"deadline_ms": 60001}, '"deadline_ms" is 60001; expected a whole number from 0 to 60000'),
         ({"window_ms": 1.5}, '"window_ms" is 1.5; expected a whole number from 0 to 60000'),
         ({"readings": {"go-edge": "late"}}, "'late': no such choice of go-edge; expected one of seen-low, edge"),
+        ({"edition": "2.9"}, "\"edition\" is '2.9'; expected one of " + ", ".join(f'"{one}"' for one in adsdv.editions())),
+        ({"edition": 3.0}, "\"edition\" is 3.0; expected one of " + ", ".join(f'"{one}"' for one in adsdv.editions())),
     ],
 )
 def test_options_that_there_are_not_are_refused(options, message):
@@ -234,13 +265,20 @@ def test_reports_are_values(any_log, mission):
 
 
 def test_a_report_is_whole():
-    whole = adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict()
+    recognised = adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict()
+    assert adsdv.Report(recognised).recognised == recognised["recognised"]
+    with pytest.raises(adsdv.InputError, match='^"recognised" is 1; '):
+        adsdv.Report({**recognised, "recognised": 1})
+    whole = {key: value for key, value in recognised.items() if key != "recognised"}
+    assert adsdv.Report(whole).recognised is None
+    with pytest.raises(adsdv.InputError, match='^"schema" is 2; '):
+        adsdv.Report({**whole, "schema": 2})
     for key in whole:
         with pytest.raises(adsdv.InputError, match=f'^there is no "{key}"; expected a whole report$'):
             adsdv.Report({other: value for other, value in whole.items() if other != key})
         with pytest.raises(adsdv.InputError, match=f'^"{key}" is '):
             adsdv.Report({**whole, key: object()})
-    with pytest.raises(adsdv.InputError, match='^there is no key "found"; expected one of frames, '):
+    with pytest.raises(adsdv.InputError, match='^there is no key "found"; expected one of schema, '):
         adsdv.Report({**whole, "found": 1})
     with pytest.raises(TypeError):
         adsdv.Report(5)

@@ -5,30 +5,89 @@ import random
 import adsdv
 import pytest
 
-MESSAGES = {}
-for signal in adsdv.messages():
-    MESSAGES.setdefault(signal["id"], []).append(signal)
+
+
+def by_id(edition):
+    """The signals of each message."""
+    messages = {}
+    for signal in adsdv.messages(edition):
+        messages.setdefault(signal["id"], []).append(signal)
+    return messages
+
+
+MESSAGES = by_id(adsdv.INTERFACE_VERSION)
+EVERY = [(edition, id) for edition in adsdv.editions() for id in by_id(edition)]
 
 
 def test_there_are_all_messages_of_the_document():
-    assert list(MESSAGES) == [*range(0x500, 0x503), *range(0x510, 0x515), *range(0x520, 0x527)]
+    older = [*range(0x500, 0x503), *range(0x510, 0x515), *range(0x520, 0x527)]
+    assert list(MESSAGES) == list(by_id("3.0")) == older
+    assert list(by_id("4.0")) == [0x120, *older]
 
 
-@pytest.mark.parametrize("id", MESSAGES)
-def test_what_is_encoded_is_decoded(id):
+def test_no_signal_is_called_as_the_edition_is():
+    for edition in adsdv.editions():
+        assert all(signal["signal"] not in ("edition", "message") for signal in adsdv.messages(edition))
+
+
+@pytest.mark.parametrize("edition, id", EVERY)
+def test_what_is_encoded_is_decoded(edition, id):
     rng = random.Random(id)
+    signals = by_id(edition)[id]
     for _ in range(200):
         raw = {
             signal["signal"]: rng.choice(list(signal["values"]) or [rng.randint(signal["min"], signal["max"])])
-            for signal in MESSAGES[id]
+            for signal in signals
         }
-        physical = {signal["signal"]: raw[signal["signal"]] * signal["scale"] for signal in MESSAGES[id]}
-        frame = adsdv.encode(id, **physical)
-        message = adsdv.decode(*frame)
+        physical = {signal["signal"]: raw[signal["signal"]] * signal["scale"] for signal in signals}
+        frame = adsdv.encode(id, edition=edition, **physical)
+        message = adsdv.decode(*frame, edition)
         assert (message["raw"], message["id"]) == (raw, id) == (raw, frame[0])
+        assert len(frame[1]) == signals[0]["length"]
         assert message["signals"] == pytest.approx(physical)
-        assert adsdv.encode(message["name"], **message["signals"]) == frame
-        assert adsdv.encode(id, **{**message["signals"], **message["names"]}) == frame
+        assert adsdv.encode(message["name"], edition=edition, **message["signals"]) == frame
+        assert adsdv.encode(id, edition=edition, **{**message["signals"], **message["names"]}) == frame
+
+
+def test_a_frame_is_as_long_as_the_edition_has_it():
+    assert adsdv.encode(0x511, FRONT_AXLE_TRQ_REQUEST_Nm=195)[1].hex() == "9e07000000000000"
+    assert adsdv.encode(0x511, edition="4.0", FRONT_AXLE_TRQ_REQUEST=195)[1].hex() == "9e070000"
+
+
+def test_what_an_edition_cannot_say_is_refused():
+    for call, message in [
+        (lambda: adsdv.decode(0x120, bytes(8)), "120h is not the identifier of a message of section 2"),
+        (lambda: adsdv.encode("VCU_STATUS"), 'there is no message "VCU_STATUS"; expected one of VCU2LOG_Dynamics1, '),
+        (
+            lambda: adsdv.encode(0x520, BRAKE_PLAUSIBILITY_FAULT=1),
+            'VCU2AI_Status (520h) has no signal "BRAKE_PLAUSIBILITY_FAULT"; expected one of HANDSHAKE, ',
+        ),
+        (
+            lambda: adsdv.encode(0x520, AS_STATE=1, SHUTDOWN_CAUSE=11),
+            "VCU2AI_Status (520h): SHUTDOWN_CAUSE is 11, allowed: 0 = NO SHUTDOWN, ",
+        ),
+        (
+            lambda: adsdv.encode(0x513, edition="4.0", STEER_REQUEST_deg=21.1),
+            "AI2VCU_Steer (513h): STEER_REQUEST is 21.1 deg (raw 211), allowed: -21 to 21 deg (raw -210 to 210)",
+        ),
+        (
+            lambda: adsdv.decode(0x513, (-211).to_bytes(2, "little", signed=True), "4.0"),
+            "AI2VCU_Steer (513h): STEER_REQUEST is -21.1 deg (raw -211), allowed: -21 to 21 deg",
+        ),
+    ]:
+        with pytest.raises(adsdv.CodecError) as error:
+            call()
+        assert str(error.value).startswith(message)
+
+
+def test_frames_are_those_of_the_edition_of_the_step():
+    for edition in adsdv.editions():
+        sent = dict(adsdv.frames(adsdv.Vcu(edition=edition).step()))
+        assert set(sent) == {signal["id"] for signal in adsdv.messages(edition) if signal["sender"] == "VCU"}
+        for id, data in sent.items():
+            assert len(data) == by_id(edition)[id][0]["length"]
+    newer = dict(adsdv.frames(adsdv.Vcu(edition="4.0").step()))
+    assert (len(newer[0x521]), len(newer[0x524])) == (6, 5) and 0x120 in newer
 
 
 def test_bits_are_where_the_database_has_them():
@@ -121,3 +180,5 @@ def test_reserved_identifiers_are_those_of_section_2_3():
     reserved = [id for id in range(0x800) if adsdv.is_reserved(id)]
     assert (len(reserved), reserved[0], reserved[-1]) == (85, 0x000, 0x705)
     assert not any(adsdv.is_reserved(id) for id in MESSAGES)
+    newer = {id for id in range(0x800) if adsdv.is_reserved(id, "4.0")}
+    assert set(reserved) - newer == {0x100, 0x201} and newer - set(reserved) > {0x600, 0x660}

@@ -16,7 +16,7 @@ class Endless(list):
 
 THINGS = [
     None, True, False, 0, 1, -1, 7, 0x513, 0x520, 0x7FF, 0x800, 2**31, 2**32, 2**63, 2**64, -(2**70), 0.0, 1.5, 1e308,
-    float("nan"), float("inf"), "", "a", "AS_OFF", "AI2VCU_Steer", "\0", "\ud800", "x" * 10_000, b"", b"\xff", bytes(8),
+    float("nan"), float("inf"), "", "a", "AS_OFF", "AI2VCU_Steer", "4.0", "\0", "\ud800", "x" * 10_000, b"", b"\xff", bytes(8),
     bytes(9), bytearray(8), memoryview(b"12345678"), [], [0], [256], [-1], ["(1.0) can0 520#00"], (), {}, {"a": 1},
     {"asms": True}, {"state": "AS_READY"}, {1: 2}, {"fault-trigger": "edge"}, {"fault-trigger": None}, set(), object(),
     object, len, range(3), range(10**18), range(0, 2**62, 2**54), Endless([1, 2]), iter([b"x"]), adsdv.Control(), adsdv.Machine(), adsdv.Vcu().step(), Exception("x"),
@@ -43,6 +43,12 @@ CALLS = [
     lambda a, b, c: adsdv.Judge(readings=a, window_ms=b, deadline_ms=c),
     lambda a, b, c: adsdv.Judge().frame(a, b, c),
     lambda a, b, c: adsdv.Report(a),
+    lambda a, b, c: adsdv.Vcu(a, b),
+    lambda a, b, c: adsdv.Judge(readings=a, edition=b),
+    lambda a, b, c: adsdv.decode(a, b, c),
+    lambda a, b, c: adsdv.encode(a, edition=b, STEER_REQUEST_deg=c),
+    lambda a, b, c: adsdv.check(b"(1.0) can0 520#00", edition=a, readings=b),
+    lambda a, b, c: adsdv.readings(a) and adsdv.inputs(b) and adsdv.messages(c),
 ]
 
 
@@ -120,7 +126,7 @@ def test_arguments_may_meddle():
 def test_reports_may_lie_about_their_length():
     whole = adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict()
     report = adsdv.Report({**whole, "findings": Endless(whole["findings"])})
-    assert report.violations == [] and "1 note" in repr(report)
+    assert report.violations == [] and "2 notes" in repr(report)
 
 
 def test_things_that_cannot_be_printed_are_named():

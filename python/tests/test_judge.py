@@ -16,12 +16,14 @@ def frames(log):
         yield float(time), int(id, 16), bytes.fromhex(data)
 
 
-def test_a_log_frame_by_frame_is_judged_as_a_whole(any_log):
-    judge = adsdv.Judge()
+@pytest.mark.parametrize("edition", adsdv.editions())
+def test_a_log_frame_by_frame_is_judged_as_a_whole(any_log, edition):
+    judge = adsdv.Judge(edition=edition)
+    assert judge.edition == edition
     for time, id, data in frames(any_log.read_text().splitlines()):
         judge.frame(time, id, data)
     responses = judge.handshake_response_ms
-    live, report = judge.finish(), adsdv.check(any_log)
+    live, report = judge.finish(), adsdv.check(any_log, edition=edition)
     assert responses == live.handshake_response_ms
 
     def events(report):
@@ -34,12 +36,14 @@ def test_a_log_frame_by_frame_is_judged_as_a_whole(any_log):
 
 def test_news_come_once(any_log):
     judge, told = adsdv.Judge(), ([], [])
+    default = adsdv.INTERFACE_VERSION
     for count, frame in enumerate(frames(any_log.read_text().splitlines())):
         judge.frame(*frame)
         if count % 100 == 0:
             for all, news in zip(told, judge.news()):
                 all.extend(news)
-    rest, report = judge.finish(), adsdv.check(any_log)
+    rest, report = judge.finish(), adsdv.check(any_log, edition=default)
+    assert (rest.edition, rest.recognised) == (default, None)
     assert len(told[0]) + len(rest.transitions) == len(report.transitions)
     assert len(told[1]) + len(rest.findings) == len(report.findings)
 
@@ -53,6 +57,13 @@ def test_options_reach_the_judge(log, conforms, violates):
         return judge.finish().verdict
 
     assert (verdict(conforms), verdict(violates)) == ("conforms", "violates")
+
+
+def test_readings_are_those_of_the_edition():
+    with pytest.raises(adsdv.InputError, match="^\"fault-trigger\" is 'edge'; expected in edition 4.0 level$"):
+        adsdv.Judge(readings={"fault-trigger": "edge"}, edition="4.0")
+    with pytest.raises(adsdv.InputError, match="^\"edition\" is '2.9'; expected one of \"3.0\", "):
+        adsdv.Judge(edition="2.9")
 
 
 def test_the_state_is_that_which_was_seen_last():

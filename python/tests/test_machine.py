@@ -70,9 +70,10 @@ def test_what_is_not_given_is_at_its_default():
         assert machine.step(control).control == machine.step(control, **defaults).control
 
 
-def test_every_value_of_every_input_is_taken_and_no_other():
-    vcu = adsdv.Vcu()
-    for field in adsdv.inputs():
+@pytest.mark.parametrize("edition", adsdv.editions())
+def test_every_value_of_every_input_is_taken_and_no_other(edition):
+    vcu = adsdv.Vcu(edition=edition)
+    for field in adsdv.inputs(edition):
         if field["kind"] == "flag":
             good, bad = [True, False, 1, 0], [2, -1, 1.0, "true", None, [], 2**70]
         elif field["kind"] == "name":
@@ -94,16 +95,17 @@ def test_names_may_be_numbers():
 def test_keys_are_those_of_the_protocol(root):
     text = (root / "oracle/PROTOCOL.md").read_text(encoding="utf-8")
     _, inputs, outputs = re.split(r"^## (?:Inputs|Outputs)$", text, flags=re.MULTILINE)
-    for table, fields in [(inputs, adsdv.inputs()), (outputs, adsdv.outputs())]:
+    for table, of_edition in [(inputs, adsdv.inputs), (outputs, adsdv.outputs)]:
         rows = re.findall(r"^\| (`.*?) \|", table, flags=re.MULTILINE)
         keys = [key for row in rows for key in re.findall(r"`(\w+)`", row)]
-        assert sorted(keys) == sorted(field["key"] for field in fields)
+        assert sorted(keys) == sorted({field["key"] for edition in adsdv.editions() for field in of_edition(edition)})
 
 
-def test_outputs_have_the_keys_and_values_of_the_protocol():
-    outputs = adsdv.Vcu().step().outputs
-    assert list(outputs) == [field["key"] for field in adsdv.outputs()]
-    for field in adsdv.outputs():
+@pytest.mark.parametrize("edition", adsdv.editions())
+def test_outputs_have_the_keys_and_values_of_the_protocol(edition):
+    outputs = adsdv.Vcu(edition=edition).step().outputs
+    assert list(outputs) == [field["key"] for field in adsdv.outputs(edition)]
+    for field in adsdv.outputs(edition):
         value = outputs[field["key"]]
         if value is None:
             assert field["nullable"]
@@ -164,6 +166,87 @@ def test_readings_decide():
     assert adsdv.Vcu({"fault-trigger": "edge"}).machine == edge
 
 
+def test_machines_are_of_an_edition():
+    older, newer = adsdv.Machine(edition="3.0"), adsdv.Machine(edition="4.0")
+    assert (older.edition, newer.edition) == ("3.0", "4.0")
+    assert adsdv.Machine() == adsdv.Machine(edition=adsdv.INTERFACE_VERSION) == older != newer
+    for machine in [older, newer, adsdv.Machine({"go-edge": "edge"}, "4.0")]:
+        assert pickle.loads(pickle.dumps(machine)) == machine == copy.deepcopy(machine)
+        assert eval(repr(machine), {"Machine": adsdv.Machine}) == machine
+    assert repr(newer) == "Machine(edition='4.0')"
+    assert adsdv.Vcu(edition="4.0").machine == newer
+    assert newer.readings == {reading["id"]: reading["default"] for reading in adsdv.readings("4.0")} != older.readings
+    assert len({older, newer}) == 2
+
+
+@pytest.mark.parametrize("edition", ["2.9", "", "4", "V4_0", 4.0, True, b"4.0", "\ud800", ["4.0"]])
+def test_an_edition_that_there_is_not_is_refused_with_those_that_there_are(edition):
+    versions = ", ".join(f'"{version}"' for version in adsdv.editions())
+    for call in [
+        lambda: adsdv.Machine(edition=edition),
+        lambda: adsdv.Vcu({}, edition),
+        lambda: adsdv.inputs(edition),
+        lambda: adsdv.outputs(edition),
+        lambda: adsdv.messages(edition),
+        lambda: adsdv.readings(edition),
+        lambda: adsdv.decode(0x513, bytes(8), edition),
+        lambda: adsdv.encode(0x513, edition=edition),
+        lambda: adsdv.is_reserved(0, edition),
+        lambda: adsdv.check(b"", edition=edition),
+        lambda: adsdv.Judge(edition=edition),
+    ]:
+        with pytest.raises(adsdv.InputError) as error:
+            call()
+        assert str(error.value).startswith('"edition" is ') and str(error.value).endswith("expected one of " + versions)
+
+
+def unanswered(edition, cycles):
+    """Whether communication is lost, cycle by cycle, while the AI Computer answers no handshake."""
+    vcu = adsdv.Vcu(edition=edition)
+    return [vcu.step(dt_ms=10, tsms=True).outputs["ai_comms_lost"] for _ in range(cycles)]
+
+
+def test_an_answer_to_the_handshake_after_60_ms_is_late_in_3_0_alone():
+    assert unanswered("3.0", 7)[-1] and not unanswered("4.0", 7)[-1]
+    assert not unanswered("4.0", 10)[-1] and unanswered("4.0", 11)[-1]
+
+
+def test_a_missing_message_is_an_input_of_4_0_alone():
+    silent = dict(tsms=True, handshake=True, brake_silence_ms=100)
+    vcu = adsdv.Vcu(edition="4.0")
+    # The watch begins with the handshake.
+    vcu.step(dt_ms=10, tsms=True)
+    lost = adsdv.Machine(edition="4.0").step(vcu.control, silent, 10).outputs
+    assert lost["ai_comms_lost"]
+    with pytest.raises(adsdv.InputError, match='^there is no key "brake_silence_ms" in edition 3.0; expected one of asms, '):
+        adsdv.Machine(edition="3.0").step(adsdv.Control(), silent)
+
+
+def test_names_are_those_of_the_edition_and_those_of_3_0_are_understood():
+    newer = adsdv.Vcu(edition="4.0")
+    for ami in ["TRACK DRIVE", "TRACK_DRIVE", 4]:
+        assert newer.step(ami=ami).outputs["ami_state"] == "TRACK DRIVE"
+    with pytest.raises(adsdv.InputError, match="^\"ami\" is 'TRACK DRIVE'; expected one of \"NOT_SELECTED\""):
+        adsdv.Vcu(edition="3.0").step(ami="TRACK DRIVE")
+    with pytest.raises(adsdv.InputError, match='^"steer_angle" is 211; expected a whole number from -210 to 210$'):
+        newer.step(steer_angle=211)
+
+
+def test_a_control_that_the_edition_cannot_have_is_refused():
+    newest = adsdv.Control(shutdown_cause="BRAKE_PLAUSIBILITY_FAULT")
+    assert newest == adsdv.Control(shutdown_cause="BRAKE PLAUSIBILITY FAULT") == adsdv.Control(shutdown_cause=11)
+    assert adsdv.Machine(edition="4.0").step(newest).outputs["shutdown_cause"] == "BRAKE_PLAUSIBILITY_FAULT"
+    vcu = adsdv.Vcu(edition="4.0")
+    vcu.control = newest
+    refused = "^\"shutdown_cause\" is \"BRAKE PLAUSIBILITY FAULT\"; expected in edition 3.0 one of \"NO SHUTDOWN\""
+    with pytest.raises(adsdv.InputError, match=refused):
+        adsdv.Machine(edition="3.0").step(newest)
+    vcu = adsdv.Vcu(edition="3.0")
+    with pytest.raises(adsdv.InputError, match=refused):
+        vcu.control = newest
+    assert vcu.control == adsdv.Control()
+
+
 def test_readings_are_known():
     with pytest.raises(adsdv.InputError, match='"fault": no such reading; expected one of mission-selected, '):
         adsdv.Machine({"fault": "edge"})
@@ -171,6 +254,9 @@ def test_readings_are_known():
         adsdv.Vcu(readings={"fault-trigger": "slope"})
     with pytest.raises(TypeError, match="expected a dict"):
         adsdv.Machine("fault-trigger=edge")
+    for make in [adsdv.Machine, adsdv.Vcu]:
+        with pytest.raises(adsdv.InputError, match="^\"fault-trigger\" is 'edge'; expected in edition 4.0 level$"):
+            make({"fault-trigger": "edge"}, "4.0")
 
 
 def test_a_vcu_remembers_what_it_received():

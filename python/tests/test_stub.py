@@ -81,17 +81,27 @@ def literals(name):
     return [constant.value for constant in ast.walk(TOP[name].value) if isinstance(constant, ast.Constant)]
 
 
-@pytest.mark.parametrize("name, fields", [("_Inputs", adsdv.inputs()), ("_Outputs", adsdv.outputs())])
-def test_keys_and_values_are_those_of_the_tables(name, fields):
-    annotations = {key: ast.unparse(node.annotation) for key, node in names(TOP[name].body)}
-    assert list(annotations) == [field["key"] for field in fields]
-    for field in fields:
-        annotation = annotations[field["key"]]
-        if field["kind"] == "name":
-            assert literals(annotation) == field["names"]
+def annotations(name):
+    """The keys of a dict with their annotations: those of what it extends come first."""
+    extended = [annotations(base.id) for base in TOP[name].bases if base.id != "TypedDict"]
+    own = {key: ast.unparse(node.annotation) for key, node in names(TOP[name].body)}
+    return {**(extended[0] if extended else {}), **own}
+
+
+@pytest.mark.parametrize("name, table", [("_Inputs", adsdv.inputs), ("_Outputs", adsdv.outputs)])
+def test_keys_and_values_are_those_of_the_tables_of_all_editions(name, table):
+    of_all = [{field["key"]: field for field in table(edition)} for edition in adsdv.editions()]
+    stub = annotations(name)
+    assert set(stub) == set().union(*of_all)
+    if name == "_Outputs":
+        assert set(annotations("_OutputsOfAll")) == set.intersection(*(set(keys) for keys in of_all))
+    for key, annotation in stub.items():
+        fields = [keys[key] for keys in of_all if key in keys]
+        if fields[0]["kind"] == "name":
+            assert set(literals(annotation)) == {value for field in fields for value in field["names"]}
         else:
-            expected = {"flag": "bool", "number": "int"}[field["kind"]]
-            assert annotation == expected + (" | None" if field.get("nullable") else "")
+            expected = {"flag": "bool", "number": "int"}[fields[0]["kind"]]
+            assert annotation == expected + (" | None" if fields[0].get("nullable") else "")
 
 
 def test_dicts_have_the_keys_that_the_stub_says(finished):
@@ -102,13 +112,15 @@ def test_dicts_have_the_keys_that_the_stub_says(finished):
         ("_Message", adsdv.decode(0x513, bytes(8))),
         ("_Finding", report.findings[0]),
         ("_Response", report.handshake_response_ms),
-        ("_Report", report.to_dict()),
+        ("_Recognised", report.recognised),
+        ("_ReportOfAll", adsdv.check(finished, edition=report.edition).to_dict()),
         ("_InputField", adsdv.inputs()[0]),
         ("_OutputField", adsdv.outputs()[0]),
         ("_Signal", adsdv.messages()[0]),
         ("_Reading", adsdv.readings()[0]),
     ]:
         assert [key for key, _ in names(TOP[name].body)] == list(dict), name
+    assert set(annotations("_Report")) == set(report.to_dict())
     transition = TOP["_Transition"].value.args[1].keys
     assert [key.value for key in transition] == list(report.transitions[0])
 

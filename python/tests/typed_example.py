@@ -35,13 +35,20 @@ def codec() -> tuple[int, bytes]:
     return adsdv.encode(0x513, STEER_REQUEST_deg=angle)
 
 
+def editions() -> list[bool]:
+    newer = adsdv.Vcu(edition="4.0").step(ami="TRACK DRIVE", brake_silence_ms=100).outputs
+    fault: bool = newer.get("brake_plausibility_fault", False)
+    return [fault, *(adsdv.is_reserved(0x120, edition) for edition in adsdv.editions())]
+
+
 vcu = adsdv.Vcu()
 vcu.control = ready(vcu.machine)
 vcu.step(asms="on")  # type: ignore[arg-type]
-vcu.step(ami="TRACK DRIVE")  # type: ignore[arg-type]
+vcu.step(ami="TRACK-DRIVE")  # type: ignore[arg-type]
 vcu.step(asm=True)  # type: ignore[call-arg]
 vcu.step().outputs["as_stat"]  # type: ignore[typeddict-item]
 vcu.state = "AS_OFF"  # type: ignore[misc]
 adsdv.Control(state="OFF")  # type: ignore[arg-type]
 adsdv.check(5)  # type: ignore[arg-type]
+adsdv.Vcu(edition=4.0)  # type: ignore[arg-type]
 adsdv.encode(1.5)  # type: ignore[arg-type]

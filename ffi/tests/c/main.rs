@@ -13,9 +13,12 @@ use std::process::{Child, ChildStdin, Command, Output, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
+use adsdv_oracle::conform::{ConformOptions, Program, conform};
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_oracle::protocol::{Answer, Request, Shown};
+use adsdv_oracle::protocol::{Protocol, Request, Shown, UNSAID};
 use adsdv_oracle::suite::Step;
+use adsdv_spec::messages::Node;
 use adsdv_spec::{Control, Edition, Machine};
 use common::Run;
 use compile::{C, CPP, Linked, built, compiler, folder, syntax};
@@ -53,11 +56,39 @@ fn the_first_example_is_that_of_the_readme() {
     }
 }
 
+/// And what it says of the editions is what their example prints.
+#[test]
+fn the_editions_are_those_of_the_readme() {
+    let Some(cc) = compiler(C) else { return };
+    let program = built(&cc, C, &folder().join("examples/editions.c"), Linked::Statically);
+    let Output { status, stdout, stderr } = Command::new(&program).output().unwrap();
+    assert!(status.success() && stderr.is_empty(), "{}", String::from_utf8_lossy(&stderr));
+    let printed = String::from_utf8(stdout).unwrap();
+    for &edition in Edition::ALL {
+        let lost = edition.rules.timing.handshake_ms + 10;
+        let drive = edition.bus.message(0x511).unwrap().len;
+        let sent = edition.bus.messages.iter().filter(|def| def.sender == Node::Vcu).count();
+        let line = format!(
+            "{}: {sent} frames a cycle, 511h has {drive} bytes, communication lost after {lost} ms\n",
+            edition.version
+        );
+        assert!(printed.contains(&line), "{line}{printed}");
+    }
+    assert!(
+        printed.contains("\nerror 9: there is no edition \"2.9\"; expected one of 3.0, 4.0"),
+        "{printed}"
+    );
+    let readme = std::fs::read_to_string(folder().join("README.md")).unwrap();
+    let (_, shown) = readme.split_once("$ ./editions\n").unwrap();
+    let (shown, _) = shown.split_once("```").unwrap();
+    assert!(printed.starts_with(shown), "the README does not have what it prints: {printed}");
+}
+
 #[test]
 fn the_adapters_are_short() {
     for adapter in [adapter(), adapter_in_cpp()] {
         let lines = std::fs::read_to_string(&adapter).unwrap().lines().count();
-        assert!(lines < 100, "{}: {lines} lines", adapter.display());
+        assert!(lines < 125, "{}: {lines} lines", adapter.display());
     }
 }
 
@@ -77,17 +108,33 @@ fn the_adapter_in_cpp_agrees_with_the_specification() {
 }
 
 fn agrees(program: &Path, shows_everything: bool) {
-    let script = script(5, 3000);
+    for &edition in Edition::ALL {
+        agrees_in(edition, program, shows_everything);
+    }
+    // Without a hello all is about 3.0.
+    let mut script = script(UNSAID, 7, 300);
+    script.remove(0);
     let mut running = Running::start(program);
     running.shows_everything = shows_everything;
     for (request, expected) in &script {
         running.ask(&format!("{request}\n"));
-        running.answers(expected.as_ref());
+        running.answers(expected);
+    }
+    running.ends();
+}
+
+fn agrees_in(edition: &'static Edition, program: &Path, shows_everything: bool) {
+    let script = script(edition, 5, 3000);
+    let mut running = Running::start(program);
+    running.shows_everything = shows_everything;
+    for (request, expected) in &script {
+        running.ask(&format!("{request}\n"));
+        running.answers(expected);
     }
     running.ends();
 
-    let mut script = self::script(6, 30_000);
-    script.extend(suite());
+    let mut script = self::script(edition, 6, 20_000);
+    script.extend(suite(edition));
     let mut running = Running::start(program);
     running.shows_everything = shows_everything;
     let start = Instant::now();
@@ -100,11 +147,45 @@ fn agrees(program: &Path, shows_everything: bool) {
             }
         });
         for (_, expected) in script {
-            running.answers(expected.as_ref());
+            running.answers(expected);
         }
     });
     println!("{} steps through the pipe in {:?}, answers read and checked", script.len(), start.elapsed());
     running.ends();
+}
+
+/// One that is asked about an edition that there is not says which one it is of.
+#[test]
+fn the_adapters_say_which_edition_they_are_of() {
+    for (language, source) in [(C, adapter()), (CPP, adapter_in_cpp())] {
+        let Some(compiler) = compiler(language) else { continue };
+        let mut running = Running::start(&built(&compiler, language, &source, Linked::Statically));
+        for (request, version) in [
+            (r#"{"op":"hello","edition":"2.9"}"#, UNSAID.version),
+            (r#"{"op":"hello","edition":"4.0"}"#, "4.0"),
+            (r#"{"op":"hello","edition":"an edition with a name that is far too long"}"#, "4.0"),
+        ] {
+            running.ask(&format!("{request}\n"));
+            running.answers(&Expected::Edition(version));
+        }
+        running.ends();
+    }
+}
+
+/// What `adsdv conform` does with each of them, in each edition.
+#[test]
+fn the_adapters_conform_to_every_edition() {
+    for (language, source) in [(C, adapter()), (CPP, adapter_in_cpp())] {
+        let Some(compiler) = compiler(language) else { continue };
+        let program = built(&compiler, language, &source, Linked::Dynamically).into_os_string();
+        for &edition in Edition::ALL {
+            let options = ConformOptions { runs: 20, ..ConformOptions::of(edition) };
+            let mut program = Program::start(&program, &[], LIMIT, false).unwrap();
+            let report =
+                conform(&mut program, &adsdv_oracle::suite::generate(edition), &options, &mut |_| {});
+            assert!(report.unwrap().conforms(), "{} in edition {}", source.display(), edition.version);
+        }
+    }
 }
 
 /// A line may come in pieces, and an answer comes as soon as the line is there.
@@ -113,10 +194,10 @@ fn the_adapter_waits_for_the_rest_of_a_line() {
     let Some(cc) = compiler(C) else { return };
     let mut running = Running::start(&built(&cc, C, &adapter(), Linked::Statically));
     running.ask("{\"op\":\"reset\"}\n{\"op\":\"re");
-    running.answers(None);
+    running.answers(&Expected::Nothing);
     std::thread::sleep(Duration::from_millis(20));
     running.ask("set\"}\n");
-    running.answers(None);
+    running.answers(&Expected::Nothing);
     running.ends();
 }
 
@@ -150,14 +231,22 @@ fn the_adapter_reports_what_is_wrong() {
 fn the_online_judge_agrees_with_the_judge() {
     let Some(cpp) = compiler(CPP) else { return };
     let program = built(&cpp, CPP, &folder().join("examples/online_judge.cpp"), Linked::Statically);
-    for (log, code) in [("finished-while-moving.log", 1), ("mission.log", 0)] {
+    let default = Edition::DEFAULT.version;
+    for (log, edition, args, code) in [
+        ("finished-while-moving.log", default, vec![], 1),
+        ("mission.log", default, vec![], 0),
+        ("finished-while-moving.log", "4.0", vec!["4.0"], 1),
+        ("mission.log", "4.0", vec!["4.0"], 0),
+    ] {
         let path = folder().join("../tests/logs").join(log);
         let Output { status, stdout, stderr } =
-            Command::new(&program).stdin(std::fs::File::open(&path).unwrap()).output().unwrap();
+            Command::new(&program).args(args).stdin(std::fs::File::open(&path).unwrap()).output().unwrap();
         assert_eq!((status.code(), String::from_utf8_lossy(&stderr).as_ref()), (Some(code), ""), "{log}");
         let printed = String::from_utf8(stdout).unwrap();
 
-        let report = judge_log(std::fs::File::open(&path).unwrap(), &LogOptions::default(), |_| {}).unwrap();
+        let judge = JudgeOptions::of(Edition::find(edition).unwrap());
+        let options = LogOptions { judge, interface: None };
+        let report = judge_log(std::fs::File::open(&path).unwrap(), &options, |_| {}).unwrap();
         let mut expected = count(report.findings.iter().map(|finding| {
             format!(
                 "{}.{:06} s  {}  {}  section {}  {}  {}",
@@ -180,6 +269,14 @@ fn the_online_judge_agrees_with_the_judge() {
             .or_default() += 1;
         assert_eq!(count(printed.lines().map(str::to_owned)), expected, "{log}");
     }
+    let Output { status, stderr, .. } =
+        Command::new(&program).arg("2.9").stdin(Stdio::null()).output().unwrap();
+    let said = String::from_utf8(stderr).unwrap();
+    assert_eq!(status.code(), Some(2));
+    assert!(
+        said.starts_with("online_judge: there is no edition \"2.9\"; expected one of 3.0, 4.0"),
+        "{said}"
+    );
 }
 
 fn adapter() -> std::path::PathBuf {
@@ -198,32 +295,48 @@ fn count(lines: impl Iterator<Item = String>) -> BTreeMap<String, u32> {
     })
 }
 
-/// Requests, and what the specification shows; `None` for a reset.
-fn script(seed: u64, steps: u32) -> Vec<(String, Option<Shown>)> {
-    let (mut run, mut control) = (Run::new(seed), Control::INITIAL);
-    let mut script = vec![(Request::Reset.to_string(), None)];
+/// What is expected of an answer.
+#[derive(Clone, Debug)]
+enum Expected {
+    /// Nothing: to a reset.
+    Nothing,
+    /// The edition: to a hello.
+    Edition(&'static str),
+    Shown(Box<Shown>),
+}
+
+/// Requests, and what the specification shows, in an edition that is greeted.
+fn script(edition: &'static Edition, seed: u64, steps: u32) -> Vec<(String, Expected)> {
+    let (mut run, mut control) = (Run::of(edition, seed), Control::INITIAL);
+    let (vcu, protocol) = (Machine::new(*edition, edition.readings), Protocol::of(edition));
+    let hello = Request::Hello { edition: edition.version.to_owned() };
+    let mut script = vec![
+        (hello.to_string(), Expected::Edition(edition.version)),
+        (Request::Reset.to_string(), Expected::Nothing),
+    ];
     for _ in 0..steps {
         if Run::is_over(&control) {
             control = Control::INITIAL;
-            script.push((Request::Reset.to_string(), None));
+            script.push((Request::Reset.to_string(), Expected::Nothing));
         }
         let (dt_ms, inputs) = run.next(&control);
-        let (next, outputs) = Machine::REFERENCE.step(&control, &inputs, dt_ms);
-        let shown = Shown::of(Machine::REFERENCE.edition(), &outputs, &inputs);
-        script.push((Request::Step { dt_ms, inputs }.to_string(), Some(shown)));
+        let (next, outputs) = vcu.step(&control, &inputs, dt_ms);
+        let shown = Expected::Shown(Box::new(Shown::of(edition, &outputs, &inputs)));
+        script.push((protocol.line(&Request::Step { dt_ms, inputs }).to_string(), shown));
         control = next;
     }
     script
 }
 
-/// The whole test suite.
-fn suite() -> impl Iterator<Item = (String, Option<Shown>)> {
-    adsdv_oracle::suite::generate(Edition::DEFAULT).into_iter().flat_map(|test| {
-        let steps = test.scenario.steps.iter().zip(test.scenario.shown(&Machine::REFERENCE));
+/// The whole test suite of an edition.
+fn suite(edition: &'static Edition) -> impl Iterator<Item = (String, Expected)> {
+    let (vcu, protocol) = (Machine::new(*edition, edition.readings), Protocol::of(edition));
+    adsdv_oracle::suite::generate(edition).into_iter().flat_map(move |test| {
+        let steps = test.scenario.steps.iter().zip(test.scenario.shown(&vcu));
         let steps = steps.map(|(&Step { dt_ms, inputs }, shown)| {
-            (Request::Step { dt_ms, inputs }.to_string(), Some(shown))
+            (protocol.line(&Request::Step { dt_ms, inputs }).to_string(), Expected::Shown(Box::new(shown)))
         });
-        let reset = (Request::Reset.to_string(), None);
+        let reset = (Request::Reset.to_string(), Expected::Nothing);
         std::iter::once(reset).chain(steps).collect::<Vec<_>>()
     })
 }
@@ -235,6 +348,8 @@ struct Running {
     lines: Option<Receiver<String>>,
     /// Whether every answer has to show all that there is.
     shows_everything: bool,
+    /// What its answers may say.
+    protocol: Protocol,
 }
 
 impl Running {
@@ -245,7 +360,13 @@ impl Running {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        Self { questions: child.stdin.take(), lines: None, shows_everything: true, child }
+        Self {
+            questions: child.stdin.take(),
+            lines: None,
+            shows_everything: true,
+            protocol: Protocol::of(UNSAID),
+            child,
+        }
     }
 
     fn ask(&mut self, text: &str) {
@@ -255,7 +376,7 @@ impl Running {
     }
 
     /// The next answer is what was expected.
-    fn answers(&mut self, expected: Option<&Shown>) {
+    fn answers(&mut self, expected: &Expected) {
         let lines = self.lines.get_or_insert_with(|| {
             let (sender, receiver) = channel();
             let answers = BufReader::new(self.child.stdout.take().unwrap());
@@ -265,8 +386,15 @@ impl Running {
             receiver
         });
         let line = lines.recv_timeout(LIMIT).expect("an answer in time");
-        let Some(shown) = expected else { return assert_eq!(line, "{}") };
-        let answer: Answer = line.parse().unwrap_or_else(|error| panic!("{error}: {line}"));
+        let shown = match expected {
+            Expected::Nothing => return assert_eq!(line, "{}"),
+            Expected::Edition(version) => {
+                self.protocol = Protocol::of(Edition::find(version).unwrap());
+                return assert_eq!(line, format!("{{\"edition\":\"{version}\"}}"));
+            }
+            Expected::Shown(shown) => shown,
+        };
+        let answer = self.protocol.answer(&line).unwrap_or_else(|error| panic!("{error}: {line}"));
         let differences: Vec<String> = answer.differences(shown).map(|one| one.to_string()).collect();
         assert!(differences.is_empty(), "{differences:?}: {line}");
         let everything = shown.iter().all(|(field, _)| answer.has(field.key));

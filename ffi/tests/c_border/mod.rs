@@ -97,7 +97,7 @@ pub(crate) fn body(bytes: &[u8]) {
         if !bytes.are_left() {
             break;
         }
-        match bytes.below(8) {
+        match bytes.below(10) {
             0 => machine = given(&mut bytes),
             1 => {
                 let readings =
@@ -110,8 +110,47 @@ pub(crate) fn body(bytes: &[u8]) {
             4 => frame(&mut bytes, &mut inputs),
             5 => names(&mut bytes),
             6 if bytes.one_in(4) => judge(&mut bytes),
+            8 => {
+                let (edition, readings) =
+                    (edition(&mut bytes), text(&mut bytes, &["", "fault-trigger=edge", "go-edge=edge"]));
+                let place = &raw mut machine;
+                // SAFETY: the pointers are to what they are said to be.
+                call(|error| unsafe { adsdv_machine_init_in(edition, place, readings.as_ptr(), error) });
+            }
+            9 => step_frames(&mut bytes, &machine, &mut control, &inputs),
             _ => step(&mut bytes, &machine, &mut control, &inputs),
         }
+    }
+}
+
+/// An edition that there is, mostly.
+fn edition(bytes: &mut Bytes<'_>) -> adsdv_edition {
+    if bytes.one_in(8) { bytes.any() } else { u32::from(bytes.any::<u8>()) % adsdv_edition_count() }
+}
+
+/// A step of a VCU of any edition.
+fn step_frames(
+    bytes: &mut Bytes<'_>,
+    machine: &adsdv_machine,
+    control: &mut adsdv_control,
+    inputs: &adsdv_inputs,
+) {
+    let mut frames = [zero::<adsdv_frame>(); ADSDV_MOST_VCU_FRAMES];
+    let room = if bytes.one_in(4) { usize::from(bytes.any::<u8>()) % frames.len() } else { frames.len() };
+    let (sent, mut count) = (frames.as_mut_ptr(), 0);
+    let status = call(|error| {
+        let count = &raw mut count;
+        // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed.
+        unsafe { adsdv_step_frames(machine, control, inputs, 10, null_mut(), sent, room, count, error) }
+    });
+    assert_eq!(status == ADSDV_OK, count > 0);
+    for frame in frames.iter().take(count) {
+        let (mut count, mut signals) = (0, [zero::<adsdv_signal>(); ADSDV_MOST_SIGNALS]);
+        let (places, room, count) = (signals.as_mut_ptr(), signals.len(), &raw mut count);
+        // SAFETY: the pointers are to what they are said to be.
+        let status =
+            call(|error| unsafe { adsdv_decode_in(machine.edition, frame, places, room, count, error) });
+        assert_eq!(status, ADSDV_OK, "what the VCU sends can be read");
     }
 }
 
@@ -123,13 +162,20 @@ fn step(bytes: &mut Bytes<'_>, machine: &adsdv_machine, control: &mut adsdv_cont
     let dt_ms = if bytes.one_in(4) { bytes.any() } else { 10 };
     // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed.
     let status = call(|error| unsafe { adsdv_step(machine, control, inputs, dt_ms, shown, sent, error) });
+    let edition = if machine.is_null() {
+        adsdv_edition_default()
+    } else {
+        // SAFETY: it is a machine.
+        unsafe { (*machine).edition }
+    };
     if status == ADSDV_OK && !sent.is_null() {
         for frame in &frames {
             let (mut count, mut signals) = (0, [zero::<adsdv_signal>(); ADSDV_MOST_SIGNALS]);
             let (room, count) = (signals.len(), &raw mut count);
             // SAFETY: the pointers are to what they are said to be.
-            let status =
-                call(|error| unsafe { adsdv_decode(frame, signals.as_mut_ptr(), room, count, error) });
+            let status = call(|error| unsafe {
+                adsdv_decode_in(edition, frame, signals.as_mut_ptr(), room, count, error)
+            });
             assert_eq!(status, ADSDV_OK, "what the VCU sends can be read");
         }
     }
@@ -159,16 +205,34 @@ fn frame(bytes: &mut Bytes<'_>, inputs: &mut adsdv_inputs) {
         call(|error| adsdv_decode_signal(&raw const frame, name.as_ptr(), &raw mut value, error));
     }
     assert!(count <= room && taken <= 1);
+    let edition = edition(bytes);
+    // SAFETY: the pointers are to what they are said to be.
+    unsafe {
+        let (frame, name) = (&raw mut frame, name.as_ptr());
+        let (places, count) = (signals.as_mut_ptr(), &raw mut count);
+        call(|error| adsdv_frame_set_in(edition, frame, name, raw, error));
+        call(|error| adsdv_receive_in(edition, inputs, frame, &raw mut taken, error));
+        call(|error| adsdv_decode_in(edition, frame, places, room, count, error));
+        call(|error| adsdv_decode_signal_in(edition, frame, name, &raw mut value, error));
+        call(|error| adsdv_frame_init_in(edition, frame, (*frame).id, error));
+    }
+    assert!(count <= room && taken <= 1);
 }
 
 fn names(bytes: &mut Bytes<'_>) {
     let (enumeration, index) = (bytes.below(10).try_into().unwrap_or(0), usize::from(bytes.any::<u8>()));
-    let name = text(bytes, &["FORWARD", "AS_READY", "ARMED"]);
+    let name = text(bytes, &["FORWARD", "AS_READY", "ARMED", "4.0", "TRACK DRIVE"]);
     let (mut value, mut message, mut reading) = (0, zero::<adsdv_message>(), zero::<adsdv_reading>());
     // SAFETY: what is returned is a text.
     let versions = unsafe { [adsdv_version(), adsdv_document_version()].map(|text| CStr::from_ptr(text)) };
     assert!(versions.iter().all(|version| !version.is_empty()));
     adsdv_is_reserved(bytes.any());
+    let edition = edition(bytes);
+    adsdv_is_reserved_in(edition, bytes.any());
+    let (messages, readings) = (adsdv_message_count(edition), adsdv_reading_count(edition));
+    let known = edition < adsdv_edition_count();
+    assert_eq!((messages > 0, readings > 0), (known, known));
+    assert_eq!(known, !adsdv_edition_version(edition).is_null());
     assert!(adsdv_value_name(enumeration, bytes.any()).is_null() || enumeration < 10);
     let (text, length) = (name.as_ptr(), name.as_bytes().len());
     // SAFETY: the pointers are to what they are said to be, and the text is as long as that.
@@ -180,6 +244,16 @@ fn names(bytes: &mut Bytes<'_>) {
         }
         call(|error| adsdv_message_at(index, &raw mut message, error));
         call(|error| adsdv_reading_at(index, &raw mut reading, error));
+        let status =
+            call(|error| adsdv_value_of_name_in(edition, enumeration, text, length, &raw mut value, error));
+        assert!(status != ADSDV_OK || !adsdv_value_name_in(edition, enumeration, value).is_null());
+        let status = call(|error| adsdv_message_at_in(edition, index, &raw mut message, error));
+        assert_eq!(status == ADSDV_OK, index < messages);
+        let status = call(|error| adsdv_reading_at_in(edition, index, &raw mut reading, error));
+        assert_eq!(status == ADSDV_OK, index < readings);
+        let mut found = 0;
+        let status = call(|error| adsdv_edition_find(text, &raw mut found, error));
+        assert!(status != ADSDV_OK || CStr::from_ptr(adsdv_edition_version(found)) == name.as_c_str());
     }
 }
 
@@ -187,8 +261,9 @@ fn names(bytes: &mut Bytes<'_>) {
 fn judge(bytes: &mut Bytes<'_>) {
     let readings = text(bytes, &["", "fault-trigger=edge", "go-signal=raw"]);
     let pinned = if bytes.one_in(2) { null() } else { readings.as_ptr() };
+    let edition = edition(bytes);
     let mut given =
-        adsdv_judge_options { window_ms: bytes.any(), deadline_ms: bytes.any(), readings: pinned };
+        adsdv_judge_options { window_ms: bytes.any(), deadline_ms: bytes.any(), edition, readings: pinned };
     if bytes.one_in(4) {
         // SAFETY: the pointers are to what they are said to be.
         assert_eq!(call(|error| unsafe { adsdv_judge_options_init(&raw mut given, error) }), ADSDV_OK);
@@ -202,7 +277,8 @@ fn judge(bytes: &mut Bytes<'_>) {
         let judge = adsdv_judge_new(options, &raw mut error);
         if judge.is_null() {
             assert_ne!(error.status, ADSDV_OK as i32);
-            assert!(!readings.as_bytes().is_empty(), "nothing else can be wrong");
+            let known = edition < adsdv_edition_count();
+            assert!(!known || !readings.as_bytes().is_empty(), "nothing else can be wrong");
             return;
         }
         let mut finding: adsdv_finding = std::mem::zeroed();

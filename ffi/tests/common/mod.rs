@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use std::ffi::{CStr, c_char};
 use std::fmt::Debug;
 
-use adsdv::{adsdv_error, adsdv_status};
-use adsdv_oracle::protocol::{Domain, INPUTS};
+use adsdv::{adsdv_edition, adsdv_edition_find, adsdv_error, adsdv_status};
+use adsdv_oracle::protocol::{Domain, InputField, Protocol};
 use adsdv_spec::messages::{AmiState, DirectionRequest, EbsState, MissionStatus, ShutdownCause, SignalValue};
-use adsdv_spec::{AsState, Control, Inputs};
+use adsdv_spec::{AsState, Control, Edition, Inputs};
 use adsdv_tests::world::{Chance, Random};
 
 /// The numbers of a struct by the names of its fields, as it shows them itself.
@@ -54,14 +54,32 @@ pub(crate) fn outcome(
     }
 }
 
+/// The number that the library has for an edition.
+pub(crate) fn number(edition: &Edition) -> adsdv_edition {
+    let version = std::ffi::CString::new(edition.version).expect("no NUL");
+    let mut number = adsdv_edition::MAX;
+    // SAFETY: the pointers are to what they are said to be.
+    outcome(|error| unsafe { adsdv_edition_find(version.as_ptr(), &raw mut number, error) })
+        .expect("an edition");
+    number
+}
+
 /// Steps of a VCU that is led through all of its states, and disturbed now and then.
 pub(crate) struct Run {
     random: Random,
+    edition: &'static Edition,
+    /// The inputs that it has.
+    fields: Vec<(&'static InputField, Domain)>,
 }
 
 impl Run {
+    /// A VCU of the default edition.
     pub(crate) fn new(seed: u64) -> Self {
-        Self { random: Random(seed) }
+        Self::of(Edition::DEFAULT, seed)
+    }
+
+    pub(crate) fn of(edition: &'static Edition, seed: u64) -> Self {
+        Self { random: Random(seed), edition, fields: Protocol::of(edition).inputs().collect() }
     }
 
     /// What is only passed on, and so not in the protocol: any value of each.
@@ -72,10 +90,13 @@ impl Run {
         status.cones_count_all = self.any();
         status.veh_speed_actual = self.any();
         status.veh_speed_demand = self.any();
-        let silence = &mut inputs.ai_silence;
-        (silence.status_silence_ms, silence.drive_f_silence_ms) = (self.any(), self.any());
-        (silence.drive_r_silence_ms, silence.steer_silence_ms) = (self.any(), self.any());
-        silence.brake_silence_ms = self.any();
+        if self.edition.rules.thresholds.missed_ms.is_none() {
+            // Where nobody looks at it.
+            let silence = &mut inputs.ai_silence;
+            (silence.status_silence_ms, silence.drive_f_silence_ms) = (self.any(), self.any());
+            (silence.drive_r_silence_ms, silence.steer_silence_ms) = (self.any(), self.any());
+            silence.brake_silence_ms = self.any();
+        }
         let vehicle = &mut inputs.vehicle;
         vehicle.steer_angle_max = self.any();
         let counts = &mut vehicle.wheel_counts;
@@ -85,7 +106,7 @@ impl Run {
         (vehicle.front_axle_trq_max, vehicle.rear_axle_trq_max) = (self.any(), self.any());
         (vehicle.hyd_press_f, vehicle.hyd_press_r) = (self.any(), self.any());
         vehicle.speed = self.any();
-        *inputs = inputs.held_by(&adsdv_spec::Edition::DEFAULT.bus);
+        *inputs = inputs.held_by(&self.edition.bus);
     }
 
     fn any<T: SignalValue>(&mut self) -> T {
@@ -104,18 +125,15 @@ impl Run {
         inputs.go &= self.random.one_in(2);
         inputs.asms &= !self.random.one_in(20);
         while self.random.one_in(4) {
-            let field = self.random.pick(INPUTS);
-            // The library is of the default edition.
-            if !field.is_in(adsdv_spec::Edition::DEFAULT) {
-                continue;
-            }
-            let raw = match field.domain {
+            let (field, domain) = self.random.pick(&self.fields);
+            let raw = match domain {
                 Domain::Flag => self.random.pick(&[0, 1]),
                 Domain::Names(names) => self.random.pick(names).0,
                 Domain::Number { min, max } => {
                     let any =
                         i64::from(min) + self.random.below(u64::from(max.abs_diff(min)) + 1).cast_signed();
-                    self.random.pick(&[min, max, 0, 9, 10, 11, 49, 50, -50, i32::try_from(any).unwrap()])
+                    let any = i32::try_from(any).unwrap();
+                    self.random.pick(&[min, max, 0, 9, 10, 11, 49, 50, -50, any]).clamp(min, max)
                 }
             };
             // Some numbers are none of the field's: then it stays.

@@ -66,7 +66,8 @@ impl Domain {
         self.raw(read).or_else(|| other.raw(read).filter(|&raw| self.has(raw)))
     }
 
-    pub(crate) fn has(self, raw: i32) -> bool {
+    /// Whether it has this raw value.
+    pub fn has(self, raw: i32) -> bool {
         match self {
             Self::Flag => raw == 0 || raw == 1,
             Self::Names(names) => names.iter().any(|&(value, _)| value == raw),
