@@ -396,11 +396,11 @@ typedef struct adsdv_outputs {
     uint8_t fault_status;
     // 520h: one of the warnings is there.
     uint8_t warning_status;
-    // 520h: what the vehicle is operated for, the number of OP_STATE, since 2026.
+    // 520h: what the vehicle is operated for, the number of OP_STATE. Sent since 2026.
     uint8_t op_state;
-    // 520h: the state of the tractive system, the number of TS_STATE, since 2026.
+    // 520h: the state of the tractive system, the number of TS_STATE. Sent since 2026.
     uint8_t ts_state;
-    // 520h: the stage of the EBS, the number of EBS_STATE, since 2026.
+    // 520h: the stage of the EBS, the number of EBS_STATE. Sent since 2026.
     uint8_t ebs_state;
     // 520h, warning: the traction battery is hot.
     uint8_t warn_batt_temp_high;

@@ -36,11 +36,11 @@ pub struct adsdv_outputs {
     pub fault_status: u8,
     /// 520h: one of the warnings is there.
     pub warning_status: u8,
-    /// 520h: what the vehicle is operated for, the number of OP_STATE, since 2026.
+    /// 520h: what the vehicle is operated for, the number of OP_STATE. Sent since 2026.
     pub op_state: u8,
-    /// 520h: the state of the tractive system, the number of TS_STATE, since 2026.
+    /// 520h: the state of the tractive system, the number of TS_STATE. Sent since 2026.
     pub ts_state: u8,
-    /// 520h: the stage of the EBS, the number of EBS_STATE, since 2026.
+    /// 520h: the stage of the EBS, the number of EBS_STATE. Sent since 2026.
     pub ebs_state: u8,
     /// 520h, warning: the traction battery is hot.
     pub warn_batt_temp_high: u8,

@@ -105,6 +105,15 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
         }
         // Not every edition has it.
         assert_eq!(fields.remove("brake_plausibility_fault").unwrap_or(0), 0);
+        // These are shown in every edition, and sent since 2026.
+        let status = outputs.messages(&inputs).status;
+        for (name, raw) in [
+            ("op_state", status.op_state.raw()),
+            ("ts_state", status.ts_state.raw()),
+            ("ebs_state", status.ebs_state.raw()),
+        ] {
+            assert!(fields.remove(name).is_none_or(|found| found == raw.into()), "{name}");
+        }
         // What is left is not on the bus: which arrow was taken.
         let (row, term) = (outputs.row(vcu), outputs.term(vcu));
         assert_eq!(fields.remove("from"), Some(outputs.from.raw().into()));
