@@ -20,23 +20,28 @@ pub(super) fn of_pair(one: &Row, other: &Row) -> Vec<&'static str> {
     all.into_iter().flatten().copied().collect()
 }
 
-/// What an edition asks for instead of a requirement of the first one: the same with another number in it, or what it has made
-/// of it. Where it is nothing at all, it does not ask for it.
-const INSTEAD: &[(&str, &str, &[&str])] = &[
-    ("4.0", "HS-9", &["HS-17"]),
-    ("4.0", "HS-13", &[]),
-    ("4.0", "HS-16", &["HS-19"]),
-    ("4.0", "DTE-4", &["DTE-7"]),
-    ("4.0", "D-2", &["D-65"]),
-    ("4.0", "D-9", &["D-62"]),
-    ("4.0", "D-10", &["D-63"]),
-    ("4.0", "D-27", &["D-27", "IMP-9"]),
+/// Since version 4.0.
+const SINCE_4_0: &[&str] = &["4.0", "2026"];
+/// Since the database of 2026.
+const SINCE_2026: &[&str] = &["2026"];
+
+/// What editions ask for instead of a requirement of an earlier one: the same with another number in it, or what they have made
+/// of it. Where it is nothing at all, they do not ask for it.
+const INSTEAD: &[(&[&str], &str, &[&str])] = &[
+    (SINCE_4_0, "HS-9", &["HS-17"]),
+    (SINCE_4_0, "HS-13", &[]),
+    (SINCE_4_0, "HS-16", &["HS-19"]),
+    (SINCE_4_0, "DTE-4", &["DTE-7"]),
+    (SINCE_4_0, "D-2", &["D-65"]),
+    (SINCE_4_0, "D-9", &["D-62"]),
+    (SINCE_4_0, "D-10", &["D-63"]),
+    (SINCE_4_0, "D-27", &["D-27", "IMP-9"]),
+    (SINCE_2026, "D-53", &["D-67"]),
 ];
 
-/// What an edition asks for where the first one asks for this.
+/// What an edition asks for where an earlier one asks for this.
 pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
-    let version = edition.version;
-    let instead = INSTEAD.iter().find(|(other, old, _)| *other == version && *old == id);
+    let instead = INSTEAD.iter().find(|(editions, old, _)| *old == id && editions.contains(&edition.version));
     instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
 }
 
