@@ -19,6 +19,13 @@ fn reference(edition: &Edition) -> Machine {
     Machine::new(*edition, edition.readings)
 }
 
+/// The same, and under each other answer.
+fn machines(edition: &Edition) -> Vec<Machine> {
+    let others = edition.alternatives();
+    let others = others.iter().map(|choice| Machine::new(*edition, edition.readings.with(choice)));
+    std::iter::once(reference(edition)).chain(others).collect()
+}
+
 #[test]
 fn every_mutation_is_killed_but_those_that_change_nothing() {
     for (edition, mutants, equivalent) in [(&Edition::V3_0, 199, 3), (&Edition::V4_0, 207, 2)] {
@@ -44,6 +51,28 @@ fn every_mutation_is_killed_whatever_the_default_answers_are() {
         };
         assert_eq!(proof.survivors, expected, "{choice}");
     }
+}
+
+/// An edition that changes the bus alone is proven where its rules are: its tests are those of the edition before it under the
+/// same answers, and what it shows besides. The whole of it proves `adsdv suite --prove --edition 2026`.
+#[test]
+fn the_suite_of_2026_has_every_test_of_4_0_under_its_answers() {
+    let (older, newer) = (Edition::V4_0, Edition::V2026);
+    assert_eq!((newer.rules, newer.choices, newer.faults), (older.rules, older.choices, older.faults));
+    assert!(older.alternatives().has(Choice::TorqueNever));
+    assert_eq!(newer.readings, older.readings.with(Choice::TorqueNever));
+
+    let proven = suite::generate(&Edition { readings: newer.readings, ..older });
+    let tests = suite::generate(&newer);
+    for test in &proven {
+        let same = tests.iter().find(|same| same.name == test.name).expect(&test.name);
+        // Where a request is the most that there is, that of the steering is another one.
+        let most = test.name.starts_with("requests-in-");
+        assert_eq!(same.scenario == test.scenario, !most, "{}", test.name);
+    }
+    let names: HashSet<&str> = proven.iter().map(|test| test.name.as_str()).collect();
+    let more = tests.iter().map(|test| test.name.as_str()).filter(|name| !names.contains(name));
+    assert_eq!(more.collect::<Vec<_>>(), ["vehicle-states"]);
 }
 
 /// The proof can fail: without the tests of conditions, of limits or of readings some mutation lives.
@@ -74,9 +103,7 @@ fn what_changes_nothing_is_found_out_for_each_table() {
 /// where a fault of the battery opens the circuit, it is never its own alternative that is taken.
 fn taken(edition: &Edition) -> BTreeMap<(u8, u8), usize> {
     let mut taken = BTreeMap::new();
-    let others = edition.alternatives();
-    let others = others.iter().map(|choice| Machine::new(*edition, edition.readings.with(choice)));
-    let machines: Vec<Machine> = std::iter::once(reference(edition)).chain(others).collect();
+    let machines = machines(edition);
     for test in suite::generate(edition) {
         for (_, outputs) in machines.iter().flat_map(|machine| test.scenario.run(machine)) {
             if let Some(by) = outputs.taken {
@@ -155,12 +182,11 @@ fn every_fault_is_a_cause_and_every_other_choice_fails_a_test() {
 
 fn faults_and_choices_matter(edition: &Edition) {
     let (machine, tests) = (reference(edition), suite::generate(edition));
-    let causes: HashSet<_> = tests
-        .iter()
-        .flat_map(|test| {
-            test.scenario.run(&machine).map(|(control, _)| control.shutdown_cause).collect::<Vec<_>>()
-        })
-        .collect();
+    // There may be a fault that the default answers never raise.
+    let machines = machines(edition);
+    let runs = tests.iter().flat_map(|test| machines.iter().map(move |machine| (test, machine)));
+    let controls = runs.flat_map(|(test, machine)| test.scenario.run(machine));
+    let causes: HashSet<_> = controls.map(|(control, _)| control.shutdown_cause).collect();
     for fault in machine.edition().faults.iter() {
         assert!(causes.contains(&fault.cause()), "{fault}");
     }
