@@ -1,6 +1,6 @@
 //! Which outputs a requirement is about, and which requirement an output is.
 
-use adsdv_spec::{AsState, Fault};
+use adsdv_spec::{Actuation, AsState, Fault};
 
 use super::keys::Keys;
 use crate::protocol::SHOWN;
@@ -110,16 +110,10 @@ static FLAGS: [&str; Fault::ALL.len()] = {
     flags
 };
 
-/// The only state in which a requirement says anything of the outputs that it is about; `None`: in all of them.
+/// The only state in which a requirement says anything of the outputs that it is about; `None`: in several, or in all of them.
 pub(super) fn only_in(id: &str) -> Option<AsState> {
-    match id {
-        "D-42" => Some(AsState::Off),
-        "DRV-2" | "DRV-3" => Some(AsState::Ready),
-        "MSG-18" | "MSG-25" => Some(AsState::Driving),
-        "D-43" => Some(AsState::EmergencyBrake),
-        "FIN-5" | "FIN-6" => Some(AsState::Finished),
-        _ => None,
-    }
+    let mut states = AsState::ALL.into_iter().filter(|&state| Actuation::requirements(state).contains(&id));
+    states.next().filter(|_| states.next().is_none())
 }
 
 /// The requirement that an output itself is: what is broken if it is wrong where nothing more special asks for it.

@@ -49,3 +49,30 @@ pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
 pub(crate) fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
     edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::suite;
+
+    /// What a line says is of use: some edition asks for the old requirement, and each that it names for the new ones.
+    #[test]
+    fn what_is_replaced_is_named_by_tests_and_so_is_what_stands_instead() {
+        let named = |edition: &Edition| -> HashSet<String> {
+            suite::generate(edition).into_iter().flat_map(|test| test.requirements).collect()
+        };
+        let all: Vec<(&str, HashSet<String>)> =
+            Edition::ALL.iter().map(|edition| (edition.version, named(edition))).collect();
+        for (editions, old, new) in INSTEAD {
+            let others = all.iter().filter(|(version, _)| !editions.contains(version));
+            assert!(others.into_iter().any(|(_, named)| named.contains(*old)), "{old}");
+            for version in *editions {
+                let (_, named) = all.iter().find(|(known, _)| known == version).expect("an edition");
+                assert!(new.iter().all(|id| named.contains(*id)), "{version}: {old}");
+                assert_eq!(named.contains(*old), new.contains(old), "{version}: {old}");
+            }
+        }
+    }
+}
