@@ -121,18 +121,35 @@ fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
             all.chain(protocol.shown().map(|(field, domain)| (outputs, field.key, domain)))
         {
             let common = row(part, key).unwrap_or_else(|| panic!("{key} is not in the page"));
-            // Where an edition has it otherwise, its own table says so.
-            let own = row(before, key).filter(|_| *edition != Edition::DEFAULT);
+            // Where an edition has it otherwise, a table of these says so.
+            let own = before.lines().find(|line| {
+                let mut cells = line.split('|').skip(1);
+                let is_key = cells.next().is_some_and(|keys| keys.contains(&format!("`{key}`")));
+                is_key
+                    && cells
+                        .next()
+                        .is_some_and(|editions| editions.split([' ', ',']).any(|one| one == edition.version))
+            });
             assert!(says(own.unwrap_or(common), key, domain), "{} {key}: {common} {own:?}", edition.version);
-            let first = Protocol::of(Edition::DEFAULT);
-            let in_first = first.inputs().any(|(field, _)| field.key == key)
-                || first.shown().any(|(field, _)| field.key == key);
-            assert_eq!(common.contains(" 4.0"), !in_first, "{key}: {common}");
+            let has = |edition: &&&Edition| {
+                let protocol = Protocol::of(edition);
+                protocol.inputs().any(|(field, _)| field.key == key)
+                    || protocol.shown().any(|(field, _)| field.key == key)
+            };
+            let having: Vec<&str> = Edition::ALL.iter().filter(has).map(|edition| edition.version).collect();
+            let alone = format!("| in {} alone", having.join(" and "));
+            assert_eq!(common.contains(&alone), having.len() < Edition::ALL.len(), "{key}: {common}");
+            assert_eq!(common.contains(" alone"), having.len() < Edition::ALL.len(), "{key}: {common}");
 
             // How names count.
             if let Domain::Names(names) = domain {
-                let first = i32::from(matches!(key, "as_state" | "ebs"));
-                assert!((first..).zip(names).all(|(number, &(raw, _))| raw == number), "{key}");
+                let own_count = own.is_some_and(|row| row.contains(" is 0"));
+                let first = i32::from(matches!(key, "as_state" | "ebs") && !own_count);
+                let faults = matches!(key, "op_state" | "ts_state" | "ebs_state");
+                for (number, &(raw, name)) in (first..).zip(names) {
+                    let counted = if faults && name.ends_with("_FAULT") { 15 } else { number };
+                    assert_eq!(raw, counted, "{key}: {name}");
+                }
             }
         }
     }
@@ -190,6 +207,43 @@ fn what_an_edition_does_not_have_is_an_unknown_key_there() {
         for field in SHOWN.iter().filter(|field| field.fault.is_some()) {
             let signal = edition.bus.message(0x520).and_then(|status| status.signal_of(field.key));
             assert_eq!(keys.contains(&field.key), signal.is_some(), "{} {}", edition.version, field.key);
+        }
+    }
+}
+
+/// What the database of 2026 added to 520h is an output of that edition alone.
+#[test]
+fn the_states_of_the_vehicle_are_outputs_where_520h_has_them() {
+    for edition in Edition::ALL {
+        let has = *edition == &Edition::V2026;
+        let protocol = Protocol::of(edition);
+        for (key, name, raw) in
+            [("op_state", "OP_CHARGE", 3), ("ts_state", "TS_FAULT", 15), ("ebs_state", "EBS_ARMED", 2)]
+        {
+            let line = format!(r#"{{"as_state":"AS_OFF","{key}":"{name}"}}"#);
+            let answer = protocol.answer(&line);
+            assert_eq!(answer.is_ok(), has, "{} {line}", edition.version);
+            let value = answer.ok().and_then(|answer| answer.get(key)?.raw);
+            assert_eq!(value, has.then_some(raw));
+        }
+    }
+    let refused =
+        Protocol::of(&Edition::V2026).answer(r#"{"as_state":"AS_OFF","op_state":255}"#).unwrap_err();
+    assert!(refused.to_string().contains("255") && refused.to_string().contains("OP_FAULT"), "{refused}");
+}
+
+/// AS_INIT of 2026 counts as AS_OFF, by its name and by its number; no other edition knows it.
+#[test]
+fn as_init_is_read_as_as_off() {
+    let inputs = Inputs::default();
+    for edition in Edition::ALL {
+        let (_, outputs) = Machine::new(**edition, edition.readings).step(&Control::INITIAL, &inputs, 10);
+        let shown = Shown::of(edition, &outputs, &inputs);
+        assert!(shown.to_string().starts_with(r#"{"as_state":"AS_OFF""#), "{shown}");
+        for line in [r#"{"as_state":"AS_INIT"}"#, r#"{"as_state":0}"#] {
+            let answer = Protocol::of(edition).answer(line);
+            let reads = *edition == &Edition::V2026;
+            assert_eq!(answer.is_ok_and(|answer| answer.agrees(&shown)), reads, "{} {line}", edition.version);
         }
     }
 }
@@ -256,7 +310,9 @@ fn a_line_is_read_as_its_edition_has_it() {
     let mut signal: SignalDef = message.signals[0];
     (signal.min, signal.max) = (-300, 300);
     message.signals = Vec::leak(vec![signal]);
-    let messages: &[&MessageDef] = Vec::leak(vec![&*Box::leak(Box::new(message))]);
+    let message: &MessageDef = Box::leak(Box::new(message));
+    let others = Edition::V3_0.bus.messages.iter().copied().filter(|other| other.id != message.id);
+    let messages: &[&MessageDef] = Vec::leak(others.chain([message]).collect());
     let bus = Bus { messages, ..Edition::V3_0.bus };
     let wider = Protocol::of(&Edition { version: "test", bus, ..Edition::V3_0 });
     let usual = Protocol::of(&Edition::V3_0);

@@ -9,15 +9,12 @@
 
 use adsdv_spec::{AsState, Edition, Machine};
 
-use super::about::{NO_ARROW, STATE_MACHINE, only_in, own, shows};
+use super::about::{NO_ARROW, STATE, STATE_MACHINE, only_in, own, shows};
 use super::broken::{Row, Why, last_row, why};
 use super::keys::Keys;
 use super::vcu::Reply;
 use crate::protocol::Shown;
 use crate::suite::{Kind, Scenario, Test, is_of_a_reading};
-
-/// The key of the state.
-const STATE: &str = "as_state";
 
 /// What is wrong in the answers to a scenario, for as long as the state is right.
 #[derive(Clone, Debug, Default)]
@@ -95,17 +92,17 @@ impl<'a> Blame<'a> {
         let unknown = wrong.is_nothing();
         let asks_for = |id: &str, state: AsState| only_in(id).is_none_or(|only| only == state);
         let is_broken = |id: &&String| {
-            let about = Keys::of(shows(id));
+            let about = shows(id);
             let by_output = |(state, keys): &(AsState, Keys)| asks_for(id, *state) && about.meets(*keys);
             unknown || (wrong.loses_the_state && about.has(STATE)) || wrong.keys.iter().any(by_output)
         };
         named.iter().filter(is_broken).for_each(|id| add(id));
         let counted = || named.iter().filter(|id| !is_of_a_reading(&self.edition, id));
         for (state, keys) in &wrong.keys {
-            let is_told = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).contains(&key));
+            let is_told = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).has(key));
             keys.iter().filter(|key| !is_told(key)).for_each(|key| add(own(key)));
         }
-        if wrong.loses_the_state && !counted().any(|id| shows(id).contains(&STATE)) {
+        if wrong.loses_the_state && !counted().any(|id| shows(id).has(STATE)) {
             self.of_state(wrong.state.as_ref()).iter().for_each(|id| add(id));
         }
         if unknown && counted().next().is_none() {
@@ -120,7 +117,7 @@ impl<'a> Blame<'a> {
         let of_rows = |is_it: &dyn Fn(&Row) -> bool| {
             let tests = || self.rows.iter().filter(|(row, _)| is_it(row)).map(|(_, ids)| *ids);
             let ids = tests().next().unwrap_or_default().iter();
-            let ids = ids.filter(|id| shows(id).contains(&STATE) && !is_of_a_reading(&self.edition, id));
+            let ids = ids.filter(|id| shows(id).has(STATE) && !is_of_a_reading(&self.edition, id));
             ids.filter(|id| tests().all(|ids| ids.contains(id))).map(String::as_str).collect::<Vec<_>>()
         };
         let ids = match why {
@@ -192,8 +189,7 @@ mod tests {
         for (row, ids) in &blame.rows {
             let lost = |why| Wrong { loses_the_state: true, state: Some(why), ..Wrong::default() };
             let not_taken = blame.broken(&[], &lost(Why::NotTaken(row.clone())));
-            let about_the_state =
-                |id: &&String| shows(id).contains(&STATE) && !is_of_a_reading(&Edition::V3_0, id);
+            let about_the_state = |id: &&String| shows(id).has(STATE) && !is_of_a_reading(&Edition::V3_0, id);
             let mut expected: Vec<String> = ids.iter().filter(about_the_state).cloned().collect();
             if expected.is_empty() {
                 expected.push(STATE_MACHINE.to_owned());

@@ -183,8 +183,17 @@ mod tests {
     use crate::conform::rng::Rng;
     use crate::conform::walker::Walker;
 
-    /// Every edition, and how many combinations of readings it has.
+    /// Every edition whose rules or choices are its own, and how many combinations of readings it has.
     const EDITIONS: [(&Edition, usize); 2] = [(&Edition::V3_0, 3072), (&Edition::V4_0, 12288)];
+
+    /// What is tried of these editions holds for all: readings ask for nothing but rules and choices.
+    #[test]
+    fn every_edition_has_the_rules_and_the_choices_of_one_that_is_tried() {
+        for edition in Edition::ALL {
+            let tried = |of: &Edition| (of.rules, of.choices) == (edition.rules, edition.choices);
+            assert!(EDITIONS.iter().any(|(of, _)| tried(of)), "{}", edition.version);
+        }
+    }
 
     /// One machine of a class stands for all of it: at every step of walks through every state.
     #[test]

@@ -65,7 +65,7 @@ pub(super) struct Ran {
 impl Ran {
     /// Whether the test told anything of a requirement that it names.
     fn checks(&self, id: &str, edition: &Edition) -> bool {
-        let is_shown = || self.shown.has_all(Keys::of(shows(id)).and(Keys::of_edition(edition)));
+        let is_shown = || self.shown.has_all(shows(id).and(Keys::of_edition(edition)));
         match &self.wrong {
             Some((_, broken)) if broken.iter().any(|other| other == id) => true,
             // It is about what follows a wrong state, of which nothing is told.

@@ -144,7 +144,8 @@ impl Answer {
             *given = match found {
                 Given::Null if field.nullable => AnsweredValue::Value(None),
                 _ => match domain.raw_or(field.domain, found) {
-                    Some(raw) => AnsweredValue::Value(Some(raw)),
+                    //= D-69
+                    Some(raw) => AnsweredValue::Value(Some(field.meaning(raw, protocol.bus()))),
                     None => return Err(BadLine::value(key, found, domain)),
                 },
             };

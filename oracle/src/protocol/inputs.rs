@@ -27,6 +27,15 @@ pub struct InputField {
 }
 
 impl InputField {
+    /// The input with this key. One that there is not does not compile where a constant asks for it.
+    pub(crate) const fn of(key: &str) -> &'static Self {
+        let mut i = 0;
+        while !INPUTS[i].key.eq_ignore_ascii_case(key) {
+            i += 1;
+        }
+        &INPUTS[i]
+    }
+
     /// Whether an edition has it: that a message is missing is an input only where there is a limit to that.
     pub const fn is_in(&self, edition: &Edition) -> bool {
         !is_silence(self.part) || edition.rules.thresholds.missed_ms.is_some()

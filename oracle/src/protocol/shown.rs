@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use adsdv_spec::messages::{SignalValue, Vcu2AiStatus};
+use adsdv_spec::messages::{SignalDef, SignalValue, Vcu2AiStatus};
 use adsdv_spec::{Actuation, Bus, Edition, Fault, Inputs, Outputs};
 
 use super::UNSAID;
@@ -26,16 +26,39 @@ pub struct ShownField {
     pub nullable: bool,
     /// The fault whose flag it is.
     pub fault: Option<Fault>,
+    /// The requirements that say what it is to show, as `spec/REQUIREMENTS.md` numbers them; those of all editions. The first
+    /// is the output itself: what is broken if it is wrong where nothing more special asks for it.
+    pub requirements: &'static [&'static str],
+    /// Whether it is a signal of 520h, and not something of the actuators.
+    pub(crate) is_signal: bool,
     /// Its raw value.
     get: fn(&Vcu2AiStatus, &Actuation) -> Option<i32>,
 }
 
 impl ShownField {
-    /// Whether an edition has it: the flag of a fault only where there is that fault.
+    /// The output with this key. One that there is not does not compile where a constant asks for it.
+    pub(crate) const fn of(key: &str) -> &'static Self {
+        let mut i = 0;
+        while !FIELDS[i].key.eq_ignore_ascii_case(key) {
+            i += 1;
+        }
+        &FIELDS[i]
+    }
+
+    /// Whether an edition has it: a signal only where its 520h does, and the flag of a fault only where there is that fault.
     pub const fn is_in(&self, edition: &Edition) -> bool {
-        match self.fault {
-            Some(fault) => edition.faults.has(fault),
-            None => true,
+        match (self.fault, edition.bus.message(Vcu2AiStatus::ID)) {
+            (Some(fault), _) => edition.faults.has(fault),
+            (None, Some(status)) => !self.is_signal || status.signal_of(self.key).is_some(),
+            (None, None) => !self.is_signal,
+        }
+    }
+
+    /// The value as which a raw one counts: where the interface does not tell two apart, the one that is written.
+    pub(super) const fn meaning(&self, raw: i32, bus: &Bus) -> i32 {
+        match (self.is_signal, bus.signal_of(self.signal)) {
+            (true, Some(SignalDef { read_as: Some(other), .. })) if other.raw == raw => other.meaning,
+            _ => raw,
         }
     }
 
@@ -62,13 +85,41 @@ const fn fault_of(key: &str) -> Option<Fault> {
     None
 }
 
+/// The requirement of a fault, as a list.
+const fn of_fault(fault: Fault) -> &'static [&'static str] {
+    const ALL: [[&str; 1]; Fault::ALL.len()] = {
+        let mut all = [[""]; Fault::ALL.len()];
+        let mut i = 0;
+        while i < all.len() {
+            all[i] = [Fault::ALL[i].requirement()];
+            i += 1;
+        }
+        all
+    };
+    let mut i = 0;
+    while Fault::ALL[i] as u8 != fault as u8 {
+        i += 1;
+    }
+    &ALL[i]
+}
+
+/// The requirements about an output: those that are given, or, for the flag of a fault, that of the fault.
+const fn requirements_of(fault: Option<Fault>, given: &'static [&'static str]) -> &'static [&'static str] {
+    match (fault, given) {
+        (Some(fault), []) => of_fault(fault),
+        (None, [_, ..]) => given,
+        (Some(_), _) => panic!("the requirement of a flag is that of its fault"),
+        (None, []) => panic!("each output has a requirement"),
+    }
+}
+
 const fn domain_of<T: SignalValue>(_: fn(&Vcu2AiStatus, &Actuation) -> Option<T>) -> Domain {
     Domain::of::<T>()
 }
 
 macro_rules! shown {
     ($(
-        $source:ident => $($field:ident)+ $(, or null $nullable:ident)?;
+        $source:ident => $($field:ident $([$($id:literal)+])?)+ $(, or null $nullable:ident [$($null_id:literal)+])?;
     )+) => {
         /// Everything that a step shows in any edition, in the order in which an answer of this crate has it.
         pub const SHOWN: [ShownField; [$($(stringify!($field),)+ $(stringify!($nullable),)?)+].len()] = [$(
@@ -81,6 +132,8 @@ macro_rules! shown {
                     signal: signal!($source $field),
                     nullable: false,
                     fault: fault_of(stringify!($field)),
+                    requirements: requirements_of(fault_of(stringify!($field)), &[$($($id),+)?]),
+                    is_signal: is_signal!($source),
                     get: |status, actuation| Some(SignalValue::to_raw(from!($source status actuation).$field)),
                 },
             )+
@@ -93,6 +146,8 @@ macro_rules! shown {
                     signal: "steer_request",
                     nullable: true,
                     fault: None,
+                    requirements: requirements_of(None, &[$($null_id),+]),
+                    is_signal: is_signal!($source),
                     get: |status, actuation| {
                         from!($source status actuation).$nullable.map(SignalValue::to_raw)
                     },
@@ -112,6 +167,16 @@ macro_rules! signal {
     };
 }
 
+/// Whether what is shown from here is a signal of 520h.
+macro_rules! is_signal {
+    (status) => {
+        true
+    };
+    (actuation) => {
+        false
+    };
+}
+
 macro_rules! from {
     (status $status:ident $actuation:ident) => {{
         let _ = $actuation;
@@ -124,14 +189,35 @@ macro_rules! from {
 }
 
 shown! {
-    status => as_state handshake go_signal steering_status shutdown_cause
-        as_switch_status ts_switch_status ami_state shutdown_request
-        fault_status ai_estop_request hvil_open_fault hvil_short_fault ebs_fault offboard_charger_fault
-        ai_comms_lost autonomous_braking_fault mission_status_fault charge_procedure_fault bms_fault
-        brake_plausibility_fault
-        warning_status warn_batt_temp_high warn_batt_soc_low;
-    actuation => front_axle_trq front_motor_speed_max rear_axle_trq rear_motor_speed_max direction
-        hyd_press_f hyd_press_r ebs_triggered, or null steer;
+    status =>
+        as_state ["SM-1" "MSG-48" "SM-3"]
+        handshake ["MSG-42"]
+        go_signal ["MSG-46"]
+        steering_status ["MSG-47" "D-37"]
+        shutdown_cause ["MSG-64"]
+        as_switch_status ["MSG-44"]
+        ts_switch_status ["MSG-45"]
+        ami_state ["MSG-49" "RDY-6"]
+        shutdown_request ["MSG-43" "D-38"]
+        op_state ["MSG-106" "D-71"]
+        ts_state ["MSG-107" "D-72"]
+        ebs_state ["MSG-108" "D-73"]
+        fault_status ["MSG-50" "D-40"]
+        ai_estop_request hvil_open_fault hvil_short_fault ebs_fault offboard_charger_fault ai_comms_lost
+        autonomous_braking_fault mission_status_fault charge_procedure_fault bms_fault brake_plausibility_fault
+        warning_status ["MSG-51" "D-39"]
+        warn_batt_temp_high ["MSG-52"]
+        warn_batt_soc_low ["MSG-53"];
+    actuation =>
+        front_axle_trq ["D-21"]
+        front_motor_speed_max ["D-21"]
+        rear_axle_trq ["D-21"]
+        rear_motor_speed_max ["D-21"]
+        direction ["D-21"]
+        hyd_press_f ["D-41"]
+        hyd_press_r ["D-41"]
+        ebs_triggered ["D-43"],
+        or null steer ["D-21"];
 }
 
 /// The same, where they stay.

@@ -20,27 +20,59 @@ pub(super) fn of_pair(one: &Row, other: &Row) -> Vec<&'static str> {
     all.into_iter().flatten().copied().collect()
 }
 
-/// What an edition asks for instead of a requirement of the first one: the same with another number in it, or what it has made
-/// of it. Where it is nothing at all, it does not ask for it.
-const INSTEAD: &[(&str, &str, &[&str])] = &[
-    ("4.0", "HS-9", &["HS-17"]),
-    ("4.0", "HS-13", &[]),
-    ("4.0", "HS-16", &["HS-19"]),
-    ("4.0", "DTE-4", &["DTE-7"]),
-    ("4.0", "D-2", &["D-65"]),
-    ("4.0", "D-9", &["D-62"]),
-    ("4.0", "D-10", &["D-63"]),
-    ("4.0", "D-27", &["D-27", "IMP-9"]),
+/// Since version 4.0.
+const SINCE_4_0: &[&str] = &["4.0", "2026"];
+/// Since the database of 2026.
+const SINCE_2026: &[&str] = &["2026"];
+
+/// What editions ask for instead of a requirement of an earlier one: the same with another number in it, or what they have made
+/// of it. Where it is nothing at all, they do not ask for it.
+const INSTEAD: &[(&[&str], &str, &[&str])] = &[
+    (SINCE_4_0, "HS-9", &["HS-17"]),
+    (SINCE_4_0, "HS-13", &[]),
+    (SINCE_4_0, "HS-16", &["HS-19"]),
+    (SINCE_4_0, "DTE-4", &["DTE-7"]),
+    (SINCE_4_0, "D-2", &["D-65"]),
+    (SINCE_4_0, "D-9", &["D-62"]),
+    (SINCE_4_0, "D-10", &["D-63"]),
+    (SINCE_4_0, "D-27", &["D-27", "IMP-9"]),
+    (SINCE_2026, "D-53", &["D-67"]),
 ];
 
-/// What an edition asks for where the first one asks for this.
+/// What an edition asks for where an earlier one asks for this.
 pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
-    let version = edition.version;
-    let instead = INSTEAD.iter().find(|(other, old, _)| *other == version && *old == id);
+    let instead = INSTEAD.iter().find(|(editions, old, _)| *old == id && editions.contains(&edition.version));
     instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
 }
 
 /// Whether it is only the default answer to a question that the edition leaves open.
 pub(crate) fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
     edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::suite;
+
+    /// What a line says is of use: some edition asks for the old requirement, and each that it names for the new ones.
+    #[test]
+    fn what_is_replaced_is_named_by_tests_and_so_is_what_stands_instead() {
+        let named = |edition: &Edition| -> HashSet<String> {
+            suite::generate(edition).into_iter().flat_map(|test| test.requirements).collect()
+        };
+        let all: Vec<(&str, HashSet<String>)> =
+            Edition::ALL.iter().map(|edition| (edition.version, named(edition))).collect();
+        for (editions, old, new) in INSTEAD {
+            let others = all.iter().filter(|(version, _)| !editions.contains(version));
+            assert!(others.into_iter().any(|(_, named)| named.contains(*old)), "{old}");
+            for version in *editions {
+                let (_, named) = all.iter().find(|(known, _)| known == version).expect("an edition");
+                assert!(new.iter().all(|id| named.contains(*id)), "{version}: {old}");
+                assert_eq!(named.contains(*old), new.contains(old), "{version}: {old}");
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Programs that err: machines in this process with another hand on their outputs.
 
 use adsdv_oracle::conform::{InProcess, ProgramError, Reply, Vcu};
-use adsdv_oracle::protocol::Answer;
+use adsdv_oracle::protocol::Protocol;
 use adsdv_oracle::suite::Scenario;
 use adsdv_spec::{Edition, Inputs, Machine};
 use serde_json::{Map, Value, json};
@@ -29,23 +29,23 @@ impl Erring {
     }
 
     fn replies(&self, scenario: &Scenario) -> Vec<Reply> {
+        let protocol = Protocol::of(self.machine.edition());
         let tampered = scenario.shown(&self.machine).zip(&scenario.steps).enumerate();
         let answers = tampered.map(|(place, (shown, step))| {
             let mut outputs: Outputs = serde_json::from_str(&shown.to_string()).expect("an object");
             if self.for_scenarios > 0 {
                 (self.tampers)(place, &step.inputs, &mut outputs);
             }
-            answer(outputs)
+            answer(outputs, &protocol)
         });
         let off = Outputs::from_iter([("as_state".to_owned(), json!("AS_OFF"))]);
-        let first = if self.nothing { Reply::Nothing } else { answer(off) };
+        let first = if self.nothing { Reply::Nothing } else { answer(off, &protocol) };
         std::iter::repeat_n(first, self.late).chain(answers).take(scenario.steps.len()).collect()
     }
 }
 
-fn answer(outputs: Outputs) -> Reply {
-    let answer: Answer = Value::Object(outputs).to_string().parse().expect("an answer");
-    Reply::Answer(answer)
+fn answer(outputs: Outputs, protocol: &Protocol) -> Reply {
+    Reply::Answer(protocol.answer(&Value::Object(outputs).to_string()).expect("an answer"))
 }
 
 impl Vcu for Erring {

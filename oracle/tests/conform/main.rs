@@ -12,5 +12,6 @@ mod mutants;
 mod programs;
 mod random;
 mod readings;
+mod v2026;
 mod v4_0;
 mod written;

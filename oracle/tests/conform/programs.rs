@@ -14,18 +14,15 @@ use adsdv_spec::{Edition, Machine};
 pub(crate) const TIMEOUT: Duration = Duration::from_secs(20);
 
 pub(crate) fn tests() -> &'static [Test] {
-    static TESTS: OnceLock<Vec<Test>> = OnceLock::new();
-    TESTS.get_or_init(|| suite::generate(Edition::DEFAULT))
+    tests_of(Edition::DEFAULT)
 }
 
 /// The suite of the edition that is asked for; that of the default one for the editions that tests make up.
 pub(crate) fn tests_of(edition: &Edition) -> &'static [Test] {
-    static V4_0: OnceLock<Vec<Test>> = OnceLock::new();
-    if edition.version == Edition::V4_0.version {
-        V4_0.get_or_init(|| suite::generate(&Edition::V4_0))
-    } else {
-        tests()
-    }
+    static TESTS: [OnceLock<Vec<Test>>; Edition::ALL.len()] = [const { OnceLock::new() }; Edition::ALL.len()];
+    let known = Edition::find(edition.version).unwrap_or(Edition::DEFAULT);
+    let (_, tests) = Edition::ALL.iter().zip(&TESTS).find(|(one, _)| **one == known).expect("one of them");
+    tests.get_or_init(|| suite::generate(known))
 }
 
 /// Only the suite.

@@ -35,9 +35,11 @@ fn written(edition: &Edition, test: &Test) -> String {
 
 #[test]
 fn every_test_is_as_written() {
-    for (edition, file) in
-        [(&Edition::V3_0, expect_file!["tests.txt"]), (&Edition::V4_0, expect_file!["v4_0/tests.txt"])]
-    {
+    for (edition, file) in [
+        (&Edition::V3_0, expect_file!["tests.txt"]),
+        (&Edition::V4_0, expect_file!["v4_0/tests.txt"]),
+        (&Edition::V2026, expect_file!["v2026/tests.txt"]),
+    ] {
         let all: Vec<String> = suite::generate(edition).iter().map(|test| written(edition, test)).collect();
         file.assert_eq(&all.join("\n"));
     }
@@ -45,9 +47,11 @@ fn every_test_is_as_written() {
 
 #[test]
 fn every_requirement_without_a_test_has_a_reason() {
-    for (edition, file) in
-        [(&Edition::V3_0, expect_file!["untested.txt"]), (&Edition::V4_0, expect_file!["v4_0/untested.txt"])]
-    {
+    for (edition, file) in [
+        (&Edition::V3_0, expect_file!["untested.txt"]),
+        (&Edition::V4_0, expect_file!["v4_0/untested.txt"]),
+        (&Edition::V2026, expect_file!["v2026/untested.txt"]),
+    ] {
         let untested: String = suite::untested(edition).fold(String::new(), |mut all, untested| {
             let _ = writeln!(all, "{:9} {}", untested.id, untested.reason);
             all

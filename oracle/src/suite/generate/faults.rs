@@ -4,7 +4,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Choice, Fault, Faults, Inputs, Machine, Reading};
 
 use super::{Walk, braking_by, terms, test, walk_cycle, words};
-use crate::protocol::{Domain, INPUTS, InputField};
+use crate::protocol::{Domain, INPUTS, InputField, ShownField};
 use crate::suite::{Kind, Test};
 
 /// The tests of what opens the shutdown circuit, and of what 520h tells of it.
@@ -28,18 +28,33 @@ fn causes(machine: &Machine) -> impl Iterator<Item = &'static InputField> {
     })
 }
 
-/// The requirements of section 3.5 behind an input; those of the others are the fault's.
+/// The requirements of section 3.5 behind what opens the shutdown circuit; those of other inputs are the fault's.
+const OF_3_5: [(&InputField, &str); 7] = [
+    (InputField::of("remote_estop"), "RTE-2"),
+    (InputField::of("res_link_lost"), "RTE-3"),
+    (InputField::of("vehicle_estop"), "RTE-4"),
+    (InputField::of("crash_sensor"), "RTE-5"),
+    (InputField::of("critical_fault"), "RTE-6"),
+    (InputField::of("bms_fault"), "RTE-7"),
+    (InputField::of("mpp_dongle_removed"), "RTE-8"),
+];
+
+// Another one does not compile until its requirement stands above.
+const _: () = {
+    let (mut place, mut found) = (0, 0);
+    while place < INPUTS.len() {
+        if INPUTS[place].part.eq_ignore_ascii_case("sdc") {
+            let same = found < OF_3_5.len() && OF_3_5[found].0.key.eq_ignore_ascii_case(INPUTS[place].key);
+            assert!(same, "each input that opens the shutdown circuit has a requirement, in their order");
+            found += 1;
+        }
+        place += 1;
+    }
+    assert!(found == OF_3_5.len(), "each of them is an input that opens the shutdown circuit");
+};
+
 fn cause_of_3_5(key: &str) -> Option<&'static str> {
-    Some(match key {
-        "remote_estop" => "RTE-2",
-        "res_link_lost" => "RTE-3",
-        "vehicle_estop" => "RTE-4",
-        "crash_sensor" => "RTE-5",
-        "critical_fault" => "RTE-6",
-        "bms_fault" => "RTE-7",
-        "mpp_dongle_removed" => "RTE-8",
-        _ => return None,
-    })
+    OF_3_5.iter().find(|(field, _)| field.key == key).map(|(_, id)| *id)
 }
 
 /// One cause: live in AS_OFF, where it goes with its input, and in AS_READY, where it leads to EMERGENCY_BRAKE and stays.
@@ -123,16 +138,20 @@ fn levels(machine: &Machine) -> Vec<Test> {
 
 /// The warnings of 520h.
 fn warnings(machine: &Machine) -> Vec<Test> {
-    [("batt_temp_high", "MSG-52"), ("batt_soc_low", "MSG-53")]
-        .map(|(key, id)| {
-            let set = |inputs: &mut Inputs| {
-                if let Some(field) = INPUTS.iter().find(|field| field.key == key) {
-                    (field.set)(inputs, 1);
-                }
-            };
-            let walk = Walk::to(machine, AsState::Ready).step(walk_cycle(machine), set);
+    const WARNING: &ShownField = ShownField::of("warning_status");
+    const OF_INPUTS: [(&InputField, &ShownField); 2] = [
+        (InputField::of("batt_temp_high"), ShownField::of("warn_batt_temp_high")),
+        (InputField::of("batt_soc_low"), ShownField::of("warn_batt_soc_low")),
+    ];
+    OF_INPUTS
+        .map(|(input, shown)| {
+            let key = input.key;
+            let walk = Walk::to(machine, AsState::Ready).step(walk_cycle(machine), |inputs| {
+                (input.set)(inputs, 1);
+            });
             let about = format!("{key} is a warning, and no reason to brake");
-            test(Kind::Fault, format!("warning-{key}"), about, "2.2", walk).checks([id, "MSG-51", "D-39"])
+            let ids = shown.requirements.iter().chain(WARNING.requirements).copied();
+            test(Kind::Fault, format!("warning-{key}"), about, "2.2", walk).checks(ids)
         })
         .into()
 }

@@ -2,12 +2,13 @@
 //! mission and steering.
 
 use adsdv_spec::messages::{
-    Ai2VcuBrake, AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MissionStatus,
-    MotorSpeedMax, SteerAngle,
+    Ai2VcuBrake, AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
+    MissionStatus, MotorSpeedMax, SteerAngle,
 };
 use adsdv_spec::{Actuation, Bus, Fault, Inputs, Machine};
 
 use super::{Walk, test, walk_cycle};
+use crate::protocol::ShownField;
 use crate::suite::{Kind, Test};
 
 /// The tests of what a program shows beside its state, its handshake and its faults.
@@ -16,6 +17,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
     tests.push(every_state(machine));
     tests.push(switches(machine));
     tests.push(missions(machine));
+    tests.extend(reported(machine));
     tests
 }
 
@@ -109,7 +111,35 @@ fn every_state(machine: &Machine) -> Test {
     // Everything of 520h but the fault flags, each of which has tests of its own.
     let status = (42..=53).chain([64]).map(|number| format!("MSG-{number}"));
     let ids: Vec<String> = status.chain(["SM-3", "D-37", "D-38"].map(str::to_owned)).collect();
-    test(Kind::Output, "every-state", about, "2.2", walk).checks(ids.iter().map(String::as_str))
+    let of_vehicle = of_vehicle(machine).flat_map(|field| field.requirements).copied();
+    test(Kind::Output, "every-state", about, "2.2", walk)
+        .checks(ids.iter().map(String::as_str).chain(of_vehicle))
+}
+
+/// What 520h tells of the vehicle beside its AS: what it is operated for, its tractive system and its EBS.
+fn of_vehicle(machine: &Machine) -> impl Iterator<Item = &'static ShownField> {
+    const OF_VEHICLE: [&ShownField; 3] =
+        [ShownField::of("op_state"), ShownField::of("ts_state"), ShownField::of("ebs_state")];
+    OF_VEHICLE.into_iter().filter(|field| field.is_in(machine.edition()))
+}
+
+/// What these go by: the charger, TSMS, and the EBS; none where the edition tells none of them.
+fn reported(machine: &Machine) -> Option<Test> {
+    let mut fields = of_vehicle(machine).peekable();
+    fields.peek()?;
+    let cycle = walk_cycle(machine);
+    let walk = [EbsState::Unavailable, EbsState::Armed, EbsState::Triggered]
+        .into_iter()
+        .fold(Walk::new(machine), |walk, ebs| walk.step(cycle, |inputs| inputs.ebs = ebs))
+        .step(cycle, |inputs| inputs.reports.charging = true)
+        .step(cycle, |inputs| inputs.tsms = true)
+        .step(cycle, |inputs| inputs.reports.charging = false)
+        .step(cycle, |inputs| inputs.tsms = false);
+    let about = "the charger, TSMS and the EBS, as 520h tells what the vehicle is operated for";
+    Some(
+        test(Kind::Output, "vehicle-states", about, "2.2", walk)
+            .checks(fields.flat_map(|field| field.requirements).copied()),
+    )
 }
 
 /// Each master switch without the other, and both.
