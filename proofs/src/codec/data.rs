@@ -144,6 +144,11 @@ impl Data {
 
     /// The same of a message of an edition.
     pub(super) fn read_in<E, M: Coded<E>>(&self, layout: &Layout, allowed: bool) -> Option<M> {
+        self.read_as_in::<E, M>(layout, allowed, self.word())
+    }
+
+    /// The same where a number stands for another one: what is written again are the signals' bits of `meant`.
+    pub(super) fn read_as_in<E, M: Coded<E>>(&self, layout: &Layout, allowed: bool, meant: u64) -> Option<M> {
         let complete = u32::from(self.len) >= layout.needed();
         kani::cover!(!complete && allowed, "the end is missing");
         kani::cover!(complete && allowed && u32::from(self.len) == layout.needed(), "all is just there");
@@ -152,10 +157,7 @@ impl Data {
         assert!(read.is_some() == (complete && allowed), "read if and only if all is there and allowed");
         if let Some(message) = read {
             let written = written::<E, M>(message, layout);
-            assert!(
-                written.word() == self.word() & layout.used(),
-                "written as the bits of the signals alone"
-            );
+            assert!(written.word() == meant & layout.used(), "written as the bits of the signals alone");
         }
         read
     }
