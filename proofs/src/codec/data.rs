@@ -1,9 +1,9 @@
 //! Data of a frame: drawn, cut by hand, read, and written again.
 
 use adsdv_spec::editions::V3_0;
-#[cfg(not(kani))]
-use adsdv_spec::messages::AnyMessage;
 use adsdv_spec::messages::Frame;
+#[cfg(not(kani))]
+use adsdv_spec::{editions::V2026, messages::AnyMessage};
 
 use crate::prelude::*;
 
@@ -59,7 +59,9 @@ impl Data {
         let data = Self { bytes: kani::any(), len: kani::any_where(|len| *len <= 9) };
         #[cfg(not(kani))]
         if kani::any() {
-            let frame = V3_0::write(&kani::any::<AnyMessage>()).unwrap_or_default();
+            let message = kani::any::<AnyMessage>();
+            let frame = if kani::any() { V3_0::write(&message) } else { V2026::write(&message) };
+            let frame = frame.unwrap_or_default();
             return (frame.id, data.nearly(&frame));
         }
         (kani::any(), data)

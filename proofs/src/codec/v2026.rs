@@ -1,5 +1,5 @@
 //! What the CAN database of 2026 has otherwise than version 4.0. All other messages are laid out by the layouts of 4.0, or of
-//! 3.0 before it, and theorems on those say how.
+//! 3.0 before it, as one theorem here says, and theorems on those say how.
 //!
 //! The bounds of the loops: 520h has 27 signals, no other message more than 9; 8 bytes are put together to a word, 9 are
 //! drawn; there are 15 messages, 33 of devices, 15 entries of section 2.3, and names have up to 41 letters.
@@ -147,6 +147,52 @@ pub fn vcu_status_120h_is_no_message_of_2026() {
     assert!(bus.message(0x120).is_none(), "it is not in the table");
 }
 
+/// Whether a frame was read, or not, as this message of 2026 is.
+fn read_as<M: Coded<V2026> + Into<AnyMessage>>(read: Option<AnyMessage>, data: &Data) -> bool {
+    let message = <M as Coded<V2026>>::decode(data.given()).ok();
+    read == message.map(Into::into)
+}
+
+/// **What 2026 does not lay out anew is read and written as in 4.0.** 513h, 520h and 523h are read and written as these messages
+/// by themselves, 120h is neither, and every other identifier, data and message as in 4.0.
+///
+/// Requirements: MSG-113, MSG-116, D-19, D-33.
+#[cfg_attr(kani, kani::proof, kani::unwind(29))]
+pub fn what_2026_does_not_lay_out_anew_is_as_in_4_0() {
+    let (id, data) = Data::any_with_id();
+    let read = V2026::read(id, data.received(id).given()).ok();
+    let other = read.is_some() && (id == 0x524);
+    kani::cover!(other, "the brakes, as in 4.0");
+    let status = read.is_some() && (id == 0x520);
+    kani::cover!(status, "the status, as in 2026");
+    let as_it_should_be = match id {
+        0x120 => read.is_none(),
+        0x513 => read_as::<Ai2VcuSteer>(read, &data),
+        0x520 => read_as::<Vcu2AiStatus>(read, &data),
+        0x523 => read_as::<Vcu2AiSteer>(read, &data),
+        _ => read == V4_0::read(id, data.given()).ok(),
+    };
+    assert!(as_it_should_be, "as the message by itself, or as in 4.0");
+
+    let message: AnyMessage = kani::any();
+    let written = V2026::write(&message).map(|frame| subject().sent(frame));
+    let expected = match &message {
+        AnyMessage::VcuStatus(_) => None,
+        AnyMessage::Ai2VcuSteer(steer) => Some(<Ai2VcuSteer as Coded<V2026>>::encode(steer)),
+        AnyMessage::Vcu2AiStatus(status) => Some(<Vcu2AiStatus as Coded<V2026>>::encode(status)),
+        AnyMessage::Vcu2AiSteer(steer) => Some(<Vcu2AiSteer as Coded<V2026>>::encode(steer)),
+        other => V4_0::write(other),
+    };
+    match (written, expected) {
+        (Some(written), Some(expected)) => {
+            assert!(written.id == expected.id && written.len == expected.len, "the same message");
+            let (written, expected) = (u64::from_le_bytes(written.data), u64::from_le_bytes(expected.data));
+            assert!(written == expected, "the same bits");
+        }
+        (written, expected) => assert!(written.is_none() && expected.is_none(), "no frame"),
+    }
+}
+
 /// **The lengths and cycles of 2026.** Its fifteen messages are sent every 10 ms, 500h and 502h every 100 ms. 120h is not
 /// among them, and the others are as long as in 4.0.
 ///
@@ -250,6 +296,7 @@ theorems![
     vcu2ai_drive_r_522h_in_2026,
     vcu2ai_steer_523h_in_2026,
     vcu2log_dynamics1_500h_in_2026,
-    vcu_status_120h_is_no_message_of_2026;
+    vcu_status_120h_is_no_message_of_2026,
+    what_2026_does_not_lay_out_anew_is_as_in_4_0;
     every lengths_and_cycles_of_2026, names_of_2026, who_may_send_what_in_2026
 ];

@@ -14,6 +14,7 @@ pub(crate) fn mutants() -> Vec<Mutant> {
     mutants.extend(of_the_bus());
     mutants.extend(of_the_devices());
     mutants.extend(of_the_outputs());
+    mutants.extend(of_any());
     mutants
 }
 
@@ -162,6 +163,51 @@ impl Subject for Sent {
     fn sent(&self, frame: Frame) -> Frame {
         (self.0)(frame)
     }
+}
+
+/// Data that reaches the decoder otherwise than it came.
+#[derive(Clone)]
+struct Received(fn(u16, [u8; 9]) -> [u8; 9]);
+
+impl Subject for Received {
+    fn received(&self, id: u16, data: [u8; 9]) -> [u8; 9] {
+        (self.0)(id, data)
+    }
+}
+
+/// Frames that are read or written otherwise than what they carry.
+fn of_any() -> Vec<Mutant> {
+    let theorem = "what_2026_does_not_lay_out_anew_is_as_in_4_0";
+    vec![
+        Mutant::new(
+            theorem,
+            "524h: no EBS is read",
+            Received(|id, mut data| {
+                if id == 0x524 {
+                    data[4] &= 0x0F;
+                }
+                data
+            }),
+        ),
+        Mutant::new(
+            theorem,
+            "520h: no mode is read",
+            Received(|id, mut data| {
+                if id == 0x520 {
+                    data[0] &= 0x0F;
+                }
+                data
+            }),
+        ),
+        Mutant::new(
+            theorem,
+            "523h has eight bytes",
+            Sent(|frame| match frame.id {
+                0x523 => Frame { len: 8, ..frame },
+                _ => frame,
+            }),
+        ),
+    ]
 }
 
 fn of_the_outputs() -> Vec<Mutant> {
