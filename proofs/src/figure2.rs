@@ -4,10 +4,10 @@
 //! and only if its guard holds and no guard that comes before it does.
 
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
-use adsdv_spec::{Edition, Readings};
+use adsdv_spec::{Choice, Edition, Readings};
 
 use crate::prelude::*;
-use crate::steps::keeps_invariant_of_4_0;
+use crate::steps::{keeps_invariant_of_4_0, keeps_invariant_of_2026};
 use crate::words::{self, Arrow, Verdict};
 
 /// **A step is what the document says.** From every control state, with every input and after every time, the state, what
@@ -38,6 +38,44 @@ pub fn a_step_of_4_0_is_what_the_document_says() {
     assert!(Verdict::of(after, &outputs) == said, "the step and the words agree");
     assert!(outputs.from == before.state, "the outputs name the state before the step");
     assert!(keeps_invariant_of_4_0(&after), "the invariant is kept");
+}
+
+/// **The state machine of 2026 is that of 4.0**: the same rules, faults and possible answers, so that what holds of a step of
+/// 4.0 with some readings holds of one of 2026 with them. The default readings differ in one: `torque-control=never`.
+///
+/// Requirements: SM-1, D-67.
+#[cfg_attr(kani, kani::proof, kani::unwind(24))]
+pub fn the_state_machine_of_2026_is_that_of_4_0() {
+    let subject = subject();
+    let (old, new) = (subject.machine_of_4_0(), subject.machine_of_2026());
+    let (rules, rules_of_2026) = (&old.edition().rules, &new.edition().rules);
+    assert!(rules_of_2026.table == rules.table, "Figure 2");
+    assert!(rules_of_2026.priorities == rules.priorities, "the order of arrows under readings");
+    assert!(rules_of_2026.timing == rules.timing, "the times");
+    assert!(rules_of_2026.thresholds == rules.thresholds, "the thresholds");
+    assert!(new.edition().faults == old.edition().faults, "the faults");
+    assert!(new.edition().choices == old.edition().choices, "the possible answers");
+    kani::cover!(new.readings() != old.readings(), "the readings differ");
+    assert!(new.readings() == old.readings().with(Choice::TorqueNever), "in one answer");
+}
+
+/// **A step of 2026 is what the document says.** That of version 4.0, where torque and hydraulic braking at once are no fault
+/// unless somebody chooses so.
+///
+/// Requirements: SM-1, SM-2, MSG-9, HS-17 to HS-19, DTE-1 to DTE-3, DTE-6 to DTE-13, IMP-5 to IMP-7, IMP-9, D-1, D-3 to D-8,
+/// D-11 to D-18, D-22 to D-27, D-36, D-44, D-45, D-51, D-52, D-54, D-55, D-62, D-63, D-65, D-67.
+#[cfg_attr(kani, kani::proof, kani::unwind(14))]
+pub fn a_step_of_2026_is_what_the_document_says() {
+    let Step { before, inputs, dt_ms, after, outputs } = any_step_of_2026();
+    let readings = Edition::V4_0.readings.with(Choice::TorqueNever);
+    let said = words::step_of_4_0(&before, &inputs, dt_ms, readings);
+    kani::cover!(outputs.taken.is_some() && dt_ms > 0, "an arrow is taken");
+    let drives_on = before.state == Driving && after.state == Driving;
+    let both = drives_on & words::torque_and_brake(&inputs);
+    kani::cover!(both, "torque and brake at once, and it drives on");
+    assert!(Verdict::of(after, &outputs) == said, "the step and the words agree");
+    assert!(outputs.from == before.state, "the outputs name the state before the step");
+    assert!(keeps_invariant_of_2026(&after), "the invariant is kept");
 }
 
 /// A step from a state, in the words of the document.
@@ -179,6 +217,7 @@ pub fn no_other_arrow() {
 theorems![
     a_step_is_what_the_document_says,
     a_step_of_4_0_is_what_the_document_says,
+    a_step_of_2026_is_what_the_document_says,
     off_to_ready,
     ready_to_emergency_brake,
     ready_to_off,
@@ -188,5 +227,6 @@ theorems![
     emergency_brake_to_off,
     finished_to_emergency_brake,
     finished_to_off,
-    no_other_arrow,
+    no_other_arrow;
+    every the_state_machine_of_2026_is_that_of_4_0
 ];

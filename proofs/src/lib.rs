@@ -20,7 +20,7 @@
 //! | what a step can depend on | [`factoring`], [`independence`] |
 //! | the handshake | [`handshake`] |
 //! | messages: each byte by byte, the whole table, reserved identifiers | [`codec`] |
-//! | what the VCU sends and what reaches the actuators | [`outputs`], [`outputs_of_4_0`] |
+//! | what the VCU sends and what reaches the actuators | [`outputs`], [`outputs_of_4_0`], [`outputs_of_2026`] |
 //! | what a judge may say who does not see everything | [`truth`] |
 //!
 //! [`words`] restates the document in plain `if`s, for the theorems to hold the specification against. [`subject`] is
@@ -41,6 +41,7 @@ pub mod invariant;
 #[cfg(not(kani))]
 pub mod kani;
 pub mod outputs;
+pub mod outputs_of_2026;
 pub mod outputs_of_4_0;
 mod prelude;
 pub mod readings;

@@ -148,7 +148,7 @@ pub fn states_of_524h() {
 }
 
 /// Whether two names are the same, letter by letter.
-fn same(name: &str, other: &str) -> bool {
+pub(crate) fn same(name: &str, other: &str) -> bool {
     let (name, other) = (name.as_bytes(), other.as_bytes());
     let mut same = name.len() == other.len();
     let mut place = 0;
@@ -160,7 +160,7 @@ fn same(name: &str, other: &str) -> bool {
 }
 
 /// What 4.0 calls otherwise than 3.0: the message, the start bit of the signal and its name.
-const NAMES: [(u16, u8, &str); 25] = [
+pub(crate) const NAMES: [(u16, u8, &str); 25] = [
     (0x500, 0, "Speed_actual"),
     (0x500, 8, "Speed_target"),
     (0x500, 16, "Steer_actual"),

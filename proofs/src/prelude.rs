@@ -5,7 +5,7 @@ pub(crate) use crate::coded::Coded;
 pub(crate) use crate::kani;
 pub(crate) use crate::steps::{
     Step, any_control, any_control_in, any_end, any_outputs, any_step, any_step_from, any_step_of_4_0,
-    any_step_of_4_0_from,
+    any_step_of_4_0_from, any_step_of_2026,
 };
 #[cfg(kani)]
 pub(crate) use crate::subject::Subject;

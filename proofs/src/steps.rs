@@ -3,7 +3,7 @@
 #[cfg(not(kani))]
 use adsdv_spec::AiSilence;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Control, Edition, Inputs, Outputs, Readings, Taken};
+use adsdv_spec::{Control, Edition, Inputs, Machine, Outputs, Readings, Taken};
 
 use crate::prelude::*;
 
@@ -31,8 +31,16 @@ impl Step {
 
     /// The step of version 4.0 from here.
     pub fn of_4_0(before: Control, inputs: Inputs, dt_ms: u32) -> Self {
-        let subject = subject();
-        let (after, outputs) = subject.step_of(subject.machine_of_4_0(), &before, &inputs, dt_ms);
+        Self::of_machine(subject().machine_of_4_0(), before, inputs, dt_ms)
+    }
+
+    /// The step of the vehicle of 2026 from here.
+    pub fn of_2026(before: Control, inputs: Inputs, dt_ms: u32) -> Self {
+        Self::of_machine(subject().machine_of_2026(), before, inputs, dt_ms)
+    }
+
+    fn of_machine(machine: &Machine, before: Control, inputs: Inputs, dt_ms: u32) -> Self {
+        let (after, outputs) = subject().step_of(machine, &before, &inputs, dt_ms);
         Self { before, inputs, dt_ms, after, outputs }
     }
 
@@ -110,6 +118,20 @@ pub fn any_step_of_4_0() -> Step {
     #[cfg(not(kani))]
     let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
     Step::of_4_0(before, inputs, dt_ms)
+}
+
+/// Whether a control state keeps the invariant of the vehicle of 2026.
+pub const fn keeps_invariant_of_2026(control: &Control) -> bool {
+    control.is_consistent(&Edition::V2026.rules.timing, Edition::V2026.readings)
+}
+
+/// Any step of the vehicle of 2026 from a control state that keeps the invariant.
+pub fn any_step_of_2026() -> Step {
+    let before = kani::any_where(keeps_invariant_of_2026);
+    let (inputs, dt_ms) = (kani::any(), kani::any());
+    #[cfg(not(kani))]
+    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    Step::of_2026(before, inputs, dt_ms)
 }
 
 /// Any step of version 4.0 from an AS state.

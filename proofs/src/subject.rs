@@ -23,6 +23,12 @@ pub trait Subject {
         MACHINE
     }
 
+    /// The same of the vehicle of 2026, with its default readings.
+    fn machine_of_2026(&self) -> &Machine {
+        const MACHINE: &Machine = &Machine::new(Edition::V2026, Edition::V2026.readings);
+        MACHINE
+    }
+
     /// [`Control::INITIAL`].
     fn initial(&self) -> Control {
         Control::INITIAL

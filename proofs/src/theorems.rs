@@ -52,12 +52,15 @@ pub fn all() -> impl Iterator<Item = &'static Theorem> {
         crate::codec::vcu::THEOREMS,
         crate::codec::log::THEOREMS,
         crate::codec::v4_0::THEOREMS,
+        crate::codec::v2026::THEOREMS,
+        crate::codec::devices::THEOREMS,
         crate::codec::any::THEOREMS,
         crate::codec::table::THEOREMS,
         crate::codec::quantities::THEOREMS,
         crate::codec::reserved::THEOREMS,
         crate::outputs::THEOREMS,
         crate::outputs_of_4_0::THEOREMS,
+        crate::outputs_of_2026::THEOREMS,
         crate::truth::THEOREMS,
     ];
     files.into_iter().flatten()

@@ -1,9 +1,9 @@
 //! Data of a frame: drawn, cut by hand, read, and written again.
 
 use adsdv_spec::editions::V3_0;
-#[cfg(not(kani))]
-use adsdv_spec::messages::AnyMessage;
 use adsdv_spec::messages::Frame;
+#[cfg(not(kani))]
+use adsdv_spec::{editions::V2026, messages::AnyMessage};
 
 use crate::prelude::*;
 
@@ -59,7 +59,9 @@ impl Data {
         let data = Self { bytes: kani::any(), len: kani::any_where(|len| *len <= 9) };
         #[cfg(not(kani))]
         if kani::any() {
-            let frame = V3_0::write(&kani::any::<AnyMessage>()).unwrap_or_default();
+            let message = kani::any::<AnyMessage>();
+            let frame = if kani::any() { V3_0::write(&message) } else { V2026::write(&message) };
+            let frame = frame.unwrap_or_default();
             return (frame.id, data.nearly(&frame));
         }
         (kani::any(), data)
@@ -144,6 +146,11 @@ impl Data {
 
     /// The same of a message of an edition.
     pub(super) fn read_in<E, M: Coded<E>>(&self, layout: &Layout, allowed: bool) -> Option<M> {
+        self.read_as_in::<E, M>(layout, allowed, self.word())
+    }
+
+    /// The same where a number stands for another one: what is written again are the signals' bits of `meant`.
+    pub(super) fn read_as_in<E, M: Coded<E>>(&self, layout: &Layout, allowed: bool, meant: u64) -> Option<M> {
         let complete = u32::from(self.len) >= layout.needed();
         kani::cover!(!complete && allowed, "the end is missing");
         kani::cover!(complete && allowed && u32::from(self.len) == layout.needed(), "all is just there");
@@ -152,10 +159,7 @@ impl Data {
         assert!(read.is_some() == (complete && allowed), "read if and only if all is there and allowed");
         if let Some(message) = read {
             let written = written::<E, M>(message, layout);
-            assert!(
-                written.word() == self.word() & layout.used(),
-                "written as the bits of the signals alone"
-            );
+            assert!(written.word() == meant & layout.used(), "written as the bits of the signals alone");
         }
         read
     }

@@ -8,7 +8,9 @@
 //! - [`ai`]: what the AI Computer sends, 510h to 514h;
 //! - [`vcu`]: what the VCU sends, 520h to 526h;
 //! - [`log`]: what both send for the data logger, 500h to 502h;
-//! - [`v4_0`]: the messages and identifiers of version 4.0; all others are about version 3.0;
+//! - [`v4_0`]: the messages and identifiers of version 4.0; those that name no version are about 3.0;
+//! - [`v2026`]: what the CAN database of 2026 has otherwise than version 4.0;
+//! - [`devices`]: the messages of the devices in that database;
 //! - [`any`]: frames of which it is not known what they are;
 //! - [`table`]: the table of all signals, and the lenient reading that goes by it;
 //! - [`quantities`]: numbers that have a range;
@@ -22,10 +24,12 @@
 pub mod ai;
 pub mod any;
 mod data;
+pub mod devices;
 pub mod log;
 mod names;
 pub mod quantities;
 pub mod reserved;
 pub mod table;
+pub mod v2026;
 pub mod v4_0;
 pub mod vcu;

@@ -1,8 +1,8 @@
 //! The numbers that stand for a name, as the text of sections 2.1 and 2.2 has them. No other number has a meaning.
 
 use adsdv_spec::messages::{
-    AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ServiceBrake, ShutdownCause, SmAs, SmSys,
-    StatusBrk, SysActionState,
+    AmiState, AsState, DirectionRequest, EbsStage, EbsState, MissionStatus, OpState, ServiceBrake,
+    ShutdownCause, SmAs, SmSys, StatusBrk, SysActionState, TsState,
 };
 
 /// `AS_STATE` of 520h and `State_ASSI` of 502h.
@@ -13,6 +13,52 @@ pub(super) const fn as_state(number: i32) -> Option<AsState> {
         3 => Some(AsState::Driving),
         4 => Some(AsState::EmergencyBrake),
         5 => Some(AsState::Finished),
+        _ => None,
+    }
+}
+
+/// `AS_STATE` of 520h in 2026, where AS_INIT is read as AS_OFF.
+pub(super) const fn as_state_of_2026(number: i32) -> Option<AsState> {
+    match number {
+        0 => Some(AsState::Off),
+        _ => as_state(number),
+    }
+}
+
+/// `OP_STATE` of 520h in 2026. Its fault is all of its four bits, as in the two below.
+pub(super) const fn op_state(number: i32) -> Option<OpState> {
+    match number {
+        0 => Some(OpState::Init),
+        1 => Some(OpState::Pushbar),
+        2 => Some(OpState::Auto),
+        3 => Some(OpState::Charge),
+        15 => Some(OpState::Fault),
+        _ => None,
+    }
+}
+
+/// `TS_STATE` of 520h in 2026.
+pub(super) const fn ts_state(number: i32) -> Option<TsState> {
+    match number {
+        0 => Some(TsState::Init),
+        1 => Some(TsState::Precharge),
+        2 => Some(TsState::Activate),
+        3 => Some(TsState::Running),
+        4 => Some(TsState::Shutdown),
+        15 => Some(TsState::Fault),
+        _ => None,
+    }
+}
+
+/// `EBS_STATE` of 520h in 2026, which numbers the EBS otherwise than 502h and 524h.
+pub(super) const fn ebs_stage(number: i32) -> Option<EbsStage> {
+    match number {
+        0 => Some(EbsStage::Init),
+        1 => Some(EbsStage::Charging),
+        2 => Some(EbsStage::Armed),
+        3 => Some(EbsStage::Triggered),
+        4 => Some(EbsStage::Discharging),
+        15 => Some(EbsStage::Fault),
         _ => None,
     }
 }

@@ -53,7 +53,7 @@ pub fn what_is_put_into_a_signal_is_what_it_holds() {
     kani::cover!(any < 0 && u64::from_le_bytes(data) != 0, "a negative number, and something beside it");
     for message in V3_0::MESSAGES {
         for signal in message.signals {
-            let raw = cut(any, signal);
+            let raw = cut(any, signal.width, signal.signed);
             let word = sent(message, signal, data, raw);
             assert!(signal.raw(&word.to_le_bytes()) == Some(raw), "it is read back");
             let others = !((u64::MAX >> (64 - signal.width)) << signal.start);
@@ -62,13 +62,15 @@ pub fn what_is_put_into_a_signal_is_what_it_holds() {
     }
 }
 
-/// As much of a number as the bits of a signal hold; so any number makes any of a signal.
-const fn cut(any: i32, signal: &SignalDef) -> i32 {
-    if signal.signed {
-        let unused = 32 - signal.width;
+/// As much of a number as so many bits hold; so any number makes any of a signal.
+pub(super) const fn cut(any: i32, width: u8, signed: bool) -> i32 {
+    let unused = 32 - width;
+    if signed {
         any << unused >> unused
+    } else if unused == 0 {
+        any
     } else {
-        any & !(-1 << signal.width)
+        any & !(-1 << width)
     }
 }
 

@@ -258,19 +258,19 @@ pub fn vcu2ai_brake_524h_in_4_0() {
     any_is_written_in::<V4_0, Vcu2AiBrake>(&layout);
 }
 
-/// A message that both versions lay out alike: any data is read by both as the same or by neither, and any message is written
+/// A message that two versions lay out alike: any data is read by both as the same or by neither, and any message is written
 /// by both as the same frame.
-fn as_in_3_0<M: Coded<V3_0> + Coded<V4_0> + kani::Arbitrary>(id: u16, len: u8) {
-    let data = Data::any_in::<V4_0, M>();
-    let old = <M as Coded<V3_0>>::decode(data.given()).ok();
-    let new = <M as Coded<V4_0>>::decode(data.received(id).given()).ok();
+pub(super) fn alike<Old, New, M: Coded<Old> + Coded<New> + kani::Arbitrary>(id: u16, len: u8) {
+    let data = Data::any_in::<New, M>();
+    let old = <M as Coded<Old>>::decode(data.given()).ok();
+    let new = <M as Coded<New>>::decode(data.received(id).given()).ok();
     kani::cover!(new.is_some(), "it is a message");
     kani::cover!(new.is_none(), "it is none");
     assert!(new == old, "read as the same, or by neither");
 
     let message: M = kani::any();
-    let old = <M as Coded<V3_0>>::encode(&message);
-    let new = subject().sent(<M as Coded<V4_0>>::encode(&message));
+    let old = <M as Coded<Old>>::encode(&message);
+    let new = subject().sent(<M as Coded<New>>::encode(&message));
     assert!(new.id == id && old.id == id, "the identifier");
     assert!(new.len == len && old.len == len, "the length");
     assert!(u64::from_le_bytes(new.data) == u64::from_le_bytes(old.data), "the same bits");
@@ -281,7 +281,7 @@ fn as_in_3_0<M: Coded<V3_0> + Coded<V4_0> + kani::Arbitrary>(id: u16, len: u8) {
 /// Requirements: MSG-29 to MSG-33, MSG-97.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2log_dynamics1_500h_in_4_0() {
-    as_in_3_0::<Vcu2LogDynamics1>(0x500, 8);
+    alike::<V3_0, V4_0, Vcu2LogDynamics1>(0x500, 8);
 }
 
 /// **502h in 4.0, VCU2LOG_Status, is read and written as in 3.0**, but for a name.
@@ -289,7 +289,7 @@ pub fn vcu2log_dynamics1_500h_in_4_0() {
 /// Requirements: MSG-34 to MSG-40, MSG-97.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2log_status_502h_in_4_0() {
-    as_in_3_0::<Vcu2LogStatus>(0x502, 5);
+    alike::<V3_0, V4_0, Vcu2LogStatus>(0x502, 5);
 }
 
 /// **510h in 4.0, AI2VCU_Status, is read and written as in 3.0**, but for two names.
@@ -297,7 +297,7 @@ pub fn vcu2log_status_502h_in_4_0() {
 /// Requirements: MSG-5 to MSG-8, MSG-10 to MSG-15, MSG-97, HS-2.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn ai2vcu_status_510h_in_4_0() {
-    as_in_3_0::<Ai2VcuStatus>(0x510, 8);
+    alike::<V3_0, V4_0, Ai2VcuStatus>(0x510, 8);
 }
 
 /// **525h in 4.0, VCU2AI_Speeds, is read and written as VCU2AI_Wheel_speeds in 3.0.**
@@ -305,7 +305,7 @@ pub fn ai2vcu_status_510h_in_4_0() {
 /// Requirements: MSG-81, MSG-97, MSG-101.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2ai_speeds_525h_in_4_0() {
-    as_in_3_0::<Vcu2AiWheelSpeeds>(0x525, 8);
+    alike::<V3_0, V4_0, Vcu2AiWheelSpeeds>(0x525, 8);
 }
 
 /// **The lengths and cycles of 4.0.** Its sixteen messages are sent every 10 ms, 502h every 100 ms; 120h, 500h, 510h, 520h,
@@ -335,7 +335,7 @@ pub fn lengths_and_cycles_of_4_0() {
 }
 
 /// The list of section 2.3 of version 4.0.
-const fn section_2_3(id: u16) -> bool {
+pub(super) const fn section_2_3(id: u16) -> bool {
     matches!(
         id,
         0x000

@@ -17,6 +17,10 @@ pub(crate) fn mutants() -> Vec<Mutant> {
     let anew = Edition::V4_0.bus.messages.iter().filter(|message| !matches!(message.id, 0x501 | 0x526));
     mutants.extend(anew.flat_map(|message| of_message(theorem(message, "_in_4_0"), message)));
     mutants.extend(of_4_0());
+    // What 2026 lays out anew.
+    let anew =
+        Edition::V2026.bus.messages.iter().filter(|&message| !Edition::V4_0.bus.messages.contains(message));
+    mutants.extend(anew.flat_map(|message| of_message(theorem(message, "_in_2026"), message)));
     mutants.extend(of_any());
     mutants.extend(of_the_table());
     mutants.extend(of_identifiers());

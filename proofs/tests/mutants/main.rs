@@ -15,6 +15,7 @@ mod safety;
 mod time;
 mod totality;
 mod truth;
+mod v2026;
 mod v4_0;
 
 #[path = "../second_opinion/mutants.rs"]
@@ -96,6 +97,11 @@ impl Subject for Changed {
         self.or(MACHINE)
     }
 
+    fn machine_of_2026(&self) -> &Machine {
+        const MACHINE: &Machine = &Machine::new(Edition::V2026, Edition::V2026.readings);
+        self.or(MACHINE)
+    }
+
     fn step_of(
         &self,
         machine: &Machine,
@@ -128,6 +134,7 @@ fn mutants() -> impl Iterator<Item = Mutant> {
         outputs::mutants(),
         truth::mutants(),
         v4_0::mutants(),
+        v2026::mutants(),
     ]
     .into_iter()
     .flatten()

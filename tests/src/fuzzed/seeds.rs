@@ -33,8 +33,8 @@ const LOGS: [(&str, &str); 2] = [
 const LINES: usize = 60;
 /// A word of a dictionary has at most so many bytes: libFuzzer takes no longer ones.
 const WORD: usize = 64;
-/// A body has at most so many inputs to begin with: one for each theorem.
-pub const MOST: usize = 200;
+/// A body has at most so many inputs to begin with: one for each theorem, which a byte picks.
+pub const MOST: usize = 256;
 
 /// By the name of a body, the inputs that it begins with, each with its name.
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
