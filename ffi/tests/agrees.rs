@@ -112,7 +112,7 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
             ("ts_state", status.ts_state.raw()),
             ("ebs_state", status.ebs_state.raw()),
         ] {
-            assert!(fields.remove(name).is_none_or(|found| found == raw.into()), "{name}");
+            assert!(fields.remove(name).is_none_or(|found| found == i64::from(raw)), "{name}");
         }
         // What is left is not on the bus: which arrow was taken.
         let (row, term) = (outputs.row(vcu), outputs.term(vcu));
