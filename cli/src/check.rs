@@ -54,14 +54,13 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
 fn recognised_line(recognised: &Recognised) -> String {
     /// So many facts tell enough.
     const SHOWN: usize = 2;
-    let Recognised { edition, certain, evidence, .. } = recognised;
+    let Recognised { edition, evidence, .. } = recognised;
     let mut facts: Vec<String> = evidence.iter().take(SHOWN).cloned().collect();
     if let Some(more) = evidence.len().checked_sub(SHOWN).filter(|more| *more > 0) {
         facts.push(format!("{more} more such"));
     }
-    let why =
-        if *certain || !facts.is_empty() { facts.join("; ") } else { "the frames do not tell".to_owned() };
-    format!("edition {} (recognised: {why})", edition.version)
+    facts.extend(recognised.doubt());
+    format!("edition {} (recognised: {})", edition.version, facts.join("; "))
 }
 
 /// Judges by the edition of the options, or by the one that the log tells.
@@ -75,13 +74,7 @@ fn judge(
         return judge_recognised(source, options, progress);
     }
     let (report, failure) = judge_readable(source, options, progress)?;
-    let recognised = Recognised {
-        edition: options.judge.edition,
-        certain: true,
-        evidence: Vec::new(),
-        against: Vec::new(),
-    };
-    Ok(Judged { report, failure, recognised })
+    Ok(Judged { report, failure, recognised: Recognised::named(options.judge.edition) })
 }
 
 /// The report of what could be read, why that was not all, and the edition that it was judged by.

@@ -33,6 +33,7 @@
 //! ```
 
 mod ai;
+mod ebs;
 mod edges;
 mod events;
 mod finding;
@@ -45,6 +46,7 @@ mod missed;
 mod options;
 mod output;
 mod plausible;
+mod remote;
 mod response;
 mod scope;
 mod slots;
@@ -69,7 +71,7 @@ use handshake::Watch;
 use history::History;
 use output::Output;
 use scope::{AI_SCOPE, Shown};
-use slots::{Slot, SlotOf, slot_of};
+use slots::{REMOTE, Slot, SlotOf, slot_of};
 use status::VcuSide;
 use variants::Variants;
 
@@ -113,6 +115,8 @@ pub struct Judge {
     /// When what is known of lost communication was last brought up to date.
     comms_known_at: i64,
     ai: ai::AiSide,
+    remote: remote::RemoteSide,
+    ebs: ebs::Stages,
 
     pending: Vec<Pending>,
     due: Option<transitions::Due>,
@@ -163,6 +167,8 @@ impl Judge {
             meter: Meter::default(),
             comms_known_at: 0,
             ai: ai::AiSide::default(),
+            remote: remote::RemoteSide::default(),
+            ebs: ebs::Stages::default(),
             pending: Vec::new(),
             due: None,
             now: 0,
@@ -210,6 +216,8 @@ impl Judge {
             self.answer_repeated(t);
         } else if index == LOG_STATUS {
             self.assi_repeated(t);
+        } else if index == REMOTE {
+            self.remote_repeated(t);
         }
         self.ends_silence(index, t);
     }

@@ -14,6 +14,8 @@ pub struct Recognised {
     pub edition: &'static Edition,
     /// Whether it fits better than every other.
     pub certain: bool,
+    /// The editions that fit as well, where it does not.
+    pub alike: Vec<&'static Edition>,
     /// What fits it and not every other, in words, such as `511h has 4 bytes (3.0: 8)`.
     pub evidence: Vec<String>,
     /// What does not fit it, such as `120h is absent (4.0: every 10 ms)`. It is judged by this edition all the same.
@@ -22,17 +24,43 @@ pub struct Recognised {
 
 impl Recognised {
     /// An edition that was named and not recognised.
-    pub(crate) const fn named(edition: &'static Edition) -> Self {
-        Self { edition, certain: true, evidence: Vec::new(), against: Vec::new() }
+    pub const fn named(edition: &'static Edition) -> Self {
+        Self { edition, certain: true, alike: Vec::new(), evidence: Vec::new(), against: Vec::new() }
+    }
+
+    /// What is to be said where others fit as well, such as `as the frames do not tell which`; `None` where it is certain.
+    ///
+    /// ```
+    /// use adsdv_oracle::recognise::Recogniser;
+    /// use adsdv_spec::Edition;
+    ///
+    /// let mut recogniser = Recogniser::new(Edition::DEFAULT);
+    /// recogniser.frame(0, 0x520, &[0, 0, 1, 0, 0, 0, 0, 0]);
+    /// let doubt = recogniser.recognise().doubt();
+    /// assert_eq!(doubt.as_deref(), Some("as the frames do not tell which"));
+    /// recogniser.frame(0, 0x511, &[0; 4]);
+    /// assert_eq!(recogniser.recognise().doubt().as_deref(), Some("though 4.0 fits as well"));
+    /// ```
+    pub fn doubt(&self) -> Option<String> {
+        if self.certain {
+            return None;
+        }
+        // Where nothing speaks for an edition, nothing has told.
+        if self.evidence.is_empty() || self.alike.is_empty() {
+            return Some("as the frames do not tell which".to_owned());
+        }
+        let alike: Vec<&str> = self.alike.iter().map(|edition| edition.version).collect();
+        let verb = if alike.len() == 1 { "fits" } else { "fit" };
+        Some(format!("though {} {verb} as well", alike.join(" and ")))
     }
 }
 
-/// In one line, such as `version 4.0: 511h has 4 bytes (3.0: 8)`.
+/// In one line, such as `version 4.0: 120h is there (3.0: no such message, 2026: no such message)`.
 impl fmt::Display for Recognised {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "version {}", self.edition.version)?;
-        if !self.certain {
-            f.write_str(", as the frames do not tell which")?;
+        if let Some(doubt) = self.doubt() {
+            write!(f, ", {doubt}")?;
         }
         if !self.evidence.is_empty() {
             write!(f, ": {}", self.evidence.join(", "))?;
@@ -57,11 +85,11 @@ pub(super) fn best(editions: &[&'static Edition], default: &'static Edition, fac
         (score(place), other, misfits(place).count(), Reverse(place))
     };
     let Some(place) = (0..editions.len()).min_by_key(rank) else {
-        return Recognised { edition: default, certain: false, evidence: Vec::new(), against: Vec::new() };
+        return Recognised { certain: false, ..Recognised::named(default) };
     };
     let least = score(place);
-    let others = (0..editions.len()).filter(|&other| other != place);
-    let certain = others.map(score).all(|score| score > least);
+    let others = (0..editions.len()).filter(|&other| other != place && score(other) == least);
+    let alike: Vec<&'static Edition> = others.filter_map(|other| editions.get(other).copied()).collect();
     let fits = |fact: &&Fact| !matches!(fact.instead.get(place), Some(Some(_)));
     let in_words = |fact: &Fact| {
         let said = editions.iter().zip(&fact.instead);
@@ -71,7 +99,8 @@ pub(super) fn best(editions: &[&'static Edition], default: &'static Edition, fac
     };
     Recognised {
         edition: editions.get(place).copied().unwrap_or(default),
-        certain,
+        certain: alike.is_empty(),
+        alike,
         evidence: facts.iter().filter(fits).filter(|fact| fact.weight > 0).map(in_words).collect(),
         against: facts.iter().filter(|fact| !fits(fact)).map(in_words).collect(),
     }

@@ -23,17 +23,17 @@ fn world(pins: &[Choice]) -> World {
 }
 
 /// The recording as it is, jittered, and with frames lost.
-fn recordings(world: &World) -> Vec<(String, Vec<Recorded>)> {
+pub(crate) fn recordings(world: &World) -> Vec<(String, Vec<Recorded>)> {
     let seeds = recordings_of_a_kind().min(12);
     let jittered = (0..seeds).map(|seed| (format!("jitter, seed {seed}"), world.disturbed(seed, 5 * MS, 0)));
     let thinned = (0..seeds).map(|seed| (format!("loss, seed {seed}"), world.disturbed(seed, 0, 20)));
     std::iter::once(("exactly".to_owned(), world.log.clone())).chain(jittered).chain(thinned).collect()
 }
 
-type Found = (Severity, Party, Rule, &'static str);
+pub(crate) type Found = (Severity, Party, Rule, &'static str);
 
 /// What is said of anybody but the log.
-fn found(report: &Report) -> Vec<Found> {
+pub(crate) fn found(report: &Report) -> Vec<Found> {
     let blames = report.findings.iter().filter(|finding| finding.party != Party::Log);
     blames.map(|finding| (finding.severity, finding.party, finding.rule, finding.section)).collect()
 }
@@ -51,7 +51,7 @@ fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
     }
 }
 
-fn the(severity: Severity, party: Party, rule: Rule, section: &'static str) -> Found {
+pub(crate) fn the(severity: Severity, party: Party, rule: Rule, section: &'static str) -> Found {
     (severity, party, rule, section)
 }
 
