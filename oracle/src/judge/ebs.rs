@@ -49,8 +49,9 @@ impl Judge {
             return;
         }
         self.ebs.differ_since = Some(i64::MAX);
-        let message =
-            format!("520h shows EBS_STATE {stage}, but 524h shows STATUS_EBS {status}; expected them to agree");
+        let message = format!(
+            "520h shows EBS_STATE {stage}, but 524h shows STATUS_EBS {status}; expected them to agree"
+        );
         let (severity, party, section, rule) = (Severity::Note, Party::Vcu, "2.2", Rule::EbsDiffers);
         self.out.finding(Finding { t_ns: since, severity, party, section, rule, message });
     }

@@ -145,16 +145,7 @@ impl Judge {
             });
         }
         let or = decided.map(|(term, _)| self.reported_alike(from, to, &term, window)).unwrap_or_default();
-        self.out.transition(Transition {
-            t_ns: t,
-            from,
-            to,
-            section,
-            justified,
-            decided,
-            remote_estop,
-            or,
-        });
+        self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, remote_estop, or });
     }
 
     /// Where the shutdown circuit decided: the alternatives that the VCU reports as the same fault (D-13), as far as they are

@@ -65,8 +65,13 @@ impl Seen {
 
     /// Frames are like this from now on, as far as their length goes.
     pub(super) fn is_now(&mut self, data: &[u8]) {
-        self.lens = [0; LONGEST + 1];
         self.frame(self.last, data);
+        // How often they come is as it was.
+        let count = self.count();
+        self.lens = [0; LONGEST + 1];
+        if let Some(of_this) = self.lens.get_mut(data.len()) {
+            *of_this = count;
+        }
     }
 
     /// How many frames there were.

@@ -3,8 +3,8 @@
 use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
-    Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure, EbsStage, EbsState, Frame, SteerAngle, Vcu2AiBrake,
-    Vcu2AiStatus, Vcu2LogStatus,
+    Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure, EbsStage, EbsState, Frame, SteerAngle,
+    Vcu2AiBrake, Vcu2AiStatus, Vcu2LogStatus,
 };
 use adsdv_spec::{Choice, Choices, Edition, Machine, Truth};
 use adsdv_tests::world::{MS, Recorded, World, judge};
