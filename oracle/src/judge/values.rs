@@ -341,7 +341,7 @@ impl Judge {
                 "the AI Computer sent {} ({id:03X}h); expected that message from {} only",
                 device.name, device.sender
             );
-            let (severity, party, section, rule) = (Severity::Violation, Party::Ai, "2.3", Rule::Sender);
+            let (severity, party, section, rule) = (Severity::Violation, Party::Ai, "2.2", Rule::Sender);
             self.out.finding(Finding { t_ns: t, severity, party, section, rule, message });
         }
         let def = self.edition.bus.message(short);

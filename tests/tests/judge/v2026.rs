@@ -1,6 +1,6 @@
 //! What the bus of 2026 shows beyond that of version 4.0: the remote control's switches, the stage of the EBS, and devices.
 
-use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
     Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure, EbsStage, EbsState, Frame, SteerAngle,
@@ -9,6 +9,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Choice, Choices, Edition, Machine, Truth};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
+use crate::check::by;
 use crate::v4_0::{Found, found, recordings, the};
 
 static EDITION: &Edition = &Edition::V2026;
@@ -351,6 +352,24 @@ fn nothing_is_said_of_a_devices_frame_whatever_its_length() {
     let reserved = report.findings.iter().filter(|finding| finding.rule == Rule::Reserved).count();
     let known = |id| Edition::V4_0.bus.is_reserved(id);
     assert_eq!(reserved, EDITION.bus.devices.iter().filter(|device| known(device.id)).count());
+}
+
+/// A log with directions tells who sent a frame.
+//= ID-20
+#[test]
+fn the_ai_computer_must_not_send_a_devices_message() {
+    for device in EDITION.bus.devices {
+        let mut judge = Judge::new(options(&[]));
+        for t in 0..3 {
+            judge.sent_by_ai(t * MS, device.id.into());
+        }
+        let report = judge.finish();
+        let rule =
+            if EDITION.bus.is_reserved(device.id) { (Rule::Reserved, "2.3") } else { (Rule::Sender, "2.2") };
+        let found: Vec<_> =
+            by(&report, Party::Ai).iter().map(|finding| (finding.rule, finding.section)).collect();
+        assert_eq!(found, [rule], "{}", device.name);
+    }
 }
 
 /// Frames of the remote control that are cut off tell nothing, and nothing of the switch is known any more.
