@@ -498,7 +498,7 @@ fn remotes(car: &mut Car, count: u32) -> Vec<String> {
 #[test]
 fn the_remote_control_shows_its_switches_where_an_edition_has_it_on_the_bus() {
     for edition in Edition::ALL {
-        let mut car = Car::new(Machine::new(*edition, edition.readings));
+        let mut car = Car::new(Machine::new(**edition, edition.readings));
         let has = Remote::of(&edition.bus).is_some();
         for (actions, data) in [
             (&[][..], "181#0000000000006400"),
