@@ -101,6 +101,22 @@ fn a_message_that_is_missed_is_the_ai_computers_fault() {
     }
 }
 
+/// The VCU shows that it came before the recorder has it.
+#[test]
+fn a_frame_that_ends_a_silence_may_be_recorded_late() {
+    let mut world = world(&[]);
+    world.driving();
+    world.mutes.push(Ai2VcuBrake::ID);
+    world.wait(400);
+    world.mutes.clear();
+    let ends = world.t;
+    world.wait(300);
+    let ending = |one: &&mut Recorded| one.frame.id == Ai2VcuBrake::ID && one.t >= ends;
+    world.log.iter_mut().find(ending).expect("it ends").t += 6 * MS;
+    world.log.sort_by_key(|recorded| recorded.t);
+    finds(&world, options(&[]), &[the(Severity::Violation, Party::Ai, Rule::MessageMissed, "2.4")]);
+}
+
 #[test]
 fn nine_messages_in_a_row_are_not_missed() {
     let mut world = world(&[]);
