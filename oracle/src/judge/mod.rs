@@ -1,8 +1,8 @@
 //! The judge of a log: holds both sides of a recorded run against the specification.
 //!
-//! A log is sampled, jittered, and silent about the shutdown circuit, but for the remote E-stop of 2026. So the judge reasons with three-valued truth:
-//! what every sample of a window agrees on is known, the rest is unknown, and no guess is reported as a fact.
-//! A violation is what is one whatever the unknown is, under every reading of the document that is not excluded.
+//! A log is sampled, jittered, and silent about the shutdown circuit, but for the remote E-stop where that is on the bus. So the
+//! judge reasons with three-valued truth: what every sample of a window agrees on is known, the rest is unknown, and no guess is
+//! reported as a fact. A violation is what is one whatever the unknown is, under every reading of the document that is not excluded.
 //!
 //! ```text
 //! frame --> slots (what each message last said, and how fresh that is)

@@ -75,8 +75,8 @@ impl Judge {
                 }
                 let state_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "as_state");
                 let ami_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ami_state");
-                let stage_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ebs_state");
-                self.ebs.stage = Some(message.ebs_state).filter(|_| self.shown.stage && !stage_bad);
+                let stage_unreadable = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ebs_state");
+                self.ebs.stage = Some(message.ebs_state).filter(|_| self.shown.stage && !stage_unreadable);
                 let shown = self.scope(index);
                 let readable = if ami_bad { shown.without(adsdv_spec::Atom::AmiSelected) } else { shown };
                 self.status(t, message, !state_bad, readable, before);
