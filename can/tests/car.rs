@@ -4,6 +4,7 @@ use adsdv_can::car::{
     Action, Car, Cycle, Missing, POWER_CYCLE_MS, Physics, Switch, UnknownSwitch, Vehicle, missing,
     missing_for,
 };
+use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest,
     BrakePressure, DirectionRequest, Frame, MissionStatus, MotorSpeedMax, SteerAngle, Vcu2AiStatus,
@@ -485,4 +486,31 @@ fn the_vcu_sends_the_speed_of_the_vehicle() {
     let logged: Vcu2LogDynamics1 = Edition::DEFAULT.bus.decode_as(frame.data()).expect("it decodes");
     let told = logged.speed_actual.to_physical();
     assert!((told - car.vehicle().speed_mps() * 3.6).abs() < 2.0, "{told}");
+}
+
+/// The frames of the remote control in so many cycles, with what they say.
+fn remotes(car: &mut Car, count: u32) -> Vec<String> {
+    let frames: Vec<Frame> = (0..count).flat_map(|_| car.cycle(10).frames).collect();
+    let remote = Remote::of(&car.machine().edition().bus).map(|remote| remote.message().id);
+    frames.iter().filter(|frame| Some(frame.id) == remote).map(ToString::to_string).collect()
+}
+
+#[test]
+fn the_remote_control_shows_its_switches_where_an_edition_has_it_on_the_bus() {
+    for edition in Edition::ALL {
+        let mut car = Car::new(Machine::new(**edition, edition.readings));
+        let has = Remote::of(&edition.bus).is_some();
+        for (actions, data) in [
+            (&[][..], "181#0000000000006400"),
+            (&["go on"], "181#0200000000006400"),
+            (&["remote_estop on"], "181#0300000000006400"),
+            (&["go off", "res_link_lost on"], "181#0100000000000000"),
+        ] {
+            act(&mut car, actions);
+            let expected = if has { vec![data; 3] } else { vec![] };
+            assert_eq!(remotes(&mut car, 3), expected, "{}: {actions:?}", edition.version);
+        }
+        act(&mut car, &["power cycle"]);
+        assert_eq!(remotes(&mut car, 3), [""; 0], "it has no power either");
+    }
 }

@@ -3,16 +3,17 @@
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
 
-use adsdv_can::ai::Ai;
+use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::bus::{Bus as _, Event, Listen as _};
 use adsdv_can::car::{Car, missing};
 use adsdv_can::demo::{self, DemoOptions, LocalBus, Run, RunError, run};
 use adsdv_can::scenario::Scenario;
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::{self, Judge, Report, Severity};
-use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_spec::Machine;
+use adsdv_oracle::log::{LogOptions, judge_log, judge_recognised};
+use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{AsState, Frame};
+use adsdv_spec::{Edition, Machine};
 
 fn sample(name: &str) -> Scenario {
     let (_, text) = Scenario::SAMPLES.into_iter().find(|(sample, _)| *sample == name).expect("a sample");
@@ -54,6 +55,40 @@ fn each_sample_comes_to_its_end_and_the_judge_finds_nothing() {
         let max = report.responses.max_ms().expect("answers");
         assert!(max < 15.0, "{name}: {max}");
         assert!(run.actions.len() >= 5, "{name}");
+    }
+}
+
+/// The log of a run in an edition, as candump writes it.
+fn recorded(name: &str, edition: &Edition) -> Vec<u8> {
+    let mut text = Vec::new();
+    let ai = Ai::new(edition, Plan::DEFAULT);
+    let run = run(&sample(name), ai, &DemoOptions::default(), |time_ns, frame| {
+        write_frame(&mut text, time_ns, demo::BUS, frame.id.into(), frame.data())
+    });
+    run.unwrap_or_else(|error| panic!("{name}, {}: {error}", edition.version));
+    text
+}
+
+#[test]
+fn each_sample_conforms_in_each_edition_which_its_log_tells() {
+    for edition in Edition::ALL {
+        for (name, _) in Scenario::SAMPLES {
+            let log = recorded(name, edition);
+            let judged = judge_recognised(&log[..], &LogOptions::default(), |_| {}).expect("a log");
+            let recognised = judged.recognised;
+            assert_eq!(
+                (recognised.edition.version, recognised.certain),
+                (edition.version, true),
+                "{recognised}"
+            );
+            assert_eq!(recognised.against, [""; 0], "{name}: {recognised}");
+            for severity in [Severity::Violation, Severity::Warning] {
+                assert_eq!(judged.report.count(severity), 0, "{name}: {:#?}", judged.report.findings);
+            }
+            let pressed = judged.report.transitions.iter().any(|transition| transition.remote_estop);
+            let shown = name == "remote-estop" && Remote::of(&edition.bus).is_some();
+            assert_eq!(pressed, shown, "{name}, {}", edition.version);
+        }
     }
 }
 

@@ -8,4 +8,5 @@ pub mod judge;
 pub mod log;
 pub mod protocol;
 pub mod recognise;
+pub mod remote;
 pub mod suite;

@@ -8,9 +8,13 @@
 //!
 //! A [`Car`] is pure: it is told the frames that came, what the operator does and how much time has passed, and answers with
 //! the frames to send. What reaches the actuators and what stands in the frames is for [`adsdv_spec::Outputs`] to say.
+//!
+//! Where an edition has the vehicle's devices on the bus, the car sends the remote control's message as well, since its switches
+//! are the operator's. It knows nothing of what the others measure, and sends nothing of it.
 
 mod action;
 mod missing;
+mod remote;
 mod slow;
 mod vehicle;
 
@@ -148,15 +152,16 @@ impl Car {
         Cycle { outputs: None, frames: Vec::new() }
     }
 
-    /// The frames of a step, slow messages at their own rate.
+    /// The frames of a step, each message at its own rate; the remote control's first, which has the lowest identifier.
     fn due(&mut self, outputs: &Outputs, dt_ms: u32) -> Vec<Frame> {
         let Edition { rules, bus, .. } = *self.machine.edition();
         let cycle_ms = |frame: &Frame| bus.message(frame.id).map_or(0, |message| message.cycle_ms);
         let slow = |frame: &Frame| cycle_ms(frame) > rules.timing.cycle_ms;
+        let remote = remote::due(&bus, &self.inputs, &mut self.slow, dt_ms);
         let frames = outputs.messages(&self.inputs).frames(&bus);
-        frames
-            .filter(|frame| !slow(frame) || self.slow.is_due(frame.id, cycle_ms(frame).into(), dt_ms))
-            .collect()
+        let due =
+            frames.filter(|frame| !slow(frame) || self.slow.is_due(frame.id, cycle_ms(frame).into(), dt_ms));
+        remote.into_iter().chain(due).collect()
     }
 
     /// The specification that the VCU follows.

@@ -49,9 +49,9 @@ pub(crate) fn news(rules: &Rules, transitions: &[Transition], findings: &[Findin
 
 /// The line about an edition that was recognised, and by what. What does not fit it is among the findings.
 pub(crate) fn recognised(recognised: &Recognised) -> String {
-    let Recognised { edition, certain, evidence, .. } = recognised;
-    let why =
-        if *certain || !evidence.is_empty() { first(evidence) } else { "the frames do not tell".to_owned() };
+    let Recognised { edition, evidence, .. } = recognised;
+    let evidence = (!evidence.is_empty()).then(|| first(evidence));
+    let why = evidence.into_iter().chain(recognised.doubt()).collect::<Vec<_>>().join("; ");
     format!("edition {} (recognised: {why})", edition.version)
 }
 

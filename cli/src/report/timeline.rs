@@ -28,7 +28,7 @@ pub(super) fn write_one(
     transition: &Transition,
     width: usize,
 ) -> fmt::Result {
-    let Transition { t_ns, from, to, section, justified, .. } = transition;
+    let Transition { t_ns, from, to, section, justified, remote_estop, .. } = transition;
     let word = match justified {
         Truth::True => Styled(style::QUIET, "justified"),
         Truth::Unknown => Styled(style::CARE, "not certain"),
@@ -36,7 +36,7 @@ pub(super) fn write_one(
     };
     writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {section:<8}  {word}", Seconds(*t_ns))?;
     if let Some((term, known)) = transition.decided {
-        wrapped(out, conditions(rules, &term, known), INDENT, width);
+        wrapped(out, conditions(rules, &term, known, *remote_estop), INDENT, width);
     }
     for (term, _) in &transition.or {
         let text = |(atom, needed)| rules.text(atom, needed).to_string();
@@ -47,14 +47,16 @@ pub(super) fn write_one(
     Ok(())
 }
 
-/// Every condition of a term as it was, and where that is not as it must be, how it must be.
-fn conditions(rules: &Rules, term: &Term, known: Knowledge) -> Vec<String> {
+/// Every condition of a term as it was, and where that is not as it must be, how it must be. Where the remote control shows that
+/// its E-stop was pressed, that tells more than the open circuit.
+fn conditions(rules: &Rules, term: &Term, known: Knowledge, remote_estop: bool) -> Vec<String> {
     let last = term.literals().count();
     term.literals()
         .zip(1..)
         .map(|((atom, needed), index)| {
             let comma = if index < last { "," } else { "" };
             match known.of(atom) {
+                _ if atom == Atom::SdcOpen && remote_estop => format!("remote E-stop pressed{comma}"),
                 Truth::Unknown => format!("{} ({}){comma}", rules.text(atom, needed), why_unknown(atom)),
                 seen if seen == Truth::from(needed) => format!("{}{comma}", rules.text(atom, needed)),
                 _ => format!("{} (needed: {}){comma}", rules.text(atom, !needed), rules.text(atom, needed)),
@@ -83,7 +85,7 @@ mod tests {
         let seen = Atoms::of(&[Atom::Asms, Atom::Tsms]);
         let known = Knowledge::NOTHING.learn(seen, Atoms::of(&[Atom::Asms]));
         assert_eq!(
-            conditions(&Edition::DEFAULT.rules, &term, known),
+            conditions(&Edition::DEFAULT.rules, &term, known, false),
             [
                 "SDC open (not visible in the log),",
                 "AS master switch ON,",
@@ -91,5 +93,7 @@ mod tests {
                 "EBS_state == ARMED (not certain)",
             ]
         );
+        let pressed = conditions(&Edition::DEFAULT.rules, &term, known, true);
+        assert_eq!(pressed.first().map(String::as_str), Some("remote E-stop pressed,"));
     }
 }

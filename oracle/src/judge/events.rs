@@ -6,7 +6,7 @@ use super::finding::{Party, Rule, Severity};
 use super::handshake::Suspect;
 use super::history::Moment;
 use super::transitions::SeenChange;
-use super::{Judge, SILENCE_NS, STATUS};
+use super::{Judge, REMOTE, SILENCE_NS, STATUS};
 
 /// Something that can only be judged once the window behind it has passed.
 #[derive(Clone, Debug)]
@@ -167,6 +167,8 @@ impl Judge {
         self.handshake = super::Watch::default();
         self.missed = super::missed::Missed::default();
         self.meter = super::Meter::default();
+        self.remote = super::remote::RemoteSide::default();
+        self.ebs = super::ebs::Stages::default();
         self.due = None;
         for slot in &mut self.slots {
             slot.fresh = false;
@@ -204,7 +206,7 @@ impl Judge {
         stale
             .chain(pending)
             .chain(timers)
-            .chain([self.comms_event(), self.held_event(), self.loss_event()])
+            .chain([self.comms_event(), self.held_event(), self.loss_event(), self.go_event()])
             .min()
             .unwrap_or(i64::MAX)
     }
@@ -228,7 +230,10 @@ impl Judge {
             return self.report_held();
         }
         if self.loss_event() <= t {
-            self.report_loss();
+            return self.report_loss();
+        }
+        if self.go_event() <= t {
+            self.go_settles(t);
         }
     }
 
@@ -236,6 +241,9 @@ impl Judge {
     fn becomes_stale(&mut self, index: usize, t: i64) {
         let Some(slot) = self.slots.get_mut(index) else { return };
         slot.fresh = false;
+        if index == REMOTE {
+            return self.remote_gone(t);
+        }
         if index == STATUS {
             self.vcu.gap_since = Some(t);
             self.handshake.vcu_gone();

@@ -128,6 +128,8 @@ rules! {
     Edition = "edition";
     /// 502h shows another AS state than 520h.
     AssiDiffers = "assi-differs";
+    /// 520h shows another stage of the Emergency Braking System than the state in 524h.
+    EbsDiffers = "ebs-differs";
     /// A line of the log could not be read.
     BrokenLine = "broken-line";
     /// The log's time went backwards.
@@ -174,6 +176,8 @@ pub struct Transition {
     pub justified: Truth,
     /// The alternative of the guard that decided, or may have, and what was known of its conditions.
     pub decided: Option<(Term, Knowledge)>,
+    /// Whether the remote control shows that its E-stop was pressed, and that may have decided.
+    pub remote_estop: bool,
     /// Alternatives that may have decided instead: the VCU reports them as the very same fault, so that a log cannot tell.
     pub or: Vec<(Term, Knowledge)>,
 }

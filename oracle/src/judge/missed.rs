@@ -22,6 +22,8 @@ pub(super) struct Missed {
     reported: [bool; WATCHED.len()],
     /// Whether it was reported that the VCU does not tell of it.
     reported_vcu: bool,
+    /// When the VCU last told of it.
+    told_at: Option<i64>,
     /// Since when TSMS is known to have been on.
     on_since: Option<i64>,
     /// Whether any has been silent for too long, when that was looked at last.
@@ -34,6 +36,7 @@ impl Default for Missed {
             valid_at: [None; WATCHED.len()],
             reported: [false; WATCHED.len()],
             reported_vcu: false,
+            told_at: None,
             on_since: None,
             silent: Truth::Unknown,
         }
@@ -180,8 +183,15 @@ impl Judge {
     pub(super) fn missed_due(&mut self, t: i64) {
         let Some(limit) = self.missed_limit() else { return };
         let told = self.vcu.shows_comms_lost();
+        if told {
+            self.missed.told_at = Some(t);
+        }
         if self.missed.silent == Truth::False || told || !self.vcu_is_seen() {
             self.missed.reported_vcu = false;
+            return;
+        }
+        // It told of it a moment ago: the frame that ended the silence may be recorded behind the 520h that says so.
+        if self.missed.told_at.is_some_and(|told_at| t - told_at <= self.window) {
             return;
         }
         let late = t - self.deadline;

@@ -1,8 +1,8 @@
 //! The judge of a log: holds both sides of a recorded run against the specification.
 //!
-//! A log is sampled, jittered, and silent about the shutdown circuit. So the judge reasons with three-valued truth:
-//! what every sample of a window agrees on is known, the rest is unknown, and no guess is reported as a fact.
-//! A violation is what is one whatever the unknown is, under every reading of the document that is not excluded.
+//! A log is sampled, jittered, and silent about the shutdown circuit, but for the remote E-stop where that is on the bus. So the
+//! judge reasons with three-valued truth: what every sample of a window agrees on is known, the rest is unknown, and no guess is
+//! reported as a fact. A violation is what is one whatever the unknown is, under every reading of the document that is not excluded.
 //!
 //! ```text
 //! frame --> slots (what each message last said, and how fresh that is)
@@ -33,6 +33,7 @@
 //! ```
 
 mod ai;
+mod ebs;
 mod edges;
 mod events;
 mod finding;
@@ -45,6 +46,7 @@ mod missed;
 mod options;
 mod output;
 mod plausible;
+mod remote;
 mod response;
 mod scope;
 mod slots;
@@ -69,7 +71,7 @@ use handshake::Watch;
 use history::History;
 use output::Output;
 use scope::{AI_SCOPE, Shown};
-use slots::{Slot, SlotOf, slot_of};
+use slots::{REMOTE, Slot, SlotOf, slot_of};
 use status::VcuSide;
 use variants::Variants;
 
@@ -113,6 +115,8 @@ pub struct Judge {
     /// When what is known of lost communication was last brought up to date.
     comms_known_at: i64,
     ai: ai::AiSide,
+    remote: remote::RemoteSide,
+    ebs: ebs::Stages,
 
     pending: Vec<Pending>,
     due: Option<transitions::Due>,
@@ -163,6 +167,8 @@ impl Judge {
             meter: Meter::default(),
             comms_known_at: 0,
             ai: ai::AiSide::default(),
+            remote: remote::RemoteSide::default(),
+            ebs: ebs::Stages::default(),
             pending: Vec::new(),
             due: None,
             now: 0,
@@ -210,6 +216,8 @@ impl Judge {
             self.answer_repeated(t);
         } else if index == LOG_STATUS {
             self.assi_repeated(t);
+        } else if index == REMOTE {
+            self.remote_repeated(t);
         }
         self.ends_silence(index, t);
     }

@@ -7,7 +7,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Atom, Atoms, Edition};
 
 use super::{
-    AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, STATUS, STEER,
+    AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, REMOTE, STATUS, STEER,
     WHEEL_SPEEDS,
 };
 
@@ -38,24 +38,30 @@ pub(super) struct Shown {
     braking: Atoms,
     /// Whether 524h shows the Emergency Braking System.
     ebs: bool,
+    /// Whether 520h shows its stage.
+    pub(super) stage: bool,
 }
 
 impl Shown {
     pub(super) fn new(edition: &Edition) -> Self {
         let ebs = edition.bus.message(Vcu2AiBrake::ID).and_then(|message| message.signal_of("status_ebs"));
-        Self { braking: Ai2VcuBrake::SCOPE.intersection(edition.scope()), ebs: ebs.is_some() }
+        let stage = edition.bus.message(Vcu2AiStatus::ID).and_then(|message| message.signal_of("ebs_state"));
+        let braking = Ai2VcuBrake::SCOPE.intersection(edition.scope());
+        Self { braking, ebs: ebs.is_some(), stage: stage.is_some() }
     }
 }
 
 impl Judge {
     /// The atoms that a message shows. The Emergency Braking System is taken from 524h where that shows it and comes: it is
-    /// there every cycle, and in 502h much more rarely.
+    /// there every cycle, and in 502h much more rarely. The "Go" switch is taken from the remote control as long as that comes.
     pub(super) fn scope(&self, slot: usize) -> Atoms {
         let by_brake = || self.shown.ebs && self.slots.get(BRAKE).is_some_and(|slot| slot.last.is_some());
         match slot {
             LOG_STATUS if by_brake() => Atoms::NONE,
             BRAKE if by_brake() => Vcu2LogStatus::SCOPE,
             AI_BRAKE => self.shown.braking,
+            REMOTE => Atoms::of(&[Atom::GoOn, Atom::GoEdge]),
+            STATUS if self.remote_is_seen() => Vcu2AiStatus::SCOPE,
             _ => scope(slot),
         }
     }

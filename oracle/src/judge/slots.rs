@@ -3,13 +3,21 @@
 use adsdv_spec::messages::{AnyMessage, MessageDef, Node};
 use adsdv_spec::{Atoms, Bus};
 
+use crate::remote::Remote;
+
 /// How many messages there are, in all editions.
-pub(super) const COUNT: usize = AnyMessage::IDS.len();
+const MESSAGES: usize = AnyMessage::IDS.len();
+
+/// The slot of the remote control: behind those of the messages.
+pub(super) const REMOTE: usize = MESSAGES;
+
+/// How many slots there are.
+pub(super) const COUNT: usize = MESSAGES + 1;
 
 /// The slot of a message.
 pub(super) const fn slot_of(id: u16) -> usize {
     let mut index = 0;
-    while index < COUNT && AnyMessage::IDS[index] != id {
+    while index < MESSAGES && AnyMessage::IDS[index] != id {
         index += 1;
     }
     index
@@ -39,7 +47,7 @@ const fn longest(period: i64) -> i64 {
 /// One message on the bus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
-    /// What the edition says of the message; `None` if it has no such message.
+    /// What the edition says of the message; `None` if it has no such message, and for the remote control.
     pub(super) def: Option<&'static MessageDef>,
     /// The data of the last frame, as far as a word holds it.
     pub(super) word: u64,
@@ -103,7 +111,7 @@ impl Slot {
     }
 
     pub(super) fn all(bus: &Bus) -> [Self; COUNT] {
-        AnyMessage::IDS.map(|id| Self::new(bus.message(id)))
+        std::array::from_fn(|index| Self::new(AnyMessage::IDS.get(index).and_then(|&id| bus.message(id))))
     }
 
     /// When the last frame will be too old to speak for now: a frame that is missing may have said something else.
@@ -193,7 +201,9 @@ pub(super) struct SlotOf(Box<[u8; 0x800]>);
 impl SlotOf {
     pub(super) fn new(bus: &Bus) -> Self {
         let mut slots = Box::new([u8::MAX; 0x800]);
-        for (index, id) in (0..).zip(AnyMessage::IDS).filter(|(_, id)| bus.message(*id).is_some()) {
+        let messages = AnyMessage::IDS.into_iter().zip(0..).filter(|(id, _)| bus.message(*id).is_some());
+        let remote = Remote::of(bus).map(|remote| remote.message().id).zip(u8::try_from(REMOTE).ok());
+        for (id, index) in messages.chain(remote) {
             if let Some(slot) = slots.get_mut(usize::from(id)) {
                 *slot = index;
             }

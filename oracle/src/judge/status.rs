@@ -60,6 +60,11 @@ pub(super) const fn is_active(state: Option<AsState>) -> bool {
     matches!(state, Some(AsState::Ready | AsState::Driving | AsState::Finished))
 }
 
+/// What shows is certain; what does not may be so all the same.
+const fn certain(shows: bool) -> Truth {
+    if shows { Truth::True } else { Truth::Unknown }
+}
+
 impl Judge {
     /// 520h came with the same content as before.
     pub(super) fn status_repeated(&mut self, t: i64) {
@@ -67,6 +72,7 @@ impl Judge {
         self.comms_due(t);
         self.missed_due(t);
         self.flags_over_time(t);
+        self.compare_ebs(t);
     }
 
     /// 520h came with something new. `before` is when it came last; `readable` are the atoms that it shows.
@@ -144,12 +150,7 @@ impl Judge {
         } else {
             self.vcu.opening = Faults::NONE;
         }
-        // Where a fault of the battery may act by itself, it does not tell that the circuit is open.
-        let by_itself = self.options.readings.has(Choice::BmsDriving);
-        let opening = if by_itself { self.vcu.opening.without(Fault::BmsFault) } else { self.vcu.opening };
-        let certain = |holds| if holds { Truth::True } else { Truth::Unknown };
-        let battery = certain(by_itself && self.vcu.opening.has(Fault::BmsFault));
-        let open = certain(!opening.is_empty());
+        let battery = certain(self.battery_by_itself() && self.vcu.opening.has(Fault::BmsFault));
         self.vcu.braked |=
             status.shutdown_cause != ShutdownCause::NoShutdown || new_state == Some(AsState::EmergencyBrake);
         let power_cycle = match (self.vcu.braked, self.pinned(Reading::PowerCycle)) {
@@ -160,16 +161,32 @@ impl Judge {
         let known = self
             .known
             .learn(readable.intersection(Vcu2AiStatus::SCOPE), status.atoms())
-            .set(Atom::GoOn, go_on)
-            .set(Atom::SdcOpen, open)
+            .set(Atom::SdcOpen, self.sdc_open())
             .set(Atom::BmsFault, battery)
             .set(Atom::PowerCycleNeeded, power_cycle);
+        if self.remote_is_seen() {
+            // It shows the switch itself.
+            return self.learn(t, known);
+        }
+        let known = known.set(Atom::GoOn, go_on);
         let go_before = previous.filter(|_| !gap).map(|p| p.go_signal);
         let edge = self.go_edge(t, known, go_before, status.go_signal, raw, new_state);
         if go_before == Some(false) && status.go_signal {
             self.change_seen(t, Atom::GoEdge, edge);
         }
         self.learn(t, known.set(Atom::GoEdge, edge));
+    }
+
+    /// Whether a fault of the battery may act by itself, so that it does not tell that the circuit is open.
+    fn battery_by_itself(&self) -> bool {
+        self.options.readings.has(Choice::BmsDriving)
+    }
+
+    /// Whether the shutdown circuit is open, as far as faults and the remote control show it.
+    pub(super) fn sdc_open(&self) -> Truth {
+        let opening = self.vcu.opening;
+        let opening = if self.battery_by_itself() { opening.without(Fault::BmsFault) } else { opening };
+        certain(!opening.is_empty() || self.remote_opens())
     }
 
     /// Whether a "Go" edge was accepted, as far as `GO_SIGNAL` tells (section 3.2, item 3).
@@ -197,7 +214,7 @@ impl Judge {
     }
 
     /// Whether the conditions of section 3.2, items 1 and 2, held throughout the window before.
-    fn go_conditions(&self, t: i64, known: Knowledge) -> Truth {
+    pub(super) fn go_conditions(&self, t: i64, known: Knowledge) -> Truth {
         let window = self.history.throughout(t - self.window, t).meet(known);
         self.variants
             .of(AsState::Ready)
@@ -236,7 +253,8 @@ impl Judge {
                 self.wake_at(at);
             }
         }
-        if state != AsState::Ready {
+        self.remote.state_changes();
+        if state != AsState::Ready && !self.remote_is_seen() {
             known = known.set(Atom::GoEdge, Truth::Unknown);
         }
         for edge in super::edges::IN_DRIVING {

@@ -86,8 +86,10 @@ impl Judge {
         let start = before.min(t - self.window) - cycle;
         let inputs = self.throughout(start, t + self.window, now);
         let memory = self.history.throughout(start, t - 1).meet(pending.before);
-        let window =
-            inputs.forget(MEMORY).learn(MEMORY.intersection(memory.on().union(memory.off())), memory.on());
+        // Where the remote control shows the switch, an edge shows when it comes, and may be recorded late.
+        let remembered = if self.has_remote() { MEMORY.without(Atom::GoEdge) } else { MEMORY };
+        let known = remembered.intersection(memory.on().union(memory.off()));
+        let window = inputs.forget(remembered).learn(known, memory.on());
         // 502h comes rarely: where the sample behind differs, or there is none, that before does not speak for now.
         let after = self.throughout(t, t + self.window, now);
         let between = self.scope(LOG_STATUS).difference(after.on().union(after.off()));
@@ -117,9 +119,12 @@ impl Judge {
         };
         let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
         let section = arrow.as_ref().map_or("Figure 2", |guard| guard.section);
+        let remote_estop = decided.is_some_and(|(term, _)| term.on.has(Atom::SdcOpen))
+            && self.remote_pressed(start, t + self.window);
         if to == AsState::EmergencyBrake {
             // All other reasons have one.
-            let certain = justified == Truth::True && !switched_off(window);
+            // That the remote E-stop has a cause of its own is not said.
+            let certain = justified == Truth::True && !switched_off(window) && !remote_estop;
             if let Some(brake) = self.vcu.brake.as_mut().filter(|brake| brake.since == t) {
                 brake.certain = certain;
             }
@@ -140,7 +145,7 @@ impl Judge {
             });
         }
         let or = decided.map(|(term, _)| self.reported_alike(from, to, &term, window)).unwrap_or_default();
-        self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, or });
+        self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, remote_estop, or });
     }
 
     /// Where the shutdown circuit decided: the alternatives that the VCU reports as the same fault (D-13), as far as they are
@@ -266,6 +271,7 @@ impl Judge {
         if let Some(due) = &mut self.due {
             due.reported = true;
         }
+        let pressed = due.term.on.has(Atom::SdcOpen) && self.remote_pressed(due.since, t);
         self.out.finding(Finding {
             t_ns: due.since + self.deadline,
             severity: Severity::Violation,
@@ -273,8 +279,9 @@ impl Judge {
             section: due.section,
             rule: Rule::Due,
             message: format!(
-                "{state} was not left, though {} for more than {} ms; expected {state} -> {}",
+                "{state} was not left, though {}{} for more than {} ms; expected {state} -> {}",
                 conditions(&self.edition.rules, &due.term, Knowledge::exact(due.term.on)),
+                if pressed { " (remote E-stop pressed)" } else { "" },
                 self.options.deadline_ms,
                 due.to
             ),

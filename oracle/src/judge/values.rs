@@ -10,8 +10,8 @@ use adsdv_spec::{Atoms, Bus};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::lenient::{self, Lenient};
 use super::{
-    AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, SILENCE_NS, STATUS,
-    STEER, WHEEL_SPEEDS,
+    AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, REMOTE, SILENCE_NS,
+    STATUS, STEER, WHEEL_SPEEDS,
 };
 
 /// The VCU's messages that tell requests back, and the AI Computer's that make them.
@@ -25,6 +25,9 @@ const ECHOES: [(u16, u16); 4] = [
 impl Judge {
     /// A frame came with another content than the one before, or after a silence.
     pub(super) fn changed(&mut self, index: usize, t: i64, word: u64, len: u8, before: Option<i64>) {
+        if index == REMOTE {
+            return self.remote_changed(t, word, len);
+        }
         let Some(def) = self.def_of(index) else { return };
         let Some(slot) = self.slots.get_mut(index) else { return };
         let was_fresh = slot.fresh;
@@ -72,6 +75,8 @@ impl Judge {
                 }
                 let state_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "as_state");
                 let ami_bad = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ami_state");
+                let stage_unreadable = is_bad::<Vcu2AiStatus>(&self.edition.bus, bad, "ebs_state");
+                self.ebs.stage = Some(message.ebs_state).filter(|_| self.shown.stage && !stage_unreadable);
                 let shown = self.scope(index);
                 let readable = if ami_bad { shown.without(adsdv_spec::Atom::AmiSelected) } else { shown };
                 self.status(t, message, !state_bad, readable, before);
@@ -131,7 +136,9 @@ impl Judge {
                 //= D-28, D-61
                 let hidden =
                     message.status_ebs == EbsState::Triggered && self.vcu.state != Some(AsState::Off);
-                let bad = hidden || is_bad::<Vcu2AiBrake>(&self.edition.bus, bad, "status_ebs");
+                let unreadable = is_bad::<Vcu2AiBrake>(&self.edition.bus, bad, "status_ebs");
+                self.ebs.status = Some(message.status_ebs).filter(|_| !unreadable);
+                let bad = hidden || unreadable;
                 let shown = Vcu2LogStatus { state_ebs: message.status_ebs, ..Vcu2LogStatus::default() };
                 self.measured(index, t, shown.atoms(), bad.into(), was_fresh, silence);
             }
@@ -293,8 +300,11 @@ impl Judge {
     }
 
     /// A frame of no message of the document.
+    ///
+    /// Those of the vehicle's devices have their senders, and nothing is said of them, whatever they hold.
     pub(super) fn other_id(&mut self, t: i64, id: u32) {
-        let reserved = u16::try_from(id).is_ok_and(|id| self.edition.bus.is_reserved(id));
+        let bus = &self.edition.bus;
+        let reserved = u16::try_from(id).is_ok_and(|id| bus.is_reserved(id) && bus.device(id).is_none());
         if reserved && self.out.first_of_id(id) {
             self.out.finding(Finding {
                 t_ns: t,
@@ -323,6 +333,16 @@ impl Judge {
                 rule: Rule::Reserved,
                 message: format!("the AI Computer sent {id:03X}h, which is reserved; expected it not to"),
             });
+        }
+        if let Some(device) = self.edition.bus.device(short)
+            && self.out.first_by_ai(id)
+        {
+            let message = format!(
+                "the AI Computer sent {} ({id:03X}h); expected that message from {} only",
+                device.name, device.sender
+            );
+            let (severity, party, section, rule) = (Severity::Violation, Party::Ai, "2.2", Rule::Sender);
+            self.out.finding(Finding { t_ns: t, severity, party, section, rule, message });
         }
         let def = self.edition.bus.message(short);
         if let Some(def) = def.filter(|def| def.sender == Node::Vcu && self.out.first_by_ai(id)) {

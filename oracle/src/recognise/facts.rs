@@ -2,6 +2,7 @@
 
 use adsdv_spec::messages::{MessageDef, Node};
 
+use super::devices::Devices;
 use super::seen::{LONGEST, Said, Seen};
 
 /// Milliseconds as nanoseconds.
@@ -20,7 +21,7 @@ pub(super) struct Fact {
 
 /// How much each kind of fact weighs. A length is nobody's choice. Where the two sides differ, the VCU's counts for more: it is
 /// its state machine that is judged.
-mod weight {
+pub(super) mod weight {
     pub(super) const LENGTH_OF_VCU: u32 = 9;
     pub(super) const LENGTH_OF_AI: u32 = 8;
     /// Bits for which an edition has no signal, and another has.
@@ -28,6 +29,8 @@ mod weight {
     /// A message that an edition does not have: somebody else may send that identifier.
     pub(super) const PRESENT: u32 = 2;
     pub(super) const CYCLE: u32 = 2;
+    /// Messages of devices that an edition does not name: its vehicle may have them all the same.
+    pub(in crate::recognise) const DEVICE: u32 = 1;
     /// A value that an edition does not allow: it may be a fault of the sender.
     pub(super) const VALUE: u32 = 1;
     /// Frames of another length beside most of them.
@@ -43,8 +46,8 @@ const CYCLES: i64 = 10;
 const CYCLE_FACTOR: i64 = 3;
 
 /// Everything that was seen and does not fit every edition.
-pub(super) fn facts(seen: &[(u16, Seen)]) -> Vec<Fact> {
-    let mut facts = Vec::new();
+pub(super) fn facts(seen: &[(u16, Seen)], devices: &Devices) -> Vec<Fact> {
+    let mut facts: Vec<Fact> = devices.fact().into_iter().collect();
     for (id, one) in seen {
         if one.count() == 0 {
             facts.extend(absent(*id, one, seen));

@@ -14,11 +14,16 @@
 //!
 //! let mut recogniser = Recogniser::new(Edition::DEFAULT);
 //! recogniser.frame(0, 0x511, &[0; 4]);
+//! recogniser.frame(0, 0x181, &[0; 8]);
 //! let recognised = recogniser.recognise();
-//! assert_eq!((recognised.edition.version, recognised.certain), ("4.0", true));
-//! assert_eq!(recognised.to_string(), "version 4.0: 511h has 4 bytes (3.0: 8)");
+//! assert_eq!((recognised.edition.version, recognised.certain), ("2026", true));
+//! assert_eq!(
+//!     recognised.to_string(),
+//!     "version 2026: 181h is there (3.0: no such device, 4.0: no such device), 511h has 4 bytes (3.0: 8)"
+//! );
 //! ```
 
+mod devices;
 mod facts;
 mod hearing;
 mod later;
@@ -33,6 +38,7 @@ pub(crate) use hearing::{Hearing, Held};
 pub(crate) use later::Later;
 
 use adsdv_spec::Edition;
+use devices::Devices;
 use facts::facts;
 use seen::Seen;
 
@@ -43,6 +49,7 @@ pub struct Recogniser {
     default: &'static Edition,
     /// What was seen of each identifier that is a message of some edition, by ascending identifier.
     seen: Vec<(u16, Seen)>,
+    devices: Devices,
 }
 
 impl Recogniser {
@@ -57,21 +64,22 @@ impl Recogniser {
         let mut seen: Vec<(u16, Seen)> = ids.map(|id| (id, Seen::new(editions, id))).collect();
         seen.sort_by_key(|(id, _)| *id);
         seen.dedup_by_key(|(id, _)| *id);
-        Self { editions, default, seen }
+        Self { editions, default, seen, devices: Devices::new(editions) }
     }
 
     /// A classic CAN data frame with an 11-bit identifier came, at a time in nanoseconds. Tells whether it is a message of any
-    /// edition.
+    /// edition between the VCU and the AI Computer.
     pub fn frame(&mut self, t_ns: i64, id: u32, data: &[u8]) -> bool {
-        let place = u16::try_from(id).ok().and_then(|id| self.place(id));
-        let seen = place.and_then(|place| self.seen.get_mut(place));
-        seen.is_some_and(|(_, seen)| {
-            seen.frame(t_ns, data);
-            true
-        })
+        let Ok(id) = u16::try_from(id) else { return false };
+        let Some((_, seen)) = self.place(id).and_then(|place| self.seen.get_mut(place)) else {
+            self.devices.frame(id, data.len());
+            return false;
+        };
+        seen.frame(t_ns, data);
+        true
     }
 
-    /// Whether this identifier is a message of any edition.
+    /// Whether this identifier is a message of any edition between the VCU and the AI Computer.
     pub fn knows(&self, id: u32) -> bool {
         u16::try_from(id).is_ok_and(|id| self.place(id).is_some())
     }
@@ -90,7 +98,7 @@ impl Recogniser {
 
     /// The edition that fits best what has been seen so far.
     pub fn recognise(&self) -> Recognised {
-        recognised::best(self.editions, self.default, &facts(&self.seen))
+        recognised::best(self.editions, self.default, &facts(&self.seen, &self.devices))
     }
 
     /// The edition that fits better than the default, if there is one. Its evidence is what does not fit the default.

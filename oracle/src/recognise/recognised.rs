@@ -14,7 +14,7 @@ pub struct Recognised {
     pub edition: &'static Edition,
     /// Whether it fits better than every other.
     pub certain: bool,
-    /// Those that fit as well; none where it is certain.
+    /// The editions that fit as well, where it does not.
     pub alike: Vec<&'static Edition>,
     /// What fits it and not every other, in words, such as `511h has 4 bytes (3.0: 8)`.
     pub evidence: Vec<String>,
@@ -37,14 +37,40 @@ impl Recognised {
         let evidence = evidence.map(|fact| in_words(editions, fact)).collect();
         Self { evidence, ..self }
     }
+
+    /// What is to be said where others fit as well, such as `as the frames do not tell which`; `None` where it is certain.
+    ///
+    /// ```
+    /// use adsdv_oracle::recognise::Recogniser;
+    /// use adsdv_spec::Edition;
+    ///
+    /// let mut recogniser = Recogniser::new(Edition::DEFAULT);
+    /// recogniser.frame(0, 0x520, &[0, 0, 1, 0, 0, 0, 0, 0]);
+    /// let doubt = recogniser.recognise().doubt();
+    /// assert_eq!(doubt.as_deref(), Some("as the frames do not tell which"));
+    /// recogniser.frame(0, 0x511, &[0; 4]);
+    /// assert_eq!(recogniser.recognise().doubt().as_deref(), Some("though 4.0 fits as well"));
+    /// ```
+    pub fn doubt(&self) -> Option<String> {
+        if self.certain {
+            return None;
+        }
+        // Where nothing speaks for an edition, nothing has told.
+        if self.evidence.is_empty() || self.alike.is_empty() {
+            return Some("as the frames do not tell which".to_owned());
+        }
+        let alike: Vec<&str> = self.alike.iter().map(|edition| edition.version).collect();
+        let verb = if alike.len() == 1 { "fits" } else { "fit" };
+        Some(format!("though {} {verb} as well", alike.join(" and ")))
+    }
 }
 
-/// In one line, such as `version 4.0: 511h has 4 bytes (3.0: 8)`.
+/// In one line, such as `version 4.0: 120h is there (3.0: no such message, 2026: no such message)`.
 impl fmt::Display for Recognised {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "version {}", self.edition.version)?;
-        if !self.certain {
-            f.write_str(", as the frames do not tell which")?;
+        if let Some(doubt) = self.doubt() {
+            write!(f, ", {doubt}")?;
         }
         if !self.evidence.is_empty() {
             write!(f, ": {}", self.evidence.join(", "))?;

@@ -3,6 +3,8 @@
 use adsdv_spec::Edition;
 use adsdv_spec::messages::{MessageDef, SignalDef};
 
+use super::facts::MS;
+
 /// The longest frame of classic CAN, in bytes.
 pub(super) const LONGEST: usize = 8;
 
@@ -65,8 +67,13 @@ impl Seen {
 
     /// Frames are like this from now on, as far as their length goes.
     pub(super) fn is_now(&mut self, data: &[u8]) {
-        self.lens = [0; LONGEST + 1];
         self.frame(self.last, data);
+        // How often they come is as it was.
+        let count = self.count();
+        self.lens = [0; LONGEST + 1];
+        if let Some(of_this) = self.lens.get_mut(data.len()) {
+            *of_this = count;
+        }
     }
 
     /// How many frames there were.
@@ -76,13 +83,15 @@ impl Seen {
 
     /// For how long such frames have come, in milliseconds.
     pub(super) fn lasted_ms(&self) -> i64 {
-        if self.count() == 0 { 0 } else { self.last.saturating_sub(self.first) / super::facts::MS }
+        if self.count() == 0 { 0 } else { self.last.saturating_sub(self.first) / MS }
     }
 
     /// How often they come, in milliseconds; `None` where too few have come.
     pub(super) fn cycle_ms(&self) -> Option<i64> {
         let count = self.count();
         let intervals = i64::try_from(count.saturating_sub(1)).ok()?;
-        (count >= ENOUGH).then(|| self.lasted_ms().checked_div(intervals)).flatten()
+        let cycle_ns = self.last.saturating_sub(self.first).checked_div(intervals)?;
+        // The clock of the sender is not the recorder's: to the nearest millisecond.
+        (count >= ENOUGH).then(|| cycle_ns.saturating_add(MS / 2) / MS)
     }
 }

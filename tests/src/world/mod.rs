@@ -15,6 +15,7 @@ mod recording;
 mod routes;
 
 use adsdv_oracle::judge::{JudgeOptions, Report};
+use adsdv_oracle::remote::{Remote, Switches};
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Vcu2AiStatus,
 };
@@ -40,6 +41,8 @@ pub struct World {
     pub inputs: Inputs,
     /// What the AI Computer sends.
     pub ai: AiMessages,
+    /// The level of the remote control's E-stop bit while the button is pressed, where an edition has the remote control.
+    pub estop_pressed: bool,
     /// Whether the AI Computer sends at all.
     pub ai_sends: bool,
     /// Whether the AI Computer answers the handshake.
@@ -64,6 +67,7 @@ impl World {
             control: Control::INITIAL,
             inputs: Inputs::default(),
             ai: AiMessages::default(),
+            estop_pressed: true,
             ai_sends: true,
             ai_answers: true,
             mutes: Vec::new(),
@@ -89,8 +93,17 @@ impl World {
         Self::new(Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(choice)))
     }
 
+    /// The remote control's frame, on its way to the VCU shortly before its step.
+    fn remote(&mut self) {
+        let remote = Remote::of(&self.vcu.edition().bus).filter(|_| self.t > 0);
+        let estop = self.inputs.sdc.remote_estop == self.estop_pressed;
+        let frame = remote.and_then(|remote| remote.frame(Switches { go: self.inputs.go, estop }, 100));
+        self.log.extend(frame.map(|frame| Recorded { t: self.t - 2 * MS, frame }));
+    }
+
     /// One cycle.
     pub fn cycle(&mut self) {
+        self.remote();
         let (control, outputs) = self.vcu.step(&self.control, &self.inputs, CYCLE_MS.into());
         self.control = control;
         let mut messages = outputs.messages(&self.inputs);

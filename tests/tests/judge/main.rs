@@ -31,6 +31,7 @@ mod priorities;
 mod recognise;
 mod thresholds;
 mod timers;
+mod v2026;
 mod v4_0;
 mod values;
 mod wrongly_taken;

@@ -5,7 +5,7 @@ use adsdv_oracle::judge::{JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{Judged, LogJudge, LogOptions, judge_log, judge_recognised};
 use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::Edition;
-use adsdv_spec::messages::Node;
+use adsdv_spec::messages::{Node, Vcu2AiBrake, Vcu2LogDynamics1};
 use adsdv_tests::world::{MS, Recorded, World};
 
 const MISSION: &[u8] = include_bytes!("../../logs/mission.log");
@@ -95,6 +95,7 @@ fn a_run_of_each_edition_is_recognised_and_judged_by_it() {
     }
 }
 
+/// The AI Computer's messages are the same in 4.0 and in 2026, as long as it steers by no more than 4.0 allows.
 #[test]
 fn either_side_alone_tells_the_edition() {
     for edition in Edition::ALL {
@@ -102,8 +103,70 @@ fn either_side_alone_tells_the_edition() {
             let mut log = mission(edition);
             log.retain(|recorded| recorded.sender() == Some(node));
             let (recognised, report) = heard(&log);
-            assert_eq!((recognised.edition, recognised.certain), (*edition, true), "{node}: {recognised}");
+            let fits = recognised.edition == *edition || recognised.alike.contains(edition);
+            let alone = node == Node::Vcu || *edition == Edition::DEFAULT;
+            assert!(fits && recognised.certain == alone, "{}: {node}: {recognised}", edition.version);
             assert_eq!(report.verdict(), Verdict::Conforms);
+            if !alone {
+                let [note] = notes(&report)[..] else { panic!("{:#?}", report.findings) };
+                assert!(note.starts_with("judged by version 2026, though 4.0 fits as well"), "{note}");
+            }
+        }
+    }
+}
+
+/// What remains tells as much: neither 500h nor a device is recorded.
+#[test]
+fn a_run_of_2026_is_recognised_by_its_states_alone() {
+    let mut log = mission(&Edition::V2026);
+    log.retain(|recorded| recorded.sender().is_some() && recorded.frame.id != Vcu2LogDynamics1::ID);
+    let (recognised, report) = heard(&log);
+    assert_eq!((recognised.edition, recognised.certain), (&Edition::V2026, true), "{recognised}");
+    assert_eq!(report.findings, []);
+}
+
+#[test]
+fn a_run_that_fits_no_edition_is_judged_by_the_nearest() {
+    let mut log = mission(&Edition::V2026);
+    for recorded in log.iter_mut().filter(|recorded| recorded.frame.id == Vcu2AiBrake::ID) {
+        recorded.frame.len = 7;
+    }
+    let (recognised, report) = heard(&log);
+    assert_eq!((recognised.edition, recognised.certain), (&Edition::V2026, true), "{recognised}");
+    assert_eq!(recognised.against, ["524h has 7 bytes (3.0: 8, 4.0: 5, 2026: 5)"]);
+    let [note] = notes(&report)[..] else { panic!("{:#?}", report.findings) };
+    assert!(
+        note.starts_with("judged by version 2026: ") && note.contains("; but 524h has 7 bytes"),
+        "{note}"
+    );
+    assert_eq!(report.verdict(), Verdict::Conforms);
+}
+
+/// Another bus with the devices on it is not the one to judge, even where they come first.
+#[test]
+fn a_device_does_not_choose_the_interface() {
+    let device = "(1.0) can1 181#0000000000006400\n";
+    let status = "(1.0) can0 520#0000010000000000\n";
+    let judged = recorded(format!("{device}{status}{device}{status}").as_bytes());
+    let others = judged.report.findings.iter().filter(|finding| finding.rule == Rule::NotJudged);
+    let others: Vec<&str> = others.map(|finding| finding.message.as_str()).collect();
+    assert_eq!(others, ["1 frame on interface can1, not judged"]);
+}
+
+/// With or without a line feed behind it.
+#[test]
+fn of_a_log_with_a_broken_frame_of_a_device_only_nothing_wrong_is_said() {
+    let rules = |report: &Report| report.findings.iter().map(|finding| finding.rule).collect::<Vec<Rule>>();
+    let options = LogOptions { judge: JudgeOptions::of(&Edition::V2026), interface: None };
+    for data in ["", "02", "02000000000064"] {
+        for end in ["", "\n"] {
+            let log = format!("(1.0) can0 181#{data}{end}");
+            let judged = recorded(log.as_bytes());
+            // Who does not know the device knows that the identifier is reserved.
+            assert_eq!(rules(&judged.report), [Rule::Edition, Rule::Reserved, Rule::OneSided], "{data}");
+            let report = judge_log(log.as_bytes(), &options, |_| {}).expect("a log");
+            assert_eq!(rules(&report), [Rule::OneSided], "{data}");
+            assert_eq!((report.frames, report.verdict()), (1, Verdict::Conforms));
         }
     }
 }
@@ -115,7 +178,12 @@ fn where_the_sides_differ_the_vcu_counts() {
         log.retain(|recorded| recorded.sender() == Some(node));
         log
     };
-    for (vcu, ai) in [(&Edition::V3_0, &Edition::V4_0), (&Edition::V4_0, &Edition::V3_0)] {
+    let differ = [
+        (&Edition::V3_0, &Edition::V4_0),
+        (&Edition::V4_0, &Edition::V3_0),
+        (&Edition::V2026, &Edition::V3_0),
+    ];
+    for (vcu, ai) in differ {
         let mut log = [from(vcu, Node::Vcu), from(ai, Node::Ai)].concat();
         log.sort_by_key(|recorded| recorded.t);
         let (recognised, report) = heard(&log);

@@ -148,7 +148,7 @@ fn shortened(text: &str) -> String {
 }
 
 fn transition(transition: &Transition) -> String {
-    let Transition { t_ns, from, to, section, justified, decided, or } = transition;
+    let Transition { t_ns, from, to, section, justified, decided, or, .. } = transition;
     let mut line = format!("{} us: {from} -> {to} ({section}), {justified}", t_ns / 1000);
     for (word, (term, known)) in
         decided.iter().map(|one| ("by", one)).chain(or.iter().map(|other| ("or by", other)))

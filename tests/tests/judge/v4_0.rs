@@ -23,17 +23,17 @@ fn world(pins: &[Choice]) -> World {
 }
 
 /// The recording as it is, jittered, and with frames lost.
-fn recordings(world: &World) -> Vec<(String, Vec<Recorded>)> {
+pub(crate) fn recordings(world: &World) -> Vec<(String, Vec<Recorded>)> {
     let seeds = recordings_of_a_kind().min(12);
     let jittered = (0..seeds).map(|seed| (format!("jitter, seed {seed}"), world.disturbed(seed, 5 * MS, 0)));
     let thinned = (0..seeds).map(|seed| (format!("loss, seed {seed}"), world.disturbed(seed, 0, 20)));
     std::iter::once(("exactly".to_owned(), world.log.clone())).chain(jittered).chain(thinned).collect()
 }
 
-type Found = (Severity, Party, Rule, &'static str);
+pub(crate) type Found = (Severity, Party, Rule, &'static str);
 
 /// What is said of anybody but the log.
-fn found(report: &Report) -> Vec<Found> {
+pub(crate) fn found(report: &Report) -> Vec<Found> {
     let blames = report.findings.iter().filter(|finding| finding.party != Party::Log);
     blames.map(|finding| (finding.severity, finding.party, finding.rule, finding.section)).collect()
 }
@@ -51,7 +51,7 @@ fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
     }
 }
 
-fn the(severity: Severity, party: Party, rule: Rule, section: &'static str) -> Found {
+pub(crate) fn the(severity: Severity, party: Party, rule: Rule, section: &'static str) -> Found {
     (severity, party, rule, section)
 }
 
@@ -99,6 +99,22 @@ fn a_message_that_is_missed_is_the_ai_computers_fault() {
             assert!(by(&report, Party::Vcu).is_empty(), "{how}: {:#?}", violations(&report));
         }
     }
+}
+
+/// The VCU shows that it came before the recorder has it.
+#[test]
+fn a_frame_that_ends_a_silence_may_be_recorded_late() {
+    let mut world = world(&[]);
+    world.driving();
+    world.mutes.push(Ai2VcuBrake::ID);
+    world.wait(400);
+    world.mutes.clear();
+    let ends = world.t;
+    world.wait(300);
+    let ending = |one: &&mut Recorded| one.frame.id == Ai2VcuBrake::ID && one.t >= ends;
+    world.log.iter_mut().find(ending).expect("it ends").t += 6 * MS;
+    world.log.sort_by_key(|recorded| recorded.t);
+    finds(&world, options(&[]), &[the(Severity::Violation, Party::Ai, Rule::MessageMissed, "2.4")]);
 }
 
 #[test]
