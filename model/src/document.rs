@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use adsdv_spec::{Atoms, Edition, Machine};
+use adsdv_spec::{Atoms, Edition, Machine, Timing};
 
 /// A published edition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +31,20 @@ impl Document {
         document.expect("the default is one of all editions")
     }
 
+    /// The times that the AI Computer, the operator and the properties go by.
+    pub(crate) const fn timing(&self) -> &'static Timing {
+        &self.edition.rules.timing
+    }
+
     /// That of a machine's version.
     pub fn of_machine(machine: &Machine) -> &'static Self {
         Self::of(machine.edition())
+    }
+}
+
+/// The default edition.
+impl Default for &'static Document {
+    fn default() -> Self {
+        Document::of(Edition::DEFAULT)
     }
 }

@@ -42,6 +42,7 @@ mod document;
 mod explore;
 mod goals;
 mod look;
+mod moot;
 mod open;
 mod parts;
 mod promela;

@@ -9,12 +9,13 @@ use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use adsdv_spec::{AsState, Control, Edition, Machine, Observation, Timing};
+use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Observation, Timing};
 use stateright::{Checker, HasDiscoveries, Model, Path};
 
 use crate::action::Action;
 use crate::document::Document;
 use crate::goals::{Goal, goals};
+use crate::moot::moot;
 use crate::open::{Open, Seen, State};
 use crate::parts::Part;
 use crate::properties::PROPERTIES;
@@ -95,12 +96,18 @@ pub struct Report {
     pub exploration: Exploration,
     /// The shortest run that breaks each property that is broken, and that reaches each goal that is reached, by name.
     pub runs: HashMap<&'static str, Vec<Action>>,
+    /// The parts of the table that decide no step, and would if one question were answered otherwise: the first such
+    /// answer.
+    pub moot: Vec<(Part, Choice)>,
 }
 
 /// Explores the open model of a machine to its end, and finds the runs that show what it found.
 pub fn verify(machine: Machine, options: Options, progress: impl FnMut(Progress)) -> Report {
     let exploration = explore(machine, options, progress);
-    Report { exploration, runs: runs(&machine, options.document) }
+    let dead = exploration.parts.iter().filter(|(_, decides)| !decides);
+    let dead: Vec<Part> = dead.map(|(part, _)| part.clone()).collect();
+    let moot = moot(&machine, &dead, options.threads);
+    Report { exploration, runs: runs(&machine, options.document), moot }
 }
 
 /// Explores the open model of a machine to its end.

@@ -42,7 +42,8 @@ OUTPUT
   after how many steps, or NOT REACHED. What a property says is printed where it
   fails, and for all of them with --json. Last the rows of the table of Figure 2, the
   alternatives of their guards and the conditions of these, and how many decide some
-  step: one that does not is DEAD (under these readings).
+  step. One that does not under these readings, but would under another answer, is
+  moot; one that never does is DEAD, and a failure.
 
   A log is sampled, so that check may call certain less than verify does: what fails
   for a cycle only, or behind a hidden shutdown circuit, is no violation in a log.

@@ -21,11 +21,10 @@ pub(super) fn text(outcome: &Outcome, failures: &[Failure]) -> String {
             .map(|reading| (reading.id(), readings.choice(reading).id()))
             .collect(),
         models: outcome.models.iter().map(|model| ModelJson::of(model, failures)).collect(),
-        dead_parts: outcome
-            .parts
-            .iter()
-            .filter(|(_, decides)| !decides)
-            .map(|(part, _)| part.to_string())
+        dead_parts: outcome.dead().map(ToString::to_string).collect(),
+        moot_parts: outcome
+            .moot()
+            .map(|(part, choice)| MootPartJson { part: part.to_string(), decides_with: choice.to_string() })
             .collect(),
         holds: outcome.holds(),
     })
@@ -38,7 +37,14 @@ struct VerifyJson<'a> {
     readings: BTreeMap<&'static str, &'static str>,
     models: Vec<ModelJson<'a>>,
     dead_parts: Vec<String>,
+    moot_parts: Vec<MootPartJson>,
     holds: bool,
+}
+
+#[derive(Serialize)]
+struct MootPartJson {
+    part: String,
+    decides_with: String,
 }
 
 #[derive(Serialize)]

@@ -313,7 +313,7 @@ fn result_in_words(property: &Value) -> String {
 #[test]
 fn the_schema_refuses_what_is_not_an_answer() {
     let good = serde_json::json!({
-        "schema": 1, "edition": "3.0", "readings": {}, "dead_parts": [], "holds": true,
+        "schema": 1, "edition": "3.0", "readings": {}, "dead_parts": [], "moot_parts": [], "holds": true,
         "models": [{
             "name": "one", "states": 1, "transitions": 0, "depth": 0, "seconds": 0.0, "complete": true,
             "properties": [{
