@@ -24,16 +24,16 @@ pub(crate) struct Look {
     pub(crate) steps: u64,
 }
 
-/// Looks at a control state with these input vectors; `document` has the times that the properties speak of.
-pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vectors: &[Observation]) -> Look {
-    let edition = Document::of_machine(machine).edition;
-    let concerned = Property::of(edition, control.state);
+/// Looks at a control state with these input vectors; `timing` has the times that the properties speak of.
+pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vectors: &[Observation]) -> Look {
+    let document = Document::of_machine(machine);
+    let concerned = Property::of(document.edition, control.state);
     let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
     let mut next: Vec<Control> = Vec::new();
     // Most steps lead where the one before them led.
     let mut last = None;
     for &seen in vectors {
-        let step = Step::of(machine, document, *control, seen);
+        let step = Step::of_document(machine, document, timing, *control, seen);
         for (place, property) in concerned {
             look.broken |= u64::from(!property.holds(machine, &step)) << place;
         }
@@ -43,7 +43,7 @@ pub(crate) fn look(machine: &Machine, document: &Timing, control: &Control, vect
         }
     }
     for after in &next {
-        for (place, goal) in goals(edition).iter().enumerate() {
+        for (place, goal) in goals(document.edition).iter().enumerate() {
             look.reached |= u64::from(goal.is_reached(control, after)) << place;
         }
     }

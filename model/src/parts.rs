@@ -53,6 +53,11 @@ impl Part {
             _ => None,
         }
     }
+
+    /// Whether it is the same part, in whichever words.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        (self.row, self.term, self.literal) == (other.row, other.term, other.literal)
+    }
 }
 
 /// Such as `AS_READY -> AS_OFF (3.6): AS master switch OFF`.

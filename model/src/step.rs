@@ -9,8 +9,16 @@ use adsdv_spec::{
 
 use crate::document::Document;
 
-/// The reference VCU's cycle, which is the model's. That steps of any length are right is for the proofs.
-pub(crate) const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
+/// The VCU's cycle, which is the model's, and the same in every edition. That steps of any length are right is for the proofs.
+pub(crate) const CYCLE_MS: u32 = {
+    let cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms;
+    let mut place = 0;
+    while place < Edition::ALL.len() {
+        assert!(Edition::ALL[place].rules.timing.cycle_ms == cycle_ms, "the model steps every edition alike");
+        place += 1;
+    }
+    cycle_ms as u32
+};
 
 /// A step: what was, what was seen, and what the VCU made of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +38,17 @@ pub struct Step {
 impl Step {
     /// The step of a machine, one cycle after its last.
     pub fn of(machine: &Machine, timing: &Timing, before: Control, seen: Observation) -> Self {
-        let document = Document::of_machine(machine);
+        Self::of_document(machine, Document::of_machine(machine), timing, before, seen)
+    }
+
+    /// The same where the document is known.
+    pub(crate) fn of_document(
+        machine: &Machine,
+        document: &'static Document,
+        timing: &Timing,
+        before: Control,
+        seen: Observation,
+    ) -> Self {
         Self { document, timing: *timing, before, seen, reaction: machine.react(&before, seen, CYCLE_MS) }
     }
 

@@ -9,10 +9,11 @@ use adsdv_spec::{AsState, Choice, Choices, Control, Edition, Machine, Reading, R
 
 use crate::action::Action;
 use crate::closed::{Closed, ClosedProperty, Operator};
+use crate::document::is_default;
 use crate::property::{Harm, Property};
 use crate::run::Run;
 use crate::vectors::Vectors;
-use crate::verify::{Exploration, Options, explore_quietly, runs};
+use crate::verify::{Exploration, Options, explore_quietly, runs_for};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
@@ -91,11 +92,20 @@ pub struct ClosedCost {
 }
 
 /// Each answer that is not the default, alone, with each operator: the closed models that [`sweep`] can explore.
+///
+/// With any operator, answers that the default edition has are left to that edition: these models take longest.
 pub fn closed_models(edition: &Edition) -> impl Iterator<Item = (Choice, Operator)> {
-    edition
-        .alternatives()
-        .iter()
-        .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
+    let elsewhere = if is_default(edition) { Choices::NONE } else { Edition::DEFAULT.choices };
+    let operators = [Operator::WellBehaved, Operator::Any];
+    let models =
+        edition.alternatives().iter().flat_map(move |choice| operators.map(|operator| (choice, operator)));
+    models.filter(move |(choice, operator)| *operator == Operator::WellBehaved || !elsewhere.has(*choice))
+}
+
+/// How many answers that are not the default come together in `model/READINGS.md`: as many as there are in the default edition,
+/// and two in the others, whose questions are more.
+pub fn together(edition: &Edition) -> usize {
+    if is_default(edition) { usize::MAX } else { 2 }
 }
 
 /// Checks an edition of the interface under every combination of readings in which at most so many are not the default,
@@ -211,10 +221,15 @@ fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn()
 
 /// Adds the shortest runs to the properties that fail. What is shown comes from the real timers.
 fn add_runs(costs: &mut [Cost], edition: &Edition) {
-    for choices in costs.iter().map(|cost| cost.choices).collect::<BTreeSet<_>>() {
-        let runs = runs(&machine_with(edition, choices), edition.rules.timing);
-        for cost in costs.iter_mut().filter(|cost| cost.choices == choices) {
-            cost.run = Property::find(cost.name).and_then(|_| runs.get(cost.name).cloned());
+    // A goal that is missed has no run.
+    let mut broken: BTreeMap<Choices, BTreeSet<&'static str>> = BTreeMap::new();
+    for cost in costs.iter().filter(|cost| Property::find(cost.name).is_some()) {
+        broken.entry(cost.choices).or_default().insert(cost.name);
+    }
+    for (choices, names) in broken {
+        let runs = runs_for(&machine_with(edition, choices), edition.rules.timing, names.clone());
+        for cost in costs.iter_mut().filter(|cost| cost.choices == choices && names.contains(cost.name)) {
+            cost.run = runs.get(cost.name).cloned();
         }
     }
 }
@@ -281,6 +296,7 @@ mod tests {
     use adsdv_spec::{Atom, Atoms, Faults, Observation};
 
     use super::*;
+    use crate::verify::runs;
 
     const EDITION: &Edition = Edition::DEFAULT;
 

@@ -63,7 +63,7 @@ impl Machine {
     /// ```
     pub fn reads(&self, control: &Control, dt_ms: u32) -> Reads {
         let known = self.known(control, dt_ms);
-        let mut atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake, Atom::AiMessagesMissed]);
+        let mut atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake]);
         if self.readings().is(Choice::HandshakeAlways) {
             atoms = atoms.without(Atom::Tsms);
         }
@@ -85,6 +85,8 @@ impl Machine {
         if driving && self.readings().is(Choice::FaultEdge) {
             atoms = atoms.with(Atom::MissionRunning).with(Atom::DirectionNeutral);
         }
+        // A message that is missed loses the communication, and nothing else.
+        atoms = atoms.union(Atoms::when(Atom::AiMessagesMissed, atoms.has(Atom::AiCommsLost)));
         atoms = atoms.iter().filter_map(Atom::input).fold(atoms, Atoms::with);
         let opening = if atoms.has(Atom::SdcOpen) { Faults::OPENING } else { Faults::NONE };
         let opening = opening.union(Faults::when(Fault::BmsFault, atoms.has(Atom::BmsFault)));

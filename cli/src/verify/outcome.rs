@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use adsdv_model::closed::{Closed, Expectation, Operator};
 use adsdv_model::{Goal, Options, Part, Property, Report, Run, Vectors, goals, properties, verify};
-use adsdv_spec::Machine;
+use adsdv_spec::{Choice, Machine};
 
 use crate::args::Models;
 use crate::layout::counted;
@@ -17,8 +17,19 @@ pub(super) struct Outcome {
     pub(super) machine: Machine,
     /// The models.
     pub(super) models: Vec<Explored>,
-    /// The parts of the table, and whether each decides a step.
-    pub(super) parts: Vec<(Part, bool)>,
+    /// The parts of the table, and what each is there for.
+    pub(super) parts: Vec<(Part, Role)>,
+}
+
+/// What a part of the table is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// It decides a step.
+    Decides,
+    /// It decides none, and would if a question were answered like this.
+    Moot(Choice),
+    /// It decides none.
+    Dead,
 }
 
 /// One model.
@@ -76,7 +87,22 @@ impl Outcome {
     /// Whether everything holds, for certain.
     pub(super) fn holds(&self) -> bool {
         let model = |model: &Explored| model.complete && model.results.iter().all(|result| result.holds);
-        self.models.iter().all(model) && self.parts.iter().all(|(_, decides)| *decides)
+        self.models.iter().all(model) && self.dead().next().is_none()
+    }
+}
+
+impl Outcome {
+    /// The parts of the table that decide nothing.
+    pub(super) fn dead(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().filter(|(_, role)| *role == Role::Dead).map(|(part, _)| part)
+    }
+
+    /// The parts of the table that decide nothing under these readings, and the answer under which they would.
+    pub(super) fn moot(&self) -> impl Iterator<Item = (&Part, Choice)> {
+        self.parts.iter().filter_map(|(part, role)| match role {
+            Role::Moot(choice) => Some((part, *choice)),
+            Role::Decides | Role::Dead => None,
+        })
     }
 }
 
@@ -91,33 +117,56 @@ pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, thread
             let text = format!("open model: {states}, {}", counted(progress.steps, "step"));
             line.show_bar(progress.depth, progress.expected_depth, text);
         });
-        outcome.parts.clone_from(&report.exploration.parts);
+        outcome.parts = parts(&report);
         outcome.models.push(open(machine, report));
     }
     if which != Models::Open {
         line.show("closed model, with a well-behaved operator");
-        outcome.models.push(closed(
-            "closed model, well-behaved operator",
-            "an AI Computer that follows the document, over CAN frames; an operator who does; no fault",
-            machine,
-            &Closed::new(*machine, Operator::WellBehaved),
-            threads,
-        ));
+        outcome.models.push(well_behaved(machine, threads));
         line.show("closed model, with any operator and a fault");
-        outcome.models.push(closed(
-            "closed model, any operator",
-            "that AI Computer; any switch and the remote E-stop at any time; short timers",
-            machine,
-            &Closed::scaled(*machine.edition(), machine.readings(), Operator::Any),
-            threads,
-        ));
+        outcome.models.push(any_operator(machine, threads));
     }
     outcome
 }
 
+/// The closed model with an operator who follows the procedure.
+pub(super) fn well_behaved(machine: &Machine, threads: usize) -> Explored {
+    closed(
+        "closed model, well-behaved operator",
+        "an AI Computer that follows the document, over CAN frames; an operator who does; no fault",
+        machine,
+        &Closed::new(*machine, Operator::WellBehaved),
+        threads,
+    )
+}
+
+/// The closed model with any operator.
+fn any_operator(machine: &Machine, threads: usize) -> Explored {
+    closed(
+        "closed model, any operator",
+        "that AI Computer; any switch and the remote E-stop at any time; short timers",
+        machine,
+        &Closed::scaled(*machine.edition(), machine.readings(), Operator::Any),
+        threads,
+    )
+}
+
+fn parts(report: &Report) -> Vec<(Part, Role)> {
+    let role = |part: &Part, decides: bool| {
+        let moot = report.moot.iter().find(|(moot, _)| moot == part);
+        match (decides, moot) {
+            (true, _) => Role::Decides,
+            (false, Some((_, choice))) => Role::Moot(*choice),
+            (false, None) => Role::Dead,
+        }
+    };
+    let parts = report.exploration.parts.iter();
+    parts.map(|(part, decides)| (part.clone(), role(part, *decides))).collect()
+}
+
 fn open(machine: &Machine, report: Report) -> Explored {
     let counterexample = |path| Run::new(machine, path).persisting(Run::AFTERMATH_MS);
-    let Report { exploration, mut runs } = report;
+    let Report { exploration, mut runs, .. } = report;
     let mut checked = |name, statement, requirements, claim, holds: bool| {
         let run = runs.remove(name);
         let steps = run.as_ref().map(Vec::len);

@@ -8,7 +8,7 @@ use adsdv_oracle::judge::Verdict;
 use adsdv_spec::Choice;
 
 use super::counterexample::{self, Failure};
-use super::outcome::{Checked, Claim, Explored, Outcome};
+use super::outcome::{Checked, Claim, Explored, Outcome, Role};
 use crate::args::ChosenEdition;
 use crate::layout::{counted, wrapped};
 use crate::report::style::{self, Styled};
@@ -51,7 +51,7 @@ fn write(
         model_table(out, model, width)?;
     }
     if !outcome.parts.is_empty() {
-        parts(out, &outcome.parts)?;
+        parts(out, outcome)?;
     }
     for failure in failures {
         failed(out, chosen, outcome, failure, width)?;
@@ -115,7 +115,7 @@ fn shown(result: &Checked) -> String {
 }
 
 /// How many parts of the table decide a step, and which do not.
-fn parts(out: &mut String, parts: &[(Part, bool)]) -> fmt::Result {
+fn parts(out: &mut String, outcome: &Outcome) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "TABLE OF FIGURE 2"))?;
     let kind_of = |part: &Part| match (part.term, part.literal) {
         (None, _) => "rows",
@@ -123,11 +123,14 @@ fn parts(out: &mut String, parts: &[(Part, bool)]) -> fmt::Result {
         (Some(_), Some(_)) => "conditions",
     };
     for kind in ["rows", "alternatives", "conditions"] {
-        let of_kind = || parts.iter().filter(|(part, _)| kind_of(part) == kind);
-        let alive = of_kind().filter(|(_, decides)| *decides).count();
+        let of_kind = || outcome.parts.iter().filter(|(part, _)| kind_of(part) == kind);
+        let alive = of_kind().filter(|(_, role)| *role == Role::Decides).count();
         writeln!(out, "  {kind:<12} {alive} of {} decide some step", of_kind().count())?;
     }
-    for (part, _) in parts.iter().filter(|(_, decides)| !decides) {
+    for (part, choice) in outcome.moot() {
+        writeln!(out, "  moot  {part}; with --reading {choice} it decides")?;
+    }
+    for part in outcome.dead() {
         writeln!(out, "  {}  {part}", Styled(style::BAD, "DEAD"))?;
     }
     Ok(())
@@ -174,7 +177,7 @@ fn failed(
 fn verdict(out: &mut String, outcome: &Outcome) -> fmt::Result {
     let results = || outcome.models.iter().flat_map(|model| &model.results);
     let failing = results().filter(|result| !result.holds).count() as u64;
-    let dead = outcome.parts.iter().filter(|(_, decides)| !decides).count() as u64;
+    let dead = outcome.dead().count() as u64;
     let incomplete = outcome.models.iter().any(|model| !model.complete);
     writeln!(out)?;
     if outcome.holds() {
@@ -211,7 +214,38 @@ impl fmt::Display for Elapsed {
 
 #[cfg(test)]
 mod tests {
-    use super::quoted;
+    use adsdv_model::{Vectors, short_timers};
+    use adsdv_spec::{Choice, Edition, Machine};
+
+    use super::super::{json, outcome};
+    use super::{parts, quoted};
+    use crate::args::Models;
+
+    /// The alternative for a fault of the battery, which opens the shutdown circuit unless it is read otherwise.
+    #[test]
+    fn a_part_that_another_answer_brings_to_life_is_moot_and_no_failure() {
+        let edition = Edition::find("4.0").expect("it has the question");
+        let short = edition.with_timing(short_timers(edition));
+        let told = |readings| {
+            let machine = Machine::new(short, readings);
+            let outcome = outcome::explore(&machine, Models::Open, Vectors::Few, 1);
+            assert!(outcome.dead().next().is_none());
+            let mut text = String::new();
+            parts(&mut text, &outcome).expect("a string");
+            (text, json::text(&outcome, &[]))
+        };
+        let (text, json) = told(edition.readings);
+        let part = "AS_DRIVING -> EMERGENCY_BRAKE (3.7): BMS_FAULT == TRUE";
+        assert!(text.contains("alternatives 20 of 21 decide some step\n"), "{text}");
+        let line = format!("  moot  {part}; with --reading bms-fault=driving it decides\n");
+        assert!(text.ends_with(&line) && !text.contains("DEAD"), "{text}");
+        let object = format!(
+            r#""dead_parts":[],"moot_parts":[{{"part":"{part}","decides_with":"bms-fault=driving"}}]"#
+        );
+        assert!(json.contains(&object), "{json}");
+        let (text, json) = told(edition.readings.with(Choice::BmsDriving));
+        assert!(!text.contains("moot") && json.contains(r#""moot_parts":[]"#), "{text}{json}");
+    }
 
     #[test]
     fn a_path_can_be_pasted_into_a_shell() {

@@ -6,9 +6,7 @@ use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, AmiState, AnyMessage, AsState, AxleTorqueRequest,
     BrakePressure, DirectionRequest, Frame, MissionStatus, MotorSpeedMax,
 };
-use adsdv_spec::{AiMessages, Atom, Edition, VcuMessages};
-
-use super::bus::decoded;
+use adsdv_spec::{AiMessages, Atom, Edition, Thresholds, VcuMessages};
 
 /// The AI Computer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -90,14 +88,15 @@ pub(super) fn frames(messages: &AiMessages, bus: &adsdv_spec::Bus) -> [Option<Fr
 }
 
 impl FromVcu {
-    /// What is known after one more frame; one that does not decode changes nothing.
+    /// What is known after one more frame of an edition; one that does not decode changes nothing.
     #[must_use]
-    pub fn with(self, frame: &Frame) -> Self {
-        decoded(frame).map_or(self, |message| self.with_message(message))
+    pub fn with(self, frame: &Frame, edition: &Edition) -> Self {
+        let message = edition.bus.decode(frame.id, frame.data());
+        message.map_or(self, |message| self.with_message(message, &edition.rules.thresholds))
     }
 
-    fn with_message(self, message: AnyMessage) -> Self {
-        let after = self.with_values(message);
+    fn with_message(self, message: AnyMessage, thresholds: &Thresholds) -> Self {
+        let after = self.with_values(message, thresholds);
         let outdated = match message {
             AnyMessage::Vcu2AiWheelSpeeds(_) => false,
             _ => self.outdated || (after.torque, after.brake) != (self.torque, self.brake),
@@ -105,7 +104,7 @@ impl FromVcu {
         Self { outdated, ..after }
     }
 
-    fn with_values(self, message: AnyMessage) -> Self {
+    fn with_values(self, message: AnyMessage, thresholds: &Thresholds) -> Self {
         let Self { torque: [front, rear], .. } = self;
         match message {
             AnyMessage::Vcu2AiStatus(status) => {
@@ -122,8 +121,7 @@ impl FromVcu {
                 Self { brake: !axles.contains(&0), ..self }
             }
             AnyMessage::Vcu2AiWheelSpeeds(speeds) => {
-                let at_rest = speeds.atoms(&Edition::DEFAULT.rules.thresholds).has(Atom::AtRest);
-                Self { turning: !at_rest, ..self }
+                Self { turning: !speeds.atoms(thresholds).has(Atom::AtRest), ..self }
             }
             _ => self,
         }
@@ -215,7 +213,14 @@ mod tests {
         Vcu2AiWheelSpeeds, WheelSpeed,
     };
 
-    use super::{AiComputer, AiMessages, Conduct, FromVcu, Stage};
+    use super::{AiComputer, AiMessages, AnyMessage, Conduct, Edition, FromVcu, Stage};
+
+    impl FromVcu {
+        /// What is known after one more message of the default edition.
+        fn hears(self, message: AnyMessage) -> Self {
+            self.with_message(message, &Edition::DEFAULT.rules.thresholds)
+        }
+    }
 
     fn wheels(rpm: i32) -> Vcu2AiWheelSpeeds {
         Vcu2AiWheelSpeeds { rl_wheel_speed: WheelSpeed::clamped(rpm), ..Vcu2AiWheelSpeeds::default() }
@@ -226,21 +231,17 @@ mod tests {
         let (on, off) = (BrakePressure::MAX, AxleTorqueRequest::MIN);
         let brake = Vcu2AiBrake { hyd_press_f_req: on, hyd_press_r_req: on, ..Vcu2AiBrake::default() }.into();
         let rest = wheels(9).into();
-        let before = FromVcu::default().with_message(rest).with_message(brake);
+        let before = FromVcu::default().hears(rest).hears(brake);
         assert!(!before.has_stopped(), "the wheels may have turned since");
-        assert!(before.with_message(rest).has_stopped());
-        assert!(
-            !before.with_message(wheels(10).into()).has_stopped(),
-            "exactly 10 rpm is not at rest (D-24)"
-        );
+        assert!(before.hears(rest).has_stopped());
+        assert!(!before.hears(wheels(10).into()).has_stopped(), "exactly 10 rpm is not at rest (D-24)");
         let torque = |front_axle_trq_request| {
             Vcu2AiDriveF { front_axle_trq_request, ..Vcu2AiDriveF::default() }.into()
         };
-        let pulled = before.with_message(torque(AxleTorqueRequest::MAX)).with_message(rest);
+        let pulled = before.hears(torque(AxleTorqueRequest::MAX)).hears(rest);
         assert!(!pulled.has_stopped(), "a torque request is still in force");
         assert!(
-            !pulled.with_message(torque(off)).has_stopped()
-                && pulled.with_message(torque(off)).with_message(rest).has_stopped()
+            !pulled.hears(torque(off)).has_stopped() && pulled.hears(torque(off)).hears(rest).has_stopped()
         );
     }
 
@@ -250,10 +251,8 @@ mod tests {
         for as_state in AsState::ALL {
             for handshake in [false, true] {
                 let status = Vcu2AiStatus { as_state, handshake, ..Vcu2AiStatus::default() };
-                let mut ai = AiComputer {
-                    heard: FromVcu::default().with_message(status.into()),
-                    ..AiComputer::default()
-                };
+                let mut ai =
+                    AiComputer { heard: FromVcu::default().hears(status.into()), ..AiComputer::default() };
                 for _ in 0..8 {
                     ai = ai.cycle(Conduct::Reference);
                     let messages = ai.messages();
@@ -274,8 +273,7 @@ mod tests {
 
         let after = |ai: AiComputer, as_state, ami_state| {
             let status = Vcu2AiStatus { as_state, ami_state, ..Vcu2AiStatus::default() };
-            let ai =
-                AiComputer { heard: ai.heard.with_message(status.into()), ..ai }.cycle(Conduct::Reference);
+            let ai = AiComputer { heard: ai.heard.hears(status.into()), ..ai }.cycle(Conduct::Reference);
             let AiMessages { status, brake, .. } = ai.messages();
             (ai, status.mission_status, status.direction_request, brake.hyd_press_f_req.raw() > 0)
         };
@@ -288,7 +286,7 @@ mod tests {
         let (ai, status, direction, braked) = after(ai, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Running, forward, false));
         let ai = AiComputer { stage: Stage::Braking, ..ai };
-        let turning = AiComputer { heard: ai.heard.with_message(wheels(11).into()), ..ai };
+        let turning = AiComputer { heard: ai.heard.hears(wheels(11).into()), ..ai };
         let (ai, status, direction, braked) = after(turning, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Running, forward, true));
         let returned = Vcu2AiBrake {
@@ -296,7 +294,7 @@ mod tests {
             hyd_press_r_req: BrakePressure::MAX,
             ..Vcu2AiBrake::default()
         };
-        let heard = ai.heard.with_message(returned.into()).with_message(wheels(0).into());
+        let heard = ai.heard.hears(returned.into()).hears(wheels(0).into());
         let (_, status, direction, braked) = after(AiComputer { heard, ..ai }, AsState::Driving, mission);
         assert_eq!((status, direction, braked), (MissionStatus::Finished, forward, true));
     }
@@ -304,8 +302,7 @@ mod tests {
     #[test]
     fn it_drives_only_after_it_has_asked_for_forward() {
         let driving = Vcu2AiStatus { as_state: AsState::Driving, ..Vcu2AiStatus::default() };
-        let ai =
-            AiComputer { heard: FromVcu::default().with_message(driving.into()), ..AiComputer::default() };
+        let ai = AiComputer { heard: FromVcu::default().hears(driving.into()), ..AiComputer::default() };
         let started = ai.cycle(Conduct::Reference);
         assert_eq!(started.stage, Stage::Started);
         assert_eq!(started.messages().drive_f.front_axle_trq_request, AxleTorqueRequest::MIN);

@@ -1,15 +1,9 @@
 //! The bus: real frames that have been sent and have not arrived yet.
 
-use adsdv_spec::Edition;
-use adsdv_spec::messages::{AnyMessage, Frame};
+use adsdv_spec::messages::Frame;
 
 /// How many messages a sender has that matter to the other one: 510h to 514h, and 520h, 521h, 522h, 524h and 525h.
 const MESSAGES: usize = 5;
-
-/// What a frame says, in the newest edition that can read it: what matters here has the same bits in each.
-pub(super) fn decoded(frame: &Frame) -> Option<AnyMessage> {
-    Edition::ALL.iter().rev().find_map(|edition| edition.bus.decode(frame.id, frame.data()).ok())
-}
 
 /// Both directions of the bus.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -20,10 +20,13 @@
 //!   a controller with one mailbox for each. A frame that tells its receiver nothing new is not shown.
 //! - From the step at which the VCU changes its HANDSHAKE bit to the arrival of the answer less than
 //!   [`Timing::handshake_ms`] pass (HS-9): at most [`Closed::response_cycles`] steps without the answer, which makes 40 ms
-//!   of 50. This includes the bus, both ways. While the handshake rests, everything else that the VCU says is answered
+//!   of the 50 of version 3.0, and 90 of the 100 of version 4.0. This includes the bus, both ways. While the handshake rests, everything else that the VCU says is answered
 //!   within as many steps.
 //!
 //! The limit is that of the document, not of the machine that is checked: a machine with less patience is found out.
+//!
+//! It sends all of its messages in every cycle. As each waits for less than two cycles, none is ever missed: what an edition
+//! says of missed messages is in the open model.
 //!
 //! # What the vehicle is assumed to do
 //!
@@ -48,8 +51,8 @@
 //!
 //! # Scaled timers
 //!
-//! [`Closed::scaled`] shortens the dwell to [`DWELL_CYCLES`] and the EBS timer to [`EBS_CYCLES`] steps; the handshake keeps
-//! its real 50 ms. It rests on a lemma: *while a timer runs, a step depends on it only through whether it has elapsed*. What
+//! [`Closed::scaled`] shortens the dwell to [`dwell_cycles`] and the EBS timer to [`EBS_CYCLES`] steps; the handshake keeps
+//! its real time. It rests on a lemma: *while a timer runs, a step depends on it only through whether it has elapsed*. What
 //! the others do meanwhile is not bounded by the timer. The scaled dwell is longer than an answer may take, so that
 //! whatever is going on when AS_READY is entered can end before it elapses, or still go on then. In EMERGENCY_BRAKE only
 //! the handshake still counts of what the AI Computer says, and it lasts past the timer for as long as ASMS is on.
@@ -75,6 +78,8 @@ use adsdv_spec::messages::{AsState, DirectionRequest, Frame, ShutdownCause};
 use adsdv_spec::{AiMessages, Control, Edition, Inputs, Machine, Outputs, Readings, Timing};
 use stateright::{Model, Path, Property};
 
+use crate::document::Document;
+
 /// Whether a property is to hold always, in the end, or once.
 pub use stateright::Expectation;
 
@@ -88,13 +93,8 @@ pub use state::{ClosedState, Mission, Motion, Rank, Wheels};
 /// For how many steps of the VCU a well-behaved operator may put an act off.
 pub const DAWDLE_CYCLES: u16 = 2;
 
-/// How many steps of the VCU the dwell takes when it is scaled: one more than an answer may.
-pub const DWELL_CYCLES: u16 = EDITION.rules.timing.handshake_ms / EDITION.rules.timing.cycle_ms + 1;
-
 /// How many steps of the VCU the EBS timer takes when it is scaled.
 pub const EBS_CYCLES: u16 = 2;
-
-const EDITION: Edition = *Edition::DEFAULT;
 
 /// The closed model.
 #[derive(Clone, Debug)]
@@ -103,6 +103,8 @@ pub struct Closed {
     pub machine: Machine,
     /// The times that the AI Computer and the operator go by: the document's, whatever the VCU's are.
     pub timing: Timing,
+    /// The document that the AI Computer follows: that of the machine's version.
+    document: &'static Document,
     /// Who moves the switches.
     pub operator: Operator,
     /// Whether the remote E-stop button is pressed and released at any time.
@@ -118,9 +120,11 @@ pub struct Closed {
 impl Closed {
     /// A machine with a conforming AI Computer. Any operator comes with faults, a well-behaved one without.
     pub fn new(machine: Machine, operator: Operator) -> Self {
+        let document = Document::of_machine(&machine);
         Self {
             machine,
-            timing: EDITION.rules.timing,
+            timing: *document.timing(),
+            document,
             operator,
             faults: matches!(operator, Operator::Any),
             conduct: Conduct::Reference,
@@ -132,16 +136,24 @@ impl Closed {
     /// The same with the dwell and the EBS timer scaled down, for the machine and for those who go by it.
     ///
     /// ```
-    /// use adsdv_model::closed::{Closed, Operator, DWELL_CYCLES};
-    /// use adsdv_spec::{Edition, Readings};
-    /// let model = Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::WellBehaved);
-    /// assert_eq!(model.timing.ready_dwell_ms, DWELL_CYCLES * model.timing.cycle_ms);
-    /// assert_eq!(model.timing.handshake_ms, 50);
+    /// use adsdv_model::closed::{Closed, Operator, dwell_cycles};
+    /// use adsdv_spec::Edition;
+    ///
+    /// for edition in Edition::ALL {
+    ///     let model = Closed::scaled(**edition, edition.readings, Operator::WellBehaved);
+    ///     assert_eq!(model.timing.ready_dwell_ms, dwell_cycles(&model.timing) * model.timing.cycle_ms);
+    ///     assert_eq!(model.timing.handshake_ms, edition.rules.timing.handshake_ms);
+    /// }
     /// ```
     pub fn scaled(edition: Edition, readings: Readings, operator: Operator) -> Self {
-        let timing = scaled(edition.rules.timing);
-        let machine = Machine::new(edition.with_timing(timing), readings);
-        Self { timing: scaled(EDITION.rules.timing), ..Self::new(machine, operator) }
+        let document = Document::of(&edition).timing();
+        let short = |timing: &Timing| Timing {
+            ready_dwell_ms: dwell_cycles(document) * document.cycle_ms,
+            ebs_timer_ms: EBS_CYCLES * document.cycle_ms,
+            ..*timing
+        };
+        let machine = Machine::new(edition.with_timing(short(&edition.rules.timing)), readings);
+        Self { timing: short(document), ..Self::new(machine, operator) }
     }
 
     /// The model for people: real times, any operator, faults, and a way to let time pass.
@@ -165,10 +177,7 @@ impl Closed {
     /// For how many steps of the VCU an answer of a conforming AI Computer may be missing: the next one would be
     /// [`Timing::handshake_ms`] after the edge.
     pub const fn response_cycles(&self) -> u16 {
-        match self.timing.handshake_ms.checked_div(self.timing.cycle_ms) {
-            Some(cycles) => cycles.saturating_sub(1),
-            None => 0,
-        }
+        answer_cycles(&self.timing).saturating_sub(1)
     }
 
     /// Whether an emergency has brought the run to its end: the vehicle cannot be driven before a power cycle (ETO-3), of
@@ -236,7 +245,8 @@ impl Closed {
         }
         let messages = outputs.messages(&inputs);
         let heard = state.ai.heard;
-        state.bus.to_ai.send(ai::listens_to(&messages, self.bus()), |frame| heard.with(frame) != heard);
+        let is_news = |frame: &Frame| heard.with(frame, self.document.edition) != heard;
+        state.bus.to_ai.send(ai::listens_to(&messages, self.bus()), is_news);
         let actuation = outputs.actuation(&inputs);
         let pressed =
             [actuation.hyd_press_f, actuation.hyd_press_r].iter().any(|pressure| pressure.raw() > 0);
@@ -258,7 +268,9 @@ impl Closed {
                 state.ai = state.ai.cycle(self.conduct);
                 self.ai_sends(&mut state);
             }
-            ClosedAction::FrameToAi => state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?),
+            ClosedAction::FrameToAi => {
+                state.ai.heard = state.ai.heard.with(&state.bus.to_ai.next()?, self.document.edition);
+            }
             ClosedAction::FrameToVcu => {
                 state.received = self.received(&state.received, &state.bus.to_vcu.next()?);
             }
@@ -308,9 +320,17 @@ impl Closed {
     }
 }
 
-const fn scaled(timing: Timing) -> Timing {
-    let cycle = EDITION.rules.timing.cycle_ms;
-    Timing { ready_dwell_ms: DWELL_CYCLES * cycle, ebs_timer_ms: EBS_CYCLES * cycle, ..timing }
+/// For how many steps of the VCU an edge of its HANDSHAKE bit may be unanswered before that is a fault.
+const fn answer_cycles(timing: &Timing) -> u16 {
+    match timing.handshake_ms.checked_div(timing.cycle_ms) {
+        Some(cycles) => cycles,
+        None => 0,
+    }
+}
+
+/// How many steps of the VCU the dwell takes when it is scaled, with the document's times: one more than an answer may.
+pub const fn dwell_cycles(document: &Timing) -> u16 {
+    answer_cycles(document) + 1
 }
 
 impl Model for Closed {
@@ -319,8 +339,11 @@ impl Model for Closed {
 
     fn init_states(&self) -> Vec<ClosedState> {
         // The "Go" switch may be found on (DRV-13).
-        let found =
-            |go| ClosedState { switches: Switches { go, ..Switches::default() }, ..ClosedState::default() };
+        let found = |go| ClosedState {
+            switches: Switches { go, ..Switches::default() },
+            document: self.document,
+            ..ClosedState::default()
+        };
         match self.operator {
             Operator::WellBehaved => vec![found(false), found(true)],
             Operator::Any => vec![found(false)],

@@ -75,13 +75,13 @@ mod tests {
     use stateright::Path;
 
     use super::{AsState, Closed, ClosedAction, Control};
-    use crate::closed::{DWELL_CYCLES, Operator};
+    use crate::closed::{Operator, dwell_cycles};
 
     /// The dwell is waited for in the cycle after AS_READY is entered, and only if the run lasts as long.
     #[test]
     fn a_run_waits_where_a_timer_elapses() {
         let timing = Edition::DEFAULT.rules.timing;
-        let missing = timing.ready_dwell_ms / timing.cycle_ms - DWELL_CYCLES;
+        let missing = timing.ready_dwell_ms / timing.cycle_ms - dwell_cycles(&timing);
         let model = Closed::scaled(*Edition::DEFAULT, Readings::DEFAULT, Operator::WellBehaved);
         let mission = model.clone().run_for("mission-can-be-finished").expect("it can");
         let states = mission.clone().into_states();

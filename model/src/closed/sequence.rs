@@ -1,6 +1,6 @@
 //! A run as a sequence of events between the parties: what a sequence diagram shows.
 
-use adsdv_spec::messages::AsState;
+use adsdv_spec::messages::{AsState, Frame};
 
 use super::words::meaning;
 use super::{Closed, ClosedAction, ClosedState};
@@ -56,8 +56,8 @@ pub(super) fn event(
     match action {
         ClosedAction::VcuCycle => vcu_cycle(model, before, after),
         ClosedAction::AiCycle => ai_cycle(before, after),
-        ClosedAction::FrameToAi => arrival(Party::Vcu, Party::Ai, before.bus.to_ai.frames().next()),
-        ClosedAction::FrameToVcu => arrival(Party::Ai, Party::Vcu, before.bus.to_vcu.frames().next()),
+        ClosedAction::FrameToAi => arrival(Party::Vcu, Party::Ai, before, before.bus.to_ai.frames().next()),
+        ClosedAction::FrameToVcu => arrival(Party::Ai, Party::Vcu, before, before.bus.to_vcu.frames().next()),
         ClosedAction::AiDecidesToStop => {
             let Event { mut words, .. } = ai_cycle(before, after);
             words.insert(0, "mission completed".to_owned());
@@ -68,9 +68,7 @@ pub(super) fn event(
             let words = if pressed { "remote E-stop pressed" } else { "remote E-stop released" };
             one(Party::Operator, Party::Vcu, words.to_owned())
         }
-        ClosedAction::Faster | ClosedAction::Slower => {
-            one(Party::Vehicle, Party::Vcu, after.motion.wheels.to_string())
-        }
+        ClosedAction::Faster | ClosedAction::Slower => one(Party::Vehicle, Party::Vcu, after.wheels()),
         ClosedAction::TimePasses => {
             let (_, cycles) = model.time_passes(before);
             let ms = cycles * u32::from(model.timing.cycle_ms);
@@ -130,7 +128,8 @@ fn ai_cycle(before: &ClosedState, after: &ClosedState) -> Event {
     Event { from: Party::Ai, to: Party::Ai, words, enters: None, ms: 0 }
 }
 
-fn arrival(from: Party, to: Party, arrived: Option<&adsdv_spec::messages::Frame>) -> Event {
-    let words = arrived.map_or(Vec::new(), |frame| vec![frame.to_string(), meaning(frame)]);
+fn arrival(from: Party, to: Party, before: &ClosedState, arrived: Option<&Frame>) -> Event {
+    let edition = before.document.edition;
+    let words = arrived.map_or(Vec::new(), |frame| vec![frame.to_string(), meaning(frame, edition)]);
     Event { from, to, words, enters: None, ms: 0 }
 }

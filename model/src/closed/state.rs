@@ -3,10 +3,11 @@
 use std::hash::{Hash, Hasher};
 
 use adsdv_spec::messages::{AsState, EbsState, Vcu2AiWheelSpeeds, WheelSpeed};
-use adsdv_spec::{AiMessages, Control, Edition, Inputs, ShutdownCircuit, Vehicle};
+use adsdv_spec::{AiMessages, Control, Inputs, ShutdownCircuit, Vehicle};
 
 use super::ai::FromVcu;
 use super::{AiComputer, Bus, Closed, ClosedAction, Operator, Switches};
+use crate::document::Document;
 
 /// The state of the VCU, the AI Computer, the bus, the operator and the vehicle.
 ///
@@ -14,6 +15,8 @@ use super::{AiComputer, Bus, Closed, ClosedAction, Operator, Switches};
 /// them, whatever else these say.
 #[derive(Clone, Default)]
 pub struct ClosedState {
+    /// The document that the AI Computer follows: the same in every state of a model, and no part of what is compared.
+    pub document: &'static Document,
     /// What the VCU remembers.
     pub control: Control,
     /// What the VCU has received last.
@@ -46,8 +49,7 @@ impl ClosedState {
     /// What the VCU sees.
     pub(super) fn inputs(&self) -> Inputs {
         let switches = self.switches;
-        let limit = Edition::DEFAULT.rules.thresholds.wheel_speed;
-        let speed = self.motion.wheels.speed(limit);
+        let speed = self.motion.wheels.speed(self.document.edition.rules.thresholds.wheel_speed);
         Inputs {
             asms: switches.asms,
             tsms: switches.tsms,
@@ -73,9 +75,12 @@ impl ClosedState {
     fn key(&self) -> impl PartialEq + Hash {
         let Self { control, received, ai, ref bus, switches, motion, remote_estop, .. } = *self;
         let Self { late_cycles, acted, mission, acts, rested, patience, .. } = *self;
+        let edition = self.document.edition;
         // Of frames to the AI Computer only what it keeps matters; those to the VCU say nothing else.
-        let heard =
-            bus.to_ai.each().map(|frame| frame.map(|frame| (frame.id, FromVcu::default().with(&frame))));
+        let heard = bus
+            .to_ai
+            .each()
+            .map(|frame| frame.map(|frame| (frame.id, FromVcu::default().with(&frame, edition))));
         let old = bus.to_ai.is_overdue();
         let parties = (control, received, ai, switches, motion, remote_estop);
         (parties, heard, old, bus.to_vcu, (late_cycles, acted, mission, acts, rested, patience))
@@ -237,7 +242,7 @@ mod tests {
         ] {
             let motion = Motion { wheels, ..Motion::default() };
             let state = ClosedState { motion, ..ClosedState::default() };
-            let atoms = state.inputs().observe(&Edition::DEFAULT.rules.thresholds).atoms();
+            let atoms = state.inputs().observe(&state.document.edition.rules.thresholds).atoms();
             assert_eq!((atoms.has(Atom::AtRest), atoms.has(Atom::Moving)), (at_rest, moving), "{wheels:?}");
         }
     }

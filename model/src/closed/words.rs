@@ -3,21 +3,20 @@
 use std::fmt;
 
 use adsdv_spec::messages::{AmiState, AnyMessage, BrakePressure, Frame, ShutdownCause};
-use adsdv_spec::{Atom, Rules};
+use adsdv_spec::{Atom, Edition, Rules};
 
 use super::action::on_off;
-use super::bus::decoded;
 use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels};
 
 /// A frame as `candump` writes it, and what it says.
-pub(super) fn frame(frame: &Frame) -> String {
-    format!("{frame} ({})", meaning(frame))
+fn frame(frame: &Frame, edition: &Edition) -> String {
+    format!("{frame} ({})", meaning(frame, edition))
 }
 
-/// What a frame says, as far as it matters here.
-pub(super) fn meaning(frame: &Frame) -> String {
+/// What a frame of an edition says, as far as it matters here.
+pub(super) fn meaning(frame: &Frame, edition: &Edition) -> String {
     let pressed = |front: BrakePressure, rear: BrakePressure| format!("brakes {front} front, {rear} rear");
-    let Some(message) = decoded(frame) else { return "not a message".to_owned() };
+    let Ok(message) = edition.bus.decode(frame.id, frame.data()) else { return "not a message".to_owned() };
     match message {
         AnyMessage::Ai2VcuStatus(status) => format!(
             "HANDSHAKE {}, {}, {}",
@@ -50,17 +49,6 @@ pub(super) fn meaning(frame: &Frame) -> String {
     }
 }
 
-impl fmt::Display for Wheels {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let limit = adsdv_spec::Edition::DEFAULT.rules.thresholds.wheel_speed;
-        match self {
-            Self::AtRest => f.write_str("wheels at rest"),
-            Self::AtThreshold => write!(f, "wheels at exactly {limit}"),
-            Self::Moving => write!(f, "wheels faster than {limit}"),
-        }
-    }
-}
-
 /// The names of the lines that a state is told in.
 const WIDTH: usize = 13;
 
@@ -72,8 +60,8 @@ impl ClosedState {
             ("handshake", self.handshake()),
             ("AI Computer", self.ai_computer()),
             ("  has heard", self.heard()),
-            ("bus to AI", waiting(&self.bus.to_ai)),
-            ("bus to VCU", waiting(&self.bus.to_vcu)),
+            ("bus to AI", self.waiting(&self.bus.to_ai)),
+            ("bus to VCU", self.waiting(&self.bus.to_vcu)),
             ("operator", self.operator()),
             ("vehicle", self.vehicle()),
         ]
@@ -154,13 +142,23 @@ impl ClosedState {
             (true, false) => "driven",
             (false, false) => "neither driven nor braked",
         };
-        format!("{}, {force}", motion.wheels)
+        format!("{}, {force}", self.wheels())
     }
-}
 
-fn waiting(line: &WaitingFrames) -> String {
-    let frames: Vec<String> = line.frames().map(frame).collect();
-    if frames.is_empty() { "nothing new".to_owned() } else { frames.join("; ") }
+    /// How fast the wheels turn.
+    pub(super) fn wheels(&self) -> String {
+        let limit = self.document.edition.rules.thresholds.wheel_speed;
+        match self.motion.wheels {
+            Wheels::AtRest => "wheels at rest".to_owned(),
+            Wheels::AtThreshold => format!("wheels at exactly {limit}"),
+            Wheels::Moving => format!("wheels faster than {limit}"),
+        }
+    }
+
+    fn waiting(&self, line: &WaitingFrames) -> String {
+        let frames: Vec<String> = line.frames().map(|waits| frame(waits, self.document.edition)).collect();
+        if frames.is_empty() { "nothing new".to_owned() } else { frames.join("; ") }
+    }
 }
 
 impl fmt::Debug for ClosedState {

@@ -14,6 +14,7 @@ mod bus;
 use adsdv_spec::{Atoms, Control, Edition, Faults, Inputs, Knowledge, Machine, Observation, Outputs, Reads};
 
 use crate::action::Action;
+use crate::document::Document;
 use crate::step::CYCLE_MS;
 use crate::vectors::{Vectors, varied};
 
@@ -23,14 +24,24 @@ const MS: i64 = 1_000_000;
 /// The VCU's cycle in nanoseconds.
 const CYCLE_NS: i64 = CYCLE_MS as i64 * MS;
 
-/// The cycle of 502h, the slowest message.
-const LOG_STATUS_MS: u32 = match Edition::DEFAULT.bus.message(adsdv_spec::messages::Vcu2LogStatus::ID) {
-    Some(message) => message.cycle_ms as u32,
-    None => 0,
+/// The cycle of the slowest message of all editions: of 502h.
+const SLOWEST_MS: u32 = {
+    let (mut slowest, mut place) = (0, 0);
+    while place < Edition::ALL.len() {
+        let (messages, mut message) = (Edition::ALL[place].bus.messages, 0);
+        while message < messages.len() {
+            if messages[message].cycle_ms > slowest {
+                slowest = messages[message].cycle_ms;
+            }
+            message += 1;
+        }
+        place += 1;
+    }
+    slowest as u32
 };
 
 /// For how long a VCU shows `AS_OFF` after it was switched on, before it acts: 502h comes often enough to be known.
-const POWER_UP_MS: u32 = 3 * LOG_STATUS_MS;
+const POWER_UP_MS: u32 = 3 * SLOWEST_MS;
 
 /// For how long nobody sends when the power is cycled. After half a second of silence a judge of logs takes nothing for
 /// granted that the VCU may have remembered; this is twice as long.
@@ -82,7 +93,7 @@ pub enum Phase {
 impl Run {
     /// How long inputs should stay after the last step, in milliseconds, for a judge of logs to see what that step was:
     /// longer than its deadline, and than some cycles of 502h, the slowest message.
-    pub const AFTERMATH_MS: u32 = 5 * LOG_STATUS_MS;
+    pub const AFTERMATH_MS: u32 = 5 * SLOWEST_MS;
 
     /// The run of a machine along a path from the power cycle.
     ///
@@ -243,6 +254,7 @@ struct Planned {
 /// The steps of a path; `None` is a power cycle.
 fn plan(machine: &Machine, path: impl IntoIterator<Item = Action>) -> Vec<Option<Planned>> {
     let path: Vec<Action> = path.into_iter().collect();
+    let document = Document::of_machine(machine).timing();
     let last = path.len().saturating_sub(1);
     let unheeded = last.saturating_sub(UNHEEDED_STEPS)..last;
     let mut control = Control::INITIAL;
@@ -254,7 +266,7 @@ fn plan(machine: &Machine, path: impl IntoIterator<Item = Action>) -> Vec<Option
                 let reads = if unheeded.contains(&place) {
                     machine.reads(&control, CYCLE_MS)
                 } else {
-                    varied(machine, &Edition::DEFAULT.rules.timing, &control, Vectors::Read)
+                    varied(machine, document, &control, Vectors::Read)
                 };
                 control = machine.react(&control, seen, CYCLE_MS).control;
                 Some(Planned { seen, reads, ahead: Knowledge::NOTHING })
