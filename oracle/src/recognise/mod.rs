@@ -114,7 +114,7 @@ impl Recogniser {
     /// assert_eq!(recogniser.fits_better().map(|other| other.edition.version), Some("3.0"));
     /// ```
     pub fn fits_better(&self) -> Option<Recognised> {
-        let facts = facts(&self.seen);
+        let facts = facts(&self.seen, &self.devices);
         let best = recognised::best(self.editions, self.default, &facts);
         let own = self.editions.iter().position(|edition| edition.version == self.default.version)?;
         (best.edition.version != self.default.version).then(|| best.rather_than(own, self.editions, &facts))
