@@ -106,11 +106,11 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
         // Not every edition has it.
         assert_eq!(fields.remove("brake_plausibility_fault").unwrap_or(0), 0);
         // These are shown in every edition, and sent since 2026.
-        let status = outputs.messages(&inputs).status;
+        let of_520h = outputs.messages(&inputs).of_520h;
         for (name, raw) in [
-            ("op_state", status.op_state.raw()),
-            ("ts_state", status.ts_state.raw()),
-            ("ebs_state", status.ebs_state.raw()),
+            ("op_state", of_520h.op_state.raw()),
+            ("ts_state", of_520h.ts_state.raw()),
+            ("ebs_state", of_520h.ebs_state.raw()),
         ] {
             assert!(fields.remove(name).is_none_or(|found| found == i64::from(raw)), "{name}");
         }
