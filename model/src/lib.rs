@@ -72,4 +72,4 @@ pub use step::Step;
 pub use story::{StoryLine, story, story_of};
 pub use sweep::{ClosedCost, Cost, SHORT_TIMERS, Sweep, closed_models, short_timers, sweep};
 pub use vectors::Vectors;
-pub use verify::{Exploration, Options, Progress, Report, explore, verify};
+pub use verify::{Exploration, Options, Progress, Report, explore, explore_quietly, verify};

@@ -12,7 +12,7 @@ use crate::closed::{Closed, ClosedProperty, Operator};
 use crate::property::{Harm, Property};
 use crate::run::Run;
 use crate::vectors::Vectors;
-use crate::verify::{Exploration, Options, explore_quietly, runs};
+use crate::verify::{Exploration, Options, explore_quietly, runs_for};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
@@ -211,10 +211,15 @@ fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn()
 
 /// Adds the shortest runs to the properties that fail. What is shown comes from the real timers.
 fn add_runs(costs: &mut [Cost], edition: &Edition) {
-    for choices in costs.iter().map(|cost| cost.choices).collect::<BTreeSet<_>>() {
-        let runs = runs(&machine_with(edition, choices), edition.rules.timing);
-        for cost in costs.iter_mut().filter(|cost| cost.choices == choices) {
-            cost.run = Property::find(cost.name).and_then(|_| runs.get(cost.name).cloned());
+    // A goal that is missed has no run.
+    let mut broken: BTreeMap<Choices, BTreeSet<&'static str>> = BTreeMap::new();
+    for cost in costs.iter().filter(|cost| Property::find(cost.name).is_some()) {
+        broken.entry(cost.choices).or_default().insert(cost.name);
+    }
+    for (choices, names) in broken {
+        let runs = runs_for(&machine_with(edition, choices), edition.rules.timing, names.clone());
+        for cost in costs.iter_mut().filter(|cost| cost.choices == choices && names.contains(cost.name)) {
+            cost.run = runs.get(cost.name).cloned();
         }
     }
 }
@@ -281,6 +286,7 @@ mod tests {
     use adsdv_spec::{Atom, Atoms, Faults, Observation};
 
     use super::*;
+    use crate::verify::runs;
 
     const EDITION: &Edition = Edition::DEFAULT;
 

@@ -4,7 +4,7 @@
 //! [`verify`] also finds a shortest run for each of these, with stateright's own search for examples and
 //! counterexamples.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -134,8 +134,8 @@ fn expected_depth(timing: &Timing) -> usize {
     (usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms)) / CYCLE_MS as usize
 }
 
-/// The same without progress, and without a look at the parts of the table.
-pub(crate) fn explore_quietly(machine: &Machine, options: &Options) -> Exploration {
+/// The same without progress, and without a look at the parts of the table: none are told.
+pub fn explore_quietly(machine: &Machine, options: &Options) -> Exploration {
     to_the_end(Open::new(*machine, options.document, options.vectors), options.threads, |_, _| {})
 }
 
@@ -148,7 +148,7 @@ fn to_the_end(
     let begin = Instant::now();
     let goals = goals(Document::of_machine(model.machine()).edition);
     let seen = model.seen();
-    let checker = checker(model.unasked(), threads);
+    let checker = checker(model.unasked(), threads, [NOTHING].into());
     wait(&|| (!checker.is_done()).then(|| checker.max_depth()), &seen);
     let checker = checker.join();
     let time = begin.elapsed();
@@ -171,17 +171,28 @@ fn at<T>(all: impl Iterator<Item = T>, place: impl Fn(usize) -> bool) -> Vec<T> 
     all.enumerate().filter(|(index, _)| place(*index)).map(|(_, item)| item).collect()
 }
 
-/// A breadth-first search that nothing that it finds brings to an end.
-fn checker(model: Open, threads: usize) -> impl Checker<Open> {
-    // The name of no property.
-    let never = HasDiscoveries::AllOf(["no property"].into());
-    model.checker().threads(threads).finish_when(never).spawn_bfs()
+/// A breadth-first search that ends when it has found all of these, or, with a name that nothing has, when there is nothing
+/// left.
+fn checker(model: Open, threads: usize, until: BTreeSet<&'static str>) -> impl Checker<Open> {
+    model.checker().threads(threads).finish_when(HasDiscoveries::AllOf(until)).spawn_bfs()
 }
+
+/// The name of no property: a search for it goes to the end.
+const NOTHING: &str = "no property";
 
 /// The shortest run that breaks each property that is broken, and that reaches each goal that is reached.
 pub(crate) fn runs(machine: &Machine, document: Timing) -> HashMap<&'static str, Vec<Action>> {
+    runs_for(machine, document, [NOTHING].into())
+}
+
+/// The same, of a search that ends when it has those for all of these names.
+pub(crate) fn runs_for(
+    machine: &Machine,
+    document: Timing,
+    names: BTreeSet<&'static str>,
+) -> HashMap<&'static str, Vec<Action>> {
     // With one thread, the first path to a state is a shortest one.
-    let checker = checker(Open::new(*machine, document, Vectors::Read), 1).join();
+    let checker = checker(Open::new(*machine, document, Vectors::Read), 1, names).join();
     let model = checker.model();
     let found = checker.discoveries().into_iter();
     found.map(|(name, path)| (name, model.run(path, name))).collect()

@@ -1,8 +1,12 @@
 //! No property holds for the wrong reason: each is broken by some mutant of the table.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{LazyLock, Mutex};
+use std::thread;
 
-use adsdv_model::{Exploration, Options, SHORT_TIMERS as SHORT, Vectors, goals, properties};
+use adsdv_model::{
+    Exploration, Options, SHORT_TIMERS as SHORT, Vectors, explore_quietly, goals, properties, short_timers,
+};
 use adsdv_spec::mutation::{Change, TermChange, Time};
 use adsdv_spec::{Choice, Edition, Machine, Mutation, Readings};
 
@@ -21,6 +25,7 @@ const UNSEEN: &[(&str, &str)] = &[
     ("straight +1", "the model sees whether the wheels are straight, not their angle"),
 ];
 
+/// With a look at the parts of the table.
 fn explore(edition: &Edition, readings: Readings) -> Exploration {
     let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT };
     let exploration = adsdv_model::explore(Machine::new(*edition, readings), options, |_| {});
@@ -29,10 +34,40 @@ fn explore(edition: &Edition, readings: Readings) -> Exploration {
 }
 
 /// The names of what does not hold or is not reached.
-fn failed(exploration: &Exploration) -> BTreeSet<&'static str> {
+fn failed(edition: &Edition, readings: Readings) -> BTreeSet<&'static str> {
+    let document = short_timers(Edition::find(edition.version).unwrap_or(Edition::DEFAULT));
+    let options = Options { vectors: Vectors::Read, threads: 1, document };
+    let exploration = explore_quietly(&Machine::new(*edition, readings), &options);
+    assert!(exploration.complete);
     let broken = exploration.broken.iter().map(|property| property.name);
     broken.chain(exploration.missed.iter().map(|goal| goal.name)).collect()
 }
+
+/// A mutant, with what fails under the readings under which it can matter.
+struct Explored {
+    name: String,
+    readings: Readings,
+    failed: BTreeSet<&'static str>,
+}
+
+/// Every mutant, explored once for all tests, as many at a time as there are cores.
+static EXPLORED: LazyLock<Vec<Explored>> = LazyLock::new(|| {
+    let (queue, explored) = (Mutex::new(mutants()), Mutex::new(Vec::new()));
+    let workers = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let next = queue.lock().unwrap().next();
+                    let Some((name, edition, readings)) = next else { break };
+                    let failed = failed(&edition, readings);
+                    explored.lock().unwrap().push(Explored { name, readings, failed });
+                }
+            });
+        }
+    });
+    explored.into_inner().unwrap()
+});
 
 /// Every mutant, with the readings under which it can matter.
 fn mutants() -> impl Iterator<Item = (String, Edition, Readings)> {
@@ -68,14 +103,12 @@ fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_somethin
     let mut fails: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     let mut unseen = Vec::new();
     let mut usual: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
-    for (name, edition, readings) in mutants() {
-        let usual =
-            usual.entry(readings.to_string()).or_insert_with(|| failed(&explore(&SHORTENED, readings)));
-        let failed = failed(&explore(&edition, readings));
-        if failed == *usual {
+    for Explored { name, readings, failed: failing } in &*EXPLORED {
+        let usual = usual.entry(readings.to_string()).or_insert_with(|| failed(&SHORTENED, *readings));
+        if failing == usual {
             unseen.push(name);
-        } else if readings == Readings::DEFAULT {
-            for property in failed {
+        } else if *readings == Readings::DEFAULT {
+            for property in failing {
                 fails.entry(property).or_default().push(name.clone());
             }
         }
@@ -89,7 +122,7 @@ fn every_property_and_goal_is_failed_by_a_mutant_and_every_mutant_fails_somethin
     }
     let expected: Vec<&str> = UNSEEN.iter().map(|(name, _)| *name).collect();
     let (unseen, expected): (BTreeSet<_>, BTreeSet<_>) =
-        (unseen.iter().map(String::as_str).collect(), expected.into_iter().collect());
+        (unseen.iter().map(|name| name.as_str()).collect(), expected.into_iter().collect());
     assert_eq!(unseen, expected, "left: the mutants that fail nothing; right: those that are known to");
 }
 
@@ -123,13 +156,36 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
         ("3.6: leads to AS_FINISHED", "figure-2-arrows"),
     ];
     for (mutant, property) in cases {
-        let Some((_, edition, readings)) = mutants().find(|(name, ..)| name == mutant) else {
+        let Some(explored) = EXPLORED.iter().find(|explored| explored.name == mutant) else {
             panic!("there is no mutant {mutant}");
         };
-        assert_eq!(readings, Readings::DEFAULT, "{mutant}");
-        let failed = failed(&explore(&edition, readings));
+        assert_eq!(explored.readings, Readings::DEFAULT, "{mutant}");
+        let failed = &explored.failed;
         assert!(failed.contains(property), "{mutant} should fail {property}, and fails {failed:?}");
     }
+}
+
+/// What version 4.0 added to Figure 2.
+#[test]
+fn a_mutant_of_a_later_edition_fails_the_property_that_was_written_for_it() {
+    let edition = Edition::find("4.0").expect("it has these alternatives");
+    let short = edition.with_timing(short_timers(edition));
+    let cases = [
+        ("3.7 term 5: dropped", "driving-front-brake", None),
+        ("3.7 term 6: dropped", "driving-rear-brake", None),
+        ("3.7 term 9: dropped", "driving-bms", Some(Choice::BmsDriving)),
+        ("3.7 term 10: dropped", "driving-ebs", None),
+    ];
+    for (name, property, choice) in cases {
+        let readings = choice.into_iter().fold(edition.readings, Readings::with);
+        let mutation = Mutation::all(&short).find(|mutation| mutation.to_string() == name);
+        let mutant = mutation.unwrap_or_else(|| panic!("there is no mutant {name}")).apply(&short);
+        let (usual, failed) = (failed(&short, readings), failed(&mutant, readings));
+        assert!(!usual.contains(property) && failed.contains(property), "{name}: {usual:?}, {failed:?}");
+    }
+    let lacking = properties(Edition::DEFAULT).map(|property| property.name).collect::<BTreeSet<_>>();
+    let added = properties(edition).map(|property| property.name).filter(|name| !lacking.contains(name));
+    assert_eq!(added.collect::<Vec<_>>(), cases.map(|(_, property, _)| property));
 }
 
 /// A part of the table that decides nothing is reported: a term that stands there twice, and one that cannot hold.

@@ -122,23 +122,33 @@ pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, thread
     }
     if which != Models::Open {
         line.show("closed model, with a well-behaved operator");
-        outcome.models.push(closed(
-            "closed model, well-behaved operator",
-            "an AI Computer that follows the document, over CAN frames; an operator who does; no fault",
-            machine,
-            &Closed::new(*machine, Operator::WellBehaved),
-            threads,
-        ));
+        outcome.models.push(well_behaved(machine, threads));
         line.show("closed model, with any operator and a fault");
-        outcome.models.push(closed(
-            "closed model, any operator",
-            "that AI Computer; any switch and the remote E-stop at any time; short timers",
-            machine,
-            &Closed::scaled(*machine.edition(), machine.readings(), Operator::Any),
-            threads,
-        ));
+        outcome.models.push(any_operator(machine, threads));
     }
     outcome
+}
+
+/// The closed model with an operator who follows the procedure.
+pub(super) fn well_behaved(machine: &Machine, threads: usize) -> Explored {
+    closed(
+        "closed model, well-behaved operator",
+        "an AI Computer that follows the document, over CAN frames; an operator who does; no fault",
+        machine,
+        &Closed::new(*machine, Operator::WellBehaved),
+        threads,
+    )
+}
+
+/// The closed model with any operator.
+fn any_operator(machine: &Machine, threads: usize) -> Explored {
+    closed(
+        "closed model, any operator",
+        "that AI Computer; any switch and the remote E-stop at any time; short timers",
+        machine,
+        &Closed::scaled(*machine.edition(), machine.readings(), Operator::Any),
+        threads,
+    )
 }
 
 fn parts(report: &Report) -> Vec<(Part, Role)> {

@@ -214,7 +214,38 @@ impl fmt::Display for Elapsed {
 
 #[cfg(test)]
 mod tests {
-    use super::quoted;
+    use adsdv_model::{Vectors, short_timers};
+    use adsdv_spec::{Choice, Edition, Machine};
+
+    use super::super::{json, outcome};
+    use super::{parts, quoted};
+    use crate::args::Models;
+
+    /// The alternative for a fault of the battery, which opens the shutdown circuit unless it is read otherwise.
+    #[test]
+    fn a_part_that_another_answer_brings_to_life_is_moot_and_no_failure() {
+        let edition = Edition::find("4.0").expect("it has the question");
+        let short = edition.with_timing(short_timers(edition));
+        let told = |readings| {
+            let machine = Machine::new(short, readings);
+            let outcome = outcome::explore(&machine, Models::Open, Vectors::Few, 1);
+            assert!(outcome.dead().next().is_none());
+            let mut text = String::new();
+            parts(&mut text, &outcome).expect("a string");
+            (text, json::text(&outcome, &[]))
+        };
+        let (text, json) = told(edition.readings);
+        let part = "AS_DRIVING -> EMERGENCY_BRAKE (3.7): BMS_FAULT == TRUE";
+        assert!(text.contains("alternatives 20 of 21 decide some step\n"), "{text}");
+        let line = format!("  moot  {part}; with --reading bms-fault=driving it decides\n");
+        assert!(text.ends_with(&line) && !text.contains("DEAD"), "{text}");
+        let object = format!(
+            r#""dead_parts":[],"moot_parts":[{{"part":"{part}","decides_with":"bms-fault=driving"}}]"#
+        );
+        assert!(json.contains(&object), "{json}");
+        let (text, json) = told(edition.readings.with(Choice::BmsDriving));
+        assert!(!text.contains("moot") && json.contains(r#""moot_parts":[]"#), "{text}{json}");
+    }
 
     #[test]
     fn a_path_can_be_pasted_into_a_shell() {

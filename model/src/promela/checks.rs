@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
+use adsdv_spec::{Atom, Choice, Edition};
 
 use super::words::{cause, is_one_of, one_of, shows};
+use crate::document::Document;
 use crate::goals::goals;
 use crate::properties::PROPERTIES;
 use crate::property::{Claim, Property, When};
@@ -24,15 +25,42 @@ struct Stated {
 const COMMS_LOST: &str = "document_comms_lost";
 
 /// What several properties speak of.
-const WORDS: &str = "/* What several properties speak of, in the document's words. */
-#define document_comms_lost (handshake_active && unanswered_ms >= DOCUMENT_HANDSHAKE_MS)
-#define dwelled (lasted_ms >= DOCUMENT_READY_DWELL_MS)
+const WORDS: &str = "#define dwelled (lasted_ms >= DOCUMENT_READY_DWELL_MS)
 #define braked (lasted_ms >= DOCUMENT_EBS_TIMER_MS)
 #define nothing_requested (front_torque_zero && rear_torque_zero && steer_request_zero && steer_straight && direction_neutral)
 #define go_lawful (dwelled && nothing_requested && !go_on)
-#define reason_to_brake (sdc_open || ai_estop || document_comms_lost || (before == AS_DRIVING && \\
-    (!asms || !go_on || ((mission_finished || direction_neutral) && moving))))
 ";
+
+/// Writes what several properties speak of, and what an edition has to say of it.
+fn words(f: &mut fmt::Formatter<'_>, document: &Document) -> fmt::Result {
+    let has = |atom| document.scope.has(atom);
+    let estop_acts_everywhere = document.edition.readings.is(Choice::EstopEveryState);
+    let lost = "unanswered_ms >= DOCUMENT_HANDSHAKE_MS";
+    let lost =
+        if has(Atom::AiMessagesMissed) { format!("({lost} || ai_messages_missed)") } else { lost.into() };
+    let mut anywhere = vec!["sdc_open", "document_comms_lost"];
+    let mut driving = vec!["!asms", "!go_on", "((mission_finished || direction_neutral) && moving)"];
+    if estop_acts_everywhere {
+        anywhere.insert(1, "ai_estop");
+    } else {
+        driving.push("ai_estop");
+    }
+    let added = [
+        (Atom::BrakeRequestZero, "(!(front_torque_zero && rear_torque_zero) && !brake_request_zero)"),
+        (Atom::EbsUnavailable, "ebs_unavailable"),
+        (Atom::BmsFault, "bms_fault"),
+    ];
+    driving.extend(added.into_iter().filter(|(atom, _)| has(*atom)).map(|(_, reason)| reason));
+    f.write_str("/* What several properties speak of, in the document's words. */\n")?;
+    writeln!(f, "#define document_comms_lost (handshake_active && {lost})")?;
+    f.write_str(WORDS)?;
+    writeln!(
+        f,
+        "#define reason_to_brake ({} || (before == AS_DRIVING && \\\n    ({})))",
+        anywhere.join(" || "),
+        driving.join(" || ")
+    )
+}
 
 const STATED: &[Stated] = &[
     Stated {
@@ -131,7 +159,7 @@ fn condition(property: &Property, when: When) -> Option<String> {
 }
 
 /// What breaks a property in a step from a state; `None` if none can, or if nobody has stated the property in Promela.
-fn breaks(property: &Property, from: AsState) -> Option<String> {
+fn breaks(document: &Document, property: &Property, from: AsState) -> Option<String> {
     match property.claim {
         Claim::Leads { from: states, when, to } if states.contains(&from) => {
             Some(format!("!({}) && {}", is_one_of("state", to), condition(property, when)?))
@@ -141,7 +169,7 @@ fn breaks(property: &Property, from: AsState) -> Option<String> {
         }
         Claim::Leads { .. } | Claim::Only { .. } => None,
         Claim::Each { .. } if property.name == ARROWS => {
-            let arrows = Edition::DEFAULT.rules.table.rows().iter().filter(|row| row.from == from);
+            let arrows = document.edition.rules.table.rows().iter().filter(|row| row.from == from);
             let to: Vec<AsState> = arrows.map(|row| row.to).chain([from]).collect();
             Some(format!("!({})", is_one_of("state", &to)))
         }
@@ -157,12 +185,13 @@ fn breaks(property: &Property, from: AsState) -> Option<String> {
 const ARROWS: &str = "figure-2-arrows";
 
 /// Writes how results are told.
-pub(super) fn reports(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(super) fn reports(f: &mut fmt::Formatter<'_>, document: &Document) -> fmt::Result {
     let limit = AsState::ALL.into_iter().fold("0".into(), |otherwise: String, of| {
         format!("((of) == {of} -> LIMIT_{of} : \\\n    {otherwise})")
     });
-    writeln!(f, "{WORDS}#define limit(of) {limit}\n\n/* The properties.\n *")?;
-    for (_, Property { name, statement, .. }) in Property::of_edition(Edition::DEFAULT) {
+    words(f, document)?;
+    writeln!(f, "#define limit(of) {limit}\n\n/* The properties.\n *")?;
+    for (_, Property { name, statement, .. }) in Property::of_edition(document.edition) {
         writeln!(f, " * {name}: {statement}")?;
     }
     f.write_str(" */\n\n")?;
@@ -180,7 +209,7 @@ c_decl {{
 }}
 #define FOUND(place, what, when) if :: when -> c_code {{ tell(place, what); }} :: else fi
 {SHOW}",
-        PROPERTIES.len() + goals(Edition::DEFAULT).len()
+        PROPERTIES.len() + goals(document.edition).len()
     )
 }
 
@@ -213,16 +242,16 @@ c_decl { static char begun[128]; }
 "#;
 
 /// Writes what is checked after a step from a state.
-pub(super) fn of_step(f: &mut fmt::Formatter<'_>, from: AsState) -> fmt::Result {
-    for (place, property) in Property::of_edition(Edition::DEFAULT) {
-        if let Some(breaks) = breaks(property, from) {
+pub(super) fn of_step(f: &mut fmt::Formatter<'_>, document: &Document, from: AsState) -> fmt::Result {
+    for (place, property) in Property::of_edition(document.edition) {
+        if let Some(breaks) = breaks(document, property, from) {
             let name = property.name;
             writeln!(f, "        FOUND({place}, \"violated: {name}\",\n            {breaks});")?;
         }
     }
     f.write_str("        if\n        :: state != before || shutdown_cause != cause_before ->\n")?;
-    for (place, goal) in goals(Edition::DEFAULT).iter().enumerate() {
-        if let Some(reached) = reached(goal.name, from) {
+    for (place, goal) in goals(document.edition).iter().enumerate() {
+        if let Some(reached) = reached(document.edition, goal.name, from) {
             let place = PROPERTIES.len() + place;
             writeln!(f, "            FOUND({place}, \"reached: {}\", {reached});", goal.name)?;
         }
@@ -230,18 +259,14 @@ pub(super) fn of_step(f: &mut fmt::Formatter<'_>, from: AsState) -> fmt::Result 
     f.write_str("            skip\n        :: else\n        fi\n        END_STEP\n")
 }
 /// What reaches a goal in a step from a state that changes the state or the cause.
-fn reached(goal: &str, from: AsState) -> Option<String> {
+fn reached(edition: &Edition, goal: &str, from: AsState) -> Option<String> {
     if let Some(section) = goal.strip_prefix("arrow-") {
-        let rows = Edition::DEFAULT
-            .rules
-            .table
-            .rows()
-            .iter()
-            .filter(|row| row.section == section && row.from == from);
+        let rows = edition.rules.table.rows().iter();
+        let rows = rows.filter(|row| row.section == section && row.from == from);
         let to: Vec<AsState> = rows.map(|row| row.to).collect();
         (!to.is_empty()).then(|| is_one_of("state", &to))
     } else if let Some(number) = goal.strip_prefix("cause-") {
-        let faults = Edition::DEFAULT.faults.iter().filter(|&fault| (fault as u8).to_string() == number);
+        let faults = edition.faults.iter().filter(|&fault| (fault as u8).to_string() == number);
         Some(one_of(
             faults.map(|fault| format!("cause_before == NO_SHUTDOWN && shutdown_cause == {}", cause(fault))),
         ))
@@ -255,15 +280,17 @@ mod tests {
     use adsdv_spec::Edition;
     use adsdv_spec::messages::AsState;
 
-    use super::{ARROWS, PROPERTIES, STATED, breaks, reached};
+    use super::{ARROWS, Document, STATED, breaks, reached};
     use crate::goals::goals;
     use crate::property::{Claim, Property, When};
 
     #[test]
     fn every_property_is_stated() {
-        for property in PROPERTIES {
-            let stated = AsState::ALL.into_iter().any(|from| breaks(property, from).is_some());
-            assert!(stated, "{}: say in STATED what it claims, in Promela", property.name);
+        for document in Edition::ALL.iter().map(|edition| Document::of(edition)) {
+            for (_, property) in Property::of_edition(document.edition) {
+                let stated = AsState::ALL.into_iter().any(|from| breaks(document, property, from).is_some());
+                assert!(stated, "{}: say in STATED what it claims, in Promela", property.name);
+            }
         }
     }
 
@@ -282,12 +309,14 @@ mod tests {
 
     #[test]
     fn every_goal_can_be_reached() {
-        for goal in goals(Edition::DEFAULT) {
-            let stated = AsState::ALL
-                .into_iter()
-                .filter_map(|from| reached(goal.name, from))
-                .any(|text| text != "false");
-            assert!(stated, "{}", goal.name);
+        for edition in Edition::ALL {
+            for goal in goals(edition) {
+                let stated = AsState::ALL
+                    .into_iter()
+                    .filter_map(|from| reached(edition, goal.name, from))
+                    .any(|text| text != "false");
+                assert!(stated, "{}: {}", edition.version, goal.name);
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observation, Reads};
 
 use super::Promela;
-use super::words::{INPUTS, name, one_of};
+use super::words::{inputs_of, name, one_of};
 use crate::step::CYCLE_MS;
 use crate::vectors::{Vectors, subsets, varied};
 
@@ -44,7 +44,7 @@ pub(super) fn cycles(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>, from: As
                 write!(f, " && {}{flag}", if set.contains(flag) { "" } else { "!" })?;
             }
             f.write_str(" ->\n        SHOW_STATE\n")?;
-            choices(f, reads(begin, &set), vectors)?;
+            choices(f, &Chosen::of(promela, reads(begin, &set)))?;
             writeln!(f, "        step_{from}()\n    }}")?;
         }
     }
@@ -141,58 +141,90 @@ fn observation<'a>(inputs: impl Iterator<Item = &'a Input>) -> Observation {
     Observation::new(atoms, faults)
 }
 
-/// The inputs of which one must be on for this one to be possible; none if it is possible alone.
-fn needs(input: Input) -> Vec<Input> {
-    let alone = observation([input].iter()).is_possible();
-    let helps = |helper: &Input| !alone && observation([input, *helper].iter()).is_possible();
-    INPUTS.iter().map(Input::Atom).filter(helps).collect()
+/// What is chosen in a cycle.
+struct Chosen {
+    /// The inputs that there are.
+    inputs: Atoms,
+    /// What is read.
+    reads: Reads,
+    vectors: Vectors,
 }
 
-/// Whether two inputs are never on at once.
-fn exclude(one: Input, other: Input, vectors: Vectors) -> bool {
-    let helpers = [one, other].into_iter().flat_map(needs);
-    let both: Vec<Input> = [one, other].into_iter().chain(helpers).collect();
-    let both = observation(both.iter());
-    !both.is_possible() || vectors != Vectors::Every && has_several(both)
-}
-
-/// Whether several faults open the shutdown circuit, of which only the one with the lowest number counts.
-fn has_several(seen: Observation) -> bool {
-    seen.faults().intersection(Faults::OPENING).iter().nth(1).is_some()
-}
-
-/// The inputs that are chosen together, because some exclude others.
-fn groups(reads: Reads, vectors: Vectors) -> Vec<Vec<Input>> {
-    let atoms = reads.atoms.intersection(INPUTS).iter().map(Input::Atom);
-    let mut groups: Vec<Vec<Input>> = Vec::new();
-    let faults = match vectors {
-        Vectors::Every | Vectors::Read => reads.faults,
-        Vectors::Few => reads.faults.difference(Faults::OPENING.without(Fault::HvilOpenFault)),
-    };
-    for input in atoms.chain(faults.iter().map(Input::Fault)) {
-        let (joined, apart): (Vec<_>, Vec<_>) =
-            groups.into_iter().partition(|group| group.iter().any(|&other| exclude(input, other, vectors)));
-        groups = apart;
-        groups.push(joined.into_iter().flatten().chain([input]).collect());
+impl Chosen {
+    fn of(promela: &Promela<'_>, reads: Reads) -> Self {
+        Self { inputs: inputs_of(promela.machine), reads, vectors: promela.vectors }
     }
-    groups
-}
 
-/// The inputs of a group that can be on together, each such set once.
-fn combinations(group: &[Input], vectors: Vectors) -> impl Iterator<Item = Vec<Input>> {
-    let on = |bits: usize| group.iter().enumerate().filter(move |(place, _)| bits >> place & 1 == 1);
-    let all =
-        (0..1_usize << group.len()).map(move |bits| on(bits).map(|(_, &input)| input).collect::<Vec<_>>());
-    all.filter(move |together| {
-        together.iter().all(|&one| together.iter().all(|&other| !exclude(one, other, vectors)))
-    })
+    /// The inputs of which one must be on for this one to be possible; none if it is possible alone.
+    fn needs(&self, input: Input) -> Vec<Input> {
+        let alone = observation([input].iter()).is_possible();
+        let helps = |helper: &Input| !alone && observation([input, *helper].iter()).is_possible();
+        self.inputs.iter().map(Input::Atom).filter(helps).collect()
+    }
+
+    /// Whether two inputs are never on at once.
+    fn exclude(&self, one: Input, other: Input) -> bool {
+        let helpers = [one, other].into_iter().flat_map(|input| self.needs(input));
+        let both: Vec<Input> = [one, other].into_iter().chain(helpers).collect();
+        let both = observation(both.iter());
+        !both.is_possible() || self.vectors != Vectors::Every && self.has_several(both)
+    }
+
+    /// The faults that open the shutdown circuit and of which only the one with the lowest number counts. That of the battery
+    /// counts for itself where it is a condition of its own.
+    fn opening(&self) -> Faults {
+        let battery = self.reads.atoms.has(Atom::BmsFault);
+        if battery { Faults::OPENING.without(Fault::BmsFault) } else { Faults::OPENING }
+    }
+
+    /// Whether several of these are present.
+    fn has_several(&self, seen: Observation) -> bool {
+        seen.faults().intersection(self.opening()).iter().nth(1).is_some()
+    }
+
+    /// The inputs that are chosen together, because some exclude others.
+    fn groups(&self) -> Vec<Vec<Input>> {
+        let atoms = self.reads.atoms.intersection(self.inputs).iter().map(Input::Atom);
+        let mut groups: Vec<Vec<Input>> = Vec::new();
+        let faults = match self.vectors {
+            Vectors::Every | Vectors::Read => self.reads.faults,
+            Vectors::Few => self.reads.faults.difference(self.opening().without(Fault::HvilOpenFault)),
+        };
+        for input in atoms.chain(faults.iter().map(Input::Fault)) {
+            let (joined, apart): (Vec<_>, Vec<_>) =
+                groups.into_iter().partition(|group| group.iter().any(|&other| self.exclude(input, other)));
+            groups = apart;
+            groups.push(joined.into_iter().flatten().chain([input]).collect());
+        }
+        groups
+    }
+
+    /// The inputs of a group that can be on together, each such set once.
+    fn combinations(&self, group: &[Input]) -> impl Iterator<Item = Vec<Input>> {
+        let on = |bits: usize| group.iter().enumerate().filter(move |(place, _)| bits >> place & 1 == 1);
+        let all = (0..1_usize << group.len())
+            .map(move |bits| on(bits).map(|(_, &input)| input).collect::<Vec<_>>());
+        all.filter(move |together| {
+            together.iter().all(|&one| together.iter().all(|&other| !self.exclude(one, other)))
+        })
+    }
+
+    /// One way to choose: these inputs are on.
+    fn option(&self, together: &[Input]) -> String {
+        let needs = together.iter().map(|&input| self.needs(input)).filter(|needs| !needs.is_empty());
+        let guards = needs.map(|needs| format!("{} -> ", one_of(needs.iter().map(Input::to_string))));
+        let on: Vec<String> = together.iter().map(|input| format!("{input} = 1")).collect();
+        let on = if on.is_empty() { "skip".into() } else { on.join("; ") };
+        guards.chain([on]).collect()
+    }
 }
 
 /// Writes the choice of what is read; everything else is off.
-fn choices(f: &mut fmt::Formatter<'_>, reads: Reads, vectors: Vectors) -> fmt::Result {
-    let groups = groups(reads, vectors);
-    let needed: Vec<Input> = groups.iter().flatten().copied().flat_map(needs).collect();
-    let is_free = |group: &Vec<Input>| group.len() == 1 && group.iter().all(|&input| needs(input).is_empty());
+fn choices(f: &mut fmt::Formatter<'_>, chosen: &Chosen) -> fmt::Result {
+    let groups = chosen.groups();
+    let needed: Vec<Input> = groups.iter().flatten().flat_map(|&input| chosen.needs(input)).collect();
+    let is_free =
+        |group: &Vec<Input>| group.len() == 1 && group.iter().all(|&input| chosen.needs(input).is_empty());
     let (free, bound): (Vec<_>, Vec<_>) = groups.into_iter().partition(is_free);
     // What others need is chosen before them.
     let (first, free): (Vec<Input>, Vec<Input>) =
@@ -200,7 +232,8 @@ fn choices(f: &mut fmt::Formatter<'_>, reads: Reads, vectors: Vectors) -> fmt::R
     f.write_str("        all_off();\n")?;
     any(f, &first)?;
     for group in bound {
-        let options: Vec<String> = combinations(&group, vectors).map(|together| option(&together)).collect();
+        let options: Vec<String> =
+            chosen.combinations(&group).map(|together| chosen.option(&together)).collect();
         writeln!(f, "        if :: {} fi;", options.join("\n           :: "))?;
     }
     any(f, &free)
@@ -218,19 +251,11 @@ fn any(f: &mut fmt::Formatter<'_>, free: &[Input]) -> fmt::Result {
 /// How many inputs are chosen at once.
 const AT_ONCE: usize = 3;
 
-/// One way to choose: these inputs are on.
-fn option(together: &[Input]) -> String {
-    let needs = together.iter().map(|&input| needs(input)).filter(|needs| !needs.is_empty());
-    let guards = needs.map(|needs| format!("{} -> ", one_of(needs.iter().map(Input::to_string))));
-    let on: Vec<String> = together.iter().map(|input| format!("{input} = 1")).collect();
-    let on = if on.is_empty() { "skip".into() } else { on.join("; ") };
-    guards.chain([on]).collect()
-}
-
 /// Writes what choices are made of.
-pub(super) fn inlines(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(super) fn inlines(f: &mut fmt::Formatter<'_>, machine: &Machine) -> fmt::Result {
     f.write_str("/* A choice: everything is off, but for what is chosen. */\ninline all_off() {\n")?;
-    let inputs = INPUTS.iter().map(Input::Atom).chain(Observation::FAULTS.iter().map(Input::Fault));
+    let inputs =
+        inputs_of(machine).iter().map(Input::Atom).chain(Observation::FAULTS.iter().map(Input::Fault));
     let off: Vec<_> = inputs.map(|input| format!("{input} = 0")).collect();
     let lines: Vec<_> = off.chunks(PER_LINE).map(|some| format!("    {}", some.join("; "))).collect();
     writeln!(f, "{}\n}}\n{ANY_OF}", lines.join(";\n"))

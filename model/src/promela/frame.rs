@@ -6,8 +6,9 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{Row, Term};
 use adsdv_spec::{Atom, Atoms, Choice, Fault, Faults, Machine, Taken};
 
-use super::words::{all, any, cause, in_words, name, one_of};
+use super::words::{all, any, battery_is_apart, cause, in_words, name, one_of, seen_by};
 use super::{Promela, checks};
+use crate::document::Document;
 use crate::step::CYCLE_MS;
 
 /// Writes the states, the times, the readings that a step asks for, and the causes.
@@ -27,7 +28,9 @@ pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fm
     writeln!(f, "#define DOCUMENT_EBS_TIMER_MS {}", document.ebs_timer_ms)?;
     writeln!(f, "#define DOCUMENT_HANDSHAKE_MS {}", document.handshake_ms)?;
     f.write_str("\n/* The readings that say what a step is; those that say which rows there are have chosen them already. */\n")?;
-    for (choice, name) in CHOICES {
+    let watched = machine.scope().has(Atom::AiMessagesMissed);
+    for (choice, name) in CHOICES.into_iter().filter(|(choice, _)| watched || *choice != Choice::WatchAlways)
+    {
         writeln!(f, "#define {name} {}  /* {choice} */", u8::from(machine.readings().is(choice)))?;
     }
     f.write_str("\n/* SHUTDOWN_CAUSE. */\n#define NO_SHUTDOWN 0\n")?;
@@ -38,12 +41,13 @@ pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fm
 }
 
 /// The readings that a step asks for, and what Promela calls them.
-const CHOICES: [(Choice, &str); 5] = [
+const CHOICES: [(Choice, &str); 6] = [
     (Choice::FaultEdge, "FAULT_EDGE"),
     (Choice::GoEdgeEnough, "GO_EDGE_ENOUGH"),
     (Choice::GoRaw, "GO_RAW"),
     (Choice::HandshakeAlways, "HANDSHAKE_ALWAYS"),
     (Choice::PowerCycleLatched, "POWER_CYCLE_LATCHED"),
+    (Choice::WatchAlways, "WATCH_ALWAYS"),
 ];
 
 /// How many bits a number up to this takes.
@@ -90,7 +94,7 @@ hidden int lasted_ms;        /* how long the state before has lasted now */
 }
 
 /// Writes the conditions that memory decides, or has a part in.
-pub(super) fn conditions(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+pub(super) fn conditions(f: &mut fmt::Formatter<'_>, machine: &Machine) -> fmt::Result {
     f.write_str(
         "/* The conditions that the control state decides, some of them together with the inputs. */\n",
     )?;
@@ -104,10 +108,15 @@ pub(super) fn conditions(f: &mut fmt::Formatter<'_>) -> fmt::Result {
         "#define go_edge (go_seen_low && go_on)
 #define mission_finished_edge (was_running && mission_finished)
 #define direction_neutral_edge (was_forward && direction_neutral)
-#define ai_comms_lost (handshake_active && unanswered_ms >= HANDSHAKE_MS)
-
 ",
-    )
+    )?;
+    let unanswered = "handshake_active && unanswered_ms >= HANDSHAKE_MS";
+    if machine.scope().has(Atom::AiMessagesMissed) {
+        let missed = format!("{} && (WATCH_ALWAYS || handshake_active)", name(Atom::AiMessagesMissed));
+        writeln!(f, "#define ai_comms_lost (({unanswered}) || ({missed}))\n")
+    } else {
+        writeln!(f, "#define ai_comms_lost ({unanswered})\n")
+    }
 }
 
 /// Writes the parts that steps from all states have in common.
@@ -158,7 +167,8 @@ inline handshake() {
 /// What must hold before the \"Go\" edge counts: the guard of AS_READY to AS_DRIVING without \"Go\".
 fn go_conditions(machine: &Machine) -> Option<String> {
     let (_, terms) = rows(machine, AsState::Ready).into_iter().find(|(row, _)| row.to == AsState::Driving)?;
-    Some(all(terms.first()?.literals().filter(|(atom, _)| *atom != Atom::GoEdge)))
+    let conditions = all(terms.first()?.literals().filter(|(atom, _)| *atom != Atom::GoEdge));
+    Some(seen_by(machine, conditions))
 }
 
 /// The rows of a state in the order of evaluation, each with the terms that the readings have.
@@ -190,29 +200,29 @@ pub(super) fn step(f: &mut fmt::Formatter<'_>, machine: &Machine, from: AsState)
     for (row, terms) in rows(machine, from) {
         let words = in_words(&machine.edition().rules, terms.iter().copied(), row.section);
         writeln!(f, "        /* {}: {words} */", row.section)?;
-        write!(f, "        :: {} -> next = {}", any(terms.iter().copied()), row.to)?;
+        write!(f, "        :: {} -> next = {}", seen_by(machine, any(terms.iter().copied())), row.to)?;
         if row.to == AsState::EmergencyBrake && row.to != from {
             f.write_str(";\n")?;
-            emergency(f, &terms)?;
+            emergency(f, machine, &terms)?;
         }
         f.write_str("\n")?;
     }
     writeln!(f, "        :: else -> next = {from}\n        fi;\n        remember(LIMIT_{from});")?;
-    checks::of_step(f, from)?;
+    checks::of_step(f, Document::of_machine(machine), from)?;
     f.write_str("    }\n}\n\n")
 }
 
 /// Writes what an emergency sets: the first cause, which is the lowest number of the reasons, and the latch.
-fn emergency(f: &mut fmt::Formatter<'_>, terms: &[&Term]) -> fmt::Result {
+fn emergency(f: &mut fmt::Formatter<'_>, machine: &Machine, terms: &[&Term]) -> fmt::Result {
     f.write_str("            power_cycle_needed = POWER_CYCLE_LATCHED;\n            if\n")?;
     f.write_str("            :: shutdown_cause != NO_SHUTDOWN\n")?;
     for &fault in Fault::ALL {
         let named = terms.iter().filter(|term| term.fault == Some(fault)).copied();
-        let by_name = named.map(|term| all(term.literals()));
+        let by_name = named.map(|term| seen_by(machine, all(term.literals())));
         // A term without a fault of its own has those that open the shutdown circuit.
         let unnamed: Vec<&Term> = terms.iter().filter(|term| term.fault.is_none()).copied().collect();
         let shown = Faults::OPENING.has(fault) && !unnamed.is_empty();
-        let by_input = shown.then(|| shown_by(fault, &unnamed));
+        let by_input = shown.then(|| shown_by(fault, machine, &unnamed));
         let reasons: Vec<_> = by_name.chain(by_input).collect();
         if !reasons.is_empty() {
             let reasons = one_of(reasons.into_iter());
@@ -223,14 +233,15 @@ fn emergency(f: &mut fmt::Formatter<'_>, terms: &[&Term]) -> fmt::Result {
 }
 
 /// That a fault is present, and a term holds that leaves it to the faults to say why.
-fn shown_by(fault: Fault, terms: &[&Term]) -> String {
+fn shown_by(fault: Fault, machine: &Machine, terms: &[&Term]) -> String {
     let sdc_open = Atoms::NONE.with(Atom::SdcOpen);
     // The fault itself opens the circuit.
-    let follows = terms.iter().any(|term| (term.on, term.off) == (sdc_open, Atoms::NONE));
+    let opens = !battery_is_apart(machine) || fault != Fault::BmsFault;
+    let follows = opens && terms.iter().any(|term| (term.on, term.off) == (sdc_open, Atoms::NONE));
     if follows {
         fault.flag().into()
     } else {
-        format!("{} && ({})", fault.flag(), any(terms.iter().copied()))
+        format!("{} && ({})", fault.flag(), seen_by(machine, any(terms.iter().copied())))
     }
 }
 

@@ -22,6 +22,7 @@ use std::fmt;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Machine, Timing};
 
+use crate::document::Document;
 use crate::vectors::Vectors;
 
 /// Displays the open model of a machine in Promela, for Spin.
@@ -53,10 +54,10 @@ impl fmt::Display for Promela<'_> {
         self.head(f)?;
         frame::constants(f, self)?;
         frame::control_state(f, machine)?;
-        words::inputs(f, &machine.edition().rules)?;
-        frame::conditions(f)?;
-        checks::reports(f)?;
-        choice::inlines(f)?;
+        words::inputs(f, machine)?;
+        frame::conditions(f, machine)?;
+        checks::reports(f, Document::of_machine(machine))?;
+        choice::inlines(f, machine)?;
         frame::inlines(f, machine)?;
         for from in AsState::ALL {
             frame::step(f, machine, from)?;

@@ -4,7 +4,9 @@ use std::fmt;
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::Term;
-use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Observation, Rules};
+use adsdv_spec::{Atom, Atoms, Choice, Fault, Faults, Machine, Observation, Rules};
+
+use crate::document::Document;
 
 /// The name of an atom in Promela: `go_on` for `go-on`.
 pub(super) fn name(atom: Atom) -> String {
@@ -78,28 +80,60 @@ pub(super) fn is_one_of(what: &str, states: &[AsState]) -> String {
     one_of(states.iter().map(|state| format!("{what} == {state}")))
 }
 
+/// The conditions of the inputs that the machine or its document has.
+fn scope(machine: &Machine) -> Atoms {
+    machine.scope().union(Document::of_machine(machine).scope)
+}
+
+/// Whether a fault of the battery does not open the shutdown circuit, to the machine.
+pub(super) fn battery_is_apart(machine: &Machine) -> bool {
+    machine.readings().is(Choice::BmsDriving)
+}
+
+/// What the machine goes by instead of `sdc_open` where that is so.
+pub(super) const OTHERWISE_OPEN: &str = "sdc_open_otherwise";
+
+/// A condition of the table as the machine sees it.
+pub(super) fn seen_by(machine: &Machine, condition: String) -> String {
+    if battery_is_apart(machine) {
+        condition.replace(&name(Atom::SdcOpen), OTHERWISE_OPEN)
+    } else {
+        condition
+    }
+}
+
 /// The atoms that are inputs of their own, not other names for faults.
-pub(super) const INPUTS: Atoms = {
+pub(super) fn inputs_of(machine: &Machine) -> Atoms {
     let faults = Observation::new(Atoms::NONE, Observation::FAULTS);
-    Edition::DEFAULT.scope().difference(faults.atoms())
-};
+    scope(machine).difference(faults.atoms())
+}
 
 /// Writes the inputs: what the environment chooses, and what follows from it.
-pub(super) fn inputs(f: &mut fmt::Formatter<'_>, rules: &Rules) -> fmt::Result {
+pub(super) fn inputs(f: &mut fmt::Formatter<'_>, machine: &Machine) -> fmt::Result {
+    let (rules, inputs) = (&machine.edition().rules, inputs_of(machine));
     f.write_str("/* The inputs of a step, chosen anew in each cycle: conditions, and faults by their flags in 520h. */\n")?;
-    for atom in INPUTS.iter() {
+    for atom in inputs.iter() {
         writeln!(f, "hidden byte {};  /* {} */", name(atom), rules.text(atom, true))?;
     }
     for fault in Observation::FAULTS.iter() {
         writeln!(f, "hidden byte {};", fault.flag())?;
     }
-    for atom in Edition::DEFAULT.scope().difference(INPUTS).iter() {
+    let flags_of = |atom, faults: Faults| {
         let shown =
             |fault: &Fault| Observation::new(Atoms::NONE, Faults::NONE.with(*fault)).atoms().has(atom);
-        let flags = one_of(Observation::FAULTS.iter().filter(shown).map(|fault| fault.flag().into()));
-        writeln!(f, "#define {} ({flags})", name(atom))?;
+        one_of(faults.iter().filter(shown).map(|fault| fault.flag().into()))
+    };
+    for atom in scope(machine).difference(inputs).iter() {
+        writeln!(f, "#define {} ({})", name(atom), flags_of(atom, Observation::FAULTS))?;
     }
-    let atoms = INPUTS.iter().map(|atom| format!("{} << {}", name(atom), atom as u8));
+    if battery_is_apart(machine) {
+        let others = Observation::FAULTS.without(Fault::BmsFault);
+        f.write_str(
+            "/* The circuit that the machine sees: under this reading no fault of the battery opens it. */\n",
+        )?;
+        writeln!(f, "#define {OTHERWISE_OPEN} ({})", flags_of(Atom::SdcOpen, others))?;
+    }
+    let atoms = inputs.iter().map(|atom| format!("{} << {}", name(atom), atom as u8));
     let faults = Observation::FAULTS.iter().map(|fault| format!("{} << {}", fault.flag(), fault as u8));
     for (bits, inputs) in [("ATOMS", atoms.collect::<Vec<_>>()), ("FAULTS", faults.collect())] {
         writeln!(f, "#define {bits} ({})", wrapped(&inputs, " | ", " | \\\n    "))?;

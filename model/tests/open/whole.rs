@@ -1,9 +1,12 @@
 //! Nothing is left out.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
+use std::sync::Mutex;
+use std::thread;
 
-use adsdv_model::{Report, Vectors, explore, goals, properties, verify};
-use adsdv_spec::{Control, Edition, Machine, Readings};
+use adsdv_model::{Open, Report, State, Vectors, explore, goals, properties, verify};
+use adsdv_spec::{Control, Edition, Machine, Readings, Timing};
+use stateright::Model as _;
 
 use crate::{SHORT, each_choice_alone, machine, options, reachable};
 
@@ -49,7 +52,7 @@ fn an_exploration_that_finds_much_still_goes_to_its_end() {
 fn a_run_is_found_for_everything_that_is_decided() {
     for readings in each_choice_alone() {
         let report = verify(machine(SHORT, readings), options(Vectors::Read, SHORT), |_| {});
-        let Report { exploration, runs } = report;
+        let Report { exploration, runs, .. } = report;
         for property in properties(Edition::DEFAULT) {
             let broken = exploration.broken.iter().any(|broken| broken.name == property.name);
             assert_eq!(broken, runs.contains_key(property.name), "{}, {readings}", property.name);
@@ -86,20 +89,64 @@ fn a_run_ends_with_the_step_that_reaches_its_goal() {
     assert_eq!(length("arrow-3.9"), Some(1 + 1 + 8), "AS_READY, EMERGENCY_BRAKE, and its timer");
 }
 
+/// From each state that can be reached, all input vectors lead to the same states as those that are read, break the same
+/// properties and reach the same goals. So the two explorations are the same: one goes along the other here, and each state is
+/// looked at once.
 #[test]
 fn all_input_vectors_and_those_that_are_read_show_the_same() {
-    for readings in each_choice_alone() {
-        let machine = machine(SHORT, readings);
-        let [every, read] = [Vectors::Every, Vectors::Read].map(|vectors| {
-            let exploration = explore(machine, options(vectors, SHORT), |_| {});
-            assert!(exploration.complete);
-            let broken: Vec<_> = exploration.broken.iter().map(|property| property.name).collect();
-            let missed: Vec<_> = exploration.missed.iter().map(|goal| goal.name).collect();
-            (exploration.states, broken, missed)
-        });
-        assert_eq!(every, read, "{readings}");
-        let [every, read] = [Vectors::Every, Vectors::Read].map(|vectors| reachable(&machine, vectors));
-        let only = |a: &HashSet<Control>, b: &HashSet<Control>| a.difference(b).next().copied();
-        assert_eq!((only(&every, &read), only(&read, &every)), (None, None), "{readings}");
+    // Even shorter timers have a step of each kind: long before they elapse, just before, and after.
+    let short = |edition: &Edition, readings| {
+        let ms = 3 * edition.rules.timing.cycle_ms;
+        let timing = Timing { ready_dwell_ms: ms, ebs_timer_ms: ms, ..edition.rules.timing };
+        Machine::new(edition.with_timing(timing), readings)
+    };
+    let of_default = each_choice_alone().map(|readings| short(Edition::DEFAULT, readings));
+    let of_others = Edition::ALL.iter().filter(|edition| edition.version != Edition::DEFAULT.version);
+    let of_others = of_others.map(|edition| short(edition, edition.readings));
+    let machines: Mutex<Vec<Machine>> = Mutex::new(of_default.chain(of_others).collect());
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let Some(machine) = machines.lock().expect("nobody failed").pop() else { break };
+                    all_and_read_show_the_same(&machine);
+                }
+            });
+        }
+    });
+}
+
+fn all_and_read_show_the_same(machine: &Machine) {
+    let (document, of) = (machine.edition().rules.timing, (machine.edition().version, machine.readings()));
+    let [every, read] = [Vectors::Every, Vectors::Read].map(|vectors| Open::new(*machine, document, vectors));
+    let mut level: Vec<(State, State)> = every.init_states().into_iter().zip(read.init_states()).collect();
+    let mut known: HashSet<Control> = level.iter().map(|(state, _)| *state.control()).collect();
+    while !level.is_empty() {
+        let mut next = Vec::new();
+        for (by_every, by_read) in &level {
+            let ((shown, ways), (shown_read, ways_read)) = (look(&every, by_every), look(&read, by_read));
+            let control = by_every.control();
+            assert_eq!(shown, shown_read, "{of:?}: what shows at {control:?}");
+            let only = |a: &Ways, b: &Ways| a.keys().find(|after| !b.contains_key(after)).copied();
+            let differ = (only(&ways, &ways_read), only(&ways_read, &ways));
+            assert_eq!(differ, (None, None), "{of:?}: where steps from {control:?} lead");
+            // Both have the same control states, in the same order.
+            let after = ways.into_values().zip(ways_read.into_values());
+            next.extend(after.filter(|(after, _)| known.insert(*after.control())));
+        }
+        level = next;
     }
+    assert_eq!(known.len(), reachable(machine, Vectors::Read).len(), "{of:?}: all of it");
+}
+
+/// The states after a step, by their control states.
+type Ways = BTreeMap<Control, State>;
+
+/// What the steps out of a state show, by the names of what they break or reach, and where they lead.
+fn look(model: &Open, state: &State) -> (BTreeMap<&'static str, bool>, Ways) {
+    let shown = model.properties().into_iter();
+    let shown = shown.map(|property| (property.name, (property.condition)(model, state)));
+    let after = model.next_states(state).into_iter().map(|after| (*after.control(), after));
+    (shown.collect(), after.collect())
 }

@@ -76,7 +76,7 @@ fn a_run_in_words() {
 /// The shortest run to each goal, with what happens in it.
 #[test]
 fn the_goals() {
-    let Report { exploration, runs } = verified(&SHORT);
+    let Report { exploration, runs, .. } = verified(&SHORT);
     let mut told = format!(
         "{} states, {} transitions, depth {}\n",
         exploration.states, exploration.transitions, exploration.depth
@@ -100,7 +100,7 @@ fn the_properties() {
     let mut left: Vec<_> = properties(Edition::DEFAULT).collect();
     for mutation in Mutation::all(&SHORTENED).step_by(9) {
         let machine = Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT);
-        let Report { exploration, runs } = verified(&machine);
+        let Report { exploration, runs, .. } = verified(&machine);
         let (told_now, others): (Vec<_>, Vec<_>) = left
             .into_iter()
             .partition(|&property| exploration.broken.iter().any(|broken| broken.name == property.name));
