@@ -48,3 +48,36 @@ impl Default for &'static Document {
         Document::of(Edition::DEFAULT)
     }
 }
+
+/// Whether two editions have the same state machine, under the same answers.
+pub fn have_the_same_state_machine(one: &Edition, other: &Edition) -> bool {
+    let of = |edition: &Edition| (edition.rules, edition.faults, edition.choices, edition.readings);
+    of(one) == of(other)
+}
+
+/// The editions of which none before has the same state machine: what is explored of these holds of all.
+pub fn state_machines() -> impl Iterator<Item = &'static Edition> {
+    Edition::ALL.iter().enumerate().filter_map(|(place, edition)| {
+        let before = Edition::ALL.iter().take(place);
+        let known = before.into_iter().any(|other| have_the_same_state_machine(other, edition));
+        (!known).then_some(*edition)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_edition_has_the_state_machine_of_one_that_stands_for_it() {
+        let all: Vec<_> = state_machines().collect();
+        for edition in Edition::ALL {
+            let same = all.iter().filter(|other| have_the_same_state_machine(other, edition)).count();
+            assert_eq!(same, 1, "{}", edition.version);
+        }
+        let [one, other] = ["3.0", "4.0"].map(|version| Edition::find(version).expect("an edition"));
+        assert!(!have_the_same_state_machine(one, other) && all.contains(&one) && all.contains(&other));
+        let shorter = one.with_timing(other.rules.timing);
+        assert!(!have_the_same_state_machine(one, &shorter), "another time is another machine");
+    }
+}

@@ -59,6 +59,7 @@ mod verify;
 
 pub use action::Action;
 pub use closed::Closed;
+pub use document::{have_the_same_state_machine, state_machines};
 pub use explore::serve;
 pub use goals::{Goal, goals};
 pub use open::{Open, State};

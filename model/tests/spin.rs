@@ -10,21 +10,24 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 
-use adsdv_model::{Options, Promela, Vectors, explore, goals, properties, reachable};
+use adsdv_model::{Options, Promela, Vectors, explore_quietly, goals, properties, reachable, state_machines};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{
-    AsState, Atoms, Control, Edition, Fault, Faults, Handshake, Machine, Mutation, Observation, Readings,
-    Timing,
+    AsState, Atoms, Choice, Control, Edition, Fault, Faults, Handshake, Machine, Mutation, Observation,
+    Readings, Timing,
 };
 
 /// Timers short enough for dozens of explorations, and longer than the handshake's, so that everything that can happen
 /// while the real ones run can happen while these do.
-const SHORT: Timing = Timing { ready_dwell_ms: 60, ebs_timer_ms: 70, ..Edition::DEFAULT.rules.timing };
-const SHORTENED: Edition = Edition::DEFAULT.with_timing(SHORT);
+fn short(edition: &Edition) -> Edition {
+    let Timing { handshake_ms, cycle_ms, .. } = edition.rules.timing;
+    let (ready_dwell_ms, ebs_timer_ms) = (handshake_ms + cycle_ms, handshake_ms + 2 * cycle_ms);
+    edition.with_timing(Timing { ready_dwell_ms, ebs_timer_ms, ..edition.rules.timing })
+}
 
 /// A step of both.
-const CYCLE_MS: u32 = SHORT.cycle_ms as u32;
+const CYCLE_MS: u32 = Edition::DEFAULT.rules.timing.cycle_ms as u32;
 
 /// What is explored.
 struct Subject {
@@ -47,62 +50,92 @@ struct Found {
     told: BTreeSet<String>,
 }
 
+/// An edition with short timers and a choice.
+fn subject(edition: &Edition, choice: Option<Choice>, vectors: Vectors) -> Subject {
+    let readings = choice.into_iter().fold(edition.readings, Readings::with);
+    let (short, choice) = (short(edition), choice.map_or(String::new(), |choice| format!(", {choice}")));
+    Subject {
+        name: format!("{}{choice}, with {vectors:?}", edition.version),
+        machine: Machine::new(short, readings),
+        document: short.rules.timing,
+        vectors,
+    }
+}
+
 #[test]
 fn spin_finds_the_same_in_the_reference() {
-    check([Vectors::Every, Vectors::Read, Vectors::Few].map(|vectors| Subject {
-        name: format!("the reference with {vectors:?}"),
-        machine: Machine::new(SHORTENED, Readings::DEFAULT),
-        document: SHORT,
-        vectors,
-    }));
+    let vectors = [Vectors::Every, Vectors::Read, Vectors::Few];
+    check(vectors.map(|vectors| subject(Edition::DEFAULT, None, vectors)));
+}
+
+/// That all vectors are the same is tried of the default edition, and takes longest.
+#[test]
+fn spin_finds_the_same_in_each_edition() {
+    let others = state_machines().filter(|edition| edition.version != Edition::DEFAULT.version);
+    check(
+        others
+            .flat_map(|edition| [Vectors::Read, Vectors::Few].map(|vectors| subject(edition, None, vectors))),
+    );
 }
 
 #[test]
 fn spin_finds_the_same_with_the_times_of_the_document() {
-    check([Subject {
-        name: "the reference with its own times".into(),
-        machine: Machine::REFERENCE,
-        document: Edition::DEFAULT.rules.timing,
-        vectors: Vectors::Read,
-    }]);
-}
-
-#[test]
-fn spin_finds_the_same_in_every_reading() {
-    let others = Edition::DEFAULT.alternatives().iter();
-    check(others.map(|choice| Subject {
-        name: choice.to_string(),
-        machine: Machine::new(SHORTENED, Readings::DEFAULT.with(choice)),
-        document: SHORT,
+    check(state_machines().map(|edition| Subject {
+        name: format!("{} with its own times", edition.version),
+        machine: Machine::new(*edition, edition.readings),
+        document: edition.rules.timing,
         vectors: Vectors::Read,
     }));
 }
 
-/// Each mutant is a program to compile, so only one of so many is tried, and all that concern the order or a time.
+/// Of a later edition, those that the default does not have, or has otherwise.
+#[test]
+fn spin_finds_the_same_in_every_reading() {
+    let news = |edition: &Edition, choice: &Choice| {
+        edition.version == Edition::DEFAULT.version || !Edition::DEFAULT.alternatives().has(*choice)
+    };
+    check(state_machines().flat_map(|edition| {
+        let alternatives = edition.alternatives();
+        let choices: Vec<Choice> = alternatives.iter().filter(|choice| news(edition, choice)).collect();
+        choices.into_iter().map(move |choice| subject(edition, Some(choice), Vectors::Read))
+    }));
+}
+
+/// Each mutant is a program to compile, so only one of so many is tried, and all that concern the order or a time; of a later
+/// edition, fewer.
 const ONE_MUTANT_IN: usize = 12;
 
 #[test]
 fn spin_finds_the_same_in_mutants() {
-    let is_tried = |&(place, mutation): &(usize, Mutation)| {
-        matches!(mutation.change, Change::RowFirst(_) | Change::Time(..)) || place % ONE_MUTANT_IN == 0
-    };
-    check(Mutation::all(&SHORTENED).enumerate().filter(is_tried).map(|(_, mutation)| Subject {
-        name: mutation.to_string(),
-        machine: Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT),
-        document: SHORT,
-        vectors: Vectors::Read,
+    check(state_machines().flat_map(|edition| {
+        let (short, default) = (short(edition), edition.version == Edition::DEFAULT.version);
+        let is_tried = move |&(place, mutation): &(usize, Mutation)| {
+            let all = default && matches!(mutation.change, Change::RowFirst(_) | Change::Time(..));
+            all || place % (if default { ONE_MUTANT_IN } else { 4 * ONE_MUTANT_IN }) == 0
+        };
+        let tried: Vec<_> = Mutation::all(&short).enumerate().filter(is_tried).collect();
+        tried.into_iter().map(move |(_, mutation)| Subject {
+            name: format!("{}: {mutation}", edition.version),
+            machine: Machine::new(mutation.apply(&short), edition.readings),
+            document: short.rules.timing,
+            vectors: Vectors::Read,
+        })
     }));
 }
 
 #[test]
 fn promela_names_everything_that_it_prints() {
-    let violated = properties(Edition::DEFAULT).map(|property| format!("violated: {}", property.name));
-    let reached = goals(Edition::DEFAULT).iter().map(|goal| format!("reached: {}", goal.name));
-    let text = Promela { machine: &Machine::REFERENCE, document: SHORT, vectors: Vectors::Read }.to_string();
-    let checks = text.split("FOUND(").skip(1);
-    let told = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
-    let (told, names): (BTreeSet<_>, BTreeSet<_>) = (told.collect(), violated.chain(reached).collect());
-    assert_eq!(told, names);
+    for edition in Edition::ALL {
+        let violated = properties(edition).map(|property| format!("violated: {}", property.name));
+        let reached = goals(edition).iter().map(|goal| format!("reached: {}", goal.name));
+        let machine = Machine::new(**edition, edition.readings);
+        let promela = Promela { machine: &machine, document: edition.rules.timing, vectors: Vectors::Read };
+        let text = promela.to_string();
+        let checks = text.split("FOUND(").skip(1);
+        let told = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
+        let (told, names): (BTreeSet<_>, BTreeSet<_>) = (told.collect(), violated.chain(reached).collect());
+        assert_eq!(told, names, "{}", edition.version);
+    }
 }
 
 /// Lets both explore all of these, as many at a time as there are cores.
@@ -146,7 +179,7 @@ impl Subject {
 
     /// Whether each step is compared by itself, which only so many allow.
     fn shows_steps(&self) -> bool {
-        self.vectors != Vectors::Every && self.machine.edition().rules.timing.ebs_timer_ms < 100
+        self.vectors != Vectors::Every && self.machine.edition().rules.timing.ebs_timer_ms < 1000
     }
 
     /// What Spin makes of one step is what the machine makes of it.
@@ -168,10 +201,10 @@ impl Subject {
 
     fn stateright(&self) -> Found {
         let options = Options { vectors: self.vectors, threads: 1, document: self.document };
-        let exploration = explore(self.machine, options, |_| {});
+        let exploration = explore_quietly(&self.machine, &options);
         assert!(exploration.complete, "{}", self.name);
         let violated = exploration.broken.iter().map(|property| format!("violated: {}", property.name));
-        let reached = goals(Edition::DEFAULT).iter().filter(|goal| !exploration.missed.contains(goal));
+        let reached = goals(self.machine.edition()).iter().filter(|goal| !exploration.missed.contains(goal));
         Found {
             states: self.states(),
             stored: exploration.states,

@@ -16,7 +16,7 @@ use crate::document::Document;
 #[derive(Clone, Default)]
 pub struct ClosedState {
     /// The document that the AI Computer follows: the same in every state of a model, and no part of what is compared.
-    pub(super) document: &'static Document,
+    pub document: &'static Document,
     /// What the VCU remembers.
     pub control: Control,
     /// What the VCU has received last.

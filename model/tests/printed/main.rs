@@ -15,7 +15,8 @@ use std::hash::Hasher as _;
 
 use adsdv_model::closed::{Closed, ClosedAction, ClosedState, Expectation, Operator};
 use adsdv_model::{
-    Options, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, properties, story, story_of, verify,
+    Options, Promela, Report, Run, SHORT_TIMERS, StoryLine, Vectors, properties, state_machines, story,
+    story_of, verify,
 };
 use adsdv_spec::{Edition, Machine, Mutation, Readings};
 use expect_test::expect_file;
@@ -147,6 +148,11 @@ fn the_same_machine_for_spin() {
     };
     expect_file!["read.pml"].assert_eq(&promela(&Machine::REFERENCE, Vectors::Read));
     expect_file!["few.pml"].assert_eq(&promela(&SHORT, Vectors::Few));
+    for edition in state_machines().filter(|edition| edition.version != Edition::DEFAULT.version) {
+        let file = format!("read-{}.pml", edition.version);
+        let machine = Machine::new(*edition, edition.readings);
+        expect_file![file].assert_eq(&promela(&machine, Vectors::Read));
+    }
     let others = Edition::DEFAULT.alternatives();
     // Of each other reading alone, when which inputs are read, and a sum of all of it.
     let mut told = String::new();
