@@ -18,6 +18,8 @@ adsdv on all cores. What it takes to compile Spin's verifier is printed beside, 
 
 Environment:
   ADSDV       the program to measure instead of a release build of this checkout
+  ADSDV_EDITION
+              the edition to explore, such as 4.0 (default: that of adsdv)
   CC          the C compiler for Spin's verifier (default cc)
 
 Exit status: 0 measured, 1 a program failed or the two disagree, 2 wrong usage or something is not installed.

@@ -49,6 +49,11 @@ impl Default for &'static Document {
     }
 }
 
+/// Whether an edition is of the default version.
+pub(crate) fn is_default(edition: &Edition) -> bool {
+    edition.version == Edition::DEFAULT.version
+}
+
 /// Whether two editions have the same state machine, under the same answers.
 pub fn have_the_same_state_machine(one: &Edition, other: &Edition) -> bool {
     let of = |edition: &Edition| (edition.rules, edition.faults, edition.choices, edition.readings);

@@ -1,40 +1,53 @@
-//! What the readings cost, as the Markdown of `model/READINGS.md`.
+//! What the readings cost, as the Markdown of `model/READINGS.md`: its head, and a section for each edition.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
-use adsdv_spec::{Choice, Choices};
+use adsdv_spec::{Choice, Choices, Edition};
 
 use crate::closed::ClosedProperty;
+use crate::document::{have_the_same_state_machine, is_default};
 use crate::goals::goals;
 use crate::property::{Harm, Property, properties};
 use crate::story::{StoryLine, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};
 
-const TITLE: &str = "# What each reading costs";
+/// What stands at the head of `model/READINGS.md`, before the sections of the editions.
+pub const READINGS_HEAD: &str = "\
+# What each reading costs
 
-const INTRODUCTION: &str = "\
 The document leaves questions open, and `adsdv readings` lists them with their answers. Here is what the answers cost:
 the open model, in which the AI Computer, the driver and every fault do what they can, was explored under every
-combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each.
+combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each. Each edition
+has its own questions and a section here. The default edition was explored in full; of the others, combinations of at most
+two answers that are not the default.
 
 The properties say what the text asks for at its strictest, and hold under the default answers. Another answer that fails
 one is not wrong: the document allows it. But two teams, or a team and its simulator, that answer differently differ in
 just this, and the shortest run below shows where.
 
-This file is what `adsdv verify --readings` prints; tests keep it so.
+This file is what `adsdv verify --readings` prints, and with `--edition` one section of it; tests keep it so.
 ";
 
 const CLOSED: &str = "
-## With an AI Computer that follows the document
+### With an AI Computer that follows the document
 
 In the closed models the AI Computer follows the document; the operator follows the procedure, or moves any switch at any
-time. They were explored with short timers under each other answer alone. Of the properties that say what a team may rely
-on, these fail.";
+time. They were explored with short timers under each other answer alone";
+
+/// Of an edition that is not the default.
+const CLOSED_OTHERWISE: &str = ", an operator who moves any switch under those that the default
+edition does not have";
 
 impl Display for Sweep {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{TITLE}\n\nEdition {}.\n\n{INTRODUCTION}", self.edition.version)?;
+        writeln!(f, "## Edition {}\n", self.edition.version)?;
+        let same = |other: &&&Edition| {
+            other.version != self.edition.version && have_the_same_state_machine(other, self.edition)
+        };
+        for other in Edition::ALL.iter().filter(same) {
+            writeln!(f, "Edition {} has the same state machine and the same questions.\n", other.version)?;
+        }
         writeln!(
             f,
             "{} combinations, {} steps, every exploration {}.{}",
@@ -49,9 +62,9 @@ impl Display for Sweep {
                 ""
             }
         )?;
-        writeln!(f, "\n## The answers, ranked by what they can cost\n")?;
+        writeln!(f, "\n### The answers, ranked by what they can cost\n")?;
         self.ranking(f)?;
-        writeln!(f, "\n## The properties that fail, and the shortest runs that show it")?;
+        writeln!(f, "\n### The properties that fail, and the shortest runs that show it")?;
         for property in properties(self.edition) {
             let costs: Vec<&Cost> = self.costs.iter().filter(|cost| cost.name == property.name).collect();
             if !costs.is_empty() {
@@ -102,13 +115,14 @@ impl Sweep {
 
     /// What fails although the AI Computer follows the document.
     fn with_a_conforming_ai(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{CLOSED}")?;
+        let otherwise = if is_default(self.edition) { "" } else { CLOSED_OTHERWISE };
+        writeln!(f, "{CLOSED}{otherwise}.\nOf the properties that say what a team may rely on, these fail.")?;
         if self.closed.is_empty() {
             return writeln!(f, "\nNone fails any.");
         }
         for ClosedCost { property, choice, run } in &self.closed {
             let ClosedProperty { name, statement, requirements, .. } = property;
-            writeln!(f, "\n### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
+            writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
             writeln!(f, "\nFails under `{choice}` ({}):\n", choice.text())?;
             lines(f, &story_of(run))?;
         }
@@ -125,7 +139,7 @@ impl Sweep {
         if lost.is_empty() {
             return Ok(());
         }
-        writeln!(f, "\n## What cannot happen any more\n")?;
+        writeln!(f, "\n### What cannot happen any more\n")?;
         for (cost, goal) in lost {
             writeln!(f, "- {} (`{}`): not under {}", goal.statement, goal.name, under(cost))?;
         }
@@ -133,7 +147,7 @@ impl Sweep {
     }
 
     fn holding(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        writeln!(f, "\n## The properties that hold under every combination\n")?;
+        writeln!(f, "\n### The properties that hold under every combination\n")?;
         let holds = |property: &&Property| self.costs.iter().all(|cost| cost.name != property.name);
         for property in properties(self.edition).filter(holds) {
             writeln!(
@@ -150,7 +164,7 @@ impl Sweep {
 
 fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::Result {
     let Property { name, statement, requirements, .. } = property;
-    writeln!(f, "\n### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
+    writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
     for cost in costs {
         writeln!(f, "\nFails under {}: {}.", under(cost), cost.harm(property).text())?;
         if let Some(run) = &cost.run {

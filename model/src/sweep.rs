@@ -9,6 +9,7 @@ use adsdv_spec::{AsState, Choice, Choices, Control, Edition, Machine, Reading, R
 
 use crate::action::Action;
 use crate::closed::{Closed, ClosedProperty, Operator};
+use crate::document::is_default;
 use crate::property::{Harm, Property};
 use crate::run::Run;
 use crate::vectors::Vectors;
@@ -91,11 +92,20 @@ pub struct ClosedCost {
 }
 
 /// Each answer that is not the default, alone, with each operator: the closed models that [`sweep`] can explore.
+///
+/// With any operator, answers that the default edition has are left to that edition: these models take longest.
 pub fn closed_models(edition: &Edition) -> impl Iterator<Item = (Choice, Operator)> {
-    edition
-        .alternatives()
-        .iter()
-        .flat_map(|choice| [Operator::WellBehaved, Operator::Any].map(|operator| (choice, operator)))
+    let elsewhere = if is_default(edition) { Choices::NONE } else { Edition::DEFAULT.choices };
+    let operators = [Operator::WellBehaved, Operator::Any];
+    let models =
+        edition.alternatives().iter().flat_map(move |choice| operators.map(|operator| (choice, operator)));
+    models.filter(move |(choice, operator)| *operator == Operator::WellBehaved || !elsewhere.has(*choice))
+}
+
+/// How many answers that are not the default come together in `model/READINGS.md`: as many as there are in the default edition,
+/// and two in the others, whose questions are more.
+pub fn together(edition: &Edition) -> usize {
+    if is_default(edition) { usize::MAX } else { 2 }
 }
 
 /// Checks an edition of the interface under every combination of readings in which at most so many are not the default,

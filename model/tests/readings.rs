@@ -1,17 +1,29 @@
 //! `READINGS.md` says what the readings cost now.
 //!
-//! The file is what `adsdv verify --readings` prints, of every combination and every closed model, and a nightly job holds it
-//! to that. Here are the combinations of up to three answers that are not the default, from which the same follows, and the
-//! closed models with an operator who follows the procedure.
+//! The file is what `adsdv verify --readings` prints, and a nightly job holds it to that. Here are, of the default edition, the
+//! combinations of up to three answers that are not the default, from which the same follows; of each other edition, those in
+//! which one is an answer that the default edition does not have, alone; and the closed models with an operator who follows the
+//! procedure.
 
 use std::thread;
 
 use adsdv_model::closed::Operator;
-use adsdv_model::{closed_models, properties, sweep};
-use adsdv_spec::{Choices, Edition, Readings};
+use adsdv_model::{READINGS_HEAD, Sweep, closed_models, properties, state_machines, sweep};
+use adsdv_spec::{Choices, Edition};
 
-/// So many answers that are not the default come together.
+const WRITTEN: &str = include_str!("../READINGS.md");
+
+/// Of the default edition, so many answers that are not the default come together.
 const TOGETHER: usize = 3;
+
+/// The section of an edition.
+fn section(edition: &Edition) -> &'static str {
+    let heading = format!("\n## Edition {}\n", edition.version);
+    let (_, section) = WRITTEN.split_once(&heading).unwrap_or_else(|| {
+        panic!("no section of {}: `adsdv verify --readings > model/READINGS.md` writes it anew", edition.version)
+    });
+    section.split("\n## Edition ").next().unwrap_or_default()
+}
 
 /// The text without how many combinations and steps there were, and without what fails with an AI Computer that follows the
 /// document.
@@ -20,8 +32,8 @@ fn checked_here(text: &str) -> Vec<&str> {
     assert_eq!(text.lines().filter(counts).count(), 1, "one line says how many");
     let (mut lines, mut closed) = (Vec::new(), false);
     for line in text.lines().filter(|line| !counts(line)) {
-        if line.starts_with("## ") {
-            closed = line == "## With an AI Computer that follows the document";
+        if line.starts_with("### ") {
+            closed = line == "### With an AI Computer that follows the document";
         }
         if !closed {
             lines.push(line);
@@ -30,29 +42,51 @@ fn checked_here(text: &str) -> Vec<&str> {
     lines
 }
 
-#[test]
-fn the_costs_of_the_readings_are_as_written_down() {
+fn swept(edition: &'static Edition, together: usize) -> Sweep {
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let models: Vec<_> =
-        closed_models(Edition::DEFAULT).filter(|(_, operator)| *operator == Operator::WellBehaved).collect();
-    let swept = sweep(Edition::DEFAULT, TOGETHER, &models, threads, |_, _| {});
+    let follows = |(_, operator): &(_, Operator)| *operator == Operator::WellBehaved;
+    let models: Vec<_> = closed_models(edition).filter(follows).collect();
+    let swept = sweep(edition, together, &models, threads, |_, _| {});
     assert!(swept.complete);
     assert!(swept.closed.is_empty(), "an operator who follows the procedure is never let down");
     // What is broken is shown: a run for each property, and the properties hold under the defaults.
-    for cost in swept
-        .costs
-        .iter()
-        .filter(|cost| properties(Edition::DEFAULT).any(|property| property.name == cost.name))
-    {
+    let is_property = |name| properties(edition).any(|property| property.name == name);
+    for cost in swept.costs.iter().filter(|cost| is_property(cost.name)) {
         assert!(cost.run.as_ref().is_some_and(|run| !run.is_empty()), "{} has no run", cost.name);
         assert!(!cost.choices.is_empty(), "{} fails under the defaults", cost.name);
-        assert!(cost.choices.intersection(Readings::DEFAULT.choices()).is_empty(), "{}", cost.name);
+        assert!(cost.choices.intersection(edition.readings.choices()).is_empty(), "{}", cost.name);
     }
+    swept
+}
+
+#[test]
+fn the_costs_of_the_readings_are_as_written_down() {
+    let swept = swept(Edition::DEFAULT, TOGETHER);
     // Every other answer costs something: otherwise it would be no question.
     let costly = swept.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
     assert_eq!(costly, Edition::DEFAULT.alternatives());
 
     let found = swept.to_string();
-    let [written, found] = [include_str!("../READINGS.md"), &found].map(checked_here);
+    let (_, found) = found.split_once('\n').expect("a heading");
+    let [written, found] = [section(Edition::DEFAULT), found].map(checked_here);
     assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
+}
+
+/// What one answer costs alone is told in the same words.
+#[test]
+fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
+    for edition in state_machines().filter(|edition| edition.version != Edition::DEFAULT.version) {
+        let found = swept(edition, 1).to_string();
+        let (_, found) = found.split_once('\n').expect("a heading");
+        let [written, found] = [section(edition), found].map(checked_here);
+        assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
+    }
+}
+
+#[test]
+fn each_state_machine_has_its_section_behind_the_head() {
+    assert!(WRITTEN.starts_with(READINGS_HEAD));
+    let sections = WRITTEN.lines().filter_map(|line| line.strip_prefix("## Edition "));
+    let expected = state_machines().map(|edition| edition.version);
+    assert_eq!(sections.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
 }

@@ -29,7 +29,8 @@ EXAMPLES
       adsdv verify --reading fault-trigger=edge
       adsdv check --reading fault-trigger=level counterexample-driving-neutral.log
 
-  What each reading of the document costs (this is model/READINGS.md):
+  What each reading of the document costs, edition by edition (this is
+  model/READINGS.md):
       adsdv verify --readings > READINGS.md
 
   Quickly, with only those inputs that can matter at each state:
@@ -48,7 +49,8 @@ OUTPUT
   A log is sampled, so that check may call certain less than verify does: what fails
   for a cycle only, or behind a hidden shutdown circuit, is no violation in a log.
 
-  It takes some 20 seconds, and --readings a minute or two.
+  It takes some 20 seconds, of version 4.0 a minute or two, and --readings several
+  minutes.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none
@@ -66,7 +68,8 @@ pub(crate) struct VerifyArgs {
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
 
-    /// Check every combination of readings that can matter, and print as Markdown what each costs.
+    /// Check the combinations of readings that can matter, and print as Markdown what each costs: for every edition, or for the one
+    /// that is asked for.
     #[arg(long = "readings", conflicts_with_all = ["readings", "model", "vectors", "json", "logs", "color"])]
     pub(crate) sweep: bool,
 

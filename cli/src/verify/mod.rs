@@ -13,7 +13,7 @@ mod table;
 
 use std::thread;
 
-use adsdv_model::{Options, closed_models, sweep};
+use adsdv_model::{Options, READINGS_HEAD, Sweep, closed_models, state_machines, sweep, together};
 use adsdv_spec::Edition;
 
 use crate::args::VerifyArgs;
@@ -28,7 +28,9 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     let threads = args.threads.unwrap_or_else(|| Options::default().threads);
     let chosen = args.edition.chosen()?;
     if args.sweep {
-        return readings(chosen.edition(), threads);
+        let one = chosen.asked_for().map(|_| chosen.edition());
+        let editions: Vec<_> = one.map_or_else(|| state_machines().collect(), |one| vec![one]);
+        return readings(&editions, threads);
     }
     let machine = pins::machine(chosen.edition(), &args.readings)?;
     counterexample::expect_directory(&args.logs)?;
@@ -45,25 +47,37 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     unwritten.map_or(Ok(outcome.status()), Err)
 }
 
-/// What each reading costs.
-fn readings(edition: &'static Edition, threads: usize) -> Result<Status, Error> {
+/// What each reading of these editions costs.
+fn readings(editions: &[&'static Edition], threads: usize) -> Result<Status, Error> {
+    output::plain(READINGS_HEAD)?;
+    let mut status = Status::Conforms;
+    for edition in editions {
+        let swept = explored(edition, threads);
+        output::plain(&format!("\n{swept}"))?;
+        let defaults_hold = swept.costs.iter().all(|cost| !cost.choices.is_empty());
+        if !swept.complete || !defaults_hold {
+            status = Status::Violates;
+        }
+    }
+    Ok(status)
+}
+
+/// What each reading of an edition costs, with a line that tells how far it is.
+fn explored(edition: &'static Edition, threads: usize) -> Sweep {
     let (sender, receiver) = std::sync::mpsc::channel();
-    let swept = thread::scope(|scope| {
+    thread::scope(|scope| {
         // The explorations tell how far they are from their own threads; this one looks after the line.
         scope.spawn(move || {
             let mut line = Line::new();
             for (done, all) in receiver {
-                line.show_bar(done, all, "of every combination of readings");
+                line.show_bar(done, all, format!("of the combinations of readings of {}", edition.version));
             }
         });
         let models: Vec<_> = closed_models(edition).collect();
-        sweep(edition, usize::MAX, &models, threads, move |done, all| {
+        sweep(edition, together(edition), &models, threads, move |done, all| {
             let _ = sender.send((done, all));
         })
-    });
-    output::plain(&swept.to_string())?;
-    let defaults_hold = swept.costs.iter().all(|cost| !cost.choices.is_empty());
-    Ok(if swept.complete && defaults_hold { Status::Conforms } else { Status::Violates })
+    })
 }
 
 impl Outcome {

@@ -25,6 +25,9 @@
 //!
 //! The limit is that of the document, not of the machine that is checked: a machine with less patience is found out.
 //!
+//! It sends all of its messages in every cycle. As each waits for less than two cycles, none is ever missed: what an edition
+//! says of missed messages is in the open model.
+//!
 //! # What the vehicle is assumed to do
 //!
 //! It moves only when it is driven, stops when it is braked, and its wheels are straight. The one fault is the remote E-stop
