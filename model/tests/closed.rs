@@ -1,9 +1,10 @@
 //! The closed model: its properties hold for the reference, and none of them holds for the wrong reason.
 
 use adsdv_model::closed::{Closed, ClosedExploration, Conduct, Operator, Stage};
+use adsdv_model::state_machines;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::table::{Row, Table, Term};
-use adsdv_spec::{Atom, Edition, Fault, Machine, Readings};
+use adsdv_spec::{Atom, Edition, Fault, Machine, Readings, Timing};
 use stateright::Path;
 
 const EDITION: Edition = *Edition::DEFAULT;
@@ -160,6 +161,23 @@ fn mutants_lose_a_conforming_ai() {
         }
     }
     assert!(!violates(&handshake(50), WellBehaved, name), "the bound is tight");
+}
+
+/// With the times of an edition: what is an answer in time in version 4.0 is late in version 3.0.
+//= HS-13, HS-17
+#[test]
+fn every_edition_has_an_ai_computer_that_conforms_to_it() {
+    for edition in state_machines().filter(|edition| edition.version != EDITION.version) {
+        let model = |edition: &Edition| Closed::scaled(*edition, edition.readings, WellBehaved);
+        assert_all_hold(&model(edition).explore(2));
+        let machine = Machine::new(*edition, edition.readings);
+        assert_all_hold(&Closed::new(machine, WellBehaved).explore(2));
+        // The bound is tight.
+        let timing = edition.rules.timing;
+        let handshake_ms = timing.handshake_ms - timing.cycle_ms;
+        let hasty = edition.with_timing(Timing { handshake_ms, ..timing });
+        assert!(model(&hasty).run_for("conforming-ai-is-never-lost").is_some(), "{}", edition.version);
+    }
 }
 
 #[test]

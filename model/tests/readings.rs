@@ -20,7 +20,10 @@ const TOGETHER: usize = 3;
 fn section(edition: &Edition) -> &'static str {
     let heading = format!("\n## Edition {}\n", edition.version);
     let (_, section) = WRITTEN.split_once(&heading).unwrap_or_else(|| {
-        panic!("no section of {}: `adsdv verify --readings > model/READINGS.md` writes it anew", edition.version)
+        panic!(
+            "no section of {}: `adsdv verify --readings > model/READINGS.md` writes it anew",
+            edition.version
+        )
     });
     section.split("\n## Edition ").next().unwrap_or_default()
 }
