@@ -36,8 +36,8 @@ In the closed models the AI Computer follows the document; the operator follows 
 time. They were explored with short timers under each other answer alone";
 
 /// Of an edition that is not the default.
-const CLOSED_OTHERWISE: &str = ", an operator who moves any switch under those that the default
-edition does not have";
+const CLOSED_OTHERWISE: &str = ",
+an operator who moves any switch under those that the default edition does not have";
 
 impl Display for Sweep {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {

@@ -75,6 +75,9 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
             let reads = machine.reads(control, CYCLE_MS);
             let leads = |to| machine.possible(control, CYCLE_MS).any(|(row, _)| row.to == to);
             let atoms = properties_read(&leads).union(reads.atoms);
+            // A fault of the battery that does not open the circuit is no fault like the others.
+            let apart = atoms.has(Atom::SdcOpen) && machine.readings().is(Choice::BmsDriving);
+            let atoms = atoms.union(Atoms::when(Atom::BmsFault, apart));
             let opening = if atoms.has(Atom::SdcOpen) { Faults::OPENING } else { Faults::NONE };
             let opening = opening.union(Faults::when(Fault::BmsFault, atoms.has(Atom::BmsFault)));
             let request = Observation::FAULTS.difference(Faults::OPENING);
