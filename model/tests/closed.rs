@@ -171,7 +171,9 @@ fn every_edition_has_an_ai_computer_that_conforms_to_it() {
         let model = |edition: &Edition| Closed::scaled(*edition, edition.readings, WellBehaved);
         assert_all_hold(&model(edition).explore(2));
         let machine = Machine::new(*edition, edition.readings);
-        assert_all_hold(&Closed::new(machine, WellBehaved).explore(2));
+        let real = Closed::new(machine, WellBehaved);
+        assert_eq!(real.timing, edition.rules.timing);
+        assert_all_hold(&real.explore(2));
         // The bound is tight.
         let timing = edition.rules.timing;
         let handshake_ms = timing.handshake_ms - timing.cycle_ms;
