@@ -106,7 +106,7 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
         // Not every edition has it.
         assert_eq!(fields.remove("brake_plausibility_fault").unwrap_or(0), 0);
         // These are shown in every edition, and sent since 2026.
-        let of_520h = outputs.messages(&inputs).of_520h;
+        let of_520h = outputs.messages(&inputs).status;
         for (name, raw) in [
             ("op_state", of_520h.op_state.raw()),
             ("ts_state", of_520h.ts_state.raw()),

@@ -1,8 +1,8 @@
 //! `READINGS.md` says what the readings cost now.
 //!
 //! The file is what `adsdv verify --readings` prints, and a nightly job holds it to that. Here are, of the default edition, the
-//! combinations of up to three answers that are not the default, from which the same follows; of each other edition, those in
-//! which one is an answer that the default edition does not have, alone; and the closed models with an operator who follows the
+//! combinations of up to three answers that are not the default, from which the same follows; of each other edition, each answer
+//! alone; and the closed models with an operator who follows the
 //! procedure.
 
 use std::thread;
@@ -74,6 +74,13 @@ fn the_costs_of_the_readings_are_as_written_down() {
     assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
 }
 
+/// A line without the answers that undo a failure: they show only where two come together.
+fn alone(line: &str) -> String {
+    let Some((fails, undone)) = line.split_once(", but not with ") else { return line.to_owned() };
+    let harm = undone.split_once(": ").map_or(String::new(), |(_, harm)| format!(": {harm}"));
+    format!("{fails}{harm}")
+}
+
 /// What one answer costs alone is told in the same words.
 #[test]
 fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
@@ -81,6 +88,7 @@ fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
         let found = swept(edition, 1).to_string();
         let (_, found) = found.split_once('\n').expect("a heading");
         let [written, found] = [section(edition), found].map(checked_here);
+        let [written, found] = [written, found].map(|lines| lines.into_iter().map(alone).collect::<Vec<_>>());
         assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
     }
 }

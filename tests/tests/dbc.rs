@@ -12,7 +12,7 @@ use adsdv_spec::{Bus, Edition};
 use can_dbc::{AttributeValue, ByteOrder, MessageId, SignalExtendedValueType, ValueDescription, ValueType};
 
 /// Each edition with the original of its database, as it lies beside the checkout.
-const EDITIONS: [(Edition, &str); 3] = [
+static EDITIONS: [(Edition, &str); 3] = [
     (Edition::V3_0, "dbc/adsdv_2021_vcu_ai_interface_v1.dbc"),
     (Edition::V4_0, "v4/ADS-DV_v2.dbc"),
     (Edition::V2026, "v4/ADS-DV_2026_CAN1.dbc"),

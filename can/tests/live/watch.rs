@@ -161,10 +161,10 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
                 report.transitions.len(),
                 "{case}: none is lost before it is decided"
             );
-            let long = frames.last().map_or(0, |frame| frame.time_ns) - ORIGIN;
+            let length = frames.last().map_or(0, |frame| frame.time_ns) - ORIGIN;
             let bound = 10_100 * MS;
             assert!(told_after.is_none_or(|told| told <= bound), "{case}: {told_after:?}");
-            assert!(told_after.is_some() || long < bound, "{case}: it takes too long");
+            assert!(told_after.is_some() || length < bound, "{case}: it takes too long");
             if live.certain {
                 assert_eq!(live.edition, *edition, "{case}: {live}");
             }
