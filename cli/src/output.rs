@@ -11,7 +11,7 @@ use clap::ColorChoice;
 use crate::error::Error;
 
 /// Text is wrapped to this width where the terminal does not say.
-const WIDTH: usize = 100;
+pub(crate) const WIDTH: usize = 100;
 /// Lines longer than this are hard to read, however wide the terminal.
 const WIDEST: usize = 120;
 /// In fewer columns than this the layout does not fit anyway.

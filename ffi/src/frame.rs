@@ -99,7 +99,7 @@ pub unsafe extern "C" fn adsdv_frame_init_in(
         let message = message(edition, id)?;
         let data = message.signals.iter().fold([0; 8], |data, signal| {
             let first = signal.values.first().map_or(signal.min, |(value, _)| *value);
-            signal.put(data, if signal.allows(0) { 0 } else { first })
+            signal.put(data, signal.meaning(if signal.allows(0) { 0 } else { first }))
         });
         place.set(adsdv_frame { id, len: message.len, data });
         Ok(())

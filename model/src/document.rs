@@ -54,13 +54,14 @@ pub(crate) fn is_default(edition: &Edition) -> bool {
     edition.version == Edition::DEFAULT.version
 }
 
-/// Whether two editions have the same state machine, under the same answers.
+/// Whether two editions have the same state machine: under the same answers, whichever are the default in each.
 pub fn have_the_same_state_machine(one: &Edition, other: &Edition) -> bool {
-    let of = |edition: &Edition| (edition.rules, edition.faults, edition.choices, edition.readings);
+    let of = |edition: &Edition| (edition.rules, edition.faults, edition.choices);
     of(one) == of(other)
 }
 
-/// The editions of which none before has the same state machine: what is explored of these holds of all.
+/// The editions of which none before has the same state machine: what is explored of these, under an answer to each question,
+/// holds of all.
 pub fn state_machines() -> impl Iterator<Item = &'static Edition> {
     Edition::ALL.iter().enumerate().filter_map(|(place, edition)| {
         let before = Edition::ALL.iter().take(place);

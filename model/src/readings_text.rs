@@ -18,9 +18,9 @@ pub const READINGS_HEAD: &str = "\
 
 The document leaves questions open, and `adsdv readings` lists them with their answers. Here is what the answers cost:
 the open model, in which the AI Computer, the driver and every fault do what they can, was explored under every
-combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each. Each edition
-has its own questions and a section here. The default edition was explored in full; of the others, combinations of at most
-two answers that are not the default.
+combination of answers that can matter to each other, and each property of `adsdv verify` was checked under each. Each state
+machine has its own questions and a section here, of the first edition that has it. The default edition was explored in
+full; of the others, combinations of at most two answers that are not the default.
 
 The properties say what the text asks for at its strictest, and hold under the default answers. Another answer that fails
 one is not wrong: the document allows it. But two teams, or a team and its simulator, that answer differently differ in

@@ -34,7 +34,8 @@
 static adsdv_machine machine;
 static adsdv_control control;
 static adsdv_error error;
-static int has_plausibility; /* whether the edition has the output brake_plausibility_fault */
+/* Whether the edition has the output brake_plausibility_fault, and the states of operation, tractive system and EBS. */
+static int has_plausibility, has_states;
 
 static void check(adsdv_status status) {
     if (status != ADSDV_OK) {
@@ -63,6 +64,7 @@ static void become(adsdv_edition edition) {
     check(adsdv_control_init(&control, &error));
     check(adsdv_frame_init_in(edition, &frame, 0x520, &error));
     has_plausibility = !adsdv_frame_set_in(edition, &frame, "BRAKE_PLAUSIBILITY_FAULT", 0, NULL);
+    has_states = !adsdv_frame_set_in(edition, &frame, "OP_STATE", 0, NULL);
 }
 
 /* What follows is about this edition; an edition that there is not is answered with the one that this VCU is of. */
@@ -93,6 +95,11 @@ static void step(const char *line) {
 #define VALUE(key) outputs.key,
     printf("{" OUTPUTS(FORMAT) "%s", OUTPUTS(VALUE) "");
     if (has_plausibility) printf(FORMAT(brake_plausibility_fault), outputs.brake_plausibility_fault);
+    if (has_states) {
+        printf(FORMAT(op_state), outputs.op_state);
+        printf(FORMAT(ts_state), outputs.ts_state);
+        printf(FORMAT(ebs_state), outputs.ebs_state);
+    }
     fputs("\"steer\":", stdout);
     if (outputs.steer_active) printf("%d}\n", outputs.steer);
     else puts("null}");

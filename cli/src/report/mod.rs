@@ -14,6 +14,7 @@ use adsdv_spec::{Choice, Rules};
 use style::Styled;
 
 use crate::layout::{Seconds, counted};
+use crate::output;
 
 /// Where text stands below the time of its line.
 const INDENT: usize = 14;
@@ -49,21 +50,25 @@ pub(crate) fn news(rules: &Rules, transitions: &[Transition], findings: &[Findin
 
 /// The line about an edition that was recognised, and by what. What does not fit it is among the findings.
 pub(crate) fn recognised(recognised: &Recognised) -> String {
-    let Recognised { edition, evidence, .. } = recognised;
-    let evidence = (!evidence.is_empty()).then(|| first(evidence));
-    let why = evidence.into_iter().chain(recognised.doubt()).collect::<Vec<_>>().join("; ");
-    format!("edition {} (recognised: {why})", edition.version)
+    let line = |shown| {
+        let facts = first(&recognised.evidence, shown);
+        let why = facts.into_iter().chain(recognised.doubt()).collect::<Vec<_>>().join("; ");
+        format!("edition {} (recognised: {why})", recognised.edition.version)
+    };
+    let mut lines = (1..=FACTS).rev().map(line);
+    lines.find(|line| line.chars().count() <= output::WIDTH).unwrap_or_else(|| line(1))
 }
 
-/// What an edition was recognised by, in a line.
-pub(crate) fn first(evidence: &[String]) -> String {
-    /// So many facts tell enough.
-    const SHOWN: usize = 2;
-    let mut facts: Vec<String> = evidence.iter().take(SHOWN).cloned().collect();
-    if let Some(more) = evidence.len().checked_sub(SHOWN).filter(|more| *more > 0) {
+/// So many facts tell enough.
+pub(crate) const FACTS: usize = 2;
+
+/// What an edition was recognised by, in a line: so many facts, and how many there are besides; `None` where there is nothing.
+pub(crate) fn first(evidence: &[String], shown: usize) -> Option<String> {
+    let mut facts: Vec<String> = evidence.iter().take(shown).cloned().collect();
+    if let Some(more) = evidence.len().checked_sub(shown).filter(|more| *more > 0) {
         facts.push(format!("{more} more such"));
     }
-    facts.join("; ")
+    (!facts.is_empty()).then(|| facts.join("; "))
 }
 
 fn write_news(

@@ -73,12 +73,9 @@ impl fmt::Display for Promela<'_> {
 
 impl Promela<'_> {
     fn head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Edition { version, readings: usual, .. } = self.machine.edition();
+        let Edition { document, readings: usual, .. } = self.machine.edition();
         let readings = self.machine.readings();
-        writeln!(
-            f,
-            "/* The AS state machine of the ADS-DV Software Interface Specification {version}, sections 2.4 and 3,"
-        )?;
+        writeln!(f, "/* The AS state machine of the {document}, sections 2.4 and 3,")?;
         if readings != *usual {
             writeln!(f, " * read with {readings},")?;
         }

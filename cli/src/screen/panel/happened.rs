@@ -9,7 +9,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::layout::{Seconds, counted, wrapped};
-use crate::report::first;
+use crate::report::{FACTS, first};
 use crate::screen::theme::{QUIET, STRONG, Theme};
 
 /// The column of the times.
@@ -109,7 +109,7 @@ fn other_edition(node: Node, spoken: &Recognised, own: &str) -> String {
     let who = if node == Node::Vcu { "the VCU" } else { "the AI Computer" };
     let fitting = std::iter::once(&spoken.edition).chain(&spoken.alike);
     let versions: Vec<&str> = fitting.map(|edition| edition.version).collect();
-    let (versions, by) = (versions.join(" or "), first(&spoken.evidence));
+    let (versions, by) = (versions.join(" or "), first(&spoken.evidence, FACTS).unwrap_or_default());
     format!("{who} speaks edition {versions}, and not {own}: {by}; --edition {versions} speaks it as well")
 }
 
