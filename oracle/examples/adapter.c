@@ -34,8 +34,7 @@
 static adsdv_machine machine;
 static adsdv_control control;
 static adsdv_error error;
-/* Whether the edition has the output brake_plausibility_fault, and the states of operation, tractive system and EBS. */
-static int has_plausibility, has_states;
+static int has_plausibility, has_states; /* whether the edition has brake_plausibility_fault, op_state and its like */
 
 static void check(adsdv_status status) {
     if (status != ADSDV_OK) {
@@ -95,11 +94,7 @@ static void step(const char *line) {
 #define VALUE(key) outputs.key,
     printf("{" OUTPUTS(FORMAT) "%s", OUTPUTS(VALUE) "");
     if (has_plausibility) printf(FORMAT(brake_plausibility_fault), outputs.brake_plausibility_fault);
-    if (has_states) {
-        printf(FORMAT(op_state), outputs.op_state);
-        printf(FORMAT(ts_state), outputs.ts_state);
-        printf(FORMAT(ebs_state), outputs.ebs_state);
-    }
+    if (has_states) printf(FORMAT(op_state) FORMAT(ts_state) FORMAT(ebs_state), outputs.op_state, outputs.ts_state, outputs.ebs_state);
     fputs("\"steer\":", stdout);
     if (outputs.steer_active) printf("%d}\n", outputs.steer);
     else puts("null}");

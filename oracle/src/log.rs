@@ -338,7 +338,9 @@ impl LogJudge {
     /// # };
     /// judge.frame(&heard(0)); // a 524h of five bytes
     /// assert_eq!(judge.recognised(), None);
-    /// judge.time_passes(1_000_000_000);
+    /// judge.time_passes(1_000_000_000); // which is in 4.0 as in 2026, so that more is to be heard
+    /// assert_eq!(judge.recognised(), None);
+    /// judge.time_passes(10_000_000_000);
     /// assert_eq!(judge.recognised().map(|recognised| recognised.edition.version), Some("2026"));
     /// ```
     pub fn recognising(options: LogOptions) -> Self {
