@@ -62,6 +62,14 @@ _ShutdownCause = Literal[
     "BRAKE_PLAUSIBILITY_FAULT",
 ]
 
+# AS_INIT is a name of 520h since 2026; it counts as AS_OFF, and no step of a Vcu shows it.
+_ShownAsState = Literal["AS_INIT", "AS_OFF", "AS_READY", "AS_DRIVING", "EMERGENCY_BRAKE", "AS_FINISHED"]
+_OpState = Literal["OP_INIT", "OP_PUSHBAR", "OP_AUTO", "OP_CHARGE", "OP_FAULT"]
+_TsState = Literal["TS_INIT", "TS_PRECHARGE", "TS_ACTIVATE", "TS_RUNNING", "TS_SHUTDOWN", "TS_FAULT"]
+_EbsStage = Literal[
+    "EBS_INIT", "EBS_CHARGING", "EBS_ARMED", "EBS_TRIGGERED", "EBS_DISCHARGING", "EBS_FAULT"
+]
+
 _Log = str | os.PathLike[str] | bytes | bytearray | memoryview | Iterable[str] | Iterable[bytes]
 _Data = bytes | bytearray | memoryview | Sequence[int]
 _Readings = Mapping[str, str]
@@ -109,7 +117,7 @@ class _Inputs(TypedDict, total=False):
     rr_wheel_speed: int
 
 class _OutputsOfAll(TypedDict):
-    as_state: _AsState
+    as_state: _ShownAsState
     handshake: bool
     go_signal: bool
     steering_status: bool
@@ -144,6 +152,9 @@ class _OutputsOfAll(TypedDict):
 
 class _Outputs(_OutputsOfAll, total=False):
     brake_plausibility_fault: bool
+    op_state: _OpState
+    ts_state: _TsState
+    ebs_state: _EbsStage
 
 class _Control(TypedDict):
     state: _AsState
