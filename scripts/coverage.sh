@@ -38,10 +38,10 @@ features=adsdv-spec/serde,adsdv-spec/arbitrary,adsdv-spec/proptest
 [ ${#packages[@]} -gt 0 ] || packages=(--workspace)
 tools=$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin
 if cargo llvm-cov --version >/dev/null 2>&1 && [ -x "$tools/llvm-cov" ]; then
-  cargo llvm-cov "${packages[@]}" --locked --features "$features" --lcov --output-path "$out/lcov.info" "$@"
+  cargo llvm-cov "${packages[@]}" --profile coverage --locked --features "$features" --lcov --output-path "$out/lcov.info" "$@"
 elif cargo tarpaulin --version >/dev/null 2>&1; then
   # A test may take long when every line of it counts.
-  cargo tarpaulin --engine llvm --follow-exec "${packages[@]}" --locked --features "$features" --timeout 3600 \
+  cargo tarpaulin --engine llvm --follow-exec --profile coverage "${packages[@]}" --locked --features "$features" --timeout 3600 \
     --skip-clean --target-dir "$out/target" --out Lcov --output-dir "$out" "$@"
 else
   echo "coverage.sh: neither cargo llvm-cov with llvm-tools nor cargo tarpaulin is installed;" \

@@ -220,5 +220,7 @@ mod tests {
         let text = |atom| Edition::V3_0.rules.text(atom, true).to_string();
         assert_eq!(text(Atom::DwellElapsed), "5 second timer elapsed");
         assert_eq!(text(Atom::AtRest), "all wheel speeds < 10 rpm");
+        let missed = text(Atom::AiMessagesMissed);
+        assert!(missed.contains("ever so long"), "3.0 has no limit: {missed}");
     }
 }

@@ -278,11 +278,8 @@ impl Machine {
         let atoms = seen.atoms().intersection(self.scope);
         let opening = seen.faults().intersection(Faults::OPENING).without(Fault::BmsFault);
         //= D-54
-        if self.readings.is(Choice::BmsDriving) && opening.is_empty() {
-            atoms.without(Atom::SdcOpen)
-        } else {
-            atoms
-        }
+        let closed = self.readings.is(Choice::BmsDriving) && opening.is_empty();
+        atoms.difference(Atoms::when(Atom::SdcOpen, closed))
     }
 
     /// Whether a message of the AI Computer that is missed is a fault, while the handshake is performed or is not.

@@ -283,3 +283,29 @@ pub struct Priority {
     /// Where the arrow ends that now comes before all others of the state.
     pub first: AsState,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Row, Term};
+    use crate::Edition;
+    use crate::messages::AsState;
+
+    #[test]
+    fn a_row_takes_the_place_of_that_of_its_arrow() {
+        let table = Edition::V3_0.rules.table;
+        for (place, row) in table.rows().iter().enumerate() {
+            let other = Row::new(row.from, row.to, "9", &row.terms()[..1]);
+            let changed = table.with(&other);
+            for (index, (was, is)) in table.rows().iter().zip(changed.rows()).enumerate() {
+                assert_eq!(is, if index == place { &other } else { was });
+            }
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "no such arrow")]
+    fn a_row_of_an_arrow_that_there_is_not_does_not_compile() {
+        let row = Row::new(AsState::Off, AsState::Driving, "9", &[Term::on("9", &[])]);
+        let _ = Edition::V3_0.rules.table.with(&row);
+    }
+}

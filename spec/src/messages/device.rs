@@ -264,7 +264,7 @@ mod tests {
 
     use std::string::ToString;
 
-    use super::{Coding, Device, DeviceMessage, DeviceSignal};
+    use super::{Coding, Device, DeviceMessage, DeviceSignal, listed, optional};
 
     const SIGNAL: DeviceSignal = DeviceSignal {
         name: "signal",
@@ -353,6 +353,12 @@ mod tests {
     fn a_short_float_does_not_compile() {
         let _ = DeviceMessage { signals: &[DeviceSignal { coding: Coding::Float, ..SIGNAL }], ..MESSAGE }
             .checked();
+    }
+
+    #[test]
+    fn what_a_table_leaves_out_is_none() {
+        assert_eq!((optional(&[]), optional(&[10])), (None, Some(10)));
+        assert_eq!((listed(&[]), listed(&[&[(1, "on")]])), (&[][..], &[(1, "on")][..]));
     }
 
     #[test]

@@ -99,6 +99,19 @@ fn mutations_have_names_of_their_own() {
     }
 }
 
+//= HS-18
+#[test]
+fn the_limit_of_missed_messages_is_one_unit_more_and_less() {
+    let edition = Edition::V4_0;
+    let limits: Vec<_> = Mutation::all(&edition)
+        .filter(|mutation| mutation.to_string().contains("missed message"))
+        .map(|mutation| mutation.apply(&edition).rules.thresholds.missed_ms)
+        .collect();
+    assert_eq!(limits.len(), 2, "{limits:?}");
+    assert!(limits.contains(&Some(99)) && limits.contains(&Some(101)), "{limits:?}");
+    assert!(Mutation::all(&Edition::V3_0).all(|mutation| !mutation.to_string().contains("missed")));
+}
+
 /// What mutations change, in lines: the rows with their terms, the times and the thresholds.
 fn lines(edition: &Edition) -> Vec<String> {
     let Rules { table, timing, thresholds, .. } = edition.rules;

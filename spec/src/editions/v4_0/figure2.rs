@@ -84,3 +84,17 @@ const DRIVING_TO_EMERGENCY_BRAKE: Row = {
 /// Figure 2 of the document, with the readings' terms beside the figure's own.
 //= SM-1
 pub(super) const FIGURE_2: Table = before::FIGURE_2.with(&DRIVING_TO_EMERGENCY_BRAKE);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn braking_against_either_axle_is_an_alternative() {
+        let terms = DRIVING_TO_EMERGENCY_BRAKE.terms();
+        for axle in [Atom::FrontTorqueZero, Atom::RearTorqueZero] {
+            let term = braking_against(&[axle, Atom::BrakeRequestZero]);
+            assert!(terms.contains(&term), "{axle}");
+        }
+    }
+}
