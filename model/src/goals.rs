@@ -5,7 +5,7 @@
 use std::sync::LazyLock;
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{Control, Edition};
+use adsdv_spec::{Choice, Control, Edition, Fault};
 
 use crate::document::Document;
 use crate::open::{Open, State};
@@ -71,7 +71,10 @@ fn goals_of(edition: &Edition) -> Vec<Goal> {
         requirement: row.section,
         target: Target::Arrow(row.from, row.to),
     });
-    let causes = edition.faults.iter().map(|fault| Goal {
+    // An edition may have a flag that its default answers never raise.
+    let is_raised =
+        |fault: &Fault| *fault != Fault::BrakePlausibilityFault || edition.readings.is(Choice::TorqueAlways);
+    let causes = edition.faults.iter().filter(is_raised).map(|fault| Goal {
         name: leak(format!("cause-{}", fault as u8)),
         statement: leak(format!("An emergency is caused by {fault}")),
         requirement: "MSG-64",

@@ -33,6 +33,11 @@ fn estop_acts_everywhere(edition: &Edition) -> bool {
     edition.readings.is(Choice::EstopEveryState)
 }
 
+/// The edition takes the drive motors to be in torque control mode, unless somebody answers otherwise.
+fn braking_against_torque_is_a_fault(edition: &Edition) -> bool {
+    driving_has_ten_alternatives(edition) && edition.readings.is(Choice::TorqueAlways)
+}
+
 /// The conditions that version 4.0 added to the way from AS_DRIVING into EMERGENCY_BRAKE.
 fn driving_has_ten_alternatives(edition: &Edition) -> bool {
     Atoms::of(&[Atom::BrakeRequestZero, Atom::BmsFault, Atom::EbsUnavailable]).is_subset(edition.scope())
@@ -253,7 +258,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "Torque of the front axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
         requirements: &["DTE-9", "IMP-8"],
         harm: Harm::DrivesOn,
-        holds_in: driving_has_ten_alternatives,
+        holds_in: braking_against_torque_is_a_fault,
         claim: Claim::Leads {
             from: &[Driving],
             when: When::off(&[Atom::FrontTorqueZero, Atom::BrakeRequestZero]),
@@ -265,7 +270,7 @@ pub const PROPERTIES: &[Property] = &[
         statement: "Torque of the rear axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
         requirements: &["DTE-9", "IMP-8"],
         harm: Harm::DrivesOn,
-        holds_in: driving_has_ten_alternatives,
+        holds_in: braking_against_torque_is_a_fault,
         claim: Claim::Leads {
             from: &[Driving],
             when: When::off(&[Atom::RearTorqueZero, Atom::BrakeRequestZero]),
