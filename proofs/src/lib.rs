@@ -22,6 +22,7 @@
 //! | messages: each byte by byte, the whole table, reserved identifiers | [`codec`] |
 //! | what the VCU sends and what reaches the actuators | [`outputs`], [`outputs_of_4_0`], [`outputs_of_2026`] |
 //! | what a judge may say who does not see everything | [`truth`] |
+//! | what a VCU may be in that is not seen whole | [`belief`] |
 //!
 //! [`words`] restates the document in plain `if`s, for the theorems to hold the specification against. [`subject`] is
 //! the specification as the theorems see it, which a test can replace. `seed` is what the stand-in for Kani draws random
@@ -31,6 +32,7 @@
 // A harness is an assertion: that it panics where it does not hold is what it is for.
 #![allow(clippy::missing_panics_doc)]
 
+pub mod belief;
 pub mod codec;
 mod coded;
 pub mod factoring;

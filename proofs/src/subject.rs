@@ -2,11 +2,14 @@
 //!
 //! Kani proves them of [`Specification`]. Tests put something else in its place, a mutant, to see that a theorem can fail.
 
+use adsdv_spec::belief::{
+    Belief, Causes, Glimpse, Handshakes, KnownFaults, Look, Memory, Now, Possible, Span,
+};
 use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{AsState, Frame, Node, SignalDef};
 use adsdv_spec::{
     Actuation, AiMessages, Atom, Atoms, Control, Edition, Handshake, Inputs, Knowledge, Machine, Observation,
-    Outputs, Reaction, Readings, Reads, Term, Truth, VcuMessages,
+    Outputs, Reaction, Readings, Reads, Taken, Term, Truth, VcuMessages,
 };
 
 /// The functions that theorems speak of. What is not written otherwise is the specification.
@@ -143,6 +146,137 @@ pub trait Subject {
     /// [`Knowledge::meet`].
     fn meet(&self, one: Knowledge, other: Knowledge) -> Knowledge {
         one.meet(other)
+    }
+
+    /// [`Span::counted_up`].
+    fn counted_up(&self, timer: Span, dt_ms: Span, limit_ms: u16) -> Span {
+        timer.counted_up(dt_ms, limit_ms)
+    }
+
+    /// [`Span::given`].
+    fn span_given(&self, span: Span, limit_ms: u16, reached: bool) -> Option<Span> {
+        span.given(limit_ms, reached)
+    }
+
+    /// [`Span::reaches`].
+    fn span_reaches(&self, span: Span, limit_ms: u16) -> Truth {
+        span.reaches(limit_ms)
+    }
+
+    /// [`Span::or`] and [`Span::and`].
+    fn join_spans(&self, one: Span, other: Span) -> (Span, Option<Span>) {
+        (one.or(other), one.and(other))
+    }
+
+    /// [`Handshakes::step`].
+    fn handshakes_step(
+        &self,
+        before: &Handshakes,
+        active: Truth,
+        answer: Truth,
+        dt_ms: Span,
+        limit_ms: u16,
+    ) -> Handshakes {
+        before.step(active, answer, dt_ms, limit_ms)
+    }
+
+    /// [`Handshakes::given_lost`].
+    fn handshakes_given_lost(&self, handshakes: &Handshakes, limit_ms: u16, lost: bool) -> Handshakes {
+        handshakes.given_lost(limit_ms, lost)
+    }
+
+    /// [`Handshakes::given_bit`].
+    fn handshakes_given_bit(&self, handshakes: &Handshakes, bit: bool) -> Handshakes {
+        handshakes.given_bit(bit)
+    }
+
+    /// [`Handshakes::is_lost`].
+    fn handshakes_lost(&self, handshakes: &Handshakes, limit_ms: u16) -> Truth {
+        handshakes.is_lost(limit_ms)
+    }
+
+    /// [`Glimpse::new`].
+    fn glimpse(&self, atoms: Knowledge, faults: KnownFaults) -> Glimpse {
+        Glimpse::new(atoms, faults)
+    }
+
+    /// [`Machine::known_atoms_of`].
+    fn known_atoms_of(&self, machine: &Machine, seen: &Glimpse) -> Knowledge {
+        machine.known_atoms_of(seen)
+    }
+
+    /// [`Machine::known_atoms`].
+    fn known_atoms(
+        &self,
+        from: AsState,
+        memory: &Memory,
+        inputs: Knowledge,
+        elapsed: bool,
+        comms_lost: bool,
+    ) -> Knowledge {
+        self.machine().known_atoms(from, memory, inputs, elapsed, comms_lost)
+    }
+
+    /// [`Machine::look`].
+    fn look(&self, machine: &Machine, from: AsState, place: usize, known: Knowledge) -> Look {
+        machine.look(from, place, known)
+    }
+
+    /// [`Machine::remember_known`].
+    fn remember_known(
+        &self,
+        machine: &Machine,
+        from: AsState,
+        memory: &Memory,
+        now: &Now,
+        taken: Option<(Taken, AsState)>,
+    ) -> Possible {
+        machine.remember_known(from, memory, now, taken)
+    }
+
+    /// [`Causes::first_of`].
+    fn first_cause(&self, faults: KnownFaults, some: bool) -> Causes {
+        Causes::first_of(faults, some)
+    }
+
+    /// [`Causes::then`].
+    fn cause_then(&self, before: Causes, later: Causes) -> Causes {
+        before.then(later)
+    }
+
+    /// [`Causes::shown`].
+    fn cause_shown(&self, causes: Causes) -> KnownFaults {
+        causes.shown()
+    }
+
+    /// [`KnownFaults::or`] and [`KnownFaults::together`].
+    fn join_faults(&self, one: KnownFaults, other: KnownFaults) -> (KnownFaults, KnownFaults) {
+        (one.or(other), one.together(other))
+    }
+
+    /// [`Glimpse::or`].
+    fn join_glimpses(&self, one: &Glimpse, other: &Glimpse) -> Glimpse {
+        one.or(other)
+    }
+
+    /// [`Memory::or`].
+    fn join_memories(&self, one: Memory, other: Memory) -> Memory {
+        one.or(other)
+    }
+
+    /// [`Memory::covers`].
+    fn memory_covers(&self, one: &Memory, other: &Memory) -> bool {
+        one.covers(other)
+    }
+
+    /// [`Belief::or`].
+    fn join_beliefs(&self, one: Belief, other: &Belief) -> Belief {
+        one.or(other)
+    }
+
+    /// [`Belief::covers`].
+    fn belief_covers(&self, one: &Belief, other: &Belief) -> bool {
+        one.covers(other)
     }
 }
 

@@ -62,6 +62,14 @@ pub fn all() -> impl Iterator<Item = &'static Theorem> {
         crate::outputs_of_4_0::THEOREMS,
         crate::outputs_of_2026::THEOREMS,
         crate::truth::THEOREMS,
+        crate::belief::span::THEOREMS,
+        crate::belief::handshakes::THEOREMS,
+        crate::belief::glimpse::THEOREMS,
+        crate::belief::atoms::THEOREMS,
+        crate::belief::outcomes::THEOREMS,
+        crate::belief::remember::THEOREMS,
+        crate::belief::causes::THEOREMS,
+        crate::belief::joins::THEOREMS,
     ];
     files.into_iter().flatten()
 }

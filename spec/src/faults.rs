@@ -113,6 +113,12 @@ impl Faults {
         ShutdownCause::NoShutdown
     }
 
+    /// Those whose number is at most that of another.
+    #[must_use]
+    pub const fn up_to(self, last: Fault) -> Self {
+        Self((self.0 as u32 & ((2 << last as u8) - 1)) as u16)
+    }
+
     /// The fault that a cause names, as a set.
     #[inline]
     pub const fn of_cause(cause: ShutdownCause) -> Self {

@@ -401,7 +401,7 @@ impl Vcu2AiWheelSpeeds {
     }
 
     /// The speed of the fastest wheel: one is faster than a limit if that is, and all are slower if that is.
-    const fn fastest(self) -> WheelSpeed {
+    pub const fn fastest(self) -> WheelSpeed {
         const fn faster(a: WheelSpeed, b: WheelSpeed) -> WheelSpeed {
             if a.raw() > b.raw() { a } else { b }
         }

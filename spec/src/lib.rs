@@ -24,6 +24,7 @@
 //! | what reaches the actuators; every VCU frame | [`Outputs`] |
 //! | the CAN database and the diagram, printed | [`export`] |
 //! | what is known when not everything is seen | [`Knowledge`], [`Truth`] |
+//! | what the VCU may be in then, and the step on that | [`belief`], [`Machine::react_known`] |
 //!
 //! `REQUIREMENTS.md`, beside this crate's sources, numbers every requirement of the document; `DISCREPANCIES.md` lists
 //! where its text, its figures and the CAN database disagree.
@@ -51,6 +52,7 @@ extern crate std;
 mod alias;
 mod assi;
 mod atoms;
+pub mod belief;
 mod bus;
 mod control;
 mod edition;
@@ -60,6 +62,7 @@ mod faults;
 mod handshake;
 mod inputs;
 mod machine;
+mod masks;
 pub mod messages;
 pub mod mutation;
 mod named;
@@ -81,7 +84,7 @@ pub use edition::{Edition, Rules, Thresholds, Timing};
 pub use faults::{Fault, Faults};
 pub use handshake::Handshake;
 pub use inputs::{AiMessages, Inputs, Reports, ShutdownCircuit, Vehicle};
-pub use machine::{Machine, Reaction, Taken};
+pub use machine::{Machine, Noticed, Reaction, Taken};
 pub use messages::AsState;
 pub use mutation::Mutation;
 pub use named::UnknownName;

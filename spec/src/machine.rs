@@ -14,14 +14,15 @@ use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
 use crate::edition::{Edition, Rules};
 use crate::faults::{Fault, Faults};
-use crate::handshake::count_up;
+use crate::handshake::{Handshake, count_up};
 use crate::inputs::Inputs;
+use crate::masks::TermMasks;
 use crate::messages::{AsState, ShutdownCause};
 use crate::observation::Observation;
 use crate::outputs::Outputs;
 use crate::readings::{Choice, Readings};
 use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
-use crate::truth::Knowledge;
+use crate::truth::{Knowledge, Truth};
 
 /// How many states there are; states count from 1.
 const STATES: usize = AsState::ALL.len();
@@ -46,27 +47,6 @@ struct Arrow {
     masks: TermMasks,
     to: AsState,
     taken: Taken,
-}
-
-/// A term, ready to be evaluated: of the atoms that count, exactly those that must be on are.
-#[derive(Clone, Copy, Debug)]
-struct TermMasks {
-    on: Atoms,
-    /// The atoms that count: those that must hold and those that must not.
-    care: Atoms,
-}
-
-impl TermMasks {
-    #[inline(always)]
-    const fn holds(self, atoms: Atoms) -> bool {
-        atoms.intersection(self.care).bits() == self.on.bits()
-    }
-
-    /// Whether it holds for some atoms of which this is known.
-    const fn can_hold(self, known: Knowledge) -> bool {
-        let off = self.care.difference(self.on);
-        self.on.intersection(known.off()).is_empty() && off.intersection(known.on()).is_empty()
-    }
 }
 
 /// Which row of the table was taken, and which alternative of its guard decided.
@@ -108,6 +88,21 @@ pub struct Reaction {
     pub faults: Faults,
 }
 
+/// What a step has found out before it remembers anything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Noticed {
+    /// All atoms as the guards see them.
+    pub atoms: Atoms,
+    /// The faults of the inputs.
+    pub faults: Faults,
+    /// How long the state has lasted now, up to its limit.
+    pub in_state_ms: u16,
+    /// The handshake after the step.
+    pub handshake: Handshake,
+    /// Whether communication with the AI Computer is lost.
+    pub comms_lost: bool,
+}
+
 impl Machine {
     /// The reference: the [default edition](Edition::DEFAULT) with the default readings.
     pub const REFERENCE: Self = Self::new(*Edition::DEFAULT, Edition::DEFAULT.readings);
@@ -116,11 +111,7 @@ impl Machine {
     /// default holds.
     pub const fn new(edition: Edition, readings: Readings) -> Self {
         let readings = edition.admit(readings);
-        let nowhere = Arrow {
-            masks: TermMasks { on: Atoms::NONE, care: Atoms::NONE },
-            to: AsState::Off,
-            taken: Taken { row: 0, term: 0 },
-        };
+        let nowhere = Arrow { masks: TermMasks::EMPTY, to: AsState::Off, taken: Taken { row: 0, term: 0 } };
         let mut machine = Self {
             edition,
             readings,
@@ -162,12 +153,11 @@ impl Machine {
             let Term { on, off, readings, .. } = self.edition.rules.table.rows()[row].terms()[term];
             // A term that asks for an atom to be both on and off never holds.
             if readings.is_subset(self.readings.choices()) && on.intersection(off).is_empty() {
-                let masks = TermMasks { on, care: on.union(off) };
+                let masks = TermMasks::new(on, off);
                 self.arrows[filled] = Arrow { masks, to, taken: Taken { row: row as u8, term: term as u8 } };
                 filled += 1;
                 if matches!((from, to), (AsState::Ready, AsState::Driving)) && self.go_conditions.is_none() {
-                    let (on, care) = (on.without(Atom::GoEdge), masks.care.without(Atom::GoEdge));
-                    self.go_conditions = Some(TermMasks { on, care });
+                    self.go_conditions = Some(masks.without(Atom::GoEdge));
                 }
             }
             term += 1;
@@ -229,17 +219,31 @@ impl Machine {
 
         let atoms = inputs.union(self.control_atoms(control, in_state_ms, comms_lost, inputs));
         let taken = self.first_arrow(control.state, atoms);
+        let noticed = Noticed { atoms, faults: seen.faults(), in_state_ms, handshake, comms_lost };
+        self.remember(control, &noticed, taken)
+    }
+
+    /// The last part of a step: what is remembered, and what 520h shows of the faults, when this was noticed and `taken` is the
+    /// arrow that was taken, with the state that it leads to.
+    #[inline(always)]
+    pub const fn remember(
+        &self,
+        control: &Control,
+        noticed: &Noticed,
+        taken: Option<(Taken, AsState)>,
+    ) -> Reaction {
+        let Noticed { atoms, in_state_ms, handshake, comms_lost, .. } = *noticed;
         let state = match taken {
             Some((_, to)) => to,
             None => control.state, //= SM-18, D-36
         };
 
         //= D-17, D-18
-        let mut faults = seen.faults().union(Faults::when(Fault::AiCommsFault, comms_lost));
+        let mut faults = noticed.faults.union(Faults::when(Fault::AiCommsFault, comms_lost));
         let mut shutdown_cause = control.shutdown_cause;
         let mut power_cycle_needed = control.power_cycle_needed;
         if let (Some((taken, AsState::EmergencyBrake)), true) = (taken, state as u8 != control.state as u8) {
-            let reasons = self.reasons(control.state, taken, atoms, seen.faults());
+            let reasons = self.reasons(control.state, taken, atoms, noticed.faults);
             faults = faults.union(reasons);
             //= D-15
             if matches!(shutdown_cause, ShutdownCause::NoShutdown) {
@@ -274,7 +278,7 @@ impl Machine {
 
     /// The atoms of an observation that the edition has, as these readings have them.
     #[inline(always)]
-    const fn atoms_of(&self, seen: Observation) -> Atoms {
+    pub const fn atoms_of(&self, seen: Observation) -> Atoms {
         let atoms = seen.atoms().intersection(self.scope);
         let opening = seen.faults().intersection(Faults::OPENING).without(Fault::BmsFault);
         //= D-54
@@ -288,9 +292,10 @@ impl Machine {
         handshake || self.readings.is(Choice::WatchAlways)
     }
 
-    /// The atoms that the control state decides, some of them together with the inputs.
+    /// The atoms that the control state decides, some of them together with the inputs, which are seen as `seen`: for how long
+    /// the state has lasted now, and whether communication is lost, are those of this step.
     #[inline(always)]
-    const fn control_atoms(
+    pub const fn control_atoms(
         &self,
         control: &Control,
         in_state_ms: u16,
@@ -319,10 +324,10 @@ impl Machine {
         self.arrows.get(range).unwrap_or_default().iter().map(|arrow| arrow.taken)
     }
 
-    /// The first arrow of a state whose guard holds, and where it leads.
+    /// The first arrow of a state whose guard holds, and where it leads; `None` if none does, so that the state stays.
     //= SM-1
     #[inline(always)]
-    const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
+    pub const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
         let end = self.begins[state as usize + 1];
         let mut i = self.begins[state as usize];
         while i < end {
@@ -333,6 +338,20 @@ impl Machine {
             i += 1;
         }
         None
+    }
+
+    /// The arrow at a place in the order of evaluation of a state, and where it leads.
+    pub(crate) fn arrow_at(&self, from: AsState, place: usize) -> Option<(TermMasks, (Taken, AsState))> {
+        let place = usize::from(self.begins[from as usize]) + place;
+        if place >= usize::from(self.begins[from as usize + 1]) {
+            return None;
+        }
+        self.arrows.get(place).map(|arrow| (arrow.masks, (arrow.taken, arrow.to)))
+    }
+
+    /// What must hold before the "Go" edge counts.
+    pub(crate) const fn go_conditions(&self) -> Option<TermMasks> {
+        self.go_conditions
     }
 
     /// The faults for which a row of a state is taken: those of every term of it that holds.
@@ -368,7 +387,9 @@ impl Machine {
         let go = Atoms::NONE.with(Atom::GoOn);
         match self.go_conditions {
             Some(_) if self.readings.is(Choice::GoEdgeEnough) => go,
-            Some(conditions) if conditions.can_hold(known) => go.union(conditions.care),
+            Some(conditions) if !matches!(conditions.truth(known), Truth::False) => {
+                go.union(conditions.care())
+            }
             _ => Atoms::NONE,
         }
     }

@@ -112,15 +112,7 @@ impl Term {
 
     /// Whether the term holds as far as is known: false as soon as one condition is known to fail.
     pub const fn truth(&self, known: crate::Knowledge) -> crate::Truth {
-        if self.on.intersection(known.off()).is_empty() && self.off.intersection(known.on()).is_empty() {
-            if self.on.is_subset(known.on()) && self.off.is_subset(known.off()) {
-                crate::Truth::True
-            } else {
-                crate::Truth::Unknown
-            }
-        } else {
-            crate::Truth::False
-        }
+        known.all_hold(self.on, self.off)
     }
 
     /// The literals of the term: each atom with the value it must have.

@@ -51,6 +51,26 @@ impl Truth {
         }
     }
 
+    /// It does not hold.
+    #[must_use]
+    pub const fn not(self) -> Self {
+        match self {
+            Self::False => Self::True,
+            Self::Unknown => Self::Unknown,
+            Self::True => Self::False,
+        }
+    }
+
+    /// Whether this may be so.
+    pub const fn allows(self, fact: bool) -> bool {
+        matches!((self, fact), (Self::Unknown, _) | (Self::True, true) | (Self::False, false))
+    }
+
+    /// Whether this allows all that the other does.
+    pub const fn covers(self, other: Self) -> bool {
+        matches!((self, other), (Self::Unknown, _) | (Self::True, Self::True) | (Self::False, Self::False))
+    }
+
     /// `true`, `unknown` or `false`.
     pub const fn name(self) -> &'static str {
         match self {
@@ -127,6 +147,17 @@ impl Knowledge {
             Truth::True
         } else if self.off.has(atom) {
             Truth::False
+        } else {
+            Truth::Unknown
+        }
+    }
+
+    /// Whether all of `on` are true and all of `off` are false: false as soon as one is known not to be.
+    pub(crate) const fn all_hold(self, on: Atoms, off: Atoms) -> Truth {
+        if !on.intersection(self.off).is_empty() || !off.intersection(self.on).is_empty() {
+            Truth::False
+        } else if on.is_subset(self.on) && off.is_subset(self.off) {
+            Truth::True
         } else {
             Truth::Unknown
         }

@@ -3,6 +3,7 @@
 //! Mutants of the table, the times and the thresholds are [`Mutation`](adsdv_spec::Mutation)s. What is not data is changed by putting another
 //! [`Subject`] in place of the specification, which does one thing otherwise.
 
+mod belief;
 mod codec;
 mod factoring;
 mod figure2;
@@ -135,6 +136,7 @@ fn mutants() -> impl Iterator<Item = Mutant> {
         truth::mutants(),
         v4_0::mutants(),
         v2026::mutants(),
+        belief::mutants(),
     ]
     .into_iter()
     .flatten()

@@ -107,17 +107,50 @@ impl fmt::Display for ValueError {
     }
 }
 
+impl OutOfRange {
+    /// What was given, such as `AS_STATE is 7`.
+    pub const fn seen(self) -> impl fmt::Display {
+        Seen(self)
+    }
+
+    /// What is allowed, such as `1 = AS_OFF, 2 = AS_READY`.
+    pub const fn allowed(self) -> impl fmt::Display {
+        Allowed(self.def)
+    }
+}
+
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { given, def } = self;
+        write!(f, "{}, allowed: {}", self.seen(), self.allowed())
+    }
+}
+
+/// The part about what was given.
+struct Seen(OutOfRange);
+
+impl fmt::Display for Seen {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(OutOfRange { given, def }) = self;
+        write!(f, "{} is ", def.name)?;
         if def.values.is_empty() {
-            write!(f, "{} is ", def.name)?;
             with_unit(f, *given, def.scale, def.unit)?;
-            write!(f, " (raw {given}), allowed: {} to ", super::Decimal { raw: def.min, scale: def.scale })?;
+            return write!(f, " (raw {given})");
+        }
+        write!(f, "{given}")
+    }
+}
+
+/// The part about what is allowed.
+struct Allowed(&'static SignalDef);
+
+impl fmt::Display for Allowed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(def) = self;
+        if def.values.is_empty() {
+            write!(f, "{} to ", super::Decimal { raw: def.min, scale: def.scale })?;
             with_unit(f, def.max, def.scale, def.unit)?;
             return write!(f, " (raw {} to {})", def.min, def.max);
         }
-        write!(f, "{} is {given}, allowed: ", def.name)?;
         for (index, (value, name)) in def.values.iter().enumerate() {
             let comma = if index == 0 { "" } else { ", " };
             write!(f, "{comma}{value} = {name}")?;

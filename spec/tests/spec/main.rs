@@ -1,6 +1,7 @@
 //! The specification's own tests, in one program: it is built anew for every mutant that `scripts/mutants.sh` makes.
 
 mod alias;
+mod belief;
 mod codec;
 mod consistent;
 mod edition;

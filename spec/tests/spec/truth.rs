@@ -37,6 +37,21 @@ fn and_or_and_agree_are_what_holds_however_the_unseen_is() {
     }
 }
 
+/// What is claimed of a truth is what holds for the facts that it allows.
+#[test]
+fn truths_allow_facts_and_cover_each_other() {
+    for one in ALL {
+        for fact in [false, true] {
+            let so = one == Truth::Unknown || one == Truth::from(fact);
+            assert_eq!((one.allows(fact), one.not().allows(!fact)), (so, so), "{one}: {fact}");
+        }
+        for other in ALL {
+            let all = [false, true].into_iter().all(|fact| one.allows(fact) || !other.allows(fact));
+            assert_eq!(one.covers(other), all, "{one} covers {other}");
+        }
+    }
+}
+
 #[test]
 fn a_truth_prints_its_name() {
     assert_eq!(ALL.map(|truth| truth.to_string()), ["false", "unknown", "true"]);

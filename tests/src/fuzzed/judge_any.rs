@@ -45,6 +45,7 @@ fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
     let options = LogOptions {
         judge: JudgeOptions { window_ms, deadline_ms, readings, ..JudgeOptions::default() },
         interface,
+        ..LogOptions::default()
     };
     (options, bytes.one_in(2))
 }
@@ -74,7 +75,7 @@ fn sound(report: &Report) {
     }
     for finding in &report.findings {
         assert!((0..=ends).contains(&finding.t_ns), "{finding:?}, and the log ends at {ends}");
-        printed(&finding.message);
+        printed(&finding.message());
         printed(&finding.section);
     }
     let violates = report.findings.iter().any(|finding| finding.severity == Severity::Violation);

@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | [`codec`] | frames: any identifier, length and bytes | the table of signals; what is read is written again |
 //! | [`step`] | any inputs, one step after the other, under any readings | the document's words as `if`s; the invariant |
+//! | [`belief`] | what may be known of a step, under any readings of any edition | the step itself: allowed, exact where all is known |
 //! | [`theorems`] | any theorem of `adsdv-proofs`, on any values | the theorem |
 //! | [`candump`] | any bytes as a log | the same log in other pieces; the same log written again |
 //! | [`judge_any`] | any bytes as a log, any frames at any time | the same frames as a log; what each report promises |
@@ -23,6 +24,7 @@
 // That a body panics where something is wrong is what it is for.
 #![allow(clippy::missing_panics_doc)]
 
+pub mod belief;
 mod bytes;
 pub mod candump;
 pub mod car;
@@ -45,7 +47,8 @@ pub use bytes::Bytes;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every body of this crate. `fuzz/Cargo.toml` has a fuzzer of each name.
-pub const TARGETS: [Target; 12] = [
+pub const TARGETS: [Target; 13] = [
+    ("belief", belief::body),
     ("candump", candump::body),
     ("car", car::body),
     ("codec", codec::body),

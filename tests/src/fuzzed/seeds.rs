@@ -19,7 +19,7 @@ use adsdv_spec::{
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{car, codec, judge_any, protocol, step};
+use super::{belief, car, codec, judge_any, protocol, step};
 use crate::bus::{BUS, encoded};
 use crate::world::Random;
 
@@ -83,6 +83,9 @@ pub fn corpus() -> Corpus {
     }
     for (place, walk) in walks(5000, 256, step::taken).into_iter().enumerate() {
         add("step", &format!("walk-{}", place + 1), walk);
+    }
+    for (place, walk) in walks(5000, 512, belief::taken).into_iter().enumerate() {
+        add("belief", &format!("walk-{}", place + 1), walk);
     }
     for (place, walk) in walks(200, 600, car::reached).into_iter().enumerate() {
         add("car", &format!("walk-{}", place + 1), walk);

@@ -9,8 +9,7 @@ use crate::bus::BUS;
 use crate::world::Chance;
 
 /// The times between two steps that matter; others are drawn as well.
-fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
-    let timing = Edition::DEFAULT.rules.timing;
+pub(super) fn dt_ms(bytes: &mut Bytes<'_>, timing: &Timing) -> u32 {
     let limits =
         [timing.cycle_ms, timing.handshake_ms, timing.ready_dwell_ms, timing.ebs_timer_ms].map(u32::from);
     match bytes.below(4) {
@@ -23,7 +22,7 @@ fn dt_ms(bytes: &mut Bytes<'_>) -> u32 {
 
 /// The inputs after those: now and then others altogether; what one way out of this state asks for; and some conditions of Figure 2
 /// changed. What is shown is as close to its threshold as can be.
-fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Inputs) -> Inputs {
+pub(super) fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Inputs) -> Inputs {
     let Rules { table, thresholds, .. } = &machine.edition().rules;
     let mut inputs = if bytes.one_in(8) { bytes.any() } else { *inputs };
     if bytes.one_in(2) {
@@ -45,7 +44,7 @@ fn next(bytes: &mut Bytes<'_>, machine: &Machine, state: AsState, inputs: &Input
 }
 
 /// Any control state that keeps the invariant: as few as possible of its fields are as they are at first.
-fn any_control(bytes: &mut Bytes<'_>, timing: &Timing, readings: Readings) -> Control {
+pub(super) fn any_control(bytes: &mut Bytes<'_>, timing: &Timing, readings: Readings) -> Control {
     let first = Control::INITIAL;
     let mut any: Control = bytes.0.arbitrary().unwrap_or(first);
     any.in_state_ms %= timing.in_state_limit(any.state) + 1;
@@ -85,7 +84,7 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
     let mut inputs = Inputs::default();
     while bytes.are_left() {
         inputs = next(&mut bytes, &machine, control.state, &inputs);
-        let dt_ms = dt_ms(&mut bytes);
+        let dt_ms = dt_ms(&mut bytes, timing);
         let (after, outputs) = machine.step(&control, &inputs, dt_ms);
         let words = words::step(&control, &inputs, dt_ms, readings);
         assert_eq!(Verdict::of(after, &outputs), words, "{control:?}, {inputs:?}, {dt_ms} ms, {readings}");

@@ -76,9 +76,12 @@ fn wait(world: &mut World, ms: u32, dark: &mut bool, changes: &mut Vec<Change>) 
 }
 
 fn printed(report: &Report) -> String {
-    let Report { frames, duration_ns, transitions, findings, responses } = report;
+    let Report { frames, duration_ns, transitions, findings, responses, margins, exercised, .. } = report;
     let responses = (responses.count(), responses.min_ms(), responses.max_ms());
-    format!("{frames} {duration_ns} {transitions:?} {findings:?} {responses:?}")
+    let Report { stays, go_presses, .. } = report;
+    format!(
+        "{frames} {duration_ns} {transitions:?} {findings:?} {responses:?} {margins:?} {exercised:?} {stays:?} {go_presses:?}"
+    )
 }
 
 /// Tries what is to be said of a recording, on runs that have one.

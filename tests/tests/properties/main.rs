@@ -12,6 +12,7 @@
 //! - `log`: what the judge makes of a run that was recorded.
 //! - `mutants`: every change of the table, of a time and of a threshold breaks a property, and the run that shows it is short.
 //! - `suite`: a run as a line of a test suite reads back.
+//! - `belief`: what may be known of a step allows what it comes to.
 //! - `dbc`: the exported CAN database, read by another program, decodes what the codec encodes.
 //!
 //! So many cases are tried that all takes some seconds, the same ones every time: `ADSDV_SEED=7` draws others, and
@@ -19,6 +20,7 @@
 //! --test properties` tries more. What has failed once is kept beside these files, under `regressions`, and tried first from
 //! then on.
 
+mod belief;
 mod clocks;
 mod dbc;
 mod handshake;
