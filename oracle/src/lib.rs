@@ -3,10 +3,14 @@
 #![forbid(unsafe_code)]
 
 pub mod candump;
+pub mod compare;
 pub mod conform;
+pub mod excerpt;
 pub mod judge;
 pub mod log;
 pub mod protocol;
 pub mod recognise;
 pub mod remote;
+pub mod rules;
 pub mod suite;
+pub mod why;

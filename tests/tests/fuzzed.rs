@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Taken};
-use adsdv_tests::fuzzed::{TARGETS, car, judge_any, replay, seeds, step};
+use adsdv_tests::fuzzed::{TARGETS, belief, car, judge_any, replay, seeds, step};
 
 /// The body that stands with the border to C, and is run again by the tests there.
 const C_BORDER: &str = "c_border";
@@ -160,6 +160,19 @@ fn the_seeds_of_step_take_every_term_of_the_table() {
         }
     }
     assert!(left.is_empty(), "{left:?}");
+}
+
+#[test]
+fn the_seeds_of_belief_take_every_row_of_every_table() {
+    let corpus = seeds::corpus();
+    let taken: Vec<_> = corpus["belief"].values().flat_map(|seed| belief::taken(seed)).collect();
+    for edition in Edition::ALL {
+        for (row, def) in (0..).zip(edition.rules.table.rows()) {
+            let is_taken =
+                taken.iter().any(|&(version, taken)| version == edition.version && taken.row == row);
+            assert!(is_taken, "{}: {} -> {}", edition.version, def.from, def.to);
+        }
+    }
 }
 
 #[test]

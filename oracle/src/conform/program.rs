@@ -7,14 +7,14 @@ use std::sync::mpsc::{Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use adsdv_spec::Edition;
+use adsdv_spec::{Edition, Inputs};
 
 use super::child::Process;
 use super::lines::{LineBuffer, Lines, Missing};
 use super::program_error::{Place, ProgramError, ProgramErrorKind, excerpt};
 use super::stderr::LastWords;
 use super::vcu::{Reply, Vcu};
-use crate::protocol::{Protocol, Request, UNSAID};
+use crate::protocol::{Answer, Protocol, Request, UNSAID};
 use crate::suite::Scenario;
 
 /// So many lines are sent before the answer to the first of them has come.
@@ -83,6 +83,36 @@ impl Program {
         } else {
             Ok(left.min(self.timeout))
         }
+    }
+
+    /// Power on, and waits for the answer; for who asks one thing after the other, each by the answer before.
+    pub fn reset(&mut self) -> Result<(), ProgramError> {
+        self.asked(&Request::Reset, |line, _| Reply::to_reset(line))
+    }
+
+    /// One step, and waits for its answer.
+    pub fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+        let inputs = *inputs;
+        self.asked(&Request::Step { dt_ms, inputs }, |line, protocol| {
+            match Reply::to_step(line, false, protocol)? {
+                Reply::Answer(answer) => Ok(answer),
+                Reply::Nothing => Err(ProgramErrorKind::Closed),
+            }
+        })
+    }
+
+    fn asked<T>(
+        &mut self,
+        request: &Request,
+        read: impl FnOnce(&[u8], &Protocol) -> Result<T, ProgramErrorKind>,
+    ) -> Result<T, ProgramError> {
+        let protocol = Arc::clone(&self.protocol);
+        let sent = protocol.line(request).to_string();
+        self.write(format!("{sent}\n").into_bytes());
+        self.line().and_then(|line| read(line, &protocol)).map_err(|what| {
+            let place = Some(Box::new(Place { scenario: "the diagnosis".to_owned(), step: 1, sent }));
+            ProgramError { place, what, stderr: self.last_words.lines() }
+        })
     }
 
     /// Writes all lines of a scenario; how many.

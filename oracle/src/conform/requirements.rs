@@ -7,7 +7,7 @@ use adsdv_spec::Edition;
 use super::about::shows;
 use super::blame::Wrong;
 use super::keys::Keys;
-use crate::suite::{Test, is_of_a_reading};
+use crate::suite::{Test, is_of_a_reading, order};
 
 /// A requirement that tests name, or that something wrong breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -130,13 +130,4 @@ pub(super) fn table(
     }
     found.sort_by_key(|requirement| order(&requirement.id));
     found
-}
-
-/// The prefixes in the order of the document, and within them numbers.
-fn order(id: &str) -> (usize, u32) {
-    const PREFIXES: [&str; 14] =
-        ["MSG", "ID", "HS", "SM", "RDY", "DRV", "FIN", "FTO", "RTE", "RTO", "DTE", "FTE", "ETO", "IMP"];
-    let (prefix, number) = id.split_once('-').unwrap_or((id, ""));
-    let place = PREFIXES.iter().position(|known| *known == prefix).unwrap_or(PREFIXES.len());
-    (place, number.parse().unwrap_or(u32::MAX))
 }

@@ -4,8 +4,10 @@ use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Truth};
 
 use super::events::{Pending, PendingKind, milliseconds};
+use super::exercised::{ANSWERS, FINISHES_AT_REST};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::scope::scope;
+use super::transitions::conditions;
 use super::{AI_STATUS, Judge, STATUS};
 
 /// What the judge keeps of the AI Computer.
@@ -32,7 +34,7 @@ impl AiSide {
 }
 
 /// What section 3.7 forbids the AI Computer while the vehicle is moving.
-const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
+pub(super) const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
 
 /// What decides it.
 pub(super) const AT_SPEED_ATOMS: Atoms =
@@ -68,12 +70,14 @@ impl Judge {
             known = known.set(edge, truth);
             self.change_seen(t, edge, truth);
         }
-        if driving && status.estop_request && !previous.is_some_and(|p| p.estop_request) {
+        // Where the frame before is not known, the flag may have been shown and taken back.
+        if driving && status.estop_request && previous.is_some_and(|p| !p.estop_request) {
             self.vcu.estop_since = Some(t);
         }
         if !status.estop_request {
             self.vcu.estop_since = None;
         }
+        self.notice_declared(t, status, previous);
         self.learn(t, known);
         self.answer(t, status.handshake);
     }
@@ -90,6 +94,7 @@ impl Judge {
     pub(super) fn answer(&mut self, t: i64, bit: bool) {
         if let Some(response) = self.meter.ai(t, bit) {
             self.out.responses.add(response);
+            self.notice_answer(t, response);
         }
         if self.handshake.ai(t, bit) {
             self.answered(t);
@@ -103,6 +108,7 @@ impl Judge {
             // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
             let told = self.vcu.shows_comms_lost();
             self.report_ai_late(t, if told { Severity::Violation } else { Severity::Warning });
+            self.margins.answered(t, self.handshake.response().unwrap_or_default());
         }
         self.update_comms(t);
     }
@@ -113,20 +119,15 @@ impl Judge {
             return;
         }
         let limit = i64::from(self.edition.rules.timing.handshake_ms);
-        let told = self.vcu.shows_comms_lost();
-        let message = format!(
-            "the AI Computer has not answered HANDSHAKE for {:.0} ms{}; expected an answer within {limit} ms",
-            milliseconds(t - edge),
-            if told { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
-        );
-        self.out.finding(Finding {
-            t_ns: t.min(edge + self.handshake_limit()),
-            severity,
-            party: Party::Ai,
-            section: "2.4",
-            rule: Rule::HandshakeLate,
-            message,
-        });
+        let told = if self.vcu.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" };
+        let waited = milliseconds(t - edge);
+        let t_ns = t.min(edge + self.handshake_limit());
+        let finding = Finding::new(severity, Party::Ai, "2.4", Rule::HandshakeLate, t_ns)
+            .against(&[ANSWERS])
+            .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{told}"))
+            .expected(format!("an answer within {limit} ms"))
+            .shown_by(self.last_frames(&[STATUS, AI_STATUS]));
+        self.found(finding);
     }
 
     /// The VCU says that communication is lost, and it is: unless the log shows an answer in time, the AI Computer is at
@@ -148,6 +149,7 @@ impl Judge {
                 let Some(&before) = self.ai.at_speed.get(index) else { continue };
                 let now = match self.does(fault) {
                     Truth::True if !before => {
+                        self.notice_at_speed(t, index);
                         self.suspend(
                             t,
                             self.wait_for(AT_SPEED_ATOMS),
@@ -222,16 +224,19 @@ impl Judge {
         } else {
             (Severity::Warning, " (a violation under some readings of the document only)")
         };
-        let (rule, expected) = match fault {
-            Fault::MissionStatusFault => (Rule::FinishedMoving, "FINISHED only once the vehicle has stopped"),
-            _ => (Rule::NeutralMoving, "NEUTRAL only once the vehicle has stopped"),
+        self.was_at_speed(fault);
+        // Those of Figure 2 are the VCU's.
+        let (rule, broken, expected): (_, &[_], _) = match fault {
+            Fault::MissionStatusFault => (Rule::FinishedMoving, &[FINISHES_AT_REST], "FINISHED"),
+            _ => (Rule::NeutralMoving, &[], "NEUTRAL"),
         };
-        let message = format!(
-            "{} in AS_DRIVING; expected {expected}{reservation}",
-            super::transitions::conditions(&self.edition.rules, &term, known)
-        );
         // Section 3.7 is where both readings meet.
-        self.out.finding(Finding { t_ns: t, severity, party: Party::Ai, section: "3.7", rule, message });
+        let finding = Finding::new(severity, Party::Ai, "3.7", rule, t)
+            .against(broken)
+            .seen(format!("{} in AS_DRIVING", conditions(&self.edition.rules, &term, known)))
+            .expected(format!("{expected} only once the vehicle has stopped{reservation}"))
+            .shown_by(self.deciding_frames(&pending.frames, AT_SPEED_ATOMS));
+        self.found(finding);
     }
 
     /// Whether the VCU may have left AS_DRIVING before `t` in a frame that is missing from the log.
@@ -251,17 +256,13 @@ impl Judge {
         let Some(since) = self.ai.held_since else { return };
         let text = |atom| self.edition.rules.text(atom, false).to_string();
         let failed: Vec<String> = self.requests.intersection(self.known.off()).iter().map(text).collect();
-        let message = format!(
-            "{} after the dwell of AS_READY: the VCU must not go on to AS_DRIVING; expected zero requests and NEUTRAL",
-            failed.join(" and ")
-        );
-        self.out.finding(Finding {
-            t_ns: since,
-            severity: Severity::Warning,
-            party: Party::Ai,
-            section: "3.2",
-            rule: Rule::ReadyHeld,
-            message,
-        });
+        let finding = Finding::warning(Party::Ai, "3.2", Rule::ReadyHeld, since)
+            .seen(format!(
+                "{} after the dwell of AS_READY: the VCU must not go on to AS_DRIVING",
+                failed.join(" and ")
+            ))
+            .expected("zero requests and NEUTRAL")
+            .shown_by(self.deciding_frames(&self.frames(), self.requests));
+        self.found(finding);
     }
 }

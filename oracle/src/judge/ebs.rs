@@ -5,8 +5,8 @@
 
 use adsdv_spec::messages::{EbsStage, EbsState};
 
-use super::finding::{Finding, Party, Rule, Severity};
-use super::{BRAKE, Judge};
+use super::finding::{Finding, Party, Rule};
+use super::{BRAKE, Judge, STATUS};
 
 /// What the two messages showed last.
 #[derive(Debug, Default)]
@@ -49,10 +49,10 @@ impl Judge {
             return;
         }
         self.ebs.differ_since = Some(i64::MAX);
-        let message = format!(
-            "520h shows EBS_STATE {stage}, but 524h shows STATUS_EBS {status}; expected them to agree"
-        );
-        let (severity, party, section, rule) = (Severity::Note, Party::Vcu, "2.2", Rule::EbsDiffers);
-        self.out.finding(Finding { t_ns: since, severity, party, section, rule, message });
+        let finding = Finding::note(Party::Vcu, "2.2", Rule::EbsDiffers, since)
+            .seen(format!("520h shows EBS_STATE {stage}, but 524h shows STATUS_EBS {status}"))
+            .expected("them to agree")
+            .shown_by(self.last_frames(&[STATUS, BRAKE]));
+        self.found(finding);
     }
 }

@@ -2,7 +2,8 @@
 
 use adsdv_spec::{Atom, Atoms, Fault, Knowledge, Observation, Truth};
 
-use super::finding::{Party, Rule, Severity};
+use super::evidence::Frames;
+use super::finding::{Finding, Party, Rule};
 use super::handshake::Suspect;
 use super::history::Moment;
 use super::transitions::SeenChange;
@@ -17,6 +18,8 @@ pub(super) struct Pending {
     pub(super) at: i64,
     /// What was known just before.
     pub(super) before: Knowledge,
+    /// The last frames when it happened.
+    pub(super) frames: Frames,
     pub(super) what: PendingKind,
 }
 
@@ -107,6 +110,7 @@ impl Judge {
     fn pass(&mut self, t: i64, silent: bool) {
         if silent {
             self.postpone(t - self.now);
+            self.margins.silent_until(t);
         }
         self.now = t;
     }
@@ -123,30 +127,20 @@ impl Judge {
         // A recorder shuffles frames by no more than the window; beyond that, its clock was set back.
         if back <= self.window {
             if !std::mem::replace(&mut self.shuffled, true) {
-                self.report(
-                    Severity::Note,
-                    Party::Log,
-                    "2",
-                    Rule::TimeBackwards,
-                    format!("the log's time goes back by {:.3} ms here, and maybe again", milliseconds(back)),
-                );
+                let back = milliseconds(back);
+                let seen = format!("the log's time goes back by {back:.3} ms here, and maybe again");
+                self.note_log(Rule::TimeBackwards, seen);
             }
             return self.now;
         }
         self.settle_all(self.now);
         self.now = last;
-        self.report(
-            Severity::Note,
-            Party::Log,
-            "2",
-            Rule::TimeBackwards,
-            format!(
-                "the log's time goes back by {:.3} ms; judged as a new recording from here on",
-                milliseconds(back)
-            ),
-        );
+        let by = milliseconds(back);
+        let seen = format!("the log's time goes back by {by:.3} ms; judged as a new recording from here on");
+        self.note_log(Rule::TimeBackwards, seen);
         self.offset = (self.offset + back).min(FAR_NS);
         self.forget_everything();
+        self.senders = super::senders::Senders::default();
         self.forget_values();
         self.now
     }
@@ -161,8 +155,10 @@ impl Judge {
 
     /// Nothing is known any more.
     pub(super) fn forget_everything(&mut self) {
+        self.exercise_forgotten();
         self.known = Knowledge::NOTHING;
         self.history.clear();
+        self.why.forget(self.now);
         self.vcu = super::VcuSide::default();
         self.handshake = super::Watch::default();
         self.missed = super::missed::Missed::default();
@@ -175,6 +171,7 @@ impl Judge {
             slot.last = None;
             slot.newest = i64::MIN;
         }
+        self.note_seen();
     }
 
     /// That values were bad is not known any more, either: if they still are, it is told again.
@@ -195,6 +192,7 @@ impl Judge {
             }
             self.pass(self.now.max(next), silent);
             self.event(next);
+            self.note_seen();
         }
     }
 
@@ -284,7 +282,7 @@ impl Judge {
             }
         }
         let at = t + wait;
-        self.pending.push(Pending { t, at, before, what });
+        self.pending.push(Pending { t, at, before, frames: self.frames(), what });
         self.wake_at(at);
     }
 
@@ -297,7 +295,7 @@ impl Judge {
         let mut known = seen(end);
         for (index, slot) in self.slots.iter().enumerate() {
             if self.is_slow(slot) && !self.scope(index).is_empty() {
-                let both = known.meet(seen(end + slot.period * 2));
+                let both = known.meet(seen(end + slot.usual() * 2));
                 let certain = self.scope(index).intersection(both.on().union(both.off()));
                 known = known.forget(self.scope(index)).learn(certain, both.on());
             }
@@ -307,7 +305,7 @@ impl Judge {
 
     /// Whether a message comes so rarely that a window may pass between two of its frames.
     fn is_slow(&self, slot: &super::Slot) -> bool {
-        slot.period > self.window
+        slot.usual() > self.window
     }
 
     /// How long to wait until all that decides these atoms in a window has been seen.
@@ -317,7 +315,7 @@ impl Judge {
                 self.is_slow(slot) && !self.scope(index).intersection(atoms).is_empty()
             });
         // Half a period more than is looked at: what is known of the period may change meanwhile.
-        self.window + slow.map(|(_, slot)| slot.period * 5 / 2).max().unwrap_or(0)
+        self.window + slow.map(|(_, slot)| slot.usual() * 5 / 2).max().unwrap_or(0)
     }
 
     /// The moments between `start` and `end`, with what was known at each.
@@ -330,16 +328,9 @@ impl Judge {
         if silent < SILENCE_NS {
             return;
         }
-        self.report(
-            Severity::Note,
-            Party::Log,
-            "2.2",
-            Rule::Gap,
-            format!(
-                "no frame of the VCU for {:.3} s; what it did meanwhile is unknown",
-                milliseconds(silent) / 1e3
-            ),
-        );
+        let seconds = milliseconds(silent) / 1e3;
+        let seen = format!("no frame of the VCU for {seconds:.3} s; what it did meanwhile is unknown");
+        self.found(Finding::note(Party::Log, "2.2", Rule::Gap, self.now).seen(seen));
         self.vcu = super::VcuSide::default();
         self.handshake.vcu_gone();
         self.meter.restart();

@@ -1,8 +1,6 @@
-//! What the judge has to say: findings, transitions, and the report that holds them.
+//! What the judge finds, as data: who, what, when, by which requirement, and by which frames.
 
-use adsdv_spec::{AsState, Knowledge, Term, Truth};
-
-use super::response::ResponseTimes;
+use std::fmt;
 
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,15 +33,18 @@ pub enum Party {
     Vcu,
     /// The log itself, or nobody that it names.
     Log,
+    /// A rule of the user's own: who broke it, the judge does not know.
+    Own,
 }
 
 impl Party {
-    /// `AI`, `VCU` or `LOG`.
+    /// `AI`, `VCU`, `LOG` or `OWN`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Ai => "AI",
             Self::Vcu => "VCU",
             Self::Log => "LOG",
+            Self::Own => "OWN",
         }
     }
 }
@@ -58,7 +59,7 @@ impl From<adsdv_spec::messages::Node> for Party {
 }
 
 macro_rules! rules {
-    ($($(#[$doc:meta])* $rule:ident = $id:literal;)*) => {
+    ($($(#[$doc:meta])* $rule:ident = $id:literal $(unless $unless:literal)?;)*) => {
         /// What was checked. The identifiers are stable.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Rule { $($(#[$doc])* $rule,)* }
@@ -71,47 +72,71 @@ macro_rules! rules {
             pub const fn id(self) -> &'static str {
                 match self { $(Self::$rule => $id,)* }
             }
+
+            /// What would have to be true for a violation or a warning of it not to be one: what the judge takes for granted.
+            /// Empty where it takes nothing for granted but that the frames were on the bus.
+            pub const fn unless(self) -> &'static str {
+                match self { $(Self::$rule => concat!($($unless)?),)* }
+            }
         }
     };
 }
 
 rules! {
     /// A transition happened for which Figure 2 has no arrow.
-    NoArrow = "no-such-arrow";
+    NoArrow = "no-such-arrow"
+        unless "the VCU was in another state between, which no 520h shows";
     /// A transition happened though no guard of its arrow could be true.
-    Unjustified = "transition-unjustified";
+    Unjustified = "transition-unjustified"
+        unless "the VCU saw something at that step that no frame within the window shows";
     /// A transition was due and did not happen.
-    Due = "transition-due";
+    Due = "transition-due"
+        unless "the VCU saw something that no frame shows, or takes longer for a step than the deadline";
     /// A fault flag was raised though its condition did not hold.
-    FlagUnfounded = "fault-flag-unfounded";
+    FlagUnfounded = "fault-flag-unfounded"
+        unless "the VCU saw a reason that no frame within the window shows";
     /// `AI_ESTOP_REQUEST` was not raised though the AI Computer asked for an emergency stop.
-    FlagMissing = "fault-flag-missing";
+    FlagMissing = "fault-flag-missing"
+        unless "the VCU did not receive what was recorded, or takes longer for a step than the deadline";
     /// `FAULT_STATUS` or `WARNING_STATUS` contradicts the flags it sums up.
-    StatusSum = "status-flag-sum";
+    StatusSum = "status-flag-sum"
+        unless "the VCU sums its flags up later than the deadline";
     /// `SHUTDOWN_CAUSE` names a fault whose flag is not raised.
-    CauseWithoutFlag = "cause-without-flag";
+    CauseWithoutFlag = "cause-without-flag"
+        unless "the VCU raises the flag later than the deadline";
     /// `SHUTDOWN_CAUSE` names a fault while the Autonomous System goes on.
-    CauseWithoutShutdown = "cause-without-shutdown";
+    CauseWithoutShutdown = "cause-without-shutdown"
+        unless "the VCU goes to EMERGENCY_BRAKE later than the deadline";
     /// `EMERGENCY_BRAKE` without a `SHUTDOWN_CAUSE`.
-    CauseMissing = "cause-missing";
+    CauseMissing = "cause-missing"
+        unless "the VCU names the cause later than the deadline, or has none for this reason";
     /// `SHUTDOWN_CAUSE` changed after the shutdown.
-    CauseChanged = "cause-changed";
+    CauseChanged = "cause-changed"
+        unless "the vehicle was power-cycled in between";
     /// The VCU's HANDSHAKE bit did not change though it was answered, or did change though it was not.
-    HandshakeEdge = "handshake-edge";
+    HandshakeEdge = "handshake-edge"
+        unless "an answer, or an edge, was on the bus that was not recorded";
     /// `AI_COMMS_LOST` was not raised in time.
-    CommsLostDue = "comms-lost-due";
+    CommsLostDue = "comms-lost-due"
+        unless "the VCU received a frame that was not recorded, or takes longer for a step than the deadline";
     /// The AI Computer did not answer the handshake in time.
-    HandshakeLate = "handshake-late";
+    HandshakeLate = "handshake-late"
+        unless "an answer was on the bus in time that was not recorded";
     /// The AI Computer declared FINISHED while the vehicle was moving.
-    FinishedMoving = "finished-while-moving";
+    FinishedMoving = "finished-while-moving"
+        unless "the wheels stood still before the VCU saw the request";
     /// The AI Computer requested NEUTRAL while the vehicle was moving.
-    NeutralMoving = "neutral-while-moving";
+    NeutralMoving = "neutral-while-moving"
+        unless "the wheels stood still before the VCU saw the request";
     /// The AI Computer asked for torque and for brakes at once.
-    BrakeAndTorque = "brake-and-torque";
+    BrakeAndTorque = "brake-and-torque"
+        unless "the VCU never saw both requests in one step";
     /// A message of the AI Computer did not come for too long.
-    MessageMissed = "message-missed";
+    MessageMissed = "message-missed"
+        unless "a frame of it was on the bus that was not recorded";
     /// Requests that are not zero hold the vehicle in `AS_READY`.
-    ReadyHeld = "ready-held";
+    ReadyHeld = "ready-held"
+        unless "the vehicle was not meant to drive yet";
     /// A signal has a value outside its range or its enumeration.
     Value = "value-out-of-range";
     /// A signal still has the start value of the CAN database, which its enumeration does not have.
@@ -121,13 +146,16 @@ rules! {
     /// A frame has another length than the CAN database says.
     Length = "frame-length";
     /// The AI Computer sent a reserved identifier, or somebody unknown did.
-    Reserved = "reserved-identifier";
+    Reserved = "reserved-identifier"
+        unless "the log names another sender than the one there was";
     /// A message came from the wrong side.
-    Sender = "wrong-sender";
+    Sender = "wrong-sender"
+        unless "the log names another sender than the one there was";
     /// What does not fit the edition that was recognised.
     Edition = "edition";
     /// 502h shows another AS state than 520h.
-    AssiDiffers = "assi-differs";
+    AssiDiffers = "assi-differs"
+        unless "the VCU shows its state in 502h later than the deadline";
     /// 520h shows another stage of the Emergency Braking System than the state in 524h.
     EbsDiffers = "ebs-differs";
     /// A line of the log could not be read.
@@ -136,15 +164,64 @@ rules! {
     TimeBackwards = "time-backwards";
     /// The VCU was silent, or frames were lost, so that what happened meanwhile is unknown.
     Gap = "gap";
+    /// Two VCUs are in one recording.
+    TwoSenders = "two-senders"
+        unless "the recording was put together from several, each of one VCU";
     /// Messages of one side are missing altogether.
     OneSided = "one-sided";
     /// The log holds frames that are not judged.
     NotJudged = "not-judged";
+    /// A rule of the user's own was broken.
+    Custom = "custom-rule"
+        unless "a frame was on the bus that was not recorded";
     /// Findings of one rule beyond the number that is listed.
     Repeated = "repeated";
 }
 
+/// Where the rule stands that a finding is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Section {
+    /// A section or a figure of the document, such as `3.7`.
+    Document(&'static str),
+    /// A line of the user's own rules, from 1.
+    Line(usize),
+}
+
+impl From<&'static str> for Section {
+    fn from(section: &'static str) -> Self {
+        Self::Document(section)
+    }
+}
+
+/// As `3.7`, or `line 12`; a width counts for both.
+impl fmt::Display for Section {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Document(section) => f.pad(section),
+            Self::Line(line) => f.pad(&format!("line {line}")),
+        }
+    }
+}
+
+/// A frame that shows what a finding says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Evidence {
+    /// When it came, in nanoseconds since the first frame.
+    pub t_ns: i64,
+    /// The identifier of its message.
+    pub id: u16,
+}
+
 /// One thing that the judge found.
+///
+/// ```
+/// use adsdv_oracle::judge::{Finding, Party, Rule};
+///
+/// let finding = Finding::violation(Party::Vcu, "2.2", Rule::StatusSum, 0)
+///     .seen("FAULT_STATUS is 0, but HVIL_OPEN_FAULT is set")
+///     .expected("1");
+/// assert_eq!(finding.message(), "FAULT_STATUS is 0, but HVIL_OPEN_FAULT is set; expected 1");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// When, in nanoseconds since the first frame.
@@ -153,78 +230,98 @@ pub struct Finding {
     pub severity: Severity,
     /// Who is at fault.
     pub party: Party,
-    /// The section of the document, such as `3.7`.
-    pub section: &'static str,
+    /// Where the rule stands.
+    pub section: Section,
     /// What was checked.
     pub rule: Rule,
-    /// What was seen, with the conditions and their values, and what was expected instead.
-    pub message: String,
+    /// The requirements of the edition that it is against, as `REQUIREMENTS.md` names them; none where no single one is.
+    pub requirements: Vec<&'static str>,
+    /// What was seen, with the conditions and their values.
+    pub seen: String,
+    /// What was expected instead; empty where nothing else was.
+    pub expected: String,
+    /// What would have to be true for it not to be one, beyond what [the rule](Rule::unless) says of all its findings; empty where
+    /// there is nothing beyond that.
+    pub unless: String,
+    /// The frames that show it, in order of time: of each message that decides, the last one before it.
+    pub evidence: Vec<Evidence>,
 }
 
-/// A change of `AS_STATE` that was seen.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Transition {
-    /// When, in nanoseconds since the first frame.
-    pub t_ns: i64,
-    /// The state before.
-    pub from: AsState,
-    /// The state after.
-    pub to: AsState,
-    /// The section that describes the arrow; `Figure 2` where there is none.
-    pub section: &'static str,
-    /// Whether the guard held.
-    pub justified: Truth,
-    /// The alternative of the guard that decided, or may have, and what was known of its conditions.
-    pub decided: Option<(Term, Knowledge)>,
-    /// Whether the remote control shows that its E-stop was pressed, and that may have decided.
-    pub remote_estop: bool,
-    /// Alternatives that may have decided instead: the VCU reports them as the very same fault, so that a log cannot tell.
-    pub or: Vec<(Term, Knowledge)>,
-}
-
-/// Whether the log keeps to the document.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// No violation was found.
-    Conforms,
-    /// At least one violation was found.
-    Violates,
-}
-
-impl Verdict {
-    /// `conforms` or `violates`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Conforms => "conforms",
-            Self::Violates => "violates",
+impl Finding {
+    /// A finding of which it is still to be said what was seen.
+    pub fn new(severity: Severity, party: Party, section: impl Into<Section>, rule: Rule, t_ns: i64) -> Self {
+        Self {
+            t_ns,
+            severity,
+            party,
+            section: section.into(),
+            rule,
+            requirements: Vec::new(),
+            seen: String::new(),
+            expected: String::new(),
+            unless: String::new(),
+            evidence: Vec::new(),
         }
     }
-}
 
-/// Everything that the judge has to say about a log.
-#[derive(Clone, Debug)]
-pub struct Report {
-    /// How many frames could be read.
-    pub frames: u64,
-    /// The time from the first frame to the last, in nanoseconds; on a live bus, on which time was told to pass, to the last
-    /// that is reported if that is later.
-    pub duration_ns: i64,
-    /// The transitions seen, in order.
-    pub transitions: Vec<Transition>,
-    /// The findings, in order of time.
-    pub findings: Vec<Finding>,
-    /// How fast the AI Computer answered the handshake.
-    pub responses: ResponseTimes,
-}
-
-impl Report {
-    /// Whether the log keeps to the document.
-    pub fn verdict(&self) -> Verdict {
-        if self.count(Severity::Violation) == 0 { Verdict::Conforms } else { Verdict::Violates }
+    /// The same for a violation.
+    pub fn violation(party: Party, section: impl Into<Section>, rule: Rule, t_ns: i64) -> Self {
+        Self::new(Severity::Violation, party, section, rule, t_ns)
     }
 
-    /// How many findings of a severity there are.
-    pub fn count(&self, severity: Severity) -> usize {
-        self.findings.iter().filter(|finding| finding.severity == severity).count()
+    /// The same for a warning.
+    pub fn warning(party: Party, section: impl Into<Section>, rule: Rule, t_ns: i64) -> Self {
+        Self::new(Severity::Warning, party, section, rule, t_ns)
+    }
+
+    /// The same for a note.
+    pub fn note(party: Party, section: impl Into<Section>, rule: Rule, t_ns: i64) -> Self {
+        Self::new(Severity::Note, party, section, rule, t_ns)
+    }
+
+    /// This was seen.
+    #[must_use]
+    pub fn seen(self, seen: impl Into<String>) -> Self {
+        Self { seen: seen.into(), ..self }
+    }
+
+    /// This was expected instead.
+    #[must_use]
+    pub fn expected(self, expected: impl Into<String>) -> Self {
+        Self { expected: expected.into(), ..self }
+    }
+
+    /// It is none if this is true.
+    #[must_use]
+    pub fn unless(self, unless: impl Into<String>) -> Self {
+        Self { unless: unless.into(), ..self }
+    }
+
+    /// It is against these requirements.
+    #[must_use]
+    pub fn against(self, requirements: &[&'static str]) -> Self {
+        Self { requirements: requirements.to_vec(), ..self }
+    }
+
+    /// These frames show it.
+    #[must_use]
+    pub fn shown_by(self, evidence: Vec<Evidence>) -> Self {
+        Self { evidence, ..self }
+    }
+
+    /// What would have to be true for it not to be one: what is special to it, or what the judge takes for granted in all findings
+    /// of its rule. `None` for a note, which accuses nobody, and where nothing would.
+    pub fn excuse(&self) -> Option<&str> {
+        let own = Some(self.unless.as_str());
+        let general = Some(self.rule.unless()).filter(|_| self.severity != Severity::Note);
+        own.filter(|text| !text.is_empty()).or(general.filter(|text| !text.is_empty()))
+    }
+
+    /// What was seen, what was expected instead, and what would excuse it, in one sentence.
+    pub fn message(&self) -> String {
+        let part = |before: &str, text: &str| {
+            if text.is_empty() { String::new() } else { format!("{before}{text}") }
+        };
+        format!("{}{}{}", self.seen, part("; expected ", &self.expected), part(", unless ", &self.unless))
     }
 }

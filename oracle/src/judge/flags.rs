@@ -1,14 +1,16 @@
 //! Fault flags, `FAULT_STATUS`, `SHUTDOWN_CAUSE`, and `AI_COMMS_LOST`: whether 520h tells the truth (section 2.2).
 
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus, Vcu2LogStatus};
-use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Term, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Choice, Fault, Faults, Knowledge, Reading, Term, Truth};
 
-use super::Judge;
 use super::events::{Pending, PendingKind, milliseconds};
+use super::exercised::{HOLDS, UNANSWERED};
 use super::finding::{Finding, Party, Rule, Severity};
 use super::handshake::Suspect;
+use super::history::Moment;
 use super::status::is_active;
 use super::transitions::conditions;
+use super::{AI_STATUS, Judge, LOG_STATUS, STATUS};
 
 /// A cause that was named: its flag and the shutdown must be seen as well.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +45,15 @@ pub(super) struct AssiSuspect {
     shown: AsState,
 }
 
+/// What `FAULT_STATUS` sums up.
+const FAULT_SUM: &str = "MSG-50"; //= MSG-50
+/// What `WARNING_STATUS` sums up.
+const WARNING_SUM: &str = "MSG-51"; //= MSG-51
+/// What `SHUTDOWN_CAUSE` shows.
+const CAUSE: &str = "MSG-64"; //= MSG-64
+/// What `State_ASSI` shows.
+const ASSI: &str = "MSG-35"; //= MSG-35
+
 /// The faults whose conditions the bus shows.
 const VISIBLE: [Fault; 5] = [
     Fault::AiComputerRequest,
@@ -53,9 +64,17 @@ const VISIBLE: [Fault; 5] = [
 ];
 
 impl Judge {
-    fn vcu_violation(&mut self, t_ns: i64, section: &'static str, rule: Rule, message: String) {
-        let (severity, party) = (Severity::Violation, Party::Vcu);
-        self.out.finding(Finding { t_ns, severity, party, section, rule, message });
+    /// The VCU shows something wrong in 520h.
+    fn shows_wrongly(
+        &mut self,
+        severity: Severity,
+        rule: Rule,
+        requirement: &'static str,
+        t_ns: i64,
+        (seen, expected): (String, &str),
+    ) {
+        let finding = Finding::new(severity, Party::Vcu, "2.2", rule, t_ns).against(&[requirement]);
+        self.found(finding.seen(seen).expected(expected).shown_by(self.last_frames(&[STATUS])));
     }
 
     /// Flags and causes of two 520h that follow one another differ.
@@ -81,6 +100,7 @@ impl Judge {
                 }
             }
         }
+        self.exercise_flags(t, shown.difference(shown_before));
         let (cause, old_cause) = (status.shutdown_cause, previous.shutdown_cause);
         if cause != old_cause {
             self.cause_changed(t, old_cause, cause, old_state, shown_before);
@@ -89,11 +109,20 @@ impl Judge {
             watch.flag_seen |= Faults::of_cause(watch.cause).difference(shown).is_empty();
             watch.stop_seen |= !is_active(Some(status.as_state));
         }
+    }
+
+    /// 520h shows something else; behind a gap, what was wrong before it may have been right in between.
+    pub(super) fn sums_seen(&mut self, t: i64, status: &Vcu2AiStatus, gap: bool) {
+        let goes_on = |since: &i64| !gap || *since == i64::MAX;
+        let Sums { fault, warning } = self.vcu.sums;
+        let shown = Faults::shown_by(status);
         let fault_flags = shown.difference(Faults::NONE.with(Fault::AiComputerRequest));
         let warnings = status.warn_batt_temp_high || status.warn_batt_soc_low;
         let since = |wrong: bool, since: Option<i64>| if wrong { since.or(Some(t)) } else { None };
-        self.vcu.sums.fault = since(!fault_flags.is_empty() && !status.fault_status, self.vcu.sums.fault);
-        self.vcu.sums.warning = since(warnings && !status.warning_status, self.vcu.sums.warning);
+        self.vcu.sums = Sums {
+            fault: since(!fault_flags.is_empty() && !status.fault_status, fault.filter(goes_on)),
+            warning: since(warnings && !status.warning_status, warning.filter(goes_on)),
+        };
     }
 
     fn cause_changed(
@@ -110,22 +139,15 @@ impl Judge {
             self.vcu.cause = Some(CauseWatch { since: t, cause: new, flag_seen, stop_seen });
             return;
         }
-        let message = format!(
-            "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown; \
-             expected the first cause to stay until a power cycle",
+        let seen = format!(
+            "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown",
             old as u8, new as u8
         );
         // That a cause goes when EMERGENCY_BRAKE is left is not excluded by the document's words.
         let braking = old_state == Some(AsState::EmergencyBrake) && self.vcu.state == old_state;
         let severity = if braking { Severity::Violation } else { Severity::Warning };
-        self.out.finding(Finding {
-            t_ns: t,
-            severity,
-            party: Party::Vcu,
-            section: "2.2",
-            rule: Rule::CauseChanged,
-            message,
-        });
+        let expected = "the first cause to stay until a power cycle";
+        self.shows_wrongly(severity, Rule::CauseChanged, CAUSE, t, (seen, expected));
     }
 
     /// What 520h should have shown by now.
@@ -138,16 +160,19 @@ impl Judge {
             self.vcu.sums.fault = Some(i64::MAX);
             let shown = self.vcu.status.as_ref().map_or(Faults::NONE, Faults::shown_by);
             let flags: Vec<&str> = shown.iter().map(Fault::flag).collect();
-            let message = format!("FAULT_STATUS is 0, but {} is set; expected 1", flags.join(", "));
-            self.vcu_violation(since, "2.2", Rule::StatusSum, message);
+            let seen = format!("FAULT_STATUS is 0, but {} is set", flags.join(", "));
+            self.shows_wrongly(Severity::Violation, Rule::StatusSum, FAULT_SUM, since, (seen, "1"));
         }
         if let Some(since) = self.vcu.sums.warning.filter(|&since| since < late) {
             self.vcu.sums.warning = Some(i64::MAX);
-            let message = "WARNING_STATUS is 0, but a battery warning is set; expected 1".to_owned();
-            self.vcu_violation(since, "2.2", Rule::StatusSum, message);
+            let seen = "WARNING_STATUS is 0, but a battery warning is set".to_owned();
+            self.shows_wrongly(Severity::Violation, Rule::StatusSum, WARNING_SUM, since, (seen, "1"));
         }
         if self.vcu.brake.is_some_and(|brake| brake.since < late) {
             self.judge_missing_cause();
+        }
+        if self.vcu.status.is_some_and(|status| status.ai_estop_request) {
+            self.vcu.estop_since = None;
         }
         if self.vcu.estop_since.is_some_and(|since| since < late) {
             self.judge_missing_estop(t);
@@ -159,18 +184,15 @@ impl Judge {
         let CauseWatch { since, cause, flag_seen, stop_seen } = watch;
         let number = cause as u8;
         if let Some(fault) = Fault::of_cause(cause).filter(|_| !flag_seen) {
-            let message = format!(
-                "SHUTDOWN_CAUSE is {number} ({cause}), but {} is 0; expected it to be 1",
-                fault.flag()
-            );
-            self.vcu_violation(since, "2.2", Rule::CauseWithoutFlag, message);
+            let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but {} is 0", fault.flag());
+            let told = (seen, "it to be 1");
+            self.shows_wrongly(Severity::Violation, Rule::CauseWithoutFlag, CAUSE, since, told);
         }
         if !stop_seen {
             let state = self.vcu.state.map_or("its state", AsState::name);
-            let message = format!(
-                "SHUTDOWN_CAUSE is {number} ({cause}), but the VCU stays in {state}; expected EMERGENCY_BRAKE"
-            );
-            self.vcu_violation(since, "2.2", Rule::CauseWithoutShutdown, message);
+            let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but the VCU stays in {state}");
+            let told = (seen, AsState::EmergencyBrake.name());
+            self.shows_wrongly(Severity::Violation, Rule::CauseWithoutShutdown, CAUSE, since, told);
         }
     }
 
@@ -180,28 +202,23 @@ impl Judge {
         let readable = self.slots.get(super::STATUS).is_some_and(|slot| slot.bad == 0);
         if cause == Some(ShutdownCause::NoShutdown) && readable {
             let severity = if brake.certain { Severity::Violation } else { Severity::Warning };
-            let message =
-                "SHUTDOWN_CAUSE is 0 (no shutdown) in EMERGENCY_BRAKE; expected the cause".to_owned();
-            self.out.finding(Finding {
-                t_ns: brake.since,
-                severity,
-                party: Party::Vcu,
-                section: "2.2",
-                rule: Rule::CauseMissing,
-                message,
-            });
+            let seen = "SHUTDOWN_CAUSE is 0 (no shutdown) in EMERGENCY_BRAKE".to_owned();
+            self.shows_wrongly(severity, Rule::CauseMissing, CAUSE, brake.since, (seen, "the cause"));
         }
     }
 
     fn judge_missing_estop(&mut self, t: i64) {
         let Some(since) = self.vcu.estop_since.take() else { return };
-        let shown = self.vcu.status.is_some_and(|status| status.ai_estop_request);
-        if !shown && self.known.of(Atom::AiEstop) == Truth::True {
-            let message = format!(
-                "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms; expected 1",
+        let asked = |moment: &Moment| {
+            moment.known.of(Atom::AiEstop) == Truth::True && !moment.filled.has(Atom::AiEstop)
+        };
+        if self.history.between(since, t).all(asked) {
+            let seen = format!(
+                "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms",
                 milliseconds(t - since)
             );
-            self.vcu_violation(since + self.deadline, "2.2", Rule::FlagMissing, message);
+            let (requirement, at) = (Fault::AiComputerRequest.requirement(), since + self.deadline);
+            self.shows_wrongly(Severity::Violation, Rule::FlagMissing, requirement, at, (seen, "1"));
         }
     }
 
@@ -209,30 +226,28 @@ impl Judge {
     pub(super) fn judge_flag(&mut self, pending: &Pending, fault: Fault, now: i64) {
         let t = pending.t;
         let cycle = self.cycle();
-        let inputs = self.throughout(t - self.window - cycle, t + self.window, now);
-        // What the flag itself says counts only from the flag on.
-        let window = inputs.set(Atom::AiCommsLost, pending.before.of(Atom::AiCommsLost));
+        let start = t - self.window - cycle;
+        let inputs = self.throughout(start, t + self.window, now);
+        // What the flag itself says counts only from the flag on; it may be recorded behind what ended its reason.
+        let before = self.history.throughout(start, t - 1).meet(pending.before);
+        let window = inputs.set(Atom::AiCommsLost, before.of(Atom::AiCommsLost));
         // Section 2.4 asks for this flag whether an arrow follows from it or not.
         if fault == Fault::AiCommsFault && window.of(Atom::AiCommsLost) != Truth::False {
+            self.exercise_flag(fault, window.of(Atom::AiCommsLost));
             return;
         }
-        let mut section = "2.2";
-        let mut missing: Option<&Term> = None;
-        for term in AsState::ALL.iter().flat_map(|&state| self.variants.terms(state)) {
-            if term.fault != Some(fault) {
-                continue;
-            }
-            // Told in the words of the first alternative, by the section of the last: those of section 3.7, and
-            // section 4 where the reading that it stands for is possible.
-            missing = missing.or(Some(term));
-            section = term.section;
-            let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
-            // An edge may lie before the window; what it needs besides does not.
-            let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
-            if term.truth(known) != Truth::False && !edge_excluded(term, window) {
-                return;
-            }
+        // An edge may lie before the window; what it needs besides does not.
+        let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
+        let known = edges.iter().fold(window, |known, &edge| known.set(edge, Truth::Unknown));
+        let reasons = self.variants.terms_of(fault).filter(|term| !edge_excluded(term, window));
+        let reason = { reasons }.map(|term| term.truth(known)).find(|&reason| reason != Truth::False);
+        if let Some(reason) = reason {
+            return self.exercise_flag(fault, reason);
         }
+        // Told in the words of the first alternative, by the section of the last: those of section 3.7, and section 4 where the
+        // reading that it stands for is possible.
+        let missing = self.variants.terms_of(fault).next().copied();
+        let section = self.variants.terms_of(fault).last().map_or("2.2", |term| term.section);
         let off = window.of(Atom::Tsms) == Truth::False
             && self.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
         let rules = &self.edition.rules;
@@ -248,24 +263,35 @@ impl Judge {
                 ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
             }
             (_, Some(term)) => {
-                (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on))))
+                (section, format!("never {}", conditions(rules, &term, Knowledge::exact(term.on))))
             }
             (_, None) => (section, "nothing can be its reason".to_owned()),
         };
-        let message = format!("{fault} was raised, but {why}; expected 0");
-        self.vcu_violation(t, section, Rule::FlagUnfounded, message);
+        let deciding =
+            self.variants.terms_of(fault).fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off));
+        let finding = Finding::violation(Party::Vcu, section, Rule::FlagUnfounded, t)
+            .against(&[fault.requirement()])
+            .seen(format!("{fault} was raised, but {why}"))
+            .expected("0")
+            .shown_by(self.deciding_frames(&pending.frames, deciding));
+        self.found(finding);
     }
 
     /// The VCU changed its handshake bit: was the one before answered?
     pub(super) fn judge_edge(&mut self, t: i64, suspect: Suspect) {
-        if !self.handshake.clears(suspect) {
+        // Of a bit that was there for a moment, the only answer may be missing.
+        let gap = self.slots.get(super::AI_STATUS).and_then(|slot| slot.gap_since(suspect.since));
+        if !self.handshake.clears(suspect) && gap.is_none() {
             let bit = u8::from(suspect.bit);
-            let message = format!(
-                "HANDSHAKE changed from {bit} to {}, but the AI Computer never answered with {bit}; \
-                 expected the VCU to wait for the answer",
-                1 - bit
-            );
-            self.vcu_violation(t, "2.4", Rule::HandshakeEdge, message);
+            let finding = Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, t)
+                .against(&[HOLDS[usize::from(suspect.bit)]])
+                .seen(format!(
+                    "HANDSHAKE changed from {bit} to {}, but the AI Computer never answered with {bit}",
+                    1 - bit
+                ))
+                .expected("the VCU to wait for the answer")
+                .shown_by(self.last_frames(&[STATUS, AI_STATUS]));
+            self.found(finding);
         }
     }
 
@@ -344,23 +370,22 @@ impl Judge {
         {
             return;
         }
-        let (rule, message) = if self.handshake.is_answered() {
-            (
-                Rule::HandshakeEdge,
-                "HANDSHAKE did not change though the AI Computer answered it; expected it to change"
-                    .to_owned(),
-            )
+        let at = edge + limit + self.deadline;
+        let finding = if self.handshake.is_answered() {
+            Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, at)
+                .against(&[HOLDS[usize::from(status.handshake)]])
+                .seen("HANDSHAKE did not change though the AI Computer answered it")
+                .expected("it to change")
         } else {
-            (
-                Rule::CommsLostDue,
-                format!(
-                    "AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {:.0} ms; expected 1 after {} ms",
-                    milliseconds(t - edge),
-                    self.edition.rules.timing.handshake_ms
-                ),
-            )
+            Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, at)
+                .against(UNANSWERED)
+                .seen(format!(
+                    "AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {:.0} ms",
+                    milliseconds(t - edge)
+                ))
+                .expected(format!("1 after {} ms", self.edition.rules.timing.handshake_ms))
         };
-        self.vcu_violation(edge + limit + self.deadline, "2.4", rule, message);
+        self.found(finding.shown_by(self.last_frames(&[STATUS, AI_STATUS])));
     }
 
     /// Whether 520h has shown the same state all the time between `start` and `end`, with no frame missing.
@@ -384,10 +409,13 @@ impl Judge {
             }
             Some(AssiSuspect { since, .. }) if since == i64::MAX || t - since <= self.deadline => since,
             Some(AssiSuspect { since, .. }) if self.state_stood(since - self.window, t) => {
-                let message =
-                    format!("502h shows State_ASSI {shown}, but 520h shows {state}; expected the same");
                 let section = self.edition.bus.message(Vcu2LogStatus::ID).map_or("", |def| def.section);
-                self.vcu_violation(since, section, Rule::AssiDiffers, message);
+                let finding = Finding::violation(Party::Vcu, section, Rule::AssiDiffers, since)
+                    .against(&[ASSI])
+                    .seen(format!("502h shows State_ASSI {shown}, but 520h shows {state}"))
+                    .expected("the same")
+                    .shown_by(self.last_frames(&[STATUS, LOG_STATUS]));
+                self.found(finding);
                 i64::MAX
             }
             // It begins, or what 502h shows may have been so when it was sent.

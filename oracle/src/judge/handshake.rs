@@ -31,6 +31,8 @@ pub(super) struct Watch {
 pub(super) struct Suspect {
     /// The bit that should have been answered.
     pub(super) bit: bool,
+    /// When it came.
+    pub(super) since: i64,
 }
 
 impl Watch {
@@ -42,7 +44,7 @@ impl Watch {
         }
         let unanswered = !self.answered && !self.blind && self.ai.is_some();
         let suspect = match (before, self.edge_at) {
-            (Some(bit), Some(_)) if unanswered => Some(Suspect { bit }),
+            (Some(bit), Some(since)) if unanswered => Some(Suspect { bit, since }),
             _ => None,
         };
         self.edge_at = before.map(|_| now);
@@ -139,6 +141,11 @@ impl Watch {
     /// Marks the AI Computer's fault at this edge as reported; false if it was already.
     pub(super) fn report_ai(&mut self) -> bool {
         !std::mem::replace(&mut self.reported_ai, true)
+    }
+
+    /// Whether the AI Computer's fault at this edge was reported.
+    pub(super) fn is_reported(&self) -> bool {
+        self.reported_ai
     }
 
     /// Marks the VCU's fault at this edge as reported; false if it was already.

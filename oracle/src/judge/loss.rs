@@ -3,7 +3,7 @@
 //! Each loss makes the judge start anew. Where one follows the other, as on a machine that cannot keep up, they are told as
 //! one.
 
-use super::finding::{Party, Rule, Severity};
+use super::finding::{Finding, Party, Rule};
 use super::{Judge, MS};
 
 /// Losses without end are told as often as this, so that they are told at all.
@@ -77,10 +77,9 @@ impl Judge {
             let seconds = super::events::milliseconds(until - since) / 1e3;
             (format!("from here on, {pieces} times in {seconds:.3} s"), "each time")
         };
-        let message = format!(
+        let seen = format!(
             "{frames} lost {place}, because nobody took what came in time; judged as a new recording {anew}"
         );
-        let (severity, party, section, rule) = (Severity::Warning, Party::Log, "2", Rule::Gap);
-        self.out.finding(super::Finding { t_ns: since, severity, party, section, rule, message });
+        self.found(Finding::warning(Party::Log, "2", Rule::Gap, since).seen(seen));
     }
 }

@@ -7,11 +7,17 @@
 use adsdv_spec::{AsState, Atom, Choice, Reading, Truth};
 
 use super::events::milliseconds;
+use super::exercised::MISSED;
 use super::finding::{Finding, Party, Rule, Severity};
-use super::{AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, Judge, MS};
+use super::{AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, Judge, MS, STATUS};
 
 /// The messages that are watched.
 const WATCHED: [usize; 5] = [AI_STATUS, AI_DRIVE_F, AI_DRIVE_R, AI_STEER, AI_BRAKE];
+
+/// Whether a message is watched.
+pub(super) fn is_watched(index: usize) -> bool {
+    WATCHED.contains(&index)
+}
 
 /// What is kept of the messages that are watched.
 #[derive(Debug)]
@@ -75,6 +81,17 @@ impl Judge {
         if self.missed.silent != Truth::False {
             self.update_comms(t);
         }
+    }
+
+    /// Whether it was reported that this message is missing.
+    pub(super) fn is_reported_missed(&self, index: usize) -> bool {
+        let place = WATCHED.iter().position(|&watched| watched == index);
+        place.and_then(|place| self.missed.reported.get(place)).is_some_and(|reported| *reported)
+    }
+
+    /// Whether a message may have been silent for too long, when that was looked at last.
+    pub(super) fn is_silent_message(&self) -> bool {
+        self.missed.silent != Truth::False
     }
 
     /// When a frame of a watched message came last.
@@ -163,20 +180,23 @@ impl Judge {
     fn report_missed(&mut self, place: usize, t: i64, last: i64, limit: i64) {
         let def = WATCHED.get(place).and_then(|&index| self.slots.get(index)?.def);
         let Some(def) = def else { return };
+        if let Some(&index) = WATCHED.get(place) {
+            self.margins.gap(index, t - last, t);
+        }
         let told = if self.vcu.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" };
-        let message = format!(
-            "{} ({:03X}h) has not come for {:.0} ms while others have{told}; expected it every {} ms, and no gap of {} ms",
-            def.name,
-            def.id,
-            milliseconds(t - last),
-            def.cycle_ms,
-            limit / MS
-        );
         // In AS_OFF nothing drives yet.
         let off = matches!(self.vcu.state, Some(AsState::Off) | None);
         let severity = if off { Severity::Warning } else { Severity::Violation };
-        let (party, section, rule) = (Party::Ai, "2.4", Rule::MessageMissed);
-        self.out.finding(Finding { t_ns: t.min(last + limit), severity, party, section, rule, message });
+        let finding = Finding::new(severity, Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
+            .seen(format!(
+                "{} ({:03X}h) has not come for {:.0} ms while others have{told}",
+                def.name,
+                def.id,
+                milliseconds(t - last)
+            ))
+            .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
+            .shown_by(WATCHED.get(place).map_or(Vec::new(), |&index| self.last_frames(&[index])));
+        self.found(finding);
     }
 
     /// 520h still says that communication is present: has a message been silent for too long?
@@ -208,15 +228,17 @@ impl Judge {
         let def = WATCHED.get(place).and_then(|&index| self.slots.get(index)?.def).filter(|_| answers);
         let Some(def) = def else { return };
         self.missed.reported_vcu = true;
-        let message = format!(
-            "AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {:.0} ms; expected 1 after {} ms",
-            def.name,
-            def.id,
-            milliseconds(t - last),
-            limit / MS
-        );
         let t_ns = last + limit + self.deadline;
-        let (severity, party, section) = (Severity::Violation, Party::Vcu, "2.4");
-        self.out.finding(Finding { t_ns, severity, party, section, rule: Rule::CommsLostDue, message });
+        let finding = Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, t_ns)
+            .against(&[MISSED])
+            .seen(format!(
+                "AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {:.0} ms",
+                def.name,
+                def.id,
+                milliseconds(t - last)
+            ))
+            .expected(format!("1 after {} ms", limit / MS))
+            .shown_by(WATCHED.get(place).map_or(Vec::new(), |&index| self.last_frames(&[index, STATUS])));
+        self.found(finding);
     }
 }

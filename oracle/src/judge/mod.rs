@@ -13,6 +13,8 @@
 //!             +--> handshake, fault flags and causes, the AI Computer's conduct, values and lengths
 //! ```
 //!
+//! Beside that it keeps how close the run comes to its limits (`margins`), and what of the requirements it shows (`exercised`).
+//!
 //! Everything is online and in bounded memory: one frame after the other, as they come.
 //!
 //! ```
@@ -36,19 +38,26 @@ mod ai;
 mod ebs;
 mod edges;
 mod events;
+mod evidence;
+mod exercised;
 mod finding;
 mod flags;
 mod handshake;
 mod history;
 mod lenient;
+mod likely;
 mod loss;
+mod margins;
 mod missed;
 mod options;
 mod output;
 mod plausible;
 mod remote;
+mod report;
 mod response;
 mod scope;
+mod seen;
+mod senders;
 mod slots;
 mod status;
 mod steer;
@@ -62,9 +71,13 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{AsState, Atoms, Edition, Knowledge, Reading};
 
-pub use finding::{Finding, Party, Report, Rule, Severity, Transition, Verdict};
+pub use exercised::{Exercised, Lack, Required, RequiredError, Told, ToldRequirement};
+pub use finding::{Evidence, Finding, Party, Rule, Section, Severity};
+pub use margins::{Basis, Margin, Measure, Needs};
 pub use options::JudgeOptions;
+pub use report::{Report, Transition, Verdict};
 pub use response::{Meter, ResponseTimes};
+pub(crate) use seen::Seen;
 
 use events::Pending;
 use handshake::Watch;
@@ -75,11 +88,13 @@ use slots::{REMOTE, Slot, SlotOf, slot_of};
 use status::VcuSide;
 use variants::Variants;
 
+use crate::why::{Stay, Why};
+
 /// Milliseconds as nanoseconds.
 const MS: i64 = 1_000_000;
 
 /// After a silence of this length nothing is known of a VCU any more; it may have been power-cycled.
-const SILENCE_NS: i64 = 500 * MS;
+pub(crate) const SILENCE_NS: i64 = 500 * MS;
 
 const STATUS: usize = slot_of(Vcu2AiStatus::ID);
 const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
@@ -117,13 +132,18 @@ pub struct Judge {
     ai: ai::AiSide,
     remote: remote::RemoteSide,
     ebs: ebs::Stages,
+    senders: senders::Senders,
 
     pending: Vec<Pending>,
     due: Option<transitions::Due>,
+    likely: likely::Likely,
+    why: Why,
     now: i64,
     /// When the last frame came, if time has been told to pass since.
     quiet_since: Option<i64>,
     loss: loss::Loss,
+    margins: margins::Kept,
+    tally: exercised::Tally,
     started: bool,
     /// Whether it was said that frames do not come in the order of time.
     shuffled: bool,
@@ -134,6 +154,8 @@ pub struct Judge {
     /// Nothing is to be done before this time; the least of all when something is to be done at the next frame anyway.
     next_event: i64,
     frames: u64,
+    /// What became known or unknown between frames, if somebody asks for it.
+    seen: Option<Vec<Seen>>,
     out: Output,
 }
 
@@ -157,7 +179,7 @@ impl Judge {
             pause,
             deadline: i64::from(options.deadline_ms) * MS,
             slot_of: SlotOf::new(&edition.bus),
-            slots: Slot::all(&edition.bus),
+            slots: Slot::all(&edition.bus, options.complete),
             shown: Shown::new(&edition),
             known: Knowledge::NOTHING,
             history: History::new(),
@@ -169,15 +191,21 @@ impl Judge {
             ai: ai::AiSide::default(),
             remote: remote::RemoteSide::default(),
             ebs: ebs::Stages::default(),
+            senders: senders::Senders::default(),
             pending: Vec::new(),
             due: None,
+            likely: likely::Likely::default(),
+            why: Why::new(options.edition, options.readings),
             now: 0,
             quiet_since: None,
             loss: loss::Loss::default(),
+            margins: margins::Kept::default(),
+            tally: exercised::Tally::default(),
             started: false,
             offset: 0,
             next_event: i64::MIN,
             frames: 0,
+            seen: None,
             out: Output::default(),
         }
     }
@@ -198,15 +226,19 @@ impl Judge {
         slot.newest = t_ns;
         let (word, len) = load(data);
         let before = slot.last;
+        let longest = self.margins.longest_gap(index);
         let same = slot.fresh && slot.word == word && slot.len == len;
         // The AI Computer's program may well leave cycles out; the VCU keeps its own.
-        let missing = slot.seen(t) && slot.is_from(Node::Vcu);
+        let missing = slot.seen(t) && slot.is_from(Node::Vcu) && !slot.complete;
         if slot.is_lossy() {
             // It may be too old sooner than it was before.
             self.next_event = self.next_event.min(slot.stale_at());
         }
         if missing {
             self.frames_get_lost(t);
+        }
+        if let Some(before) = before.filter(|&before| t - before > longest) {
+            self.longer_gap(index, before, t);
         }
         if !same {
             self.changed(index, t, word, len, before);
@@ -260,25 +292,29 @@ impl Judge {
         self.lose(end, end);
         self.settle_all(end);
         self.report_loss();
+        self.notice_end(end);
     }
 
-    /// Adds what the reader of the log found out.
-    pub fn report(
-        &mut self,
-        severity: Severity,
-        party: Party,
-        section: &'static str,
-        rule: Rule,
-        message: String,
-    ) {
-        self.out.finding(Finding { t_ns: self.now, severity, party, section, rule, message });
+    /// Adds what was found, by the judge itself, by the reader of the log, or by somebody who follows rules of his own. The
+    /// requirements are those that the edition has for the ones that are named.
+    pub fn found(&mut self, finding: Finding) {
+        let requirements = exercised::of_edition(&self.edition, &finding.requirements);
+        self.tally.found(finding.severity, &finding.requirements);
+        self.out.finding(Finding { requirements, ..finding });
+    }
+
+    /// A note about the log itself, at this time.
+    pub(crate) fn note_log(&mut self, rule: Rule, seen: String) {
+        self.found(Finding::note(Party::Log, "2", rule, self.now).seen(seen));
     }
 
     /// The end of the log: settles what is still open.
     pub fn finish(mut self) -> Report {
         self.end();
         self.note_one_sided();
-        self.out.report(self.frames, self.now)
+        let (margins, exercised) = (self.margins(), self.exercised());
+        let (stays, go_presses) = self.why.end(self.now);
+        Report { stays, go_presses, margins, exercised, ..self.out.report(self.frames, self.now) }
     }
 
     /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to
@@ -310,9 +346,19 @@ impl Judge {
         self.now
     }
 
+    /// How long after its cause an effect may be seen.
+    pub(crate) const fn window_ns(&self) -> i64 {
+        self.window
+    }
+
     /// What is known now.
     pub fn known(&self) -> Knowledge {
         self.known
+    }
+
+    /// The state that lasts now, with what blocks its arrows, and the time up to which that is so; `None` while no state is known.
+    pub fn waits(&self) -> Option<(i64, &Stay)> {
+        Some((self.now, self.why.now()?))
     }
 
     /// From `t` on, what is known is `known`.
@@ -320,8 +366,21 @@ impl Judge {
         if known != self.known {
             self.known = known;
             self.history.push(t, known, self.vcu.state);
+            self.explain(t);
             self.reconsider(t);
         }
+    }
+
+    /// The state, or what is known, is another: what blocks the arrows may be, too.
+    fn explain(&mut self, t: i64) {
+        let stale = self.slots.iter().enumerate().filter(|(_, slot)| !slot.fresh);
+        let stale = stale.fold(Atoms::NONE, |all, (index, _)| all.union(self.scope(index)));
+        let (slots, slot_of) = (&self.slots, &self.slot_of);
+        let last = |id: u16| {
+            let slot = slots.get(slot_of.get(id.into())?).filter(|slot| slot.last.is_some())?;
+            Some(slot.word.to_le_bytes())
+        };
+        self.why.sees(t, self.vcu.state, (self.known, stale), &last);
     }
 
     /// An event is to be looked at when this time comes.

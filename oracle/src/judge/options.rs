@@ -13,6 +13,9 @@ pub struct JudgeOptions {
     pub deadline_ms: u32,
     /// The readings of the document that the VCU may follow. A violation is what is one under all of them.
     pub readings: Choices,
+    /// Whether somebody vouches that the recording has every frame that was on the bus: then what was shown last counts until
+    /// something else is shown, or for half a second, and nothing is excused by a frame that may be missing.
+    pub complete: bool,
 }
 
 impl JudgeOptions {
@@ -24,7 +27,7 @@ impl JudgeOptions {
     /// assert_eq!(JudgeOptions::of(&Edition::V3_0).readings, Edition::V3_0.choices);
     /// ```
     pub const fn of(edition: &'static Edition) -> Self {
-        Self { edition, window_ms: 30, deadline_ms: 50, readings: edition.choices }
+        Self { edition, window_ms: 30, deadline_ms: 50, readings: edition.choices, complete: false }
     }
 
     /// The same for a bus of another edition. Questions that were answered stay answered where the edition has that answer; all

@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::finding::{Finding, Party, Report, Rule, Severity, Transition};
+use super::finding::{Finding, Party, Rule};
+use super::report::{Report, Transition};
 use super::response::ResponseTimes;
 
 /// Findings of one rule beyond this many are counted, not listed.
@@ -72,11 +73,11 @@ impl Output {
             (_, Some(none)) => {
                 let news_at = finding.t_ns.saturating_add(NEWS_NS);
                 *none = Some(LeftOut { count: 1, first: finding.clone(), news_at });
-                let message = format!(
+                let seen = format!(
                     "further findings of {} are counted, and no longer listed; one in a second is told",
                     finding.rule.id()
                 );
-                self.unlisted.push(Finding { rule: Rule::Repeated, message, ..finding });
+                self.unlisted.push(repeated(&finding, seen));
             }
             _ => {}
         }
@@ -120,21 +121,12 @@ impl Output {
 
     pub(super) fn report(mut self, frames: u64, duration_ns: i64) -> Report {
         for LeftOut { count, first, .. } in std::mem::take(&mut self.left_out).into_iter().flatten() {
-            self.findings.push(Finding {
-                rule: Rule::Repeated,
-                message: format!("{count} more of {} from here on, not listed", first.rule.id()),
-                ..first
-            });
+            let seen = format!("{count} more of {} from here on, not listed", first.rule.id());
+            self.findings.push(repeated(&first, seen));
         }
         if self.transitions_left_out > 0 {
-            self.findings.push(Finding {
-                t_ns: duration_ns,
-                severity: Severity::Note,
-                party: Party::Log,
-                section: "3",
-                rule: Rule::Repeated,
-                message: format!("{} more transitions, not listed", self.transitions_left_out),
-            });
+            let seen = format!("{} more transitions, not listed", self.transitions_left_out);
+            self.findings.push(Finding::note(Party::Log, "3", Rule::Repeated, duration_ns).seen(seen));
         }
         self.findings.sort_by_key(|finding| finding.t_ns);
         self.transitions.sort_by_key(|transition| transition.t_ns);
@@ -148,6 +140,16 @@ impl Output {
             transitions: self.transitions,
             findings: self.findings,
             responses: self.responses,
+            stays: Vec::new(),
+            go_presses: Vec::new(),
+            margins: Vec::new(),
+            exercised: super::Exercised::default(),
+            rules: Vec::new(),
         }
     }
+}
+
+/// What is said of findings of one rule that are not listed.
+fn repeated(first: &Finding, seen: String) -> Finding {
+    Finding::new(first.severity, first.party, first.section, Rule::Repeated, first.t_ns).seen(seen)
 }

@@ -56,11 +56,10 @@ impl Judge {
         } else {
             (Severity::Warning, " (a violation under some readings of the document only)")
         };
-        let message = format!(
-            "{} in AS_DRIVING; expected no request to drive and to brake at once{reservation}",
-            conditions(&self.edition.rules, &term, known)
-        );
-        let (party, section, rule) = (Party::Ai, term.section, Rule::BrakeAndTorque);
-        self.out.finding(Finding { t_ns: t, severity, party, section, rule, message });
+        let finding = Finding::new(severity, Party::Ai, term.section, Rule::BrakeAndTorque, t)
+            .seen(format!("{} in AS_DRIVING", conditions(&self.edition.rules, &term, known)))
+            .expected(format!("no request to drive and to brake at once{reservation}"))
+            .shown_by(self.deciding_frames(&pending.frames, REQUESTS));
+        self.found(finding);
     }
 }

@@ -17,6 +17,8 @@ use crate::remote::{Remote, Switches};
 pub(super) struct RemoteSide {
     /// What it showed last; `None` while that is too old to speak for now.
     shown: Option<Switches>,
+    /// When "Go" changed last, or was first seen.
+    go_changed_at: Option<i64>,
     /// When the VCU has seen the last change of "Go", or what may have been one.
     go_settles: Option<i64>,
     /// The level of the E-stop's bit that means that it is released, once that is known.
@@ -64,6 +66,15 @@ impl Judge {
             self.remote.lasts_since = None;
         }
         self.press(t);
+        if shown.go && before.is_some_and(|before| !before.go) {
+            self.why.go_pressed(t);
+            if self.remote.go_changed_at.is_some_and(|at| t - at > self.window) {
+                self.go_shown_on(t);
+            }
+        }
+        if before.map(|before| before.go) != Some(shown.go) {
+            self.remote.go_changed_at = Some(t);
+        }
         let edge = self.go_shown(t, before.map(|before| before.go), shown.go);
         let known = self.known.set(Atom::GoOn, shown.go.into()).set(Atom::SdcOpen, self.sdc_open());
         if edge == Truth::True && shown.go && before.is_some_and(|before| !before.go) {

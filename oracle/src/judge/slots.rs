@@ -3,6 +3,7 @@
 use adsdv_spec::messages::{AnyMessage, MessageDef, Node};
 use adsdv_spec::{Atoms, Bus};
 
+use super::SILENCE_NS;
 use crate::remote::Remote;
 
 /// How many messages there are, in all editions.
@@ -79,6 +80,10 @@ pub(super) struct Slot {
     pub(super) atoms: Option<Atoms>,
     pub(super) length_noted: bool,
     pub(super) too_short: bool,
+    /// Whether no frame can be missing.
+    pub(super) complete: bool,
+    /// The last time between two frames that was longer than usual.
+    gap: Option<(i64, i64)>,
 }
 
 impl Slot {
@@ -102,6 +107,8 @@ impl Slot {
             atoms: None,
             length_noted: false,
             too_short: false,
+            complete: false,
+            gap: None,
         }
     }
 
@@ -110,8 +117,19 @@ impl Slot {
         self.def.is_some_and(|def| def.sender == node)
     }
 
-    pub(super) fn all(bus: &Bus) -> [Self; COUNT] {
-        std::array::from_fn(|index| Self::new(AnyMessage::IDS.get(index).and_then(|&id| bus.message(id))))
+    pub(super) fn all(bus: &Bus, complete: bool) -> [Self; COUNT] {
+        std::array::from_fn(|index| {
+            let def = AnyMessage::IDS.get(index).and_then(|&id| bus.message(id));
+            Self { complete, ..Self::new(def) }
+        })
+    }
+
+    /// The usual time between two frames; as long as only one has come, that of the edition.
+    pub(super) fn usual(&self) -> i64 {
+        match (self.period, self.last, self.def) {
+            (0, Some(_), Some(def)) => i64::from(def.cycle_ms) * super::MS,
+            (period, ..) => period,
+        }
     }
 
     /// When the last frame will be too old to speak for now: a frame that is missing may have said something else.
@@ -121,6 +139,9 @@ impl Slot {
     /// interval counts as whole into which one more would fit.
     pub(super) fn stale_at(&self) -> i64 {
         let Some(last) = self.last else { return i64::MAX };
+        if self.complete {
+            return last + SILENCE_NS;
+        }
         let learning = self.learnt < LEARNING;
         let usual = if learning { self.period.min(self.shortest) } else { self.period };
         let whole = longest(usual);
@@ -132,6 +153,17 @@ impl Slot {
         last + sure.clamp(0, whole)
     }
 
+    /// The last time that was longer than usual between two frames, or since the last.
+    pub(super) fn longest_gap(&self, now: i64) -> Option<(i64, i64)> {
+        let last = self.last?;
+        if now - last > longest(self.period) { Some((last, now)) } else { self.gap }
+    }
+
+    /// When the last time between two frames ended that was longer than usual, if that was after `since`, and one may be missing.
+    pub(super) fn gap_since(&self, since: i64) -> Option<i64> {
+        self.gap.map(|(_, end)| end).filter(|&end| end > since && !self.complete)
+    }
+
     /// Whether frames are taken to get lost.
     pub(super) fn is_lossy(&self) -> bool {
         self.last.is_some_and(|last| last < self.lossy_until)
@@ -139,7 +171,9 @@ impl Slot {
 
     /// Frames get lost, at least for a while.
     pub(super) fn becomes_lossy(&mut self, now: i64) {
-        self.lossy_until = now + LOSSY_NS;
+        if !self.complete {
+            self.lossy_until = now + LOSSY_NS;
+        }
     }
 
     /// A frame came. Tells whether one before it is clearly missing.
@@ -147,6 +181,9 @@ impl Slot {
         let mut missing = false;
         if let Some(last) = self.last {
             let interval = now - last;
+            if interval > longest(self.period) || self.gap.is_none() {
+                self.gap = Some((last, now));
+            }
             if self.learnt < LEARNING {
                 self.learnt += 1;
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());

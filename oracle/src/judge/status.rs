@@ -68,7 +68,11 @@ const fn certain(shows: bool) -> Truth {
 impl Judge {
     /// 520h came with the same content as before.
     pub(super) fn status_repeated(&mut self, t: i64) {
+        if self.senders.several() {
+            return;
+        }
         self.due_at_status(t);
+        self.likely_due_at_status(t);
         self.comms_due(t);
         self.missed_due(t);
         self.flags_over_time(t);
@@ -84,6 +88,14 @@ impl Judge {
         readable: Atoms,
         before: Option<i64>,
     ) {
+        if self.senders.several() {
+            return;
+        }
+        if let (Some(from), true) = (self.vcu.state.filter(|&from| from != status.as_state), state_readable)
+            && self.is_of_another(t, from, status.as_state)
+        {
+            return;
+        }
         if let Some(before) = before {
             self.after_silence(t, t - before);
         }
@@ -92,6 +104,8 @@ impl Judge {
         let old_state = self.vcu.state;
         let new_state = if state_readable { Some(status.as_state) } else { None };
 
+        self.tally.handshake(previous.map(|p| p.handshake), status.handshake, self.handshake.is_answered());
+        self.margins.due = self.due;
         self.meter.vcu(t, status.handshake);
         if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
             self.handshake.restart();
@@ -109,16 +123,25 @@ impl Judge {
                 self.transition_seen(t, from, to, before.unwrap_or(t), gap, at_step);
                 self.enter(t, to, Some(before.unwrap_or(t)));
             }
-            (None, Some(to)) => self.enter(t, to, None),
+            (None, Some(to)) => {
+                self.notice_unknown_state();
+                self.enter(t, to, None);
+            }
             (_, None) => {
                 self.vcu.state = None;
                 self.due = None;
+                self.explain(t);
             }
             _ => {}
+        }
+        let pressed = status.go_signal && previous.is_some_and(|previous| !previous.go_signal);
+        if pressed && !gap && !self.remote_is_seen() {
+            self.why.go_pressed(t);
         }
         if let Some(previous) = previous.filter(|_| !gap) {
             self.flags_changed(t, &previous, &status, old_state, before_flags);
         }
+        self.sums_seen(t, &status, gap);
         self.update_comms(t);
         self.reconsider(t);
         self.status_repeated(t);
@@ -231,7 +254,9 @@ impl Judge {
     /// state may be old.
     fn enter(&mut self, t: i64, state: AsState, before: Option<i64>) {
         self.vcu.state = Some(state);
+        self.tally.shows(state);
         self.due = None;
+        self.likely = super::likely::Likely::default();
         let timing = &self.edition.rules.timing;
         let limit = i64::from(timing.in_state_limit(state)) * super::MS;
         self.vcu.timers.clear();
@@ -274,6 +299,7 @@ impl Judge {
         }
         self.known = known;
         self.history.push(t, known, Some(state));
+        self.explain(t);
     }
 
     /// Whether 520h is coming.

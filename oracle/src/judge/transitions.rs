@@ -1,12 +1,16 @@
 //! Transitions: those that were seen, and those that were due.
 
-use adsdv_spec::messages::Node;
+use adsdv_spec::messages::{Node, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Observation, Rules, Term, Truth};
 
 use super::events::{Pending, PendingKind};
-use super::finding::{Finding, Party, Rule, Severity, Transition};
-use super::variants::{Guard, Variant};
-use super::{Judge, LOG_STATUS, SILENCE_NS};
+use super::evidence::Frames;
+use super::exercised::{ONLY_ARROWS, of_term};
+use super::finding::{Finding, Party, Rule, Severity};
+use super::likely::no_frame;
+use super::report::Transition;
+use super::variants::{Guard, Variant, Way};
+use super::{Judge, LOG_STATUS, SILENCE_NS, STATUS};
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
@@ -17,25 +21,29 @@ pub(super) struct SeenChange {
     pub(super) before: i64,
     /// Whether a frame of the VCU may be missing in between.
     pub(super) gap: bool,
+    /// What was shown when it was seen.
+    pub(super) shown: Knowledge,
+    /// For how long the state had lasted.
+    pub(super) lasted: i64,
 }
 
 /// A way out of the current state that is certain to be open.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Due {
-    since: i64,
-    to: AsState,
-    section: &'static str,
-    term: Term,
+    pub(super) since: i64,
+    pub(super) way: Way,
+    /// The last frames when it came to be.
+    frames: Frames,
     /// Whether the guard held in a step that is over: then it does not matter that it holds no more.
     held: bool,
-    reported: bool,
+    pub(super) reported: bool,
 }
 
 impl Due {
     /// Whether it need not be watched any more. What has been reported stays until it is certain to be over, however many
     /// frames are missing.
     fn is_over(&self, known: Knowledge) -> bool {
-        if self.reported { self.term.truth(known) == Truth::False } else { !self.held }
+        if self.reported { self.way.term.truth(known) == Truth::False } else { !self.held }
     }
 }
 
@@ -53,7 +61,7 @@ const _: () = {
 
 /// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
 /// the step that is judged, not behind it.
-const MEMORY: Atoms = Atoms::ALL.difference(Observation::SCOPE).with(Atom::SdcOpen);
+pub(super) const MEMORY: Atoms = Atoms::ALL.difference(Observation::SCOPE).with(Atom::SdcOpen);
 
 /// What three-valued judgement says of one variant of the table.
 struct Judged {
@@ -73,14 +81,21 @@ impl Judge {
         at_step: Knowledge,
     ) {
         let usual = self.slots.get(super::STATUS).map_or(0, |slot| slot.period);
-        let gap = gap || t - before > usual + usual / 5;
+        let gap = gap || !self.options.complete && t - before > usual + usual / 5;
         self.vcu.left = Some(super::status::Left { before, at: t, gap });
+        self.notice_change(t, from, to, before, gap);
         let wait = self.wait_for(self.deciding(from));
-        self.suspend(t, wait, at_step, PendingKind::SeenChange(SeenChange { from, to, before, gap }));
+        let lasted = self.why.now().map_or(0, |stay| t - stay.since_ns);
+        self.suspend(
+            t,
+            wait,
+            at_step,
+            PendingKind::SeenChange(SeenChange { from, to, before, gap, shown: self.why.shown(), lasted }),
+        );
     }
 
     pub(super) fn judge_seen(&mut self, pending: &Pending, seen: &SeenChange, now: i64) {
-        let SeenChange { from, to, before, gap } = *seen;
+        let SeenChange { from, to, before, gap, shown, lasted } = *seen;
         let t = pending.t;
         let cycle = self.cycle();
         let start = before.min(t - self.window) - cycle;
@@ -108,7 +123,8 @@ impl Judge {
             .map(|variant| judge_variant(variant, to, window, &instants))
             .collect();
         let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
-        if justified == Truth::False && gap && self.leads_through_others(from, to, window) {
+        let between_missed = justified == Truth::False && gap && self.leads_through_others(from, to, window);
+        if between_missed {
             justified = Truth::Unknown;
         }
         let decided = judged.iter().find(|j| j.truth == justified).or(judged.first()).and_then(|j| j.decided);
@@ -117,6 +133,9 @@ impl Judge {
         } else {
             decided
         };
+        self.judged_change(t, justified);
+        let deciding: Vec<_> = judged.iter().filter_map(|j| j.decided).chain(decided).collect();
+        self.exercise_arrow((from, to), justified, &deciding, window);
         let arrow = self.variants.of(from).iter().flatten().find(|guard| guard.to == to).cloned();
         let section = arrow.as_ref().map_or("Figure 2", |guard| guard.section);
         let remote_estop = decided.is_some_and(|(term, _)| term.on.has(Atom::SdcOpen))
@@ -129,20 +148,38 @@ impl Judge {
                 brake.certain = certain;
             }
         }
-        if justified == Truth::False {
-            let rules = &self.edition.rules;
-            let (rule, message) = match &arrow {
-                None => (Rule::NoArrow, self.no_arrow(from, to)),
-                Some(guard) => (Rule::Unjustified, unjustified(rules, (from, to), guard, window, &judged)),
-            };
-            self.out.finding(Finding {
-                t_ns: t,
-                severity: Severity::Violation,
-                party: Party::Vcu,
-                section,
-                rule,
-                message,
-            });
+        let found = |severity, rule| {
+            let atoms = self.variants.atoms(from, to);
+            let finding = Finding::new(severity, Party::Vcu, section, rule, t);
+            finding.shown_by(self.deciding_frames(&pending.frames, atoms))
+        };
+        let finding = match (&arrow, justified) {
+            _ if between_missed => {
+                let gap = no_frame(Vcu2AiStatus::ID, before, t);
+                let stays =
+                    Wrong::stays(format!("by all that was recorded {from} -> {to}, without a reason"), from);
+                let excuse = format!("a state between was missed ({gap})");
+                Some(stays.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse))
+            }
+            (None, Truth::False) => {
+                let finding = found(Severity::Violation, Rule::NoArrow).against(&[ONLY_ARROWS]);
+                Some(self.no_arrow(from, to).told(finding))
+            }
+            (Some(guard), Truth::False) => {
+                let overtaking = judged.iter().find_map(|j| j.decided).map(|(term, _)| term);
+                let wrong = unjustified(&self.edition.rules, (from, to), guard, window, overtaking);
+                let broken = self.broken_by(from, to, &deciding, window);
+                Some(wrong.told(found(Severity::Violation, Rule::Unjustified)).against(&broken))
+            }
+            (_, Truth::Unknown) => {
+                self.likely_unjustified(t, (from, to), shown, lasted).map(|(wrong, excuse)| {
+                    wrong.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse)
+                })
+            }
+            _ => None,
+        };
+        if let Some(finding) = finding {
+            self.found(finding);
         }
         let or = decided.map(|(term, _)| self.reported_alike(from, to, &term, window)).unwrap_or_default();
         self.out.transition(Transition { t_ns: t, from, to, section, justified, decided, remote_estop, or });
@@ -177,13 +214,14 @@ impl Judge {
         Some((*term, window))
     }
 
-    fn no_arrow(&self, from: AsState, to: AsState) -> String {
+    fn no_arrow(&self, from: AsState, to: AsState) -> Wrong {
         let ways: Vec<&str> = AsState::ALL
             .iter()
             .filter(|&&state| self.variants.has_arrow(from, state))
             .map(|state| state.name())
             .collect();
-        format!("{from} -> {to}: there is no such arrow; from {from} there are arrows to {}", ways.join(", "))
+        let seen = format!("{from} -> {to}: there is no such arrow");
+        Wrong { seen, expected: format!("{from} to stay, or one of its arrows to {}", ways.join(", ")) }
     }
 
     /// Whether several arrows, of which the log missed the states between, can lead there.
@@ -225,67 +263,100 @@ impl Judge {
     /// What is known has changed: is a transition due now?
     pub(super) fn reconsider(&mut self, t: i64) {
         let known = self.known;
+        self.reconsider_shown(t);
         let Some(state) = self.vcu.state.filter(|_| self.vcu_is_seen()) else {
             self.due = self.due.filter(|due| !due.is_over(known));
             return;
         };
         self.consider_speed(t, state);
         self.consider_requests(t, state);
-        match (self.variants.due(state, self.known), self.due) {
-            (None, due) => self.due = due.filter(|due| !due.is_over(known)),
-            (Some((guard, term)), due)
-                if due
-                    .as_ref()
-                    .is_none_or(|due| due.term.truth(known) != Truth::True && due.is_over(known)) =>
+        let over = |due: &Due| due.is_over(known);
+        match self.variants.due(state, known) {
+            None => self.due = self.due.filter(|due| !over(due)),
+            Some(way)
+                if self.due.is_none_or(|due| due.way.term.truth(known) != Truth::True && over(&due)) =>
             {
-                let (to, section) = (guard.to, guard.section);
-                self.due = Some(Due { since: t, to, section, term, held: false, reported: false });
+                self.due = Some(self.is_due(t, way, false));
             }
-            (Some(_), _) => {}
+            Some(_) => {}
         }
     }
 
     /// This is known of a window on either side of `t`, and the VCU made a step in it: if a guard held, what the VCU saw later
     /// does not matter.
     pub(super) fn guard_held(&mut self, t: i64, state: AsState, known: Knowledge) {
-        let Some((guard, term)) = self.variants.due(state, known) else { return };
+        let Some(way) = self.variants.due(state, known) else { return };
         if self.due.is_none_or(|due| due.is_over(self.known)) {
-            let (to, section) = (guard.to, guard.section);
-            self.due = Some(Due { since: t, to, section, term, held: true, reported: false });
+            self.due = Some(self.is_due(t, way, true));
         }
+    }
+
+    fn is_due(&self, since: i64, way: Way, held: bool) -> Due {
+        Due { since, way, frames: self.frames(), held, reported: false }
+    }
+
+    /// Whether the VCU has shown the conditions of a term again, a window after they held first: what it measures is only certain up
+    /// to the last frame that shows it.
+    pub(super) fn is_confirmed(&self, term: &Term, since: i64) -> bool {
+        self.slots.iter().enumerate().all(|(index, slot)| {
+            !slot.is_from(Node::Vcu)
+                || !touches(term, self.scope(index))
+                || slot.last.is_some_and(|last| last >= since + self.window)
+        })
     }
 
     /// 520h still shows the old state: a transition that should have come by now is missing.
     pub(super) fn due_at_status(&mut self, t: i64) {
         let Some(due) = self.due.filter(|due| !due.reported && t > due.since + self.deadline) else { return };
         let Some(state) = self.vcu.state else { return };
-        // What the VCU measures is only certain up to the last frame that shows it.
-        let confirmed = self.slots.iter().enumerate().all(|(index, slot)| {
-            !slot.is_from(Node::Vcu)
-                || !touches(&due.term, self.scope(index))
-                || slot.last.is_some_and(|last| last >= due.since + self.window)
-        });
-        if !confirmed {
+        if !self.is_confirmed(&due.way.term, due.since) {
             return;
         }
         if let Some(due) = &mut self.due {
             due.reported = true;
         }
-        let pressed = due.term.on.has(Atom::SdcOpen) && self.remote_pressed(due.since, t);
-        self.out.finding(Finding {
-            t_ns: due.since + self.deadline,
-            severity: Severity::Violation,
-            party: Party::Vcu,
-            section: due.section,
-            rule: Rule::Due,
-            message: format!(
-                "{state} was not left, though {}{} for more than {} ms; expected {state} -> {}",
-                conditions(&self.edition.rules, &due.term, Knowledge::exact(due.term.on)),
-                if pressed { " (remote E-stop pressed)" } else { "" },
-                self.options.deadline_ms,
-                due.to
-            ),
-        });
+        self.likely.is_certain();
+        let pressed = due.way.term.on.has(Atom::SdcOpen) && self.remote_pressed(due.since, t);
+        let pressed = if pressed { " (remote E-stop pressed)" } else { "" };
+        let so_long = format!("{pressed} for more than {} ms", self.options.deadline_ms);
+        let finding = self.not_left(Severity::Violation, state, &due.way, due.since, &so_long);
+        let mut evidence = self.deciding_frames(&due.frames, due.way.term.on.union(due.way.term.off));
+        evidence.extend(self.last_frames(&[STATUS]));
+        self.found(finding.shown_by(evidence));
+    }
+
+    /// A state was not left, though a way out has been open since `since`.
+    pub(super) fn not_left(
+        &self,
+        severity: Severity,
+        state: AsState,
+        way: &Way,
+        since: i64,
+        so_long: &str,
+    ) -> Finding {
+        let Way { to, section, term } = way;
+        let requirements = self.row(state, *to).map(|row| of_term(row, term)).unwrap_or_default();
+        let conditions = conditions(&self.edition.rules, term, Knowledge::exact(term.on));
+        Finding::new(severity, Party::Vcu, *section, Rule::Due, since + self.deadline)
+            .against(&requirements)
+            .seen(format!("{state} was not left, though {conditions}{so_long}"))
+            .expected(format!("{state} -> {to}"))
+    }
+}
+
+/// What was seen of a transition that is wrong, and what was expected.
+pub(super) struct Wrong {
+    pub(super) seen: String,
+    pub(super) expected: String,
+}
+
+impl Wrong {
+    fn stays(seen: String, state: AsState) -> Self {
+        Self { seen, expected: format!("{state} to stay") }
+    }
+
+    fn told(self, finding: Finding) -> Finding {
+        finding.seen(self.seen).expected(self.expected)
     }
 }
 
@@ -329,26 +400,24 @@ fn judge_variant(variant: &Variant, to: AsState, window: Knowledge, instants: &[
 }
 
 /// Why a transition was wrong: the condition that failed in each alternative, or the row that comes first.
-fn unjustified(
+pub(super) fn unjustified(
     rules: &Rules,
     (from, to): (AsState, AsState),
     guard: &Guard,
     window: Knowledge,
-    judged: &[Judged],
-) -> String {
-    let overtaking = judged.iter().find_map(|j| j.decided).filter(|_| guard.truth(window) != Truth::False);
-    if let Some((term, _)) = overtaking {
-        return format!(
-            "{from} -> {to}, though {}: another arrow comes first; expected that one",
-            conditions(rules, &term, window)
-        );
+    overtaking: Option<Term>,
+) -> Wrong {
+    if let Some(term) = overtaking.filter(|_| guard.truth(window) != Truth::False) {
+        let conditions = conditions(rules, &term, window);
+        let seen = format!("{from} -> {to}, though {conditions}: another arrow comes first");
+        return Wrong { seen, expected: "that one".to_owned() };
     }
     let all = |of: fn(&Term) -> Atoms| guard.terms.iter().fold(Atoms::NONE, |all, term| all.union(of(term)));
     let (off, on) =
         (all(|term| term.on).intersection(window.off()), all(|term| term.off).intersection(window.on()));
     let text = |value| move |atom| rules.text(atom, value).to_string();
     let failed: Vec<String> = off.iter().map(text(false)).chain(on.iter().map(text(true))).collect();
-    format!("{from} -> {to}, but {}; expected {from} to stay", failed.join(" and "))
+    Wrong::stays(format!("{from} -> {to}, but {}", failed.join(" and ")), from)
 }
 
 /// A term's conditions with their values, as far as they are known.

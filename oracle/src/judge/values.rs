@@ -2,12 +2,12 @@
 
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, EbsState, Message,
-    MessageDef, Node, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds,
-    Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
+    MessageDef, Node, OutOfRange, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer,
+    Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Atoms, Bus};
 
-use super::finding::{Finding, Party, Rule, Severity};
+use super::finding::{Evidence, Finding, Party, Rule, Severity};
 use super::lenient::{self, Lenient};
 use super::{
     AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, BRAKE, Judge, LOG_STATUS, REMOTE, SILENCE_NS,
@@ -218,33 +218,17 @@ impl Judge {
             let start = late && lenient::is_start_value(signal, raw);
             let echo = self.echoes_bad_request(M::ID, signal.name);
             let elsewhere = self.is_within_another_limit(signal, raw);
-            let (severity, rule) = match (start, echo) {
-                (true, _) => (Severity::Note, Rule::StartValue),
-                _ if elsewhere => (Severity::Note, Rule::Value),
-                (_, true) => (Severity::Note, Rule::Value),
-                _ => (Severity::Violation, Rule::Value),
+            let (severity, rule, remark) = match (start, echo) {
+                (true, _) => (Severity::Note, Rule::StartValue, ": the start value of the CAN database"),
+                _ if elsewhere => {
+                    (Severity::Note, Rule::Value, ": the VCU's limit is that of another version")
+                }
+                (_, true) => (Severity::Note, Rule::Value, ": as the AI Computer requested it"),
+                _ => (Severity::Violation, Rule::Value, ""),
             };
-            let error = adsdv_spec::messages::ValueError {
-                message: def.name,
-                id: M::ID,
-                signal: signal.name,
-                given: raw,
-                def: signal,
-            };
-            let message = match (start, echo) {
-                (true, _) => format!("{error}: the start value of the CAN database"),
-                _ if elsewhere => format!("{error}: the VCU's limit is that of another version"),
-                (_, true) => format!("{error}: as the AI Computer requested it"),
-                _ => error.to_string(),
-            };
-            self.out.finding(Finding {
-                t_ns: t,
-                severity,
-                party: def.sender.into(),
-                section: def.section,
-                rule,
-                message,
-            });
+            let refused = OutOfRange { given: raw, def: signal };
+            let seen = format!(": {}{remark}", refused.seen());
+            self.found(of_message(severity, def, rule, t, &seen).expected(refused.allowed().to_string()));
         }
     }
 
@@ -263,40 +247,20 @@ impl Judge {
     #[cold]
     fn too_short(&mut self, t: i64, index: usize, len: u8) {
         let Some(def) = self.def_of(index) else { return };
-        let message = format!(
-            "{} ({:03X}h) has {len} bytes; expected at least {} for its signals",
-            def.name,
-            def.id,
-            def.bytes_needed()
-        );
-        self.out.finding(Finding {
-            t_ns: t,
-            severity: Severity::Violation,
-            party: def.sender.into(),
-            section: def.section,
-            rule: Rule::TooShort,
-            message,
-        });
+        let needed = format!("at least {} for its signals", def.bytes_needed());
+        let finding = of_message(Severity::Violation, def, Rule::TooShort, t, &format!(" has {len} bytes"));
+        self.found(finding.expected(needed));
     }
 
     #[cold]
     fn other_length(&mut self, t: i64, index: usize, len: u8) {
         let Some(def) = self.def_of(index) else { return };
-        let message = format!(
-            "{} ({:03X}h) has {len} bytes; the CAN database says {}, its signals need {}",
-            def.name,
-            def.id,
+        let seen = format!(
+            " has {len} bytes; the CAN database says {}, its signals need {}",
             def.len,
             def.bytes_needed()
         );
-        self.out.finding(Finding {
-            t_ns: t,
-            severity: Severity::Note,
-            party: def.sender.into(),
-            section: def.section,
-            rule: Rule::Length,
-            message,
-        });
+        self.found(of_message(Severity::Note, def, Rule::Length, t, &seen));
     }
 
     /// A frame of no message of the document.
@@ -306,16 +270,10 @@ impl Judge {
         let bus = &self.edition.bus;
         let reserved = u16::try_from(id).is_ok_and(|id| bus.is_reserved(id) && bus.device(id).is_none());
         if reserved && self.out.first_of_id(id) {
-            self.out.finding(Finding {
-                t_ns: t,
-                severity: Severity::Note,
-                party: Party::Log,
-                section: "2.3",
-                rule: Rule::Reserved,
-                message: format!(
-                    "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
-                ),
-            });
+            let seen = format!(
+                "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
+            );
+            self.found(Finding::note(Party::Log, "2.3", Rule::Reserved, t).seen(seen));
         }
     }
 
@@ -324,62 +282,60 @@ impl Judge {
     pub fn sent_by_ai(&mut self, t_ns: i64, id: u32) {
         let t = self.other_frame(t_ns);
         let short = u16::try_from(id).unwrap_or(u16::MAX);
-        if self.edition.bus.is_reserved(short) && self.out.first_by_ai(id) {
-            self.out.finding(Finding {
-                t_ns: t,
-                severity: Severity::Violation,
-                party: Party::Ai,
-                section: "2.3",
-                rule: Rule::Reserved,
-                message: format!("the AI Computer sent {id:03X}h, which is reserved; expected it not to"),
-            });
-        }
-        if let Some(device) = self.edition.bus.device(short)
-            && self.out.first_by_ai(id)
-        {
-            let message = format!(
-                "the AI Computer sent {} ({id:03X}h); expected that message from {} only",
-                device.name, device.sender
-            );
-            let (severity, party, section, rule) = (Severity::Violation, Party::Ai, "2.2", Rule::Sender);
-            self.out.finding(Finding { t_ns: t, severity, party, section, rule, message });
-        }
-        let def = self.edition.bus.message(short);
-        if let Some(def) = def.filter(|def| def.sender == Node::Vcu && self.out.first_by_ai(id)) {
-            self.out.finding(Finding {
-                t_ns: t,
-                severity: Severity::Violation,
-                party: Party::Ai,
-                section: def.section,
-                rule: Rule::Sender,
-                message: format!(
-                    "the AI Computer sent {} ({:03X}h); expected that message from the VCU only",
-                    def.name, def.id
-                ),
-            });
+        let bus = &self.edition.bus;
+        let of_the_vcu = bus.message(short).filter(|def| def.sender == Node::Vcu);
+        let (section, rule, what, expected) = match (bus.device(short), of_the_vcu) {
+            _ if bus.is_reserved(short) => {
+                ("2.3", Rule::Reserved, format!("{id:03X}h, which is reserved"), "")
+            }
+            (Some(device), _) => {
+                ("2.2", Rule::Sender, format!("{} ({id:03X}h)", device.name), device.sender.name())
+            }
+            (_, Some(def)) => (def.section, Rule::Sender, format!("{} ({id:03X}h)", def.name), "the VCU"),
+            (None, None) => return,
+        };
+        if self.out.first_by_ai(id) {
+            let expected = match expected {
+                "" => "it not to".to_owned(),
+                sender => format!("that message from {sender} only"),
+            };
+            let finding =
+                Finding::violation(Party::Ai, section, rule, t).seen(format!("the AI Computer sent {what}"));
+            self.found(finding.expected(expected).shown_by(vec![Evidence { t_ns: t, id: short }]));
         }
     }
 
     /// The end of the log: says which side was not there.
     pub(super) fn note_one_sided(&mut self) {
         let seen = |node| self.slots.iter().any(|slot| slot.is_from(node) && slot.last.is_some());
-        let (severity, message) = match (seen(Node::Ai), seen(Node::Vcu)) {
+        let (severity, what, expected) = match (seen(Node::Ai), seen(Node::Vcu)) {
             (true, true) => return,
             (false, false) => (
                 Severity::Warning,
-                "no message of the document in the log: nothing was judged; expected 500h to 526h",
+                "no message of the document in the log: nothing was judged",
+                "500h to 526h",
             ),
             (true, false) => (
                 Severity::Note,
                 "no message of the VCU in the log; the AI Computer was judged as far as it can be",
+                "",
             ),
             (false, true) => (
                 Severity::Note,
                 "no message of the AI Computer in the log; the VCU was judged as far as it can be",
+                "",
             ),
         };
-        self.report(severity, Party::Log, "2", Rule::OneSided, message.to_owned());
+        let finding = Finding::new(severity, Party::Log, "2", Rule::OneSided, self.now);
+        self.found(finding.seen(what).expected(expected));
     }
+}
+
+/// A finding about a frame that has just come.
+fn of_message(severity: Severity, def: &MessageDef, rule: Rule, t_ns: i64, what: &str) -> Finding {
+    Finding::new(severity, def.sender.into(), def.section, rule, t_ns)
+        .seen(format!("{} ({:03X}h){what}", def.name, def.id))
+        .shown_by(vec![Evidence { t_ns, id: def.id }])
 }
 
 /// Whether the signal that this field carries has a value that is not allowed.

@@ -3,7 +3,7 @@
 //! Readings change which terms a row has and which row comes first. Most combinations of readings make no
 //! difference to a given state, so each state keeps the few variants that do.
 
-use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Machine, Reading, Taken, Term, Truth};
+use adsdv_spec::{AsState, Atoms, Choices, Edition, Fault, Knowledge, Machine, Reading, Taken, Term, Truth};
 
 /// The readings that change the table, rather than what an atom means.
 fn table_readings(edition: &Edition) -> Vec<Reading> {
@@ -28,10 +28,23 @@ impl Guard {
         self.terms.iter().fold(Truth::False, |any, term| any.or(term.truth(known)))
     }
 
+    /// The conditions of its terms.
+    pub(super) fn atoms(&self) -> Atoms {
+        self.terms.iter().fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off))
+    }
+
     /// The first term that has this truth.
     pub(super) fn first(&self, known: Knowledge, truth: Truth) -> Option<Term> {
         self.terms.iter().copied().find(|term| term.truth(known) == truth)
     }
+}
+
+/// A way out of a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    pub(super) to: AsState,
+    pub(super) section: &'static str,
+    pub(super) term: Term,
 }
 
 /// The rows of a state, in the order of evaluation, under one set of readings.
@@ -93,12 +106,15 @@ impl Variants {
         self.terms.get(state as usize - 1).map_or(&[], Vec::as_slice)
     }
 
+    /// Every term that leads out of any state and tells of this fault.
+    pub(super) fn terms_of(&self, fault: Fault) -> impl Iterator<Item = &Term> {
+        self.terms.iter().flatten().filter(move |term| term.fault == Some(fault))
+    }
+
     /// The atoms that any guard of an arrow names.
     pub(super) fn atoms(&self, from: AsState, to: AsState) -> Atoms {
         let guards = self.of(from).iter().flatten().filter(|guard| guard.to == to);
-        guards
-            .flat_map(|guard| &guard.terms)
-            .fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off))
+        guards.fold(Atoms::NONE, |all, guard| all.union(guard.atoms()))
     }
 
     /// Whether there is an arrow at all.
@@ -106,8 +122,8 @@ impl Variants {
         self.of(from).iter().flatten().any(|guard| guard.to == to)
     }
 
-    /// The exit that is certainly due: under every variant some guard is true. Tells that of the first variant.
-    pub(super) fn due(&self, state: AsState, known: Knowledge) -> Option<(&Guard, Term)> {
+    /// The way out that is certainly open: under every variant some guard is true. Tells that of the first variant.
+    pub(super) fn due(&self, state: AsState, known: Knowledge) -> Option<Way> {
         if !self.terms(state).iter().any(|term| term.truth(known) == Truth::True) {
             return None;
         }
@@ -117,7 +133,7 @@ impl Variants {
         }
         let variant = self.of(state).first()?;
         let guard = variant.get(true_guard(variant)?)?;
-        Some((guard, guard.first(known, Truth::True)?))
+        Some(Way { to: guard.to, section: guard.section, term: guard.first(known, Truth::True)? })
     }
 }
 

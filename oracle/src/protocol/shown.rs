@@ -245,6 +245,15 @@ impl Shown {
         self.iter().find(|(field, _)| field.key == key).map(|(_, value)| value)
     }
 
+    /// The same with another raw value of the field at this place in [`SHOWN`], for a state machine that shows it wrongly.
+    #[must_use]
+    pub const fn with(mut self, place: usize, raw: i32) -> Self {
+        if place < SHOWN.len() {
+            self.raw[place] = Some(raw);
+        }
+        self
+    }
+
     /// Each field that the edition has, with its value.
     pub fn iter(&self) -> impl Iterator<Item = (&'static ShownField, Value)> {
         let Self { raw, words } = *self;

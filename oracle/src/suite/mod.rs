@@ -30,7 +30,7 @@ use adsdv_spec::Edition;
 
 pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, SCHEMA, read};
 pub use prove::{Proof, prove};
-pub(crate) use requirements::is_of_a_reading;
+pub(crate) use requirements::{is_of_a_reading, of_edition, of_term, order};
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};
 pub use untested::{Reason, Untested, about_the_vcu, untested};

@@ -4,7 +4,7 @@
 use adsdv_spec::{Atom, Edition, Row, Term};
 
 /// The requirements behind an alternative of a row. What stands beside the figure is not the figure's.
-pub(super) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
+pub(crate) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
     let figures = if term.section == row.section { row.cites.requirements } else { &[] };
     figures.iter().chain(term.cites.requirements).copied().collect()
 }
@@ -40,7 +40,7 @@ const INSTEAD: &[(&[&str], &str, &[&str])] = &[
 ];
 
 /// What an edition asks for where an earlier one asks for this.
-pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
+pub(crate) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
     let instead = INSTEAD.iter().find(|(editions, old, _)| *old == id && editions.contains(&edition.version));
     instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
 }
@@ -48,6 +48,15 @@ pub(super) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
 /// Whether it is only the default answer to a question that the edition leaves open.
 pub(crate) fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
     edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
+}
+
+/// The place of a requirement in the document: by prefix, and within it by number.
+pub(crate) fn order(id: &str) -> (usize, u32) {
+    const PREFIXES: [&str; 14] =
+        ["MSG", "ID", "HS", "SM", "RDY", "DRV", "FIN", "FTO", "RTE", "RTO", "DTE", "FTE", "ETO", "IMP"];
+    let (prefix, number) = id.split_once('-').unwrap_or((id, ""));
+    let place = PREFIXES.iter().position(|known| *known == prefix).unwrap_or(PREFIXES.len());
+    (place, number.parse().unwrap_or(u32::MAX))
 }
 
 #[cfg(test)]

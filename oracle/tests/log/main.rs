@@ -24,7 +24,7 @@ impl Read for Failing {
 
 fn warnings(report: &Report) -> Vec<&str> {
     let warnings = report.findings.iter().filter(|finding| finding.severity == Severity::Warning);
-    warnings.map(|finding| finding.message.as_str()).collect()
+    warnings.map(|finding| finding.seen.as_str()).collect()
 }
 
 #[test]

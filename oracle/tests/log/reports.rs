@@ -115,7 +115,7 @@ fn printed(report: &Report) -> String {
             text,
             "{} us: {severity} of {rule} by {party}: {}",
             finding.t_ns / 1000,
-            finding.message
+            finding.message()
         );
     }
     text

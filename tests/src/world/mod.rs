@@ -57,6 +57,8 @@ pub struct World {
     ebs_changed: i64,
     /// What was recorded.
     pub log: Vec<Recorded>,
+    /// Each step: what the VCU remembered, and what it saw.
+    pub steps: Vec<(Control, Inputs)>,
 }
 
 impl World {
@@ -75,6 +77,7 @@ impl World {
             t: 0,
             ebs_changed: 0,
             log: Vec::new(),
+            steps: Vec::new(),
         }
     }
 
@@ -104,6 +107,7 @@ impl World {
     /// One cycle.
     pub fn cycle(&mut self) {
         self.remote();
+        self.steps.push((self.control, self.inputs));
         let (control, outputs) = self.vcu.step(&self.control, &self.inputs, CYCLE_MS.into());
         self.control = control;
         let mut messages = outputs.messages(&self.inputs);

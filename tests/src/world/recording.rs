@@ -81,7 +81,7 @@ pub fn violations(report: &Report) -> Vec<String> {
         .map(|f| {
             #[allow(clippy::cast_precision_loss)]
             let t = f.t_ns as f64 / 1e9;
-            format!("{t:.3} {} {} {}: {}", f.party.name(), f.section, f.rule.id(), f.message)
+            format!("{t:.3} {} {} {}: {}", f.party.name(), f.section, f.rule.id(), f.message())
         })
         .collect()
 }

@@ -6,7 +6,6 @@ use adsdv_spec::{Atom, Choice};
 use adsdv_tests::world::{MS, World, judge};
 
 use crate::check::{blames, is_reported, is_silent, pinned};
-use crate::reports::is_as_written;
 
 /// AS_DRIVING at speed, and the AI Computer does something.
 fn at_speed(vcu: fn(&mut World), does: fn(&mut World)) -> World {
@@ -55,7 +54,6 @@ fn finished_at_speed_while_the_vcu_is_not_seen() {
         let away = since..since + ms * MS;
         world.log.retain(|recorded| recorded.sender() == Some(Node::Ai) || !away.contains(&recorded.t));
         let name = format!("FINISHED at speed, VCU not seen for {ms} ms");
-        is_as_written(&name, &world.log, JudgeOptions::default());
         let found = blames(&judge(&world.log, JudgeOptions::default()), Party::Ai);
         let expected = [(Rule::FinishedMoving, "3.7")];
         assert_eq!(found, expected[usize::from(!seen)..], "{name}");

@@ -102,5 +102,5 @@ fn an_undefined_cause_hides_nothing_else() {
     let report = judge(&world.log, JudgeOptions::default());
     let last = report.transitions.last().expect("the transition is listed");
     assert_eq!((last.t_ns, last.to), (stopped, AsState::EmergencyBrake));
-    assert!(report.findings.iter().any(|f| f.rule == Rule::Value && f.message.contains("SHUTDOWN_CAUSE")));
+    assert!(report.findings.iter().any(|f| f.rule == Rule::Value && f.message().contains("SHUTDOWN_CAUSE")));
 }

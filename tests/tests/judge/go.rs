@@ -5,8 +5,7 @@ use adsdv_spec::Choice;
 use adsdv_spec::messages::AsState;
 use adsdv_tests::world::World;
 
-use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned};
-use crate::reports::is_as_written;
+use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned, section_of};
 
 /// AS_READY with the dwell over, "Go" having been on since before; `GO_SIGNAL` is the switch.
 fn go_since_before() -> World {
@@ -28,7 +27,7 @@ fn driving_needs_a_new_edge() {
     world.force(AsState::Driving);
     world.wait(300);
     let report = world.judge(JudgeOptions::default());
-    assert!(only(&report).message.contains("no accepted"), "it names the edge");
+    assert!(only(&report).message().contains("no accepted"), "it names the edge");
     // The whole stay in AS_READY must be without a gap, lest there was an edge in it.
     is_reported_if_seen(
         &world,
@@ -107,9 +106,8 @@ fn an_edge_may_be_taken_late() {
         world.wait(ms);
         world.force(AsState::Driving);
         world.wait(300);
-        is_as_written(&format!("taken {ms} ms late"), &world.log, pinned(Choice::GoRaw));
         let report = world.judge(pinned(Choice::GoRaw));
-        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| finding.section).collect();
+        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| section_of(finding)).collect();
         assert_eq!(found, sections, "{ms} ms: {:#?}", report.findings);
     }
 }

@@ -154,7 +154,7 @@ fn comms_lost_while_the_tractive_system_is_off() {
     is_reported(&world, pinned(Choice::HandshakeTsms), Party::Vcu, &unfounded, "raised while TSMS is off");
     is_silent(&world, JudgeOptions::default(), "raised while TSMS is off");
     let report = judge(&world.log, pinned(Choice::HandshakeTsms));
-    assert!(only(&report).message.contains("but TS master switch OFF"), "{:#?}", report.findings);
+    assert!(only(&report).message().contains("but TS master switch OFF"), "{:#?}", report.findings);
 }
 
 #[test]

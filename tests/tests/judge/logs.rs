@@ -7,7 +7,6 @@ use adsdv_tests::bus::{BUS, def_of};
 use adsdv_tests::world::{Chance, MS, Random, Recorded, World, judge, violations};
 
 use crate::check::{by, is_reported};
-use crate::reports::is_as_written;
 
 /// A run through every state, which conforms.
 fn run() -> World {
@@ -32,7 +31,6 @@ fn only_of(log: &[Recorded], node: Node) -> Vec<Recorded> {
 fn one_side_alone_conforms() {
     for node in [Node::Ai, Node::Vcu] {
         let log = only_of(&run().log, node);
-        is_as_written(&format!("{node} only"), &log, JudgeOptions::default());
         let report = judge(&log, JudgeOptions::default());
         assert_eq!(report.verdict(), Verdict::Conforms, "{node} only: {:#?}", violations(&report));
         assert_eq!(notes(&report, Rule::OneSided), 1, "{node} only");
@@ -69,7 +67,6 @@ fn a_transition_at_the_beginning_of_a_log_blames_nobody() {
     for (before, expected) in [(10, false), (300, true)] {
         let mut log = world.log.clone();
         log.retain(|recorded| recorded.t >= forced - before * MS);
-        is_as_written(&format!("{before} ms before a transition"), &log, JudgeOptions::default());
         let report = judge(&log, JudgeOptions::default());
         let found = by(&report, Party::Vcu).iter().any(|finding| finding.rule == Rule::Unjustified);
         assert_eq!(found, expected, "{before} ms before");
@@ -80,7 +77,6 @@ fn a_transition_at_the_beginning_of_a_log_blames_nobody() {
 fn a_log_that_runs_backwards_blames_nobody() {
     let mut log = run().log;
     log.reverse();
-    is_as_written("backwards", &log, JudgeOptions::default());
     let report = judge(&log, JudgeOptions::default());
     assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
     assert_eq!(report.frames, u64::try_from(log.len()).expect("a short log"), "all are counted");
@@ -115,7 +111,6 @@ fn a_coarse_clock_blames_nobody_and_loses_nothing() {
     for recorded in &mut log {
         recorded.t -= recorded.t.rem_euclid(20 * MS);
     }
-    is_as_written("times in steps of 20 ms", &log, JudgeOptions::default());
     let report = judge(&log, JudgeOptions::default());
     assert_eq!(report.verdict(), Verdict::Conforms, "{:#?}", violations(&report));
     let states: Vec<AsState> = report.transitions.iter().map(|transition| transition.to).collect();
@@ -149,7 +144,6 @@ fn resized(world: &World, id: u16, len: usize) -> Report {
         recorded.frame.len = u8::try_from(len).expect("a frame is short");
         recorded.frame.data[len..].fill(0);
     }
-    is_as_written(&format!("{id:03X}h with {len} bytes"), &log, JudgeOptions::default());
     judge(&log, JudgeOptions::default())
 }
 
@@ -207,7 +201,6 @@ fn set_back(ms: i64) -> Report {
     for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= since) {
         recorded.t -= ms * MS;
     }
-    is_as_written(&format!("set back by {ms} ms"), &world.log, JudgeOptions::default());
     world.judge(JudgeOptions::default())
 }
 
@@ -233,7 +226,6 @@ fn a_vcu_that_comes_back_in_off_is_a_note() {
     let later = vcu.log.iter().map(|recorded| Recorded { t: recorded.t + offset, ..*recorded });
     world.log.extend(later);
 
-    is_as_written("a VCU that comes back", &world.log, JudgeOptions::default());
     let report = judge(&world.log, JudgeOptions::default());
     assert!(by(&report, Party::Vcu).is_empty(), "{:#?}", violations(&report));
     assert_eq!(notes(&report, Rule::Gap), 1);

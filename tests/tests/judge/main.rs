@@ -4,14 +4,14 @@
 //! beside it a conforming log of which nothing is said. Both also with 5 ms of jitter, and with frames lost. [`cases`] lists the
 //! literals of Figure 2 from the table itself, so that a new row is tested at once.
 //!
-//! [`conforming`] is what the reference VCU does whatever happens, and [`anything`] what any VCU does; [`reports`] holds what is
-//! said of all of these to the letter, and [`online`] is the judge while the bus goes on.
+//! [`conforming`] is what the reference VCU does whatever happens, and [`anything`] what any VCU does; [`curated`] holds what is
+//! said of some sixty runs to the letter, and what holds of any run; and [`online`] is the judge while the bus goes on.
 
 mod alike;
 mod anything;
 mod conforming;
+mod curated;
 mod online;
-mod reports;
 mod response;
 
 mod cases;
@@ -20,10 +20,12 @@ mod check;
 mod ai;
 mod causes;
 mod edges;
+mod exercised;
 mod flags;
 mod go;
 mod handshake;
 mod logs;
+mod margins;
 mod much;
 mod no_arrow;
 mod not_taken;
@@ -34,4 +36,5 @@ mod timers;
 mod v2026;
 mod v4_0;
 mod values;
+mod why;
 mod wrongly_taken;

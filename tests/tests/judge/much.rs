@@ -59,8 +59,8 @@ fn transitions_are_listed_to_a_bound() {
     ] {
         let report = transitions(count);
         assert_eq!(report.transitions.len(), listed);
-        let note = report.findings.iter().find(|finding| finding.message.contains("more transitions"));
-        assert_eq!(note.map(|note| note.message.as_str()), left_out);
+        let note = report.findings.iter().find(|finding| finding.message().contains("more transitions"));
+        assert_eq!(note.map(|note| note.seen.as_str()), left_out);
     }
 }
 
@@ -71,13 +71,13 @@ fn news_that_nobody_asks_for_are_kept_to_a_bound() {
     let mut judge = Judge::new(JudgeOptions::default());
     for second in 0..1000 {
         judge.other_frame(second * 1000 * MS);
-        judge.report(Severity::Violation, Party::Vcu, "2", Rule::Value, "again".to_owned());
+        judge.found(Finding::violation(Party::Vcu, "2", Rule::Value, second * 1000 * MS).seen("again"));
     }
     let (_, news) = judge.news();
     assert_eq!(news.len(), LISTED + Rule::ALL.len());
     assert!(judge.news().1.is_empty());
     let report = judge.finish();
     let [repeated] = of(&report, Rule::Repeated)[..] else { panic!("{:#?}", report.findings) };
-    assert!(repeated.message.starts_with("800 more of "), "{}", repeated.message);
+    assert!(repeated.message().starts_with("800 more of "), "{}", repeated.message());
     assert_eq!((of(&report, Rule::Value).len(), repeated.t_ns), (LISTED, 200_000 * MS));
 }

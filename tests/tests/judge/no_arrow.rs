@@ -38,7 +38,7 @@ fn every_arrow_that_does_not_exist_is_reported() {
         let report = judge(&world.log, JudgeOptions::default());
         let finding = only(&report);
         is_at(&finding, forced, 10);
-        assert!(finding.message.starts_with(&name), "{name}: {}", finding.message);
+        assert!(finding.message().starts_with(&name), "{name}: {}", finding.message());
         let last = report.transitions.last().expect("the transition is listed");
         assert_eq!((last.from, last.to, last.justified), (from, to, Truth::False));
         is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::NoArrow, "Figure 2")], &name);

@@ -1,7 +1,7 @@
 //! A transition that does not come though a term of its guard holds.
 
-use adsdv_oracle::judge::{Party, Rule};
-use adsdv_spec::{Atom, Truth};
+use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
+use adsdv_spec::{Atom, Atoms, Truth};
 use adsdv_tests::world::{MS, World, judge, violations};
 
 use crate::cases::{self, Case, shows_slowly};
@@ -52,7 +52,7 @@ fn every_term_that_is_passed_over_is_reported() {
         let finding = only(&report);
         let deadline = i64::from(case.options().deadline_ms) * MS;
         is_at(&finding, taken + deadline, 20);
-        assert!(finding.message.contains(case.row.to.name()), "{}: {}", case.name(), finding.message);
+        assert!(finding.message().contains(case.row.to.name()), "{}: {}", case.name(), finding.message());
         assert_eq!(blames(&report, Party::Ai), blames_of_the_ai(case), "{}", case.name());
         let expected = [(Rule::Due, case.row.section)];
         if case.term.on.has(Atom::GoEdge) {
@@ -77,5 +77,37 @@ fn every_term_that_the_reference_follows_is_justified() {
         // The exact moment at which the 50 ms are over does not show.
         let certain = if case.term.on.has(Atom::AiCommsLost) { Truth::Unknown } else { Truth::True };
         assert_eq!(last.justified, certain, "{}: {:#?}", case.name(), violations(&report));
+    }
+}
+
+/// What the judge says of a transition that is due in a recording that is late by up to so much, and has lost one in `loss` frames.
+fn severities(case: Case, world: &World, jitter: i64, loss: u64, complete: bool) -> Vec<Option<Severity>> {
+    let options = JudgeOptions { complete, ..case.options() };
+    let said = |seed| {
+        let report = judge(&world.disturbed(seed, jitter * MS, loss), options);
+        let due = report.findings.iter().filter(|finding| finding.rule == Rule::Due);
+        due.map(|finding| finding.severity).min()
+    };
+    (1..=3).map(said).collect()
+}
+
+#[test]
+fn what_only_an_unseen_frame_could_excuse_is_a_warning_and_a_violation_where_none_is_missing() {
+    for case in cases::all() {
+        let mut world = case.world(None);
+        world.hold_state();
+        let (world, _) = term_holds(case, world);
+        for jitter in [5, 20] {
+            let complete = severities(case, &world, jitter, 0, true);
+            assert_eq!(complete, [Some(Severity::Violation); 3], "{}: late by {jitter} ms", case.name());
+        }
+        // A change is there for one step, and which one that was a late recording does not tell.
+        let changes = Atoms::of(&[Atom::GoEdge, Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge]);
+        if case.term.on.intersection(changes).is_empty() {
+            for loss in [0, 10] {
+                let excused = severities(case, &world, 20, loss, false);
+                assert!(excused.iter().all(Option::is_some), "{}: {excused:?}, loss {loss}", case.name());
+            }
+        }
     }
 }

@@ -34,7 +34,7 @@ fn go_on(judge: &mut Judge, world: &mut World, later: i64) -> i64 {
 
 fn gaps(findings: &[Finding]) -> Vec<(i64, Severity, Party, &str)> {
     let gaps = findings.iter().filter(|finding| finding.rule == Rule::Gap);
-    gaps.map(|gap| (gap.t_ns, gap.severity, gap.party, gap.message.as_str())).collect()
+    gaps.map(|gap| (gap.t_ns, gap.severity, gap.party, gap.seen.as_str())).collect()
 }
 
 #[test]

@@ -42,7 +42,7 @@ fn mission(edition: &Edition) -> Vec<Recorded> {
 
 fn notes(report: &Report) -> Vec<&str> {
     let notes = report.findings.iter().filter(|finding| finding.rule == Rule::Edition);
-    notes.map(|note| note.message.as_str()).collect()
+    notes.map(|note| note.seen.as_str()).collect()
 }
 
 fn counts(report: &Report) -> [usize; 3] {
@@ -79,7 +79,7 @@ fn both_recordings_are_of_4_0_without_its_120h() {
 /// A vehicle of version 3.0 that sends shorter frames than its database says.
 #[test]
 fn under_3_0_the_recordings_are_judged_as_ever() {
-    let options = LogOptions { judge: JudgeOptions::of(&Edition::V3_0), interface: None };
+    let options = LogOptions { judge: JudgeOptions::of(&Edition::V3_0), ..LogOptions::default() };
     let judged = |log| counts(&judge_log(log, &options, |_| {}).expect("a log"));
     assert_eq!((judged(MISSION), judged(FINISHED_WHILE_MOVING)), ([0, 0, 10], [2, 0, 9]));
 }
@@ -149,7 +149,7 @@ fn a_device_does_not_choose_the_interface() {
     let status = "(1.0) can0 520#0000010000000000\n";
     let judged = recorded(format!("{device}{status}{device}{status}").as_bytes());
     let others = judged.report.findings.iter().filter(|finding| finding.rule == Rule::NotJudged);
-    let others: Vec<&str> = others.map(|finding| finding.message.as_str()).collect();
+    let others: Vec<&str> = others.map(|finding| finding.seen.as_str()).collect();
     assert_eq!(others, ["1 frame on interface can1, not judged"]);
 }
 
@@ -157,7 +157,7 @@ fn a_device_does_not_choose_the_interface() {
 #[test]
 fn of_a_log_with_a_broken_frame_of_a_device_only_nothing_wrong_is_said() {
     let rules = |report: &Report| report.findings.iter().map(|finding| finding.rule).collect::<Vec<Rule>>();
-    let options = LogOptions { judge: JudgeOptions::of(&Edition::V2026), interface: None };
+    let options = LogOptions { judge: JudgeOptions::of(&Edition::V2026), ..LogOptions::default() };
     for data in ["", "02", "02000000000064"] {
         for end in ["", "\n"] {
             let log = format!("(1.0) can0 181#{data}{end}");

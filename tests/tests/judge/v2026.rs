@@ -9,8 +9,8 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Choice, Choices, Edition, Machine, Truth};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
-use crate::check::by;
-use crate::v4_0::{Found, found, recordings, the};
+use crate::check::{by, section_of};
+use crate::v4_0::{Found, for_certain, found, recordings, the};
 
 static EDITION: &Edition = &Edition::V2026;
 
@@ -29,7 +29,8 @@ fn remote() -> u16 {
     Remote::of(&EDITION.bus).expect("the database has it").message().id
 }
 
-/// Exactly this is found in the exact recording, and in no other anything else.
+/// Exactly this is found in the exact recording, and in no other anything else; but what is certain in the exact one may be excused by
+/// an unseen frame in another.
 fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
     for (how, log) in recordings(world) {
         let report = judge(&log, options);
@@ -37,8 +38,12 @@ fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
         if how == "exactly" {
             assert_eq!(found, expected, "{:#?}", report.findings);
         }
-        let other = found.iter().find(|found| !expected.contains(found));
+        let other =
+            found.iter().find(|found| !expected.contains(found) && !expected.contains(&for_certain(found)));
         assert_eq!(other, None, "{how}: {:#?}", report.findings);
+        // A gap is that of a message which there is, also where it is the remote control's.
+        let nameless = report.findings.iter().find(|finding| finding.message().contains("000h"));
+        assert_eq!(nameless, None, "{how}");
     }
 }
 
@@ -93,7 +98,7 @@ fn driving_needs_a_new_edge_of_the_switch() {
     world.wait(300);
     finds_by_remote(&world, options(&[]), &[vcu(Rule::Unjustified, "3.2")]);
     let report = judge(&world.log, options(&[]));
-    assert!(report.findings.iter().any(|finding| finding.message.contains("no accepted")), "{report:#?}");
+    assert!(report.findings.iter().any(|finding| finding.message().contains("no accepted")), "{report:#?}");
 }
 
 //= DRV-15
@@ -218,7 +223,7 @@ fn a_vcu_that_drives_on_with_the_remote_e_stop_pressed_violates() {
         world.wait(500);
         finds_by_remote(&world, options(&[]), &[vcu(Rule::Due, section)]);
         let report = judge(&world.log, options(&[]));
-        assert!(report.findings[0].message.contains("remote E-stop pressed"), "{:?}", report.findings);
+        assert!(report.findings[0].message().contains("remote E-stop pressed"), "{:?}", report.findings);
     }
 }
 
@@ -367,7 +372,7 @@ fn the_ai_computer_must_not_send_a_devices_message() {
         let rule =
             if EDITION.bus.is_reserved(device.id) { (Rule::Reserved, "2.3") } else { (Rule::Sender, "2.2") };
         let found: Vec<_> =
-            by(&report, Party::Ai).iter().map(|finding| (finding.rule, finding.section)).collect();
+            by(&report, Party::Ai).iter().map(|finding| (finding.rule, section_of(finding))).collect();
         assert_eq!(found, [rule], "{}", device.name);
     }
 }

@@ -8,7 +8,7 @@ use adsdv_spec::{Edition, Machine, Readings};
 use adsdv_tests::bus::{BUS, def_of, encoded};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
-use crate::reports::is_as_written;
+use crate::check::section_of;
 
 /// The largest value that the bits can hold and that is not allowed.
 fn refused(signal: &SignalDef) -> Option<i32> {
@@ -69,8 +69,12 @@ fn each_is_reported(edition: &'static Edition, least: u32) {
             };
             let [finding] = &report.findings[..] else { panic!("{name}: {:#?}", report.findings) };
             assert_eq!((finding.rule, finding.severity), (rule, severity), "{name}");
-            assert_eq!((finding.party, finding.section), (message.sender.into(), message.section), "{name}");
-            let said = &finding.message;
+            assert_eq!(
+                (finding.party, section_of(finding)),
+                (message.sender.into(), message.section),
+                "{name}"
+            );
+            let said = &finding.message();
             assert!(said.contains(message.name) && said.contains(signal.name), "{name}: {said}");
             count += 1;
         }
@@ -88,7 +92,7 @@ fn the_start_value_of_the_ebs_is_a_note_in_524h_too() {
     let report = judge(&world.log, options);
     let [finding] = &report.findings[..] else { panic!("{:#?}", report.findings) };
     assert_eq!((finding.rule, finding.severity), (Rule::StartValue, Severity::Note));
-    assert!(finding.message.contains(status.name), "{}", finding.message);
+    assert!(finding.message().contains(status.name), "{}", finding.message());
 }
 
 /// Behind a step back of time it is another recording: what is wrong there as well is told again.
@@ -135,7 +139,6 @@ fn the_vcu_is_not_blamed_for_returning_a_request_out_of_range() {
     for (name, log, weighs) in
         [("a request", &echo, Severity::Violation), ("a request that is told back", &both, Severity::Note)]
     {
-        is_as_written(name, log, JudgeOptions::default());
         let findings = judge(log, JudgeOptions::default()).findings;
         let of_the_vcu: Vec<Severity> =
             findings.iter().filter(|one| one.party == Party::Vcu).map(|one| one.severity).collect();

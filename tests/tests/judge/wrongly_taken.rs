@@ -70,7 +70,7 @@ fn every_literal_that_fails_is_reported() {
             "{name}"
         );
         let text = Edition::DEFAULT.rules.text(literal, fails_as(case, literal)).to_string();
-        assert!(finding.message.contains(&text), "{name}: {}", finding.message);
+        assert!(finding.message().contains(&text), "{name}: {}", finding.message());
         is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.section)], &name);
         count += 1;
     }
@@ -189,4 +189,23 @@ fn an_ebs_is_read_whatever_else_cannot_be() {
     world.falsify(def_of::<Vcu2LogStatus>(), "State_ASSI", 0, 0);
     let expected = [(Rule::Unjustified, "3.1")];
     is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected, "EBS UNAVAILABLE, and no State_ASSI");
+}
+
+/// How often it comes shows only from the second sample on; where nothing is missing, the edition says when that is.
+#[test]
+fn an_ebs_of_which_one_sample_has_come_is_not_known_until_the_next() {
+    let mut world = World::reference();
+    world.prepare();
+    world.inputs.ebs = EbsState::Unavailable;
+    world.wait(100 - world.t / MS % 100 + 10);
+    let since = world.t - 20 * MS;
+    world.inputs.asms = true;
+    world.wait(30);
+    world.inputs.ebs = EbsState::Armed;
+    world.wait(500);
+    assert_eq!(world.control.state, AsState::Ready);
+    world.log.retain(|recorded| recorded.t >= since);
+    for complete in [false, true] {
+        is_silent(&world, JudgeOptions { complete, ..JudgeOptions::default() }, "one sample");
+    }
 }

@@ -1,0 +1,53 @@
+//! The frames that show a finding.
+
+use adsdv_spec::Atoms;
+
+use super::finding::Evidence;
+use super::slots::{COUNT, Slot};
+use super::{Judge, REMOTE, STATUS};
+use crate::remote::Remote;
+
+/// When the last frame of each message came, up to some time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frames([Option<i64>; COUNT]);
+
+impl Judge {
+    /// The last frames up to now.
+    pub(super) fn frames(&self) -> Frames {
+        Frames(std::array::from_fn(|index| self.slots.get(index).and_then(|slot| slot.last)))
+    }
+
+    /// Of these frames those that decide conditions, and 520h, which shows the state.
+    pub(super) fn deciding_frames(&self, frames: &Frames, atoms: Atoms) -> Vec<Evidence> {
+        self.evidence(self.deciding_slots(atoms).map(|(index, _)| (index, frames)))
+    }
+
+    /// The last frames of these messages, in order of time.
+    pub(super) fn last_frames(&self, indexes: &[usize]) -> Vec<Evidence> {
+        let now = self.frames();
+        self.evidence(indexes.iter().map(|&index| (index, &now)))
+    }
+
+    fn evidence<'a>(&self, these: impl Iterator<Item = (usize, &'a Frames)>) -> Vec<Evidence> {
+        let one = |(index, Frames(frames)): (usize, &Frames)| {
+            Some(Evidence { t_ns: (*frames.get(index)?)?, id: self.id_of(index)? })
+        };
+        let mut evidence: Vec<Evidence> = these.filter_map(one).collect();
+        evidence.sort_by_key(|frame| (frame.t_ns, frame.id));
+        evidence
+    }
+
+    /// The identifier of the message of a slot.
+    pub(super) fn id_of(&self, index: usize) -> Option<u16> {
+        if index == REMOTE {
+            return Remote::of(&self.edition.bus).map(|remote| remote.message().id);
+        }
+        Some(self.slots.get(index)?.def?.id)
+    }
+
+    /// The messages that decide these conditions, and 520h, which shows the state.
+    pub(super) fn deciding_slots(&self, atoms: Atoms) -> impl Iterator<Item = (usize, &Slot)> {
+        let slots = self.slots.iter().enumerate();
+        slots.filter(move |&(index, _)| index == STATUS || !self.scope(index).intersection(atoms).is_empty())
+    }
+}

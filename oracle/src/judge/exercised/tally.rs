@@ -1,0 +1,80 @@
+//! What was seen of each requirement so far.
+
+use std::collections::BTreeMap;
+
+use adsdv_spec::{Actuation, AsState, Edition};
+
+use super::super::finding::Severity;
+use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
+use super::{Told, ToldRequirement};
+
+/// Marks of requirements. There are no more than are cited anywhere, so that they stay few.
+#[derive(Debug, Default)]
+pub(in crate::judge) struct Tally {
+    /// By the identifiers that are cited, which an edition may have others for.
+    marks: BTreeMap<&'static str, Told>,
+    /// The AS states that were shown, by number.
+    states: [bool; AsState::ALL.len()],
+    /// Whether the VCU changed its bit, from 0 and from 1, once it was answered.
+    turned: [bool; 2],
+    /// Whether messages of the AI Computer and of the VCU came, of those that are forgotten.
+    pub(super) heard: (bool, bool),
+}
+
+impl Tally {
+    /// This is told of these; what weighs more than what was told before counts.
+    pub(super) fn mark<'a>(&mut self, ids: impl IntoIterator<Item = &'a &'static str>, told: Told) {
+        for id in ids {
+            let mark = self.marks.entry(id).or_insert(told);
+            *mark = told.max(*mark);
+        }
+    }
+
+    /// Something was found that is against these.
+    pub(in crate::judge) fn found(&mut self, severity: Severity, ids: &[&'static str]) {
+        self.mark(ids, if severity == Severity::Violation { Told::Violated } else { Told::NotCertain });
+    }
+
+    /// 520h shows another state.
+    pub(in crate::judge) fn shows(&mut self, state: AsState) {
+        if let Some(shown) = self.states.get_mut(state as usize - 1) {
+            *shown = true;
+        }
+    }
+
+    /// The VCU shows its handshake bit. `before` is what it showed before, and `answered` tells whether that was answered.
+    #[inline]
+    pub(in crate::judge) fn handshake(&mut self, before: Option<bool>, bit: bool, answered: bool) {
+        if let Some(before) = before.filter(|&before| answered && before != bit) {
+            self.turned[usize::from(before)] = true;
+        }
+    }
+
+    /// The states that were shown.
+    pub(super) fn states(&self) -> Vec<AsState> {
+        let shown = AsState::ALL.iter().zip(self.states).filter(|(_, shown)| *shown);
+        shown.map(|(&state, _)| state).collect()
+    }
+
+    /// What is told of each requirement of an edition.
+    pub(super) fn requirements(mut self, edition: &Edition, answers: bool) -> Vec<ToldRequirement> {
+        for (id, _) in HOLDS.iter().zip(self.turned).filter(|(_, turned)| *turned) {
+            self.mark(&[*id, ALTERNATES], Told::Held);
+        }
+        if answers {
+            self.mark(&[ANSWERS], Told::Held);
+        }
+        for state in self.states() {
+            self.mark(Actuation::requirements(state), Told::NotCertain);
+        }
+        let mut told: BTreeMap<&str, Told> = BTreeMap::new();
+        for (id, mark) in &self.marks {
+            for id in cited::of_edition(edition, &[*id]) {
+                let one = told.entry(id).or_insert(*mark);
+                *one = (*one).max(*mark);
+            }
+        }
+        let of = |id| told.get(id).copied().unwrap_or(Told::NotExercised);
+        cited::all(edition).into_iter().map(|id| ToldRequirement { id, told: of(id) }).collect()
+    }
+}

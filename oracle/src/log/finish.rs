@@ -1,0 +1,47 @@
+//! The end of a log: what is said of it as a whole.
+
+use super::{LogError, LogJudge, counted};
+use crate::judge::{Report, Rule};
+
+/// So many frames may be of one moment in a log whose times are coarse.
+const TIMELESS: u64 = 100;
+
+impl LogJudge {
+    /// The end of the log, which had so many lines: settles what is still open.
+    pub fn finish(mut self, lines: u64) -> Result<Report, LogError> {
+        self.decide();
+        if self.frames == 0 {
+            return Err(LogError::NoFrame { lines, first: self.first_broken });
+        }
+        if let (0, Some(wanted)) = (self.on_interface, &self.options.interface) {
+            let found = self
+                .passed_over
+                .keys()
+                .filter_map(|reason| reason.strip_prefix("on interface "))
+                .map(str::to_owned)
+                .collect();
+            return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
+        }
+        self.judge.end();
+        let rules = self.rules_end()?;
+        for (reason, count) in &self.passed_over {
+            self.judge
+                .note_log(Rule::NotJudged, format!("{} {reason}, not judged", counted(*count, "frame")));
+        }
+        let named = self.options.interface.is_some();
+        for interface in std::mem::take(&mut self.neglected).into_iter().filter(|_| !named) {
+            let message = format!(
+                "{interface} carries messages of the document, too, and was not judged; --interface {interface} judges it"
+            );
+            self.warn(Rule::NotJudged, message);
+        }
+        if self.frames > TIMELESS && self.judge.now_ns() == 0 {
+            let message = format!(
+                "no time passes in {} frames, so that nothing was judged that takes time; expected the time of each frame, as candump -L writes it",
+                self.frames
+            );
+            self.warn(Rule::NotJudged, message);
+        }
+        Ok(Report { rules, ..self.judge.finish() })
+    }
+}

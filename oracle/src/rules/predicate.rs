@@ -1,0 +1,116 @@
+//! What is true, false or unknown at a moment, by what was shown last.
+
+use adsdv_spec::{Atom, Knowledge, Truth};
+
+use super::names::Place;
+use super::syntax::Comparison;
+use crate::judge::Seen;
+
+/// A signal or a condition that rules are about, and what is known of it now.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Subject {
+    pub(super) what: What,
+    pub(super) value: Value,
+    /// Whether anything was ever known of it.
+    pub(super) came: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum What {
+    Signal(Place),
+    Atom(Atom),
+}
+
+/// The raw value of a signal; of a condition 1 or 0. `None`: unknown.
+pub(super) type Value = Option<i32>;
+
+impl Subject {
+    pub(super) const fn new(what: What) -> Self {
+        Self { what, value: None, came: false }
+    }
+
+    /// What is left of it when some of the messages have become too old.
+    pub(super) fn aged(&self, seen: &Seen) -> Value {
+        match self.what {
+            What::Signal(place) => self.value.filter(|_| seen.is_fresh(place.message.id)),
+            What::Atom(atom) => of(seen.known, atom),
+        }
+    }
+
+    /// What is known of it when messages show this.
+    pub(super) fn shown(&self, known: Knowledge, data: &impl Fn(u16) -> Option<([u8; 8], usize)>) -> Value {
+        match self.what {
+            What::Signal(Place { message, signal }) => {
+                let (data, len) = data(message.id)?;
+                signal.raw(data.get(..len).unwrap_or(&data))
+            }
+            What::Atom(atom) => of(known, atom),
+        }
+    }
+}
+
+fn of(known: Knowledge, atom: Atom) -> Value {
+    match known.of(atom) {
+        Truth::True => Some(1),
+        Truth::False => Some(0),
+        Truth::Unknown => None,
+    }
+}
+
+/// An expression under an edition; subjects by their place in a list.
+#[derive(Clone, Debug)]
+pub(super) enum Predicate {
+    Test(usize, Check),
+    Not(Box<Self>),
+    All(Vec<Self>),
+    Any(Vec<Self>),
+}
+
+/// What is asked of a raw value.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Check {
+    /// Whether it is this one, or means it; `false`: whether it is another.
+    Is { raw: i32, equal: bool },
+    /// How it compares, times `left`, with `right`.
+    Number { comparison: Comparison, abs: bool, left: i128, right: i128 },
+}
+
+impl Predicate {
+    pub(super) fn truth(&self, subjects: &[Subject]) -> Truth {
+        match self {
+            Self::Test(place, check) => subjects.get(*place).map_or(Truth::Unknown, |subject| {
+                subject.value.map_or(Truth::Unknown, |raw| check.holds(subject.what, raw).into())
+            }),
+            Self::Not(inner) => inner.truth(subjects).not(),
+            Self::All(all) => all.iter().fold(Truth::True, |truth, one| truth.and(one.truth(subjects))),
+            Self::Any(any) => any.iter().fold(Truth::False, |truth, one| truth.or(one.truth(subjects))),
+        }
+    }
+
+    /// The subjects that it is about, in the order in which they stand; one may be there twice.
+    pub(super) fn subjects(&self, all: &mut Vec<usize>) {
+        match self {
+            Self::Test(place, _) => all.push(*place),
+            Self::Not(inner) => inner.subjects(all),
+            Self::All(inner) | Self::Any(inner) => inner.iter().for_each(|one| one.subjects(all)),
+        }
+    }
+}
+
+impl Check {
+    fn holds(self, what: What, raw: i32) -> bool {
+        match self {
+            Self::Is { raw: wanted, equal } => {
+                let meaning = match what {
+                    What::Signal(place) => place.signal.meaning(raw),
+                    What::Atom(_) => raw,
+                };
+                (raw == wanted || meaning == wanted) == equal
+            }
+            Self::Number { comparison, abs, left, right } => {
+                let raw = i128::from(raw);
+                comparison.holds(if abs { raw.abs() } else { raw } * left, right)
+            }
+        }
+    }
+}

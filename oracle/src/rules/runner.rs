@@ -1,0 +1,220 @@
+//! Follows all rules of a file through a recording.
+
+use std::fmt::Write as _;
+
+use adsdv_spec::{Edition, Knowledge, Truth};
+
+use super::error::RuleError;
+use super::limits::BREACHES;
+use super::predicate::{Predicate, Subject, What};
+use super::report::{Breach, RuleReport};
+use super::syntax::Form;
+use super::track::{Outcome, Track};
+use super::{RuleFile, resolve};
+use crate::judge::{Finding, Party, Rule, Section, Seen};
+
+/// So many values are told of a rule that is broken.
+const VALUES: usize = 8;
+
+/// The rules of a file under an edition, and what became of them so far.
+#[derive(Debug)]
+pub(crate) struct Runner {
+    edition: Edition,
+    subjects: Vec<Subject>,
+    rules: Vec<Running>,
+    now: i64,
+    findings: Vec<Finding>,
+}
+
+#[derive(Debug)]
+struct Running {
+    form: Form<Predicate>,
+    track: Track,
+    /// What it is about, each once.
+    subjects: Vec<usize>,
+    /// Whether what it begins with was ever true.
+    begun: bool,
+    /// Of those that are undecided, how many the end of the recording left so.
+    ended: u64,
+    report: RuleReport,
+}
+
+impl Runner {
+    pub(crate) fn new(file: &RuleFile, edition: &Edition) -> Result<Self, RuleError> {
+        let (forms, subjects) = resolve::all(&file.rules, edition)?;
+        let rules = file.rules.iter().zip(forms).map(|(line, form)| {
+            let mut subjects = Vec::new();
+            form.predicates().for_each(|predicate| predicate.subjects(&mut subjects));
+            let mut told = Vec::new();
+            subjects.retain(|place| {
+                !told.contains(place) && {
+                    told.push(*place);
+                    true
+                }
+            });
+            let report = RuleReport {
+                name: line.name.clone(),
+                line: line.number,
+                rule: line.rule.clone(),
+                note: line.note.clone(),
+                held: 0,
+                broken: 0,
+                undecided: 0,
+                breaches: Vec::new(),
+                why: None,
+            };
+            Running { track: Track::of(&form), form, subjects, begun: false, ended: 0, report }
+        });
+        Ok(Self { edition: *edition, subjects, rules: rules.collect(), now: i64::MIN, findings: Vec::new() })
+    }
+
+    /// Messages have become too old, or time alone has made something else known.
+    pub(crate) fn aged(&mut self, seen: &Seen) {
+        self.step(seen.t, |subject| subject.aged(seen));
+    }
+
+    /// The messages show this now.
+    pub(crate) fn shown(&mut self, t: i64, known: Knowledge, data: impl Fn(u16) -> Option<([u8; 8], usize)>) {
+        self.step(t, |subject| subject.shown(known, &data));
+    }
+
+    /// Nothing has come up to this time.
+    pub(crate) fn pass(&mut self, t: i64) {
+        self.now = self.now.max(t);
+        for running in &mut self.rules {
+            let Running { track, report, ended, .. } = running;
+            track.pass(self.now, &mut |outcome| {
+                let seen = || values(&self.edition, &self.subjects, &running.subjects);
+                self.findings.extend(count(report, ended, outcome, seen));
+            });
+        }
+    }
+
+    fn step(&mut self, t: i64, value: impl Fn(&Subject) -> super::predicate::Value) {
+        self.pass(t);
+        let mut changed = false;
+        for subject in &mut self.subjects {
+            let value = value(subject);
+            changed |= value != subject.value;
+            subject.value = value;
+            subject.came |= value.is_some();
+        }
+        if !changed {
+            return;
+        }
+        let Self { edition, subjects, rules, now, findings } = self;
+        for Running { form, track, subjects: about, begun, ended, report } in rules {
+            let mut truths = [Truth::Unknown; 3];
+            for (truth, predicate) in truths.iter_mut().zip(form.predicates()) {
+                *truth = predicate.truth(subjects);
+            }
+            *begun |= truths[0] == Truth::True;
+            track.step(*now, truths, &mut |outcome| {
+                findings.extend(count(report, ended, outcome, || values(edition, subjects, about)));
+            });
+        }
+    }
+
+    /// What is new since this was last asked.
+    pub(crate) fn news(&mut self) -> Vec<Finding> {
+        std::mem::take(&mut self.findings)
+    }
+
+    /// There is nothing more to come after `t`.
+    pub(crate) fn end(&mut self, t: i64) {
+        self.pass(t);
+        let Self { edition, subjects, rules, now, findings } = self;
+        for running in rules {
+            let Running { track, report, ended, subjects: about, .. } = running;
+            track.end(*now, &mut |outcome| {
+                findings.extend(count(report, ended, outcome, || values(edition, subjects, about)));
+            });
+            if running.report.held + running.report.broken == 0 {
+                running.report.why = Some(why(edition, subjects, running));
+            }
+        }
+    }
+
+    /// What became of the rules, in the order of the file.
+    pub(crate) fn reports(self) -> Vec<RuleReport> {
+        self.rules.into_iter().map(|running| running.report).collect()
+    }
+}
+
+/// Counts what became of a rule once. A breach is a finding, unless there are too many.
+fn count(
+    report: &mut RuleReport,
+    ended: &mut u64,
+    outcome: Outcome,
+    seen: impl FnOnce() -> String,
+) -> Option<Finding> {
+    match outcome {
+        Outcome::Held => report.held += 1,
+        Outcome::Unknown => report.undecided += 1,
+        Outcome::Ended => {
+            report.undecided += 1;
+            *ended += 1;
+        }
+        Outcome::Broken(t_ns) => {
+            report.broken += 1;
+            if report.breaches.len() < BREACHES {
+                let seen = seen();
+                let note = report.note.as_ref().map(|note| format!(" ({note})")).unwrap_or_default();
+                let finding = Finding::violation(Party::Own, Section::Line(report.line), Rule::Custom, t_ns)
+                    .seen(format!("{}{note}: {seen}", report.name))
+                    .expected(report.rule.clone());
+                report.breaches.push(Breach { t_ns, seen });
+                return Some(finding);
+            }
+        }
+    }
+    None
+}
+
+/// What is known of all that a rule is about.
+fn values(edition: &Edition, subjects: &[Subject], about: &[usize]) -> String {
+    let mut text = String::new();
+    for (nth, subject) in about.iter().filter_map(|place| subjects.get(*place)).take(VALUES).enumerate() {
+        if nth > 0 {
+            text.push_str(", ");
+        }
+        // Writing to a string does not fail.
+        let _ = match (subject.what, subject.value) {
+            (What::Signal(place), Some(raw)) => {
+                write!(text, "{} is {}", place.signal.name, place.signal.display(raw))
+            }
+            (What::Signal(place), None) => write!(text, "{} is unknown", place.signal.name),
+            (What::Atom(atom), Some(raw)) => write!(text, "{}", edition.rules.text(atom, raw == 1)),
+            (What::Atom(atom), None) => write!(text, "{atom} is unknown"),
+        };
+    }
+    text
+}
+
+/// Why nothing can be said of a rule.
+fn why(edition: &Edition, subjects: &[Subject], running: &Running) -> String {
+    let missing = running.subjects.iter().filter_map(|place| subjects.get(*place)).find(|one| !one.came);
+    match missing.map(|subject| subject.what) {
+        Some(What::Signal(place)) => {
+            return format!(
+                "{} ({:03X}h) never showed {}",
+                place.message.name, place.message.id, place.signal.name
+            );
+        }
+        Some(What::Atom(atom)) => {
+            return format!("it was never known whether {} ({atom})", edition.rules.text(atom, true));
+        }
+        None => {}
+    }
+    let RuleReport { undecided, .. } = running.report;
+    match (&running.form, undecided > running.ended) {
+        (_, true) => "something that it goes by was unknown each time".to_owned(),
+        _ if undecided > 0 => "the recording ends before it is decided".to_owned(),
+        (Form::AtMost(..), _) if !running.begun => "what must not last never began".to_owned(),
+        (Form::Always(_) | Form::Never(_) | Form::AtMost(..) | Form::Until(None, ..), _) => {
+            "what it goes by was never known".to_owned()
+        }
+        _ if running.begun => "what it waits for was so from the beginning, and never became so".to_owned(),
+        _ => "what it waits for never came".to_owned(),
+    }
+}

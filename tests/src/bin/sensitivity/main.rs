@@ -1,0 +1,130 @@
+//! How much the judge sees: every mutation of an edition drives missions, a recorder makes the recordings late or loses frames, and
+//! the judge says what it can. And how little it sees where there is nothing: the same of the VCU of the specification.
+//!
+//! `scripts/sensitivity.sh` runs it, and says what the options are.
+
+mod drive;
+mod profile;
+
+use std::io::IsTerminal;
+use std::path::Path;
+use std::process::ExitCode;
+
+use adsdv_spec::{Edition, Mutation};
+
+use drive::{Run, missions};
+use profile::{PROFILES, Profile, Said};
+
+/// Where the recordings are kept in which the specification is blamed.
+const KEPT: &str = "target/sensitivity";
+
+/// What was said of all mutations under one profile.
+#[derive(Default)]
+struct Tally {
+    violations: usize,
+    warnings: usize,
+    nothing: Vec<String>,
+    delays_ms: Vec<i64>,
+}
+
+fn main() -> ExitCode {
+    let mut args = std::env::args().skip(1);
+    let version = args.next().unwrap_or_else(|| Edition::DEFAULT.version.to_owned());
+    let runs: u64 = args.next().and_then(|runs| runs.parse().ok()).unwrap_or(1000);
+    let Some(edition) = Edition::ALL.iter().find(|edition| edition.version == version).copied() else {
+        eprintln!("sensitivity: no edition {version}");
+        return ExitCode::from(2);
+    };
+    // Only that nobody is blamed who is right.
+    if args.next().as_deref() != Some("soundness") {
+        sensitivity(edition);
+    }
+    if soundness(edition, runs) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Judges the missions of every mutation, and prints a table.
+fn sensitivity(edition: &'static Edition) {
+    let mutations: Vec<Mutation> = Mutation::all(edition).collect();
+    let mut tallies: Vec<Tally> = PROFILES.iter().map(|_| Tally::default()).collect();
+    let mut unseen = 0;
+    let shows_progress = std::io::stderr().is_terminal();
+    for (place, mutation) in mutations.iter().enumerate() {
+        if shows_progress {
+            eprint!("\r{place} of {} mutations", mutations.len());
+        }
+        let runs: Vec<Run> = missions(edition, &mutation.apply(edition));
+        // What shows in no recording at all, with nothing late and nothing lost, nobody can tell from the bus.
+        let told = |profile: &Profile| {
+            runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Said::Nothing)
+        };
+        if !matches!(told(&Profile::PERFECT), Said::Violation { .. }) {
+            unseen += 1;
+            continue;
+        }
+        for (profile, tally) in PROFILES.iter().zip(&mut tallies) {
+            match told(profile) {
+                Said::Violation { delay_ms } => {
+                    tally.violations += 1;
+                    tally.delays_ms.push(delay_ms);
+                }
+                Said::Warning => tally.warnings += 1,
+                Said::Nothing => tally.nothing.push(mutation.to_string()),
+            }
+        }
+    }
+    if shows_progress {
+        eprint!("\r");
+    }
+    println!(
+        "edition {}: {} mutations, of which {unseen} show in no recording",
+        edition.version,
+        mutations.len()
+    );
+    println!("{:<44} {:>10} {:>8} {:>8}  median delay", "recording", "violation", "warning", "nothing");
+    for (profile, mut tally) in PROFILES.iter().zip(tallies) {
+        tally.delays_ms.sort_unstable();
+        let delay =
+            tally.delays_ms.get(tally.delays_ms.len() / 2).map_or("-".to_owned(), |ms| format!("{ms} ms"));
+        println!(
+            "{:<44} {:>10} {:>8} {:>8}  {delay}",
+            profile.to_string(),
+            tally.violations,
+            tally.warnings,
+            tally.nothing.len()
+        );
+        for mutation in tally.nothing.iter().take(5) {
+            println!("    nothing is said of {mutation}");
+        }
+    }
+}
+
+/// Judges the VCU of the specification, which is never to be blamed; prints how often it is warned of.
+fn soundness(edition: &'static Edition, runs: u64) -> bool {
+    let mut blamed = 0;
+    println!("\n{:<44} {:>10} {:>8} {:>8}", "the specification itself", "violation", "warning", "nothing");
+    for profile in &PROFILES {
+        let mut counts = [0_u64; 3];
+        for seed in 0..runs / PROFILES.len() as u64 {
+            let run = drive::any_run(edition, seed);
+            match profile.judge(edition, &run) {
+                Said::Violation { .. } => {
+                    counts[0] += 1;
+                    let blame = profile.blame(edition, &run).join("\n  ");
+                    let kept = match profile.keep(Path::new(KEPT), &run) {
+                        Ok(path) => format!("the recording is {}", path.display()),
+                        Err(error) => format!("the recording cannot be written to {KEPT}: {error}"),
+                    };
+                    eprintln!(
+                        "seed {seed}, {profile}, {}: the VCU is blamed; {kept}\n  {blame}",
+                        run.world.vcu.readings()
+                    );
+                }
+                Said::Warning => counts[1] += 1,
+                Said::Nothing => counts[2] += 1,
+            }
+        }
+        blamed += counts[0];
+        println!("{:<44} {:>10} {:>8} {:>8}", profile.to_string(), counts[0], counts[1], counts[2]);
+    }
+    blamed == 0
+}
