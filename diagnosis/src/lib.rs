@@ -1,0 +1,61 @@
+//! Which state machine a program has: Figure 2 as it does it, and every deviation from the document by itself.
+//!
+//! A program that is wrong in several places fails most tests for the first of them, and none tells of the others. So this does not
+//! replay tests: it asks the program, explains its answers by deviations from the specification, and asks again with what it
+//! has learnt, until nothing is left unexplained or nothing more can be explained.
+//!
+//! ```text
+//! Deviations --> Model: the specification with them, a state machine as good as any
+//!                  |
+//!                  v
+//!      Experiments: ways to every state by that model, and what is worth changing there
+//!                  |
+//!                  v
+//! Program <--> Record: what was asked, and what it answered
+//!                  |
+//!                  v
+//!               Fit: the deviations that explain the most answers; again from the start with these
+//! ```
+//!
+//! A deviation is named only if taking it away explains less. What other deviation explains as much is told beside it.
+//!
+//! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
+//! - `deviation.rs`: what a program may do otherwise, and `model.rs` the state machine that does so;
+//! - `pilot.rs`: leads a program through its states by a model of it; `experiments.rs`: what is tried there;
+//! - `record.rs`: what was answered;
+//! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
+//! - `fit.rs`: those that do, and `words.rs` what they are called;
+//! - `diagnose.rs`: all of it in turn.
+//!
+//! ```
+//! use adsdv_diagnosis::{Deviation, Model, diagnose};
+//! use adsdv_spec::Edition;
+//! use adsdv_spec::mutation::{Change, Time};
+//!
+//! // A VCU that takes the AI Computer for lost after 500 ms, and not after 50 ms.
+//! let late = Deviation::Changed(Change::Time(Time::Handshake, 450));
+//! let mut program = Model::new(&Edition::V3_0, &[late]).running();
+//! let found = diagnose(&mut program, &Edition::V3_0)?;
+//! assert_eq!(found.deviations, [late]);
+//! assert!(found.unexplained.is_empty());
+//! # Ok::<(), adsdv_oracle::conform::ProgramError>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod candidates;
+mod deviation;
+mod diagnose;
+mod experiments;
+mod fit;
+mod model;
+mod pilot;
+mod record;
+mod subject;
+mod turn;
+mod words;
+
+pub use deviation::{Deviation, Wheels};
+pub use diagnose::{Diagnosis, diagnose, records};
+pub use model::{Model, Running};
+pub use record::Record;
+pub use subject::Subject;

@@ -1,0 +1,25 @@
+//! What is asked, step by step.
+
+use adsdv_oracle::conform::{Program, ProgramError};
+use adsdv_oracle::protocol::Answer;
+use adsdv_spec::Inputs;
+
+/// A state machine that can be reset, and asked for one step after the other: what it sees next may depend on its last answer.
+pub trait Subject {
+    /// Power on: everything is forgotten.
+    fn reset(&mut self) -> Result<(), ProgramError>;
+
+    /// One step, so many milliseconds after the last.
+    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError>;
+}
+
+/// A program that has been told which edition it is about, and answers each line at once.
+impl Subject for Program {
+    fn reset(&mut self) -> Result<(), ProgramError> {
+        Self::reset(self)
+    }
+
+    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+        Self::step(self, dt_ms, inputs)
+    }
+}

@@ -1,0 +1,242 @@
+//! A deviation in words, by its name, and by the requirements that it is against.
+
+use std::fmt;
+
+use adsdv_oracle::protocol::{INPUTS, Protocol, SHOWN};
+use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
+use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
+use adsdv_spec::{Edition, Row, Term};
+
+use crate::deviation::{Deviation, Wheels};
+
+impl Deviation {
+    /// In words, with what the edition asks for instead.
+    pub fn text(self, edition: &Edition) -> impl fmt::Display {
+        fmt::from_fn(move |f| write(f, &self, edition))
+    }
+
+    /// A stable name, such as `ready-driving:needs:ami=3`.
+    pub fn id(self, edition: &Edition) -> String {
+        let row = |row: usize| {
+            edition.rules.table.rows().get(row).map_or(String::new(), |row| arrow(row.from, row.to))
+        };
+        match self {
+            Self::Changed(Change::RowDropped(place)) => format!("{}:missing", row(place)),
+            Self::Changed(Change::RowLeadsTo(place, to)) => format!("{}:leads-to:{}", row(place), short(to)),
+            Self::Changed(Change::RowFirst(place)) => format!("{}:first", row(place)),
+            Self::Changed(Change::Term(place, term, change)) => {
+                let what = match change {
+                    TermChange::Dropped => "missing".to_owned(),
+                    TermChange::LiteralDropped(atom) => format!("without:{atom}"),
+                    TermChange::LiteralFlipped(atom) => format!("opposite:{atom}"),
+                    TermChange::FaultDropped => "no-fault".to_owned(),
+                    TermChange::InEveryReading => "in-every-reading".to_owned(),
+                };
+                format!("{}:{}:{what}", row(place), term + 1)
+            }
+            Self::Changed(Change::Time(time, by)) => format!("{}:{by:+}ms", time_id(time)),
+            Self::Changed(Change::Threshold(threshold, by)) => format!("{}:{by:+}", threshold_id(threshold)),
+            Self::Needs { from, to, key, raw, is } => {
+                format!("{}:needs:{key}{}{raw}", arrow(from, to), if is { "=" } else { "!=" })
+            }
+            Self::Also { from, to, key, raw } => format!("{}:also:{key}={raw}", arrow(from, to)),
+            Self::Late { from, to, steps } => format!("{}:late:{steps}", arrow(from, to)),
+            Self::Wheels(Wheels::All) => "moving:all-wheels".to_owned(),
+            Self::Wheels(Wheels::Only(wheel)) => format!("moving:wheel-{}", wheel + 1),
+            Self::GoLevel => "go:level".to_owned(),
+            Self::GoNeedsHandshake => "go:needs-handshake".to_owned(),
+            Self::Shows { state, key, raw } => format!("{}:shows:{key}={raw}", short(state)),
+        }
+    }
+
+    /// The requirements of the edition that it is against, as far as single ones are.
+    pub fn requirements(self, edition: &Edition) -> Vec<&'static str> {
+        let rows = edition.rules.table.rows();
+        let of_row = |row: Option<&Row>| row.map_or(Vec::new(), |row| row.cites.requirements.to_vec());
+        match self {
+            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _)) => of_row(rows.get(row)),
+            Self::Changed(Change::RowFirst(row)) => {
+                rows.get(row).map_or(Vec::new(), |row| [row.cites.requirements, row.cites.order].concat())
+            }
+            Self::Changed(Change::Term(row, term, change)) => {
+                let Some((row, term)) = rows.get(row).and_then(|row| Some((row, row.terms().get(term)?)))
+                else {
+                    return Vec::new();
+                };
+                let own = match change {
+                    TermChange::LiteralDropped(atom) | TermChange::LiteralFlipped(atom) => {
+                        term.requirements_of(atom)
+                    }
+                    _ => None,
+                };
+                own.unwrap_or(if term.cites.requirements.is_empty() {
+                    row.cites.requirements
+                } else {
+                    term.cites.requirements
+                })
+                .to_vec()
+            }
+            Self::Needs { from, to, .. } | Self::Late { from, to, .. } => {
+                of_row(rows.iter().find(|row| (row.from, row.to) == (from, to)))
+            }
+            Self::Shows { key, .. } => SHOWN
+                .iter()
+                .find(|field| field.key == key)
+                .map_or(Vec::new(), |field| field.requirements.to_vec()),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// The last word of a state's name.
+fn short(state: AsState) -> String {
+    let name = state.name().rsplit('_').next().unwrap_or_default();
+    name.to_ascii_lowercase()
+}
+
+fn arrow(from: AsState, to: AsState) -> String {
+    format!("{}-{}", short(from), short(to))
+}
+
+const fn time_id(time: Time) -> &'static str {
+    match time {
+        Time::ReadyDwell => "ready-dwell",
+        Time::EbsTimer => "ebs-timer",
+        Time::Handshake => "handshake",
+    }
+}
+
+const fn threshold_id(threshold: Threshold) -> &'static str {
+    match threshold {
+        Threshold::WheelSpeed => "wheel-speed",
+        Threshold::Straight => "straight",
+        Threshold::Missed => "missed",
+    }
+}
+
+fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -> fmt::Result {
+    match *deviation {
+        Deviation::Changed(change) => changed(f, &change, edition),
+        Deviation::Needs { from, to, key, raw, is } => {
+            let sign = if is { "==" } else { "!=" };
+            write!(f, "{from} -> {to} also needs {key} {sign} {}", input(edition, key, raw))
+        }
+        Deviation::Also { from, to, key, raw } => {
+            write!(f, "{from} -> {to} as soon as {key} == {}; expected {from} to stay", input(edition, key, raw))
+        }
+        Deviation::Late { from, to, steps: 1 } => write!(f, "{from} -> {to} one step late"),
+        Deviation::Late { from, to, steps } => write!(f, "{from} -> {to} {steps} steps late"),
+        Deviation::Wheels(Wheels::All) => f.write_str("the vehicle moves only if all wheels turn; expected any"),
+        Deviation::Wheels(Wheels::Only(wheel)) => {
+            const NAMES: [&str; 4] = ["front left", "front right", "rear left", "rear right"];
+            let name = NAMES.get(usize::from(wheel)).copied().unwrap_or("one");
+            write!(f, "only the {name} wheel tells whether the vehicle moves; expected any")
+        }
+        Deviation::GoLevel => {
+            f.write_str("\"Go\" counts while it is on; expected only when it is switched on")
+        }
+        Deviation::GoNeedsHandshake => f.write_str(
+            "an edge of \"Go\" is lost while the AI Computer's HANDSHAKE is not the VCU's; expected it to count",
+        ),
+        Deviation::Shows { state, key, raw } => {
+            let protocol = Protocol::of(edition);
+            let field = protocol.shown().find(|(field, _)| field.key == key);
+            match field.map(|(_, domain)| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }) {
+                Some(value) => write!(f, "{key} is {value} in {state}, whatever it should be"),
+                None => write!(f, "{key} is {raw} in {state}, whatever it should be"),
+            }
+        }
+    }
+}
+
+fn changed(f: &mut fmt::Formatter<'_>, change: &Change, edition: &Edition) -> fmt::Result {
+    let rows = edition.rules.table.rows();
+    let row = |place: usize| rows.get(place).ok_or(fmt::Error);
+    match *change {
+        Change::RowDropped(place) => write!(f, "{} -> {} is never taken", row(place)?.from, row(place)?.to),
+        Change::RowLeadsTo(place, to) => {
+            let Row { from, to: expected, .. } = *row(place)?;
+            write!(f, "{from} -> {to} where {from} -> {expected} is expected")
+        }
+        Change::RowFirst(place) => {
+            let (before, first) = (row(place.checked_sub(1).ok_or(fmt::Error)?)?, row(place)?);
+            let Row { from, to, .. } = first;
+            write!(f, "{from} -> {to} comes before {from} -> {}; expected behind it", before.to)
+        }
+        Change::Term(place, term, change) => {
+            let row = row(place)?;
+            term_changed(f, row, row.terms().get(term).ok_or(fmt::Error)?, change, edition)
+        }
+        Change::Time(time, by) => {
+            let timing = &edition.rules.timing;
+            let (what, usual) = match time {
+                Time::ReadyDwell => ("\"Go\" counts after AS_READY has lasted for", timing.ready_dwell_ms),
+                Time::EbsTimer => ("EMERGENCY_BRAKE can be left after", timing.ebs_timer_ms),
+                Time::Handshake => ("AI_COMMS_LOST after", timing.handshake_ms),
+            };
+            write!(f, "{what} {} ms; expected {usual} ms", usual.saturating_add_signed(by))
+        }
+        Change::Threshold(threshold, by) => {
+            let thresholds = &edition.rules.thresholds;
+            match threshold {
+                Threshold::WheelSpeed => {
+                    let usual = thresholds.wheel_speed;
+                    let found = WheelSpeed::clamped(usual.raw() + i32::from(by));
+                    write!(f, "the limit of the wheel speeds is {found}; expected {usual}")
+                }
+                Threshold::Straight => {
+                    let usual = thresholds.straight;
+                    let found = SteerAngle::clamped(usual.raw() + i32::from(by));
+                    write!(f, "the limit of the steer angle is {found}; expected {usual}")
+                }
+                Threshold::Missed => {
+                    let usual = thresholds.missed_ms.unwrap_or_default();
+                    let found = usual.saturating_add_signed(by);
+                    write!(f, "a message counts as missed after {found} ms; expected {usual} ms")
+                }
+            }
+        }
+    }
+}
+
+fn term_changed(
+    f: &mut fmt::Formatter<'_>,
+    row: &Row,
+    term: &Term,
+    change: TermChange,
+    edition: &Edition,
+) -> fmt::Result {
+    let Row { from, to, .. } = row;
+    let rules = &edition.rules;
+    let conditions = || {
+        let each: Vec<String> = term.literals().map(|(atom, on)| rules.text(atom, on).to_string()).collect();
+        each.join(" and ")
+    };
+    let needed = |of| term.literals().find(|(atom, _)| *atom == of).is_none_or(|(_, on)| on);
+    match change {
+        TermChange::Dropped => write!(f, "{from} -> {to} is not taken by {}", conditions()),
+        TermChange::LiteralDropped(atom) => {
+            write!(f, "{from} -> {to} does not need {}", rules.text(atom, needed(atom)))
+        }
+        TermChange::LiteralFlipped(atom) => {
+            let (found, expected) = (rules.text(atom, !needed(atom)), rules.text(atom, needed(atom)));
+            write!(f, "{from} -> {to} wants {found}; expected {expected}")
+        }
+        TermChange::FaultDropped => {
+            let flag = term.fault.map_or("a fault", adsdv_spec::Fault::flag);
+            write!(f, "{from} -> {to} by {} does not raise {flag}", conditions())
+        }
+        TermChange::InEveryReading => write!(f, "{from} -> {to} also by {}", conditions()),
+    }
+}
+
+/// A value of an input in the words of the edition.
+fn input(edition: &Edition, key: &str, raw: i32) -> String {
+    let protocol = Protocol::of(edition);
+    let domain = protocol.inputs().find(|(field, _)| field.key == key).map(|(_, domain)| domain);
+    let domain = domain.or_else(|| INPUTS.iter().find(|field| field.key == key).map(|field| field.domain));
+    domain.map_or_else(
+        || raw.to_string(),
+        |domain| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }.to_string(),
+    )
+}
