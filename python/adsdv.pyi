@@ -199,13 +199,22 @@ _Transition = TypedDict(
     },
 )
 
+class _Evidence(TypedDict):
+    t: float
+    id: str
+
 class _Finding(TypedDict):
     t: float
     severity: Literal["violation", "warning", "note"]
-    party: Literal["AI", "VCU", "LOG"]
+    party: Literal["AI", "VCU", "LOG", "OWN"]
     section: str
     rule: str
+    requirements: list[str]
     message: str
+    seen: str
+    expected: str | None
+    unless: str | None
+    evidence: list[_Evidence]
 
 class _Response(TypedDict):
     count: int

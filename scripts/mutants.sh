@@ -76,7 +76,7 @@ describe() {
       rounds=("adsdv-spec $every" "adsdv-proofs $every")
       ;;
     log)
-      files=('oracle/src/candump/**' 'oracle/src/log.rs' 'oracle/src/protocol/**') package=adsdv-oracle
+      files=('oracle/src/candump/**' 'oracle/src/log/**' 'oracle/src/protocol/**') package=adsdv-oracle
       rounds=('adsdv-oracle --lib --test=log --test=protocol' "adsdv-oracle,adsdv-tests,adsdv $every")
       ;;
     judge)

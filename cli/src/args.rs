@@ -1,21 +1,23 @@
 //! The arguments, and the help texts that stand for a manual page: `bus`, `conform` and `verify` have those of the commands on a
-//! bus, of those that judge a program, and of those that explore the state machine, and `diff` those of the comparison of
-//! editions; this file has all others.
+//! bus, of those that judge a program, and of those that explore the state machine, `diff` those of the comparison of editions,
+//! and `compare` those of the comparison of recordings; this file has all others.
 
 use std::path::PathBuf;
 
-use adsdv_oracle::judge::JudgeOptions;
+use adsdv_oracle::judge::{JudgeOptions, Required};
 use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 
 mod bus;
+mod compare;
 mod conform;
 mod diff;
 mod edition;
 mod verify;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
+pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
 pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
@@ -46,6 +48,9 @@ EXAMPLES
       candump -L can0 > run.log
       adsdv check run.log
 
+  It worked yesterday: what differs between two recordings?
+      adsdv compare yesterday.log today.log
+
   Drive an AI stack against the virtual VCU, with a judge beside it:
       adsdv vcu vcan0
       adsdv watch vcan0
@@ -70,7 +75,7 @@ EXAMPLES
 
 EXIT STATUS
   0  the log conforms, every property holds, or what was asked for has been printed
-  1  the log violates the document, or a property fails
+  1  the log violates the document, a property fails, or two logs differ
   2  no answer: the input could not be read or the output not written, or the
      arguments are wrong"
 )]
@@ -84,6 +89,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Ai(AiArgs),
     Check(CheckArgs),
+    Compare(CompareArgs),
     Conform(ConformArgs),
     Dbc(DbcArgs),
     Demo(DemoArgs),
@@ -162,6 +168,8 @@ pub(crate) enum WithJson {
     Readings,
     /// adsdv diff.
     Diff,
+    /// adsdv compare.
+    Compare,
 }
 
 /// Judge a recorded CAN log.
@@ -194,19 +202,35 @@ EXAMPLES
   List the violations for a program:
       adsdv check --json run.log | jq '.findings[] | select(.severity == \"violation\")'
 
+  The few frames that show each violation, to send to somebody:
+      adsdv check --excerpt excerpts run.log
+
+  A team's own rules beside the document:
+      adsdv check --rules team.rules run.log
+
   In a script: stop at a log that violates, or that cannot be read:
       adsdv check run.log > report.txt || exit 1
+
+  And at one in which nothing drove, so that there was little to violate:
+      adsdv check --require AS_DRIVING --require ai run.log || exit 1
 
 OUTPUT
   TIMELINE  each change of AS_STATE, its section, and the conditions that decided:
             justified; not certain, where a condition cannot be seen, or changed at
             that moment; VIOLATION
   FINDINGS  violations and warnings in order of time, each with its severity, the
-            party at fault (AI, VCU, or the LOG itself), section and rule, and below
-            that what was seen and what was expected
+            party at fault (AI, VCU, the LOG itself, or OWN: a rule of --rules), section
+            and rule, and below that what was seen and what was expected
   NOTES     facts about the log
+  CUSTOM RULES  with --rules, of each whether it holds, is broken or was never decided,
+            how many times, and why it was never decided
+  MARGINS   how close the run came to its limits: of each kind the closest, and five of
+            these; --json has all
   Last come the times of the AI Computer's answers to the handshake (p99: 99 percent
-  came within it), and the verdict.
+  came within it), how many requirements the log shows to hold, and the verdict, which
+  says what was not there: one side, a state other than AS_OFF, or any at all.
+  With --excerpt the logs that were written follow, on standard error with --json; of one
+  that does not show its finding alone, with up to 20 s of what came before, that is said.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none
@@ -214,9 +238,10 @@ ENVIRONMENT
 
 EXIT STATUS
   0  the log conforms: no violation was found
-  1  the log violates the document
-  2  no verdict: the log could not be read or the report not written, or the
-     arguments are wrong")]
+  1  the log violates the document or a rule of --rules, or does not show what --require
+     asks for
+  2  no verdict: the log or the rules could not be read, the report or an excerpt not be written, or
+     the arguments are wrong")]
 pub(crate) struct CheckArgs {
     /// The log: a file of `candump -L`, or - for standard input.
     ///
@@ -229,6 +254,14 @@ pub(crate) struct CheckArgs {
     /// `adsdv schema` prints its JSON Schema. Times are in seconds since the first frame.
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// Vouch that the log has every frame that was on the bus.
+    ///
+    /// Without it, a frame that may be missing excuses what only that frame could: where all that was recorded says that a
+    /// transition was due, and it did not come, that is a warning. With it, that is a violation, however late frames were
+    /// recorded; what was shown last counts for half a second.
+    #[arg(long)]
+    pub(crate) complete: bool,
 
     /// The window W: how long after its cause an effect may be seen, in milliseconds.
     ///
@@ -247,6 +280,27 @@ pub(crate) struct CheckArgs {
     /// Without a pin, the judge allows for every choice. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    /// What the log has to show, else the exit status is 1; may be repeated.
+    ///
+    /// An AS state, such as AS_DRIVING; a requirement of REQUIREMENTS.md that a log can show, such as DRV-4: what it is about has
+    /// to happen, whether it is kept, broken or not certain; ai or vcu: a message of that side.
+    #[arg(long = "require", value_name = "WHAT")]
+    pub(crate) required: Vec<Required>,
+
+    /// Judge a team's own rules as well: a file with a rule in each line.
+    ///
+    /// Such as `calm: never VEH_SPEED_ACTUAL > 20 km/h and AS_STATE is AS_READY`. RULES.md has the language. A rule that is broken is
+    /// a violation of party OWN. Not with --excerpt: what breaks a rule may lie far before the finding.
+    #[arg(long, value_name = "FILE", conflicts_with = "excerpt")]
+    pub(crate) rules: Option<PathBuf>,
+
+    /// Write the few frames that show each violation and warning to a log of its own in this directory.
+    ///
+    /// Such as 01-transition-unjustified.log: it gives the same finding when it is judged by the same edition and options.
+    /// The directory is made if it is not there; files of other names are left alone. At most 20 are written.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) excerpt: Option<PathBuf>,
 
     /// The CAN interface to judge, as the log names it.
     ///

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use adsdv_oracle::excerpt::{Excerpts, judge_with_excerpts};
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_readable, judge_recognised};
 use adsdv_oracle::recognise::Recognised;
@@ -13,7 +14,7 @@ use crate::error::Error;
 use crate::progress::Line;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
-use crate::{json, output, pins};
+use crate::{excerpt, json, output, pins, requires, rules};
 
 /// The name that stands for standard input.
 const STDIN: &str = "-";
@@ -22,32 +23,47 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
     let (edition, by_log) = (chosen.edition(), chosen.asked_for().is_none());
     let possible = if by_log { pins::possible_in_some } else { pins::possible };
+    if !by_log {
+        requires::possible(edition, &args.required)?;
+    }
     let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: possible(edition, &args.readings)?,
+        complete: args.complete,
         ..JudgeOptions::of(edition)
     };
-    let mut options = LogOptions { judge, interface: args.interface.clone() };
+    let rules = rules::read(args.rules.as_deref(), edition, by_log)?;
+    let mut options = LogOptions { judge, interface: args.interface.clone(), rules };
     let name = if args.log == Path::new(STDIN) {
         "standard input".to_owned()
     } else {
         args.log.display().to_string()
     };
-    let Judged { report, failure, recognised } = read(&args.log, &name, &options, by_log)?;
+    let (Judged { report, failure, recognised }, excerpts) = read(args, &name, &options, by_log)?;
     options.judge = options.judge.under(recognised.edition);
     pins::possible(recognised.edition, &args.readings)?;
+    requires::possible(recognised.edition, &args.required)?;
     let recognised = by_log.then_some(&recognised);
     if args.json {
-        output::plain(&json::text(options.judge.edition, recognised, &report))?;
+        output::plain(&json::text(options.judge.edition, recognised, &report, &args.required))?;
     } else {
         let line = recognised.map_or_else(|| chosen.to_string(), report::recognised);
-        let subject =
-            JudgedLog { edition: Some(&line), name: &name, options: &options, pins: &args.readings };
+        let subject = JudgedLog {
+            edition: Some(&line),
+            name: &name,
+            options: &options,
+            pins: &args.readings,
+            required: &args.required,
+        };
         output::styled(&report::text(&subject, &report, output::width()), args.color)?;
     }
+    if let (Some(directory), Some(excerpts)) = (&args.excerpt, excerpts) {
+        excerpt::write(args, directory, options.judge.edition.version, &excerpts)?;
+    }
     // What could be read has been judged; a verdict on all of the log it is not.
-    failure.map_or(Ok(report.verdict().into()), |failure| Err(Error::log(&name, &LogError::Read(failure))))
+    let status = requires::status(&report, &args.required);
+    failure.map_or(Ok(status), |failure| Err(Error::log(&name, &LogError::Read(failure))))
 }
 
 /// Judges by the edition of the options, or by the one that the log tells.
@@ -55,27 +71,45 @@ fn judge(
     source: impl Read,
     options: &LogOptions,
     by_log: bool,
+    with_excerpts: bool,
     progress: impl FnMut(LogProgress),
-) -> Result<Judged, LogError> {
+) -> Result<(Judged, Option<Excerpts>), LogError> {
+    if with_excerpts {
+        return judge_with_excerpts(source, options, by_log, progress)
+            .map(|(judged, excerpts)| (judged, Some(excerpts)));
+    }
     if by_log {
-        return judge_recognised(source, options, progress);
+        return judge_recognised(source, options, progress).map(|judged| (judged, None));
     }
     let (report, failure) = judge_readable(source, options, progress)?;
-    Ok(Judged { report, failure, recognised: Recognised::named(options.judge.edition) })
+    Ok((Judged { report, failure, recognised: Recognised::named(options.judge.edition) }, None))
 }
 
-/// The report of what could be read, why that was not all, and the edition that it was judged by.
-fn read(log: &Path, name: &str, options: &LogOptions, by_log: bool) -> Result<Judged, Error> {
+/// The report of what could be read, why that was not all, the edition that it was judged by, and excerpts if they are asked for.
+fn read(
+    args: &CheckArgs,
+    name: &str,
+    options: &LogOptions,
+    by_log: bool,
+) -> Result<(Judged, Option<Excerpts>), Error> {
+    let (log, excerpts) = (&args.log, args.excerpt.is_some());
     let mut line = Line::new();
     let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
-    let judged = if log == Path::new(STDIN) {
-        judge(io::stdin().lock(), options, by_log, progress)
+    let file = if log == Path::new(STDIN) {
+        None
     } else {
-        let file = File::open(log).map_err(|error| Error::open(name, &error))?;
-        judge(file, options, by_log, progress)
+        Some(File::open(log).map_err(|error| Error::open(name, &error))?)
     };
-    judged.map_err(|error| match &error {
-        LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(name),
+    args.excerpt.as_deref().map_or(Ok(()), excerpt::prepare)?;
+    let judged = match file {
+        Some(file) => judge(file, options, by_log, excerpts, progress),
+        None => judge(io::stdin().lock(), options, by_log, excerpts, progress),
+    };
+    judged.map_err(|error| match (&error, &args.rules) {
+        (LogError::Read(read), _) if read.source.kind() == io::ErrorKind::IsADirectory => {
+            Error::directory(name)
+        }
+        (LogError::Rules(error), Some(file)) => rules::refused(file, error),
         _ => Error::log(name, &error),
     })
 }

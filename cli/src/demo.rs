@@ -80,10 +80,10 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     written(flushed)?;
     let report = judge.finish(run.frames).map_err(|error| Error::log(&name, &error))?;
     if args.json {
-        output::plain(&json::text(chosen.edition(), None, &report))?;
+        output::plain(&json::text(chosen.edition(), None, &report, &[]))?;
     } else {
         let width = output::width();
-        let subject = JudgedLog { edition: None, name: &name, options: &options, pins: &[] };
+        let subject = JudgedLog { edition: None, name: &name, options: &options, pins: &[], required: &[] };
         let text = story(args, chosen, &run, width) + &report::text(&subject, &report, width);
         output::styled(&text, args.color)?;
     }

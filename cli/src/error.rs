@@ -59,6 +59,7 @@ impl Error {
                     _ => RECORD.to_owned(),
                 }
             }
+            LogError::Rules(_) => "name another edition with --edition, or other rules".to_owned(),
             LogError::NoSuchInterface { .. } => {
                 "name another with --interface, or leave the option out for the first that speaks of the ADS-DV"
                     .to_owned()

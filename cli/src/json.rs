@@ -1,11 +1,23 @@
 //! The forms for programs. That of a report is described by `schema/check.schema.json`, and by `schema/watch.schema.json` for
 //! a live bus.
 
+mod compare;
+mod finding;
+mod rules;
+mod stays;
+mod told;
+
 use adsdv_can::live::{Outage, Traffic};
-use adsdv_oracle::judge::{Finding, Report, ResponseTimes, Transition};
+use adsdv_oracle::judge::{Report, Required, ResponseTimes, Transition};
 use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Edition, Reading};
+use finding::FindingJson;
+use rules::RuleJson;
 use serde::Serialize;
+use told::{ExercisedJson, MarginJson, RequiredJson};
+
+pub(crate) use compare::compared;
+use stays::{GoPressJson, StayJson};
 
 /// The number of the form that every answer in JSON has, which is its first key; `schema/README.md` says when it changes.
 pub(crate) const SCHEMA: u32 = 1;
@@ -15,6 +27,9 @@ pub(crate) const READINGS_SCHEMA: &str = include_str!("../schema/readings.schema
 
 /// The JSON Schema of what `adsdv diff --json` writes.
 pub(crate) const DIFF_SCHEMA: &str = include_str!("../schema/diff.schema.json");
+
+/// The JSON Schema of what [`compared`] writes.
+pub(crate) const COMPARE_SCHEMA: &str = include_str!("../schema/compare.schema.json");
 
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
@@ -34,9 +49,15 @@ pub(crate) const SUITE_SCHEMA: &str = include_str!("../schema/suite.schema.json"
 /// The JSON Schema of what `adsdv suite --prove --json` writes.
 pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json");
 
-/// A report as one JSON object on one line.
-pub(crate) fn text(edition: &Edition, recognised: Option<&Recognised>, report: &Report) -> String {
-    line(&CheckJson::new(edition, recognised, report))
+/// A report as one JSON object on one line, with whether it has what was required.
+pub(crate) fn text(
+    edition: &Edition,
+    recognised: Option<&Recognised>,
+    report: &Report,
+    required: &[Required],
+) -> String {
+    let required = RequiredJson::all(required, report);
+    line(&CheckJson { required, ..CheckJson::new(edition, recognised, report) })
 }
 
 /// A report of a live bus, and what went over it, as one JSON object on one line.
@@ -83,7 +104,15 @@ struct CheckJson<'a> {
     duration_s: f64,
     transitions: Vec<TransitionJson>,
     findings: Vec<FindingJson<'a>>,
+    stays: Vec<StayJson>,
+    go_presses: Vec<GoPressJson>,
+    margins: Vec<MarginJson>,
     handshake_response_ms: Option<ResponseJson>,
+    exercised: ExercisedJson,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    rules: Vec<RuleJson<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    required: Vec<RequiredJson>,
     verdict: &'static str,
 }
 
@@ -140,16 +169,6 @@ struct TransitionJson {
 }
 
 #[derive(Serialize)]
-struct FindingJson<'a> {
-    t: f64,
-    severity: &'static str,
-    party: &'static str,
-    section: &'static str,
-    rule: &'static str,
-    message: &'a str,
-}
-
-#[derive(Serialize)]
 struct ResponseJson {
     count: u64,
     min: f64,
@@ -190,7 +209,17 @@ impl<'a> CheckJson<'a> {
             duration_s: seconds(report.duration_ns),
             transitions: report.transitions.iter().map(TransitionJson::from).collect(),
             findings: report.findings.iter().map(FindingJson::from).collect(),
+            stays: report.stays.iter().map(|stay| StayJson::of(&edition.rules, stay)).collect(),
+            go_presses: report
+                .go_presses
+                .iter()
+                .map(|press| GoPressJson::of(&edition.rules, press))
+                .collect(),
+            margins: report.margins.iter().map(MarginJson::from).collect(),
             handshake_response_ms: ResponseJson::of(&report.responses),
+            exercised: ExercisedJson::from(&report.exercised),
+            rules: report.rules.iter().map(RuleJson::from).collect(),
+            required: Vec::new(),
             verdict: report.verdict().name(),
         }
     }
@@ -235,19 +264,6 @@ impl From<&Transition> for TransitionJson {
             to: transition.to.name(),
             section: transition.section,
             justified: transition.justified.name(),
-        }
-    }
-}
-
-impl<'a> From<&'a Finding> for FindingJson<'a> {
-    fn from(finding: &'a Finding) -> Self {
-        Self {
-            t: seconds(finding.t_ns),
-            severity: finding.severity.name(),
-            party: finding.party.name(),
-            section: finding.section,
-            rule: finding.rule.id(),
-            message: &finding.message,
         }
     }
 }

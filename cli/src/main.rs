@@ -4,6 +4,7 @@
 //! args ----> check ----> report (text, for a person)
 //!   |          |         json   (for a program)
 //!   |          +-------> the verdict is the exit status
+//!   +------> compare --> what differs between two logs, and the exit status
 //!   +------> conform --> a program under test, asked and judged, and the exit status
 //!   +------> demo -----> a mission without any CAN, judged as a log is
 //!   +------> vcu, ai --> the car, or a small AI Computer, on a bus until it is stopped
@@ -23,10 +24,12 @@
 mod ai;
 mod args;
 mod check;
+mod compare;
 mod conform;
 mod demo;
 mod diff;
 mod error;
+mod excerpt;
 mod explore;
 mod interrupt;
 mod json;
@@ -37,6 +40,8 @@ mod pins;
 mod plain;
 mod progress;
 mod report;
+mod requires;
+mod rules;
 mod screen;
 mod status;
 mod suite;
@@ -65,6 +70,7 @@ fn run(command: &Command) -> Result<Status, Error> {
     match command {
         Command::Ai(args) => ai::run(args),
         Command::Check(args) => check::run(args),
+        Command::Compare(args) => compare::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
         Command::Dbc(args) => tables::dbc(args),

@@ -9,7 +9,7 @@ use adsdv_oracle::judge::Verdict;
 pub(crate) enum Status {
     /// The log conforms, or what was asked for has been printed.
     Conforms,
-    /// The log violates the document.
+    /// The log violates the document, or does not show what was required.
     Violates,
     /// There is no answer: the input could not be read, the output not written, or the arguments are wrong.
     NoAnswer,

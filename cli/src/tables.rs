@@ -37,6 +37,7 @@ pub(crate) fn readings(args: &ReadingsArgs) -> Result<Status, Error> {
 pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
     print(match args.command {
         WithJson::Check => json::CHECK_SCHEMA,
+        WithJson::Compare => json::COMPARE_SCHEMA,
         WithJson::Watch => json::WATCH_SCHEMA,
         WithJson::Conform => json::CONFORM_SCHEMA,
         WithJson::Suite => json::SUITE_SCHEMA,

@@ -5,13 +5,16 @@
 
 #![forbid(unsafe_code)]
 
+#[path = "round_trip/stays.rs"]
+mod stays;
+
 use std::io::Write as _;
 use std::process::{Command, Stdio};
 use std::sync::LazyLock;
 use std::thread;
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::Report;
+use adsdv_oracle::judge::{Evidence, Exercised, Margin, Report, ToldRequirement};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AnyMessage;
@@ -34,7 +37,11 @@ struct Read {
     duration_s: f64,
     transitions: Vec<ReadTransition>,
     findings: Vec<ReadFinding>,
+    stays: Vec<stays::Read>,
+    go_presses: Vec<stays::ReadPress>,
+    margins: Vec<ReadMargin>,
     handshake_response_ms: Option<ReadResponse>,
+    exercised: ReadExercised,
     verdict: String,
 }
 
@@ -56,7 +63,51 @@ struct ReadFinding {
     party: String,
     section: String,
     rule: String,
+    requirements: Vec<String>,
     message: String,
+    seen: String,
+    expected: Option<String>,
+    unless: Option<String>,
+    evidence: Vec<ReadEvidence>,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadEvidence {
+    t: f64,
+    id: String,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadMargin {
+    what: String,
+    message: Option<String>,
+    party: String,
+    section: String,
+    requirements: Vec<String>,
+    value: f64,
+    limit: f64,
+    unit: String,
+    basis: String,
+    left: f64,
+    t: f64,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadExercised {
+    ai: bool,
+    vcu: bool,
+    states: Vec<String>,
+    requirements: Vec<ReadRequirement>,
+}
+
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReadRequirement {
+    id: String,
+    told: String,
 }
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
@@ -103,11 +154,19 @@ fn expected(report: &Report) -> Read {
                 t: seconds(finding.t_ns),
                 severity: finding.severity.name().to_owned(),
                 party: finding.party.name().to_owned(),
-                section: finding.section.to_owned(),
+                section: finding.section.to_string(),
                 rule: finding.rule.id().to_owned(),
-                message: finding.message.clone(),
+                requirements: finding.requirements.iter().map(|&id| id.to_owned()).collect(),
+                message: finding.message(),
+                seen: finding.seen.clone(),
+                expected: (!finding.expected.is_empty()).then(|| finding.expected.clone()),
+                unless: finding.excuse().map(str::to_owned),
+                evidence: finding.evidence.iter().map(evidence).collect(),
             })
             .collect(),
+        stays: report.stays.iter().map(stays::expected).collect(),
+        go_presses: report.go_presses.iter().map(stays::expected_press).collect(),
+        margins: report.margins.iter().map(margin).collect(),
         handshake_response_ms: (times.count() > 0).then(|| ReadResponse {
             count: times.count(),
             min: ms(times.min_ms()),
@@ -115,7 +174,40 @@ fn expected(report: &Report) -> Read {
             p99: ms(times.quantile_ms(0.99)),
             max: ms(times.max_ms()),
         }),
+        exercised: exercised(&report.exercised),
         verdict: report.verdict().name().to_owned(),
+    }
+}
+
+fn evidence(frame: &Evidence) -> ReadEvidence {
+    ReadEvidence { t: seconds(frame.t_ns), id: format!("{:03X}h", frame.id) }
+}
+
+fn margin(margin: &Margin) -> ReadMargin {
+    let rounded = |value: f64, steps: f64| (value * steps).round() / steps;
+    ReadMargin {
+        what: margin.what.id().to_owned(),
+        message: margin.message.map(|id| format!("{id:03X}h")),
+        party: margin.party.name().to_owned(),
+        section: margin.section.to_owned(),
+        requirements: margin.requirements.iter().map(|&id| id.to_owned()).collect(),
+        value: rounded(margin.value, 1e3),
+        limit: rounded(margin.limit, 1e3),
+        unit: margin.unit.to_owned(),
+        basis: margin.basis.name().to_owned(),
+        left: rounded(margin.left(), 1e6),
+        t: seconds(margin.t_ns),
+    }
+}
+
+fn exercised(exercised: &Exercised) -> ReadExercised {
+    let told =
+        |one: &ToldRequirement| ReadRequirement { id: one.id.to_owned(), told: one.told.name().to_owned() };
+    ReadExercised {
+        ai: exercised.ai,
+        vcu: exercised.vcu,
+        states: exercised.states.iter().map(|state| state.name().to_owned()).collect(),
+        requirements: exercised.requirements.iter().map(told).collect(),
     }
 }
 

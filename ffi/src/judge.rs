@@ -175,7 +175,7 @@ impl adsdv_judge {
 
     fn report(&mut self, finding: &Finding) -> adsdv_finding {
         // No message has a NUL in it; one that had would lose it, and nothing else.
-        let message: Vec<u8> = finding.message.bytes().filter(|&byte| byte != 0).collect();
+        let message: Vec<u8> = finding.message().bytes().filter(|&byte| byte != 0).collect();
         self.told = CString::new(message).unwrap_or_default();
         adsdv_finding {
             t_ns: finding.t_ns,
@@ -183,7 +183,7 @@ impl adsdv_judge {
             severity: adsdv_severity::from(finding.severity) as u8,
             severity_name: short(finding.severity.name()),
             party: short(finding.party.name()),
-            section: short(finding.section),
+            section: short(&finding.section.to_string()),
             rule: short(finding.rule.id()),
         }
     }

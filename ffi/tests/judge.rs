@@ -87,7 +87,7 @@ fn line(finding: &Finding) -> String {
         finding.t_ns,
         finding.section,
         finding.rule.id(),
-        finding.message
+        finding.message()
     )
 }
 

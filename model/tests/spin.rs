@@ -97,13 +97,24 @@ fn spin_finds_the_same_in_every_reading() {
     check(state_machines().flat_map(|edition| {
         let alternatives = edition.alternatives();
         let choices: Vec<Choice> = alternatives.iter().filter(|choice| news(edition, choice)).collect();
-        choices.into_iter().map(move |choice| subject(edition, Some(choice), Vectors::Read))
+        choices
+            .into_iter()
+            .map(move |choice| subject(edition, Some(choice), thorough(Vectors::Read, Vectors::Few)))
     }));
 }
 
-/// Each mutant is a program to compile, so only one of so many is tried, and all that concern the order or a time; of a later
-/// edition, fewer.
-const ONE_MUTANT_IN: usize = 12;
+/// Set where everything here is tried of more: the nightly workflow does. Each mutant and each reading is a program to compile,
+/// and minutes of `cargo test` would go by with them.
+const THOROUGH: &str = "ADSDV_THOROUGH_SPIN";
+
+fn thorough<T>(more: T, usual: T) -> T {
+    if std::env::var_os(THOROUGH).is_some() { more } else { usual }
+}
+
+/// Only one mutant of so many is tried, and all that concern the order or a time; of a later edition, fewer.
+fn one_mutant_in() -> usize {
+    thorough(12, 60)
+}
 
 #[test]
 fn spin_finds_the_same_in_mutants() {
@@ -111,7 +122,7 @@ fn spin_finds_the_same_in_mutants() {
         let (short, default) = (short(edition), edition.version == Edition::DEFAULT.version);
         let is_tried = move |&(place, mutation): &(usize, Mutation)| {
             let all = default && matches!(mutation.change, Change::RowFirst(_) | Change::Time(..));
-            all || place % (if default { ONE_MUTANT_IN } else { 4 * ONE_MUTANT_IN }) == 0
+            all || place % (if default { one_mutant_in() } else { 4 * one_mutant_in() }) == 0
         };
         let tried: Vec<_> = Mutation::all(&short).enumerate().filter(is_tried).collect();
         tried.into_iter().map(move |(_, mutation)| Subject {

@@ -54,7 +54,8 @@ pub(crate) fn check(
         Some(edition) => (edition, edition::pinned(edition, &pins)?),
         None => (Edition::DEFAULT, edition::pinned_in_some(Edition::DEFAULT, &pins)?),
     };
-    let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface };
+    let options =
+        LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules: None };
     let mut source = Source::open(log)?;
     if edition.is_some() {
         return match py.detach(|| judge_log(&mut source, &options, |_| {})) {

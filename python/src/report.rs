@@ -1,6 +1,6 @@
 //! `Report`: what a judge says, in the form of `adsdv check --json`.
 
-use adsdv_oracle::judge::{self, Finding, ResponseTimes, Severity, Transition, Verdict};
+use adsdv_oracle::judge::{self, Evidence, Finding, ResponseTimes, Severity, Transition, Verdict};
 use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::Edition;
 use pyo3::prelude::*;
@@ -23,6 +23,10 @@ const KEYS: [&str; 8] = [
     "handshake_response_ms",
     "verdict",
 ];
+
+/// What only the command reports, and is passed over here: what blocked arrows, margins, what was exercised, and
+/// what became of the user's own rules.
+const FURTHER: [&str; 6] = ["stays", "go_presses", "margins", "exercised", "rules", "required"];
 
 /// What a report has where the edition was recognised.
 const RECOGNISED: &str = "recognised";
@@ -103,6 +107,7 @@ impl Report {
                 }),
                 "handshake_response_ms" => given.is_none() || given.is_instance_of::<PyDict>(),
                 "frames" | "duration_s" => given.extract::<f64>().is_ok(),
+                key if FURTHER.contains(&key) => return Ok(()),
                 _ => return Err(value::unknown_key(key, "", KEYS.into_iter().chain([RECOGNISED]))),
             };
             if right {
@@ -154,7 +159,7 @@ impl Report {
     }
 
     /// What was found, in order, as flat dicts: t, severity ("violation", "warning" or "note"), party ("AI", "VCU" or
-    /// "LOG"), section (of the document), rule (what was checked) and message.
+    /// "LOG"; of a report of the command also "OWN"), section (of the document), rule (what was checked) and message.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.get(py, "findings")
@@ -189,7 +194,8 @@ impl Report {
         self.get(py, "handshake_response_ms")
     }
 
-    /// The whole report as a dict, equal to what `adsdv check --json` prints.
+    /// The whole report as a dict, equal to what `adsdv check --json` prints of the same keys; stays, go_presses, margins and
+    /// exercised are the command's alone.
     ///
     /// >>> import adsdv
     /// >>> list(adsdv.check(["(1.0) can0 520#0000010000000000"]).to_dict())
@@ -240,9 +246,25 @@ pub(crate) fn findings<'py>(py: Python<'py>, findings: &[Finding]) -> PyResult<B
         dict.set_item("t", seconds(finding.t_ns))?;
         dict.set_item("severity", finding.severity.name())?;
         dict.set_item("party", finding.party.name())?;
-        dict.set_item("section", finding.section)?;
+        dict.set_item("section", finding.section.to_string())?;
         dict.set_item("rule", finding.rule.id())?;
-        dict.set_item("message", &finding.message)?;
+        dict.set_item("requirements", &finding.requirements)?;
+        dict.set_item("message", finding.message())?;
+        dict.set_item("seen", &finding.seen)?;
+        dict.set_item("expected", Some(&finding.expected).filter(|text| !text.is_empty()))?;
+        dict.set_item("unless", finding.excuse())?;
+        dict.set_item("evidence", evidence(py, &finding.evidence)?)?;
+        list.append(dict)?;
+    }
+    Ok(list)
+}
+
+fn evidence<'py>(py: Python<'py>, frames: &[Evidence]) -> PyResult<Bound<'py, PyList>> {
+    let list = PyList::empty(py);
+    for frame in frames {
+        let dict = PyDict::new(py);
+        dict.set_item("t", seconds(frame.t_ns))?;
+        dict.set_item("id", format!("{:03X}h", frame.id))?;
         list.append(dict)?;
     }
     Ok(list)

@@ -4,6 +4,7 @@ use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 use adsdv_oracle::recognise::Recognised;
+use adsdv_oracle::why::Stay;
 use adsdv_spec::Edition;
 
 use super::traffic::{Outage, Outages, Traffic};
@@ -108,6 +109,11 @@ impl Watch {
     /// The transitions and findings that are new since this was last asked.
     pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.judge.news()
+    }
+
+    /// What the VCU waits for: the state that lasts, with what blocks its arrows, and the time up to which that is so.
+    pub fn waits(&self) -> Option<(i64, &Stay)> {
+        self.judge.waits()
     }
 
     /// A time of the frames' clock, in nanoseconds since the first frame, as in transitions and findings; 0 before it.

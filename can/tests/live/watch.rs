@@ -216,7 +216,7 @@ fn lost_frames_are_reported_and_blamed_on_nobody() -> Result<(), Box<dyn Error>>
     assert_eq!(lost.count(Severity::Violation), 0, "{:#?}", lost.findings);
     let told: Vec<_> = lost.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
     assert_eq!(told.len(), 1);
-    assert!(told[0].message.starts_with("350 frames lost here") && told[0].t_ns == 990 * MS, "{told:?}");
+    assert!(told[0].seen.starts_with("350 frames lost here") && told[0].t_ns == 990 * MS, "{told:?}");
     Ok(())
 }
 
@@ -301,7 +301,7 @@ fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> 
         }
         watch.silence(last + random.below(1000) * MS);
         let live = watch.finish()?;
-        gaps += live.findings.iter().filter(|finding| finding.message.contains("lost")).count();
+        gaps += live.findings.iter().filter(|finding| finding.seen.contains("lost")).count();
         assert_same(&live, &log, &format!("round {round}"))?;
     }
     assert!(silences > 100 && losses > 100 && gaps > 50 && gaps < losses, "{silences} {losses} {gaps}");
@@ -349,9 +349,9 @@ fn losses_without_end_are_few_findings_with_their_sum() -> Result<(), Box<dyn Er
     assert_same(&live, &log, "each second frame lost")?;
     let told: Vec<_> = live.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
     assert_eq!(told.len(), 3, "{told:#?}");
-    let sum: u64 = told.iter().filter_map(|f| f.message.split(' ').next()?.parse::<u64>().ok()).sum();
+    let sum: u64 = told.iter().filter_map(|f| f.seen.split(' ').next()?.parse::<u64>().ok()).sum();
     assert_eq!(sum, 2499);
-    assert!(told[0].message.contains("times in") && told[0].message.contains("each time"), "{told:#?}");
+    assert!(told[0].seen.contains("times in") && told[0].seen.contains("each time"), "{told:#?}");
     let values = live.findings.iter().filter(|finding| finding.rule == Rule::Value).count();
     assert!((1..=30).contains(&values), "{values}");
     Ok(())
@@ -391,9 +391,9 @@ fn of_more_findings_than_are_listed_one_a_second_is_reported() -> Result<(), Box
     let of = |rule: Rule| told.iter().filter(move |finding| finding.rule == rule).collect::<Vec<_>>();
     let listed = watch.finish()?.findings.iter().filter(|finding| finding.rule == Rule::NoArrow).count();
     let further: Vec<_> = of(Rule::Repeated);
-    let further: Vec<_> = further.iter().filter(|f| f.message.contains(Rule::NoArrow.id())).collect();
+    let further: Vec<_> = further.iter().filter(|f| f.seen.contains(Rule::NoArrow.id())).collect();
     assert_eq!(further.len(), 1, "{further:#?}");
-    assert!(further[0].message.contains("counted"), "{further:#?}");
+    assert!(further[0].seen.contains("counted"), "{further:#?}");
     let more = of(Rule::NoArrow).len() - listed;
     assert!(listed == 200 && (5..=8).contains(&more), "{listed} listed, {more} more told");
     Ok(())

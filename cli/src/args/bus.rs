@@ -188,6 +188,9 @@ EXAMPLES
       adsdv watch can0 --log run.log
       adsdv check run.log
 
+  A team's own rules beside the document:
+      adsdv watch can0 --rules team.rules
+
   Two minutes, for a program:
       timeout --signal INT 120 adsdv watch can0 --json > run.json
 
@@ -209,7 +212,7 @@ ENVIRONMENT
 
 EXIT STATUS
   0  what was seen conforms: no violation was found
-  1  it violates the document
+  1  it violates the document or a rule of --rules
   2  no verdict: the interface could not be opened, no frame came, or the arguments are
      wrong; or the report or the log could not be written")]
 pub(crate) struct WatchArgs {
@@ -226,6 +229,13 @@ pub(crate) struct WatchArgs {
     /// `adsdv schema watch` describes it.
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// Judge a team's own rules as well: a file with a rule in each line; see RULES.md.
+    ///
+    /// A rule that is broken is a violation of party OWN, and printed as it is. Where the edition is to be recognised, watching ends if
+    /// that has not all that the rules name.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) rules: Option<PathBuf>,
 
     /// The window W: how long after its cause an effect may be seen, in milliseconds.
     ///

@@ -92,10 +92,16 @@ EXAMPLES
   More random scenarios, from another seed:
       adsdv conform --seed 7 --runs 5000 -- ./vcu
 
+  Each thing that it does otherwise by itself, also where one hides the other:
+      adsdv conform --diagnose -- ./vcu
+
   The requirements that failed, for a program:
       adsdv conform --json -- ./vcu | jq '.requirements[] | select(.outcome == \"fail\")'
 
 OUTPUT
+  DEVIATIONS    with --diagnose: what the program does otherwise than Figure 2, each by
+                itself: an arrow that needs something else besides, or does not need
+                something, that is missing, late, or leads elsewhere; a time, a threshold
   REQUIREMENTS  those that tests name. Fail: an output that it is about is wrong. Not
                 checked: the program does not show all that it is about, or could not be
                 asked for it. TESTS is how many name it, or how many of them checked it:
@@ -127,6 +133,13 @@ pub(crate) struct ConformArgs {
     /// Run the tests of this file instead of those of `adsdv suite`: JSON Lines, as that command writes them.
     #[arg(long, value_name = "FILE")]
     pub(crate) suite: Option<PathBuf>,
+
+    /// Name each deviation from Figure 2 by itself, also where one hides the others.
+    ///
+    /// Asks the program some thousand experiments more, step by step: from the states that it reaches, in the ways that it
+    /// accepts. For a program that steps at any time and shows its outputs at once.
+    #[arg(long, conflicts_with_all = ["latency", "cycle_ms"])]
+    pub(crate) diagnose: bool,
 
     /// Pin a question that the document leaves open; may be repeated.
     ///

@@ -10,6 +10,7 @@ use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
 use super::JudgedProgram;
+use super::diagnosis::DiagnosisJson;
 use crate::json::{SCHEMA, line};
 
 /// The outcome as one JSON object on one line.
@@ -50,6 +51,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         not_shown: &report.not_shown,
         not_told: &report.not_told,
         notes: &report.notes,
+        diagnosis: subject.diagnosis.as_ref().map(DiagnosisJson::from),
         conforms: report.conforms(),
     })
 }
@@ -76,6 +78,7 @@ struct ConformJson<'a> {
     not_shown: &'a [&'static str],
     not_told: &'a [String],
     notes: &'a [String],
+    diagnosis: Option<DiagnosisJson>,
     conforms: bool,
 }
 

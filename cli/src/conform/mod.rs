@@ -6,6 +6,7 @@
 //!            a program that does not keep to the protocol: an error
 //! ```
 
+mod diagnosis;
 mod json;
 mod stop;
 mod text;
@@ -18,7 +19,9 @@ use adsdv_oracle::conform::{
     ConformOptions, ConformProgress, ConformReport, Phase, Program, ProgramError, ProgramErrorKind, conform,
 };
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::Machine;
+use adsdv_spec::{Edition, Machine};
+
+use diagnosis::DiagnosedProgram;
 
 use crate::args::{ChosenEdition, ConformArgs};
 use crate::error::Error;
@@ -48,7 +51,14 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         hint: "run it where signals can be handled".to_owned(),
     })?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
-    let subject = JudgedProgram { edition: chosen, name: &name, args };
+    let diagnosis = if args.diagnose {
+        // As the program reads the document, so far as the tests have shown it.
+        let edition = Edition { readings: report.readings, ..*edition };
+        Some(diagnosis::of(args, &edition).map_err(|trouble| no_verdict(&name, args, &trouble))?)
+    } else {
+        None
+    };
+    let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
@@ -58,7 +68,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
 }
 
 /// What was judged, and how.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct JudgedProgram<'a> {
     /// The edition that it was asked about.
     edition: ChosenEdition,
@@ -66,6 +76,8 @@ struct JudgedProgram<'a> {
     name: &'a str,
     /// What was asked for.
     args: &'a ConformArgs,
+    /// What it does otherwise, if that was asked for.
+    diagnosis: Option<DiagnosedProgram>,
 }
 
 fn judge(
@@ -73,10 +85,7 @@ fn judge(
     tests: &[Test],
     options: &ConformOptions,
 ) -> Result<ConformReport, ProgramError> {
-    // The arguments have the program at least: without it they are refused.
-    let (program, rest) = args.command.split_at(args.command.len().min(1));
-    let program = program.first().cloned().unwrap_or_default();
-    let mut program = Program::start(&program, rest, args.timeout, args.latency > 0)?.within(args.time_limit);
+    let mut program = start(args)?;
     let mut line = Line::new();
     conform(&mut program, tests, options, &mut |ConformProgress { phase, done, all }| {
         line.show_bar(
@@ -89,6 +98,14 @@ fn judge(
             },
         );
     })
+}
+
+/// Starts the program.
+fn start(args: &ConformArgs) -> Result<Program, ProgramError> {
+    // The arguments have the program at least: without it they are refused.
+    let (program, rest) = args.command.split_at(args.command.len().min(1));
+    let program = program.first().cloned().unwrap_or_default();
+    Ok(Program::start(&program, rest, args.timeout, args.latency > 0)?.within(args.time_limit))
 }
 
 fn no_verdict(name: &str, args: &ConformArgs, trouble: &ProgramError) -> Error {

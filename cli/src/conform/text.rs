@@ -31,6 +31,9 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport, width: u
 
 fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, width: usize) -> fmt::Result {
     header(out, subject, report, width)?;
+    if let Some(program) = &subject.diagnosis {
+        super::diagnosis::write(out, program, width)?;
+    }
     requirements(out, report, width)?;
     writeln!(out, "\n{}", Styled(style::HEADING, "FAILURES"))?;
     if report.failures.is_empty() {
@@ -67,7 +70,7 @@ fn header(
     report: &ConformReport,
     width: usize,
 ) -> fmt::Result {
-    let JudgedProgram { edition, name, args } = subject;
+    let JudgedProgram { edition, name, args, .. } = subject;
     writeln!(out, "{edition}")?;
     writeln!(
         out,

@@ -29,7 +29,7 @@ pub(super) fn write(out: &mut String, findings: &[Finding], width: usize) -> fmt
 }
 
 pub(super) fn write_one(out: &mut String, finding: &Finding, times: usize, width: usize) -> fmt::Result {
-    let Finding { t_ns, severity, party, section, rule, message } = finding;
+    let Finding { t_ns, severity, party, section, rule, .. } = finding;
     let style = style::of(*severity);
     write!(
         out,
@@ -43,7 +43,7 @@ pub(super) fn write_one(out: &mut String, finding: &Finding, times: usize, width
         write!(out, " ({times} times, first here)")?;
     }
     out.push('\n');
-    wrapped(out, message.split_whitespace(), INDENT, width);
+    wrapped(out, finding.message().split_whitespace(), INDENT, width);
     Ok(())
 }
 
@@ -52,7 +52,8 @@ fn grouped<'a>(notes: &[&'a Finding]) -> Vec<(&'a Finding, usize)> {
     let mut groups: Vec<(&Finding, usize)> = Vec::new();
     for note in notes {
         let same = |other: &Finding| {
-            (other.rule, other.party, &other.message) == (note.rule, note.party, &note.message)
+            (other.rule, other.party, &other.seen, &other.expected)
+                == (note.rule, note.party, &note.seen, &note.expected)
         };
         match groups.iter_mut().find(|(first, _)| same(first)) {
             Some((_, times)) => *times += 1,

@@ -1,23 +1,30 @@
-//! A report as text for a person: what was judged, the timeline, the findings, the notes, the verdict.
+//! A report as text for a person: what was judged, the timeline, the findings, the notes, the
+//! user's own rules, the margins, what was exercised, the
+//! verdict.
 
+mod exercised;
 mod findings;
+mod margins;
+mod rules;
 pub(crate) mod style;
 mod timeline;
+mod why;
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Severity, Transition, Verdict};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Required, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
 use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Rules};
 
 use style::Styled;
+pub(crate) use why::{by, waits};
 
 use crate::layout::{Seconds, counted};
 use crate::output;
 
 /// Where text stands below the time of its line.
-const INDENT: usize = 14;
+pub(crate) const INDENT: usize = 14;
 
 /// What was judged, and how.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +37,8 @@ pub(crate) struct JudgedLog<'a> {
     pub(crate) options: &'a LogOptions,
     /// The readings that were pinned.
     pub(crate) pins: &'a [Choice],
+    /// What the log is to show.
+    pub(crate) required: &'a [Required],
 }
 
 /// The whole report, with ANSI styles, wrapped to `width` columns.
@@ -90,10 +99,16 @@ fn write_news(
 
 fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usize) -> fmt::Result {
     header(out, subject, report)?;
+    why::write(out, &subject.options.judge.edition.rules, report, width)?;
     timeline::write(out, &subject.options.judge.edition.rules, &report.transitions, width)?;
     findings::write(out, &report.findings, width)?;
+    rules::write(out, &report.rules)?;
+    margins::write(out, &report.margins)?;
     answers(out, report)?;
-    verdict(out, subject, report)
+    exercised::write(out, &report.exercised)?;
+    verdict(out, subject, report)?;
+    exercised::missing(out, subject.name, report, subject.required, width);
+    Ok(())
 }
 
 fn header(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Result {
@@ -108,6 +123,9 @@ fn header(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Re
     let (judge, default) = (subject.options.judge, JudgeOptions::of(subject.options.judge.edition));
     if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
         writeln!(out, "window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms)?;
+    }
+    if judge.complete {
+        writeln!(out, "complete: no frame is missing")?;
     }
     for pin in subject.pins {
         writeln!(out, "reading {pin}: {}", pin.text())?;
@@ -137,9 +155,10 @@ fn verdict(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::R
     let count = |severity: Severity| counted(report.count(severity) as u64, severity.name());
     writeln!(
         out,
-        "{}: {} ({}, {}, {})",
+        "{}: {}{} ({}, {}, {})",
         subject.name,
         Styled(style, verdict.name()),
+        exercised::reservation(&report.exercised),
         count(Severity::Violation),
         count(Severity::Warning),
         count(Severity::Note),

@@ -66,7 +66,7 @@ pub(super) fn write(
 /// How a counterexample's log is judged.
 pub(super) fn options(edition: &'static Edition, pins: &[Choice]) -> LogOptions {
     let readings = pins.iter().copied().fold(edition.choices, Choices::pin);
-    LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::of(edition) }, interface: None }
+    LogOptions { judge: JudgeOptions { readings, ..JudgeOptions::of(edition) }, ..LogOptions::default() }
 }
 
 /// The defaults of the questions that were answered otherwise.

@@ -163,7 +163,13 @@ fn failed(
     writeln!(out, " {}", quoted(&log))?;
     let options = counterexample::options(chosen.edition(), pins);
     out.push_str(&report::text(
-        &JudgedLog { edition: Some(&format!("edition {version}")), name: &log, options: &options, pins },
+        &JudgedLog {
+            edition: Some(&format!("edition {version}")),
+            name: &log,
+            options: &options,
+            pins,
+            required: &[],
+        },
         report,
         width,
     ));

@@ -12,7 +12,7 @@ use clap::ColorChoice;
 
 use crate::args::{ChosenEdition, WatchArgs};
 use crate::error::Error;
-use crate::layout::{Seconds, counted};
+use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
 use crate::{output, pins, report};
 
@@ -69,11 +69,23 @@ impl Lines {
         }
     }
 
+    /// Nobody is to read any more: why, is told elsewhere.
+    pub(super) fn end(&mut self) {
+        self.read = false;
+    }
+
     /// What the judge found.
     pub(super) fn news(&mut self, rules: &Rules, (transitions, findings): (Vec<Transition>, Vec<Finding>)) {
         if !transitions.is_empty() || !findings.is_empty() {
             self.print(&report::news(rules, &transitions, &findings, output::width()));
         }
+    }
+
+    /// What the car waits for.
+    pub(super) fn waits(&mut self, t_ns: i64, text: &str) {
+        let mut lines = String::new();
+        wrapped(&mut lines, text.split(' '), report::INDENT, output::width());
+        self.print(&format!("{:>10} s  {}{}", Seconds(t_ns), Styled(style::QUIET, "waits\n"), lines));
     }
 
     /// What happened to the bus, at a time since the first frame.

@@ -12,6 +12,7 @@ mod lines;
 mod record;
 #[cfg(test)]
 mod tests;
+mod waits;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,26 +23,30 @@ use adsdv_can::socket;
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogError, LogOptions};
 use adsdv_oracle::recognise::Recognised;
+use adsdv_oracle::rules::RuleFile;
 
 use crate::args::WatchArgs;
 use crate::error::Error;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
-use crate::{interrupt, json, output, pins};
+use crate::{interrupt, json, output, pins, rules};
 use ears::{Arrival, Ears};
 use lines::Lines;
 use record::Recorder;
+use waits::Waits;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
-    let possible = if chosen.asked_for().is_none() { pins::possible_in_some } else { pins::possible };
+    let by_bus = chosen.asked_for().is_none();
+    let possible = if by_bus { pins::possible_in_some } else { pins::possible };
     let judge = JudgeOptions {
         window_ms: args.window,
         deadline_ms: args.deadline,
         readings: possible(chosen.edition(), &args.readings)?,
         ..JudgeOptions::of(chosen.edition())
     };
-    let mut options = LogOptions { judge, interface: None };
+    let rules = rules::read(args.rules.as_deref(), chosen.edition(), by_bus)?;
+    let mut options = LogOptions { judge, interface: None, rules };
     let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let listener = socket::listen(&args.interface)?;
     let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
@@ -53,9 +58,10 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     if let Some(recognised) = &recognised {
         options.judge = options.judge.under(recognised.edition);
     }
-    let report = watch.finish().map_err(|error| match error {
-        LogError::NoFrame { .. } => Error::silent_bus(&args.interface),
-        error => Error::log(&args.interface, &error),
+    let report = watch.finish().map_err(|error| match (error, &args.rules) {
+        (LogError::NoFrame { .. }, _) => Error::silent_bus(&args.interface),
+        (LogError::Rules(error), Some(file)) => rules::refused(file, &error),
+        (error, _) => Error::log(&args.interface, &error),
     });
     let printed = match &report {
         Ok(report) if lines.is_read() => {
@@ -89,6 +95,9 @@ struct Watched {
     watch: Watch,
     recorder: Option<Recorder>,
     lines: Lines,
+    waits: Waits,
+    /// The user's own rules, which the edition that is recognised has to have.
+    rules: Option<RuleFile>,
     /// Which edition was recognised has been said.
     is_recognised: bool,
 }
@@ -108,7 +117,15 @@ fn watch(
     let watch = begin(&name, options.clone());
     let ears = Ears::start(listener).map_err(|error| Error::system("threads", &error))?;
     lines.begin(&name, recorder.as_ref().map(Recorder::path));
-    let mut watched = Watched { name, watch, recorder, lines, is_recognised: false };
+    let mut watched = Watched {
+        name,
+        watch,
+        recorder,
+        lines,
+        waits: Waits::default(),
+        rules: options.rules.clone(),
+        is_recognised: false,
+    };
     while watched.lines.is_read() && !told.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
         ears.take().into_iter().for_each(|heard| watched.hear(heard));
@@ -156,9 +173,18 @@ impl Watched {
         if let Some(recognised) = self.watch.recognised().filter(|_| !self.is_recognised) {
             self.is_recognised = true;
             self.lines.recognised(recognised);
+            if self.rules.as_ref().is_some_and(|rules| rules.check(recognised.edition).is_err()) {
+                // The end tells why.
+                self.lines.end();
+            }
         }
         let news = self.watch.news();
-        self.lines.news(&self.watch.edition().rules, news);
+        let rules = &self.watch.edition().rules;
+        self.lines.news(rules, news);
+        let waits = self.watch.waits().and_then(|(t, stay)| Some((t, self.waits.news(rules, t, stay)?)));
+        if let Some((t, text)) = waits {
+            self.lines.waits(t, &text);
+        }
     }
 }
 
@@ -176,7 +202,8 @@ fn summarize(args: &WatchArgs, judged: &Judged, report: &Report, bus: &json::Bus
     if args.json {
         return output::plain(&json::watched(options.judge.edition, recognised.as_ref(), report, bus));
     }
-    let subject = JudgedLog { edition: Some(line), name: &args.interface, options, pins: &args.readings };
+    let (name, pins) = (&args.interface, &args.readings);
+    let subject = JudgedLog { edition: Some(line), name, options, pins, required: &[] };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),

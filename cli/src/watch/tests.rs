@@ -62,9 +62,18 @@ fn watched(events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
 }
 
 fn watched_as(words: &[&str], events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
+    watched_by(&LogOptions::default(), words, events, dropped)
+}
+
+fn watched_by(
+    options: &LogOptions,
+    words: &[&str],
+    events: impl IntoIterator<Item = Event>,
+    dropped: u64,
+) -> Watched {
     let told = Arc::new(AtomicBool::new(false));
     let script = Script(events.into_iter().collect(), Arc::clone(&told), Arc::new(Mutex::new(dropped)));
-    watch(script, &LogOptions::default(), None, lines(&args(words)), &told).expect("it watches")
+    watch(script, options, None, lines(&args(words)), &told).expect("it watches")
 }
 
 /// A mission of an edition, both sides.
@@ -124,6 +133,38 @@ fn a_reading_that_is_no_answer_in_the_edition_ends_the_watching() {
     let error = refused.lines.finish().expect_err("4.0 has no such answer").to_string();
     let said = "--reading fault-trigger=edge: is no answer in edition 4.0; expected fault-trigger=level\n";
     assert!(error.starts_with(said), "{error}");
+}
+
+/// The user's own rules, of a bus whose frames tell the edition.
+fn with_rules(rules: &str, edition: &'static Edition) -> Watched {
+    let options = LogOptions { rules: Some(rules.parse().expect(rules)), ..LogOptions::default() };
+    watched_by(&options, &["--json"], mission(edition), 0)
+}
+
+#[test]
+fn rules_are_judged_live_and_stand_in_the_json() {
+    let watch = with_rules("parked: never AS_STATE is AS_DRIVING", &Edition::V4_0).watch;
+    let recognised = watch.recognised().cloned().expect("it is decided");
+    let traffic = watch.traffic();
+    let report = watch.finish().expect("frames");
+    assert_eq!((report.rules.len(), report.findings.len()), (1, 1), "{:?}", report.findings);
+    let bus = json::Bus { traffic, outages: &[] };
+    let text = json::watched(recognised.edition, Some(&recognised), &report, &bus);
+    let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(told["rules"][0]["verdict"], "broken");
+    let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
+    let validator = jsonschema::draft202012::new(&schema).expect("a schema");
+    let errors: Vec<_> = validator.iter_errors(&told).map(|error| error.to_string()).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+}
+
+#[test]
+fn rules_that_the_edition_has_not_end_the_watching() {
+    let rules = "started: never AS_STATE is AS_INIT";
+    assert!(with_rules(rules, &Edition::V2026).lines.is_read());
+    let refused = with_rules(rules, &Edition::V4_0);
+    assert!(!refused.lines.is_read() && refused.lines.finish().is_ok(), "the end tells why");
+    assert!(matches!(refused.watch.finish(), Err(LogError::Rules(error)) if error.column == 28));
 }
 
 #[test]

@@ -1,13 +1,18 @@
 //! Escapes are for terminals, or for those who ask.
 
-use crate::run::{FINISHED_WHILE_MOVING, adsdv, outcome, run};
+use crate::run::{FINISHED_WHILE_MOVING, MISSION, adsdv, outcome, run};
 
 const ESCAPE: char = '\x1b';
 
 #[test]
 fn a_pipe_gets_no_escapes() {
-    for args in [&["check", FINISHED_WHILE_MOVING][..], &["readings"], &["--help"], &["check", "no-such.log"]]
-    {
+    for args in [
+        &["check", FINISHED_WHILE_MOVING][..],
+        &["compare", MISSION, FINISHED_WHILE_MOVING],
+        &["readings"],
+        &["--help"],
+        &["check", "no-such.log"],
+    ] {
         let outcome = run(args);
         assert!(!outcome.stdout.contains(ESCAPE) && !outcome.stderr.contains(ESCAPE), "{args:?}");
     }

@@ -70,6 +70,28 @@ fn a_broken_row_is_reported_with_its_guard_and_a_timeline() {
 }
 
 #[test]
+fn a_diagnosis_names_each_deviation_before_the_requirements() {
+    let (status, text) = text(&["--diagnose", "--runs", "0"], "mutant", &["--mutation", "3.6: dropped"]);
+    assert_eq!(status, Some(1));
+    let (first, _) = text.split_once("\nREQUIREMENTS").expect("it comes first");
+    let (_, found) = first.split_once("\nDEVIATIONS\n").expect("there is a diagnosis");
+    assert_eq!(found.trim_end(), "  AS_READY -> AS_OFF is never taken (SM-10, RTO-1)");
+    let json = report(&["--diagnose", "--runs", "0"], "mutant", &["--mutation", "3.6: dropped"]);
+    assert_eq!(json["diagnosis"]["deviations"][0]["id"], "ready-off:missing");
+    assert_eq!(json["diagnosis"]["unexplained"], 0);
+}
+
+#[test]
+fn a_diagnosis_of_a_program_that_conforms_names_nothing_whatever_its_readings() {
+    let json = report(&["--diagnose", "--runs", "0"], "adapter", &[]);
+    assert_eq!(
+        (&json["diagnosis"]["deviations"], &json["diagnosis"]["unexplained"]),
+        (&json!([]), &json!(0))
+    );
+    assert_eq!(report(&["--runs", "0"], "adapter", &[])["diagnosis"], Value::Null);
+}
+
+#[test]
 fn mixed_readings_are_reported() {
     let mixing = ["--reading", "fault-trigger=edge", "--mutation", "3.7 term 3: in every reading"];
     let (status, text) = text(&["--runs", "50"], "mutant", &mixing);

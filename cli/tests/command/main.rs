@@ -5,17 +5,21 @@
 #[cfg(target_os = "linux")]
 mod bad_input;
 mod color;
+mod compare;
 mod conform;
 mod demo;
 mod diff;
 mod edition;
 mod errors;
+mod excerpt;
+mod exercised;
 mod explore;
 mod export;
 mod golden;
 mod help;
 mod readings;
 mod readme;
+mod rules;
 mod run;
 mod schema;
 #[cfg(target_os = "linux")]
@@ -24,3 +28,4 @@ mod streams;
 mod suite;
 mod tables;
 mod verify;
+mod why;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use adsdv_oracle::judge::Rule;
+use adsdv_oracle::judge::{Basis, Measure, Rule, Told};
 use adsdv_spec::AsState;
 use jsonschema::Validator;
 use serde_json::{Value, json};
@@ -67,7 +67,9 @@ fn keys_stand_in_the_documented_order() {
         "duration_s",
         "transitions",
         "findings",
+        "margins",
         "handshake_response_ms",
+        "exercised",
         "verdict",
     ];
     let places: Vec<_> = keys.iter().map(|key| text.find(&format!("\"{key}\":"))).collect();
@@ -162,6 +164,19 @@ fn the_schema_names_every_rule_and_state() {
     assert_eq!(schema["$defs"]["state"]["enum"], json!(states));
 }
 
+#[test]
+fn the_schemas_name_every_measure_and_all_that_is_told() {
+    let measures: Vec<_> = Measure::ALL.iter().map(|measure| measure.id()).collect();
+    let bases = [Basis::Document, Basis::Deadline, Basis::Cycle].map(Basis::name);
+    let told = Told::ALL.map(Told::name);
+    for schema in ["check", "watch"].map(schema) {
+        let margin = &schema["$defs"]["margin"]["properties"];
+        assert_eq!((&margin["what"]["enum"], &margin["basis"]["enum"]), (&json!(measures), &json!(bases)));
+        let requirement = &schema["$defs"]["exercised"]["properties"]["requirements"]["items"];
+        assert_eq!(requirement["properties"]["told"]["enum"], json!(told));
+    }
+}
+
 /// What is wrong with a report, and how it comes to be wrong.
 type Spoil = (&'static str, fn(&mut Value));
 
@@ -169,7 +184,7 @@ type Spoil = (&'static str, fn(&mut Value));
 fn the_schema_refuses_what_is_not_a_report() {
     let good = report(&file(FINISHED_WHILE_MOVING));
     let validator = validator("check");
-    let spoil: [Spoil; 9] = [
+    let spoil: [Spoil; 14] = [
         ("another key", |r| r["extra"] = json!(1)),
         ("a missing key", |r| _ = r.as_object_mut().map(|o| o.remove("handshake_response_ms"))),
         ("another verdict", |r| r["verdict"] = json!("perhaps")),
@@ -178,6 +193,11 @@ fn the_schema_refuses_what_is_not_a_report() {
         ("another key of a finding", |r| r["findings"][0]["extra"] = json!(1)),
         ("a truth that is no text", |r| r["transitions"][0]["justified"] = json!(true)),
         ("a state that is none", |r| r["transitions"][0]["from"] = json!("AS_PARKED")),
+        ("no margins", |r| _ = r.as_object_mut().map(|o| o.remove("margins"))),
+        ("another measure", |r| r["margins"][0]["what"] = json!("luck")),
+        ("a message that is none", |r| r["margins"][0]["message"] = json!("510")),
+        ("something else that is told", |r| r["exercised"]["requirements"][0]["told"] = json!("yes")),
+        ("required, and nothing is", |r| r["required"] = json!([])),
         ("an answer without count", |r| {
             _ = r["handshake_response_ms"].as_object_mut().map(|o| o.remove("count"));
         }),

@@ -245,7 +245,7 @@ fn the_online_judge_agrees_with_the_judge() {
         let printed = String::from_utf8(stdout).unwrap();
 
         let judge = JudgeOptions::of(Edition::find(edition).unwrap());
-        let options = LogOptions { judge, interface: None };
+        let options = LogOptions { judge, ..LogOptions::default() };
         let report = judge_log(std::fs::File::open(&path).unwrap(), &options, |_| {}).unwrap();
         let mut expected = count(report.findings.iter().map(|finding| {
             format!(
@@ -256,7 +256,7 @@ fn the_online_judge_agrees_with_the_judge() {
                 finding.party.name(),
                 finding.section,
                 finding.rule.id(),
-                finding.message,
+                finding.message(),
             )
         }));
         *expected

@@ -1,7 +1,7 @@
 //! Whole runs, right and wrong, judged as they should be.
 
 use adsdv_model::{Phase, Run};
-use adsdv_oracle::judge::{Report, Rule, Severity, Verdict};
+use adsdv_oracle::judge::{Report, Rule, Section, Severity, Verdict};
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::{Atom, Choice, Edition, Fault, Machine, Mutation, Readings, Truth};
 
@@ -28,7 +28,7 @@ fn mutant(name: &str) -> Machine {
 }
 
 /// What the judge lays to the VCU.
-fn found(report: &Report) -> Vec<(Rule, &'static str)> {
+fn found(report: &Report) -> Vec<(Rule, Section)> {
     blamed(report).iter().map(|finding| (finding.rule, finding.section)).collect()
 }
 
@@ -79,7 +79,7 @@ fn a_vcu_that_drives_on_without_go_violates_section_3_7_then() {
     let off_ns = run.steps().last().expect("the path has steps").t_ns;
     let report = judged(&run, Readings::DEFAULT);
     let [finding] = blamed(&report)[..] else { panic!("one finding: {:#?}", report.findings) };
-    assert_eq!((finding.rule, finding.section), (Rule::Due, "3.7"));
+    assert_eq!((finding.rule, finding.section), (Rule::Due, "3.7".into()));
     let late = finding.t_ns - off_ns;
     assert!((-20 * MS..=80 * MS).contains(&late), "{late} ns after \"Go\" went off");
 }
@@ -95,7 +95,7 @@ fn a_transition_that_one_step_allows_wrongly_is_seen_to_be_wrong() {
     path.on(&[Atom::GoOn]).off(&[Atom::SteerStraight]).cycle();
     path.arrives(Driving);
     let report = path.judged();
-    assert_eq!(found(&report), [(Rule::Unjustified, "3.2")], "{:#?}", report.findings);
+    assert_eq!(found(&report), [(Rule::Unjustified, "3.2".into())], "{:#?}", report.findings);
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_vcu_that_starts_without_the_ebs_violates_section_3_1() {
     path.on(&[Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected]).cycle();
     path.arrives(Ready);
     let report = path.judged();
-    assert_eq!(found(&report), [(Rule::Unjustified, "3.1")], "{:#?}", report.findings);
+    assert_eq!(found(&report), [(Rule::Unjustified, "3.1".into())], "{:#?}", report.findings);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn lost_communication_goes_on_until_it_is_seen_to_be_ignored() {
     assert!(path.control.handshake.is_lost(Edition::DEFAULT.rules.timing.handshake_ms));
     path.arrives(Driving);
     let report = path.judged();
-    assert_eq!(found(&report), [(Rule::Due, "3.7")], "{:#?}", report.findings);
+    assert_eq!(found(&report), [(Rule::Due, "3.7".into())], "{:#?}", report.findings);
 }
 
 #[test]
@@ -145,7 +145,7 @@ fn whether_neutral_while_moving_violates_depends_on_the_reading() {
     let edge = judged(&run, Readings::DEFAULT.with(Choice::FaultEdge));
     assert!(blamed(&edge).is_empty(), "{:#?}", edge.findings);
     let level = judged(&run, Readings::DEFAULT.with(Choice::FaultLevel));
-    assert_eq!(found(&level), [(Rule::Due, "3.7")], "{:#?}", level.findings);
+    assert_eq!(found(&level), [(Rule::Due, "3.7".into())], "{:#?}", level.findings);
 }
 
 #[test]

@@ -116,7 +116,7 @@ pub(crate) fn judged(run: &Run, readings: Readings) -> Report {
         write_frame(&mut log, t_ns, "vcan0", frame.id.into(), frame.data()).expect("memory takes it all");
     }
     let judge = JudgeOptions { readings: readings.choices(), ..JudgeOptions::default() };
-    let options = LogOptions { judge, interface: None };
+    let options = LogOptions { judge, ..LogOptions::default() };
     judge_log(log.as_slice(), &options, |_| {}).expect("what was written is read")
 }
 

@@ -4,11 +4,12 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 
 use super::{adsdv, check, fed, folder_with, judged, lines, refused, rubbish, run, text};
-use crate::run::temporary;
+use crate::run::{MISSION, temporary};
 
 /// The commands that read a file, each with that file last; no CAN interface is needed to be refused one.
-const READERS: [(&[&str], &str); 4] = [
+const READERS: [(&[&str], &str); 5] = [
     (&["check"], "log"),
+    (&["compare", MISSION], "log"),
     (&["demo", "--scenario"], "scenario"),
     (&["vcu", "no-can", "--plain", "--scenario"], "scenario"),
     (&["conform", "--suite"], "suite"),
@@ -59,6 +60,7 @@ pub(super) fn an_empty_file() {
     let empty = temporary("bad-input-empty", b"");
     for (reader, told) in READERS.map(|(reader, _)| reader).iter().zip([
         "the log is empty; expected lines of candump -L, such as ",
+        "BAD, ",
         "is no scenario",
         "is no scenario",
         "the suite is empty; expected one test a line",
@@ -75,6 +77,7 @@ pub(super) fn an_empty_file() {
 pub(super) fn binary_rubbish() {
     let file = temporary("bad-input-rubbish", &rubbish());
     for (reader, told) in READERS.map(|(reader, _)| reader).iter().zip([
+        ": no readable frame in ",
         ": no readable frame in ",
         ": is no scenario",
         ": is no scenario",
@@ -106,6 +109,16 @@ pub(super) fn a_program_that_answers_rubbish() {
     fs::set_permissions(&answers, fs::Permissions::from_mode(0o755)).expect("it is ours");
     let outcome = run(&["conform", "--", text(&answers)]);
     refused(&outcome, "cannot start the program: ", "start the program by hand");
+}
+
+/// Standard input can be read once, and which of two logs cannot be read is named.
+#[test]
+pub(super) fn standard_input_for_both_logs() {
+    refused(&run(&["compare", "-", "-"]), "- and -: standard input can be read only once", "cat > ");
+    refused(&run(&["compare", "no-such-file", MISSION]), "GOOD, no-such-file: cannot open the log: ", "path");
+    refused(&run(&["compare", MISSION, "no-such-file"]), "BAD, no-such-file: cannot open the log: ", "path");
+    let empty = fed(&mut adsdv(&["compare", "-", MISSION]), |_| Ok(()));
+    refused(&empty, "GOOD, standard input: the log is empty", "candump -L");
 }
 
 /// What a compressed log, and one that was copied through the wrong program, begin with is known, and told.

@@ -5,7 +5,7 @@ use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
 use std::process::Stdio;
 
-use super::{Outcome, adsdv, calm, check, explained, judged, lines, refused, reported, rubbish};
+use super::{Outcome, adsdv, calm, check, explained, fed, judged, lines, refused, reported, rubbish};
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, file, outcome};
 
 /// The frames of the recorded mission.
@@ -109,7 +109,7 @@ pub(super) fn times_that_are_absent() {
 #[test]
 pub(super) fn a_log_that_fails_while_it_is_read() {
     for (option, read) in [("--color=auto", 1000), ("--color=auto", 0), ("--json", 1000)] {
-        let Outcome { status, stdout, stderr } = check_failing(option, &lines(read));
+        let Outcome { status, stdout, stderr } = failing(&["check", option, "-"], &lines(read));
         assert_eq!(status, Some(2), "{stderr}");
         let error = format!("standard input: cannot read on after line {read}: ");
         explained(&stderr, &error, "copy the log to another disk");
@@ -127,14 +127,38 @@ pub(super) fn a_log_that_fails_while_it_is_read() {
     }
 }
 
-/// Judges a log from a connection that breaks when it has been read.
-fn check_failing(option: &str, log: &[u8]) -> Outcome {
+/// Runs a command on a log from a connection that breaks when it has been read.
+fn failing(args: &[&str], log: &[u8]) -> Outcome {
     let (mut ours, mut theirs) = UnixStream::pair().expect("a pair of sockets");
     // What was said to the other end and never heard there makes the end of the connection an error.
     theirs.write_all(b"unheard").expect("it is connected");
-    let mut command = adsdv(&["check", option, "-"]);
+    let mut command = adsdv(args);
     command.stdin(Stdio::from(OwnedFd::from(theirs)));
     ours.write_all(log).expect("there is room for a short log");
     drop(ours);
     calm(outcome(&mut command))
+}
+
+/// What can be read of two logs is compared: rubbish, a cut and times that go back are findings of the one that has them.
+#[test]
+pub(super) fn a_comparison_with_a_broken_log() {
+    let compared = |log: &[u8]| {
+        let outcome = fed(&mut adsdv(&["compare", MISSION, "-"]), |stdin| stdin.write_all(log));
+        assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(1), ""), "{}", outcome.stdout);
+        outcome.stdout
+    };
+    let rubbish = compared(&broken_after(5000, &rubbish()));
+    assert!(rubbish.contains("  broken-line (") && !rubbish.contains("WHERE THEY PART"), "{rubbish}");
+    let cut = compared(&[&lines(1500)[..], b"(1795209996.4"].concat());
+    assert!(cut.contains("  broken-line\n") && cut.contains("line 1501, column"), "{cut}");
+    assert!(compared(&file(MISSION).repeat(2)).contains("  time-backwards\n"));
+    // A log that fails: what came before is compared, and that it is not all of it is told.
+    let Outcome { status, stdout, stderr } = failing(&["compare", "-", MISSION], &lines(1000));
+    assert_eq!(status, Some(2), "{stdout}");
+    explained(
+        &stderr,
+        "GOOD, standard input: cannot read on after line 1000: ",
+        "copy the log to another disk",
+    );
+    assert!(stdout.contains("GOOD  standard input: 1000 frames in "), "{stdout}");
 }

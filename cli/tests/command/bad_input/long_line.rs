@@ -45,6 +45,17 @@ pub(super) fn in_a_log() {
     refused(&outcome, ": no readable frame in 1 line", "candump -L");
 }
 
+/// Of two logs that are compared, it costs itself alone as well.
+#[test]
+pub(super) fn in_a_log_that_is_compared() {
+    let outcome = fed(&mut limited(&["compare", MISSION, "-"]), |stdin| {
+        stdin.write_all(&file(MISSION))?;
+        long(stdin)
+    });
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(1), ""), "{}", outcome.stdout);
+    assert!(outcome.stdout.ends_with("\nthey differ: 1 finding\n"), "{}", outcome.stdout);
+}
+
 /// A scenario of so many bytes is none: nobody waits until they are read.
 #[test]
 pub(super) fn in_a_scenario() {

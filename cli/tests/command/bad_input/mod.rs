@@ -6,16 +6,21 @@
 //! - `long_line.rs`: a line of a gigabyte, in little memory;
 //! - `bus.rs`: a CAN interface that is not there;
 //! - `output.rs`: readers that leave, and disks that are full;
+//! - `required.rs`: logs that do not show what they are to show;
+//! - `rules.rs`: files that are no rules;
 //! - `readme.rs`: the README's table has a row for each of these, each row its tests, and each test its exit statuses.
 //!
 //! An interface that vanishes takes one: these tests are in `can/tests/socket`, and run on a kernel that has vcan.
 
 mod bus;
+mod cars;
 mod given;
 mod log;
 mod long_line;
 mod output;
 mod readme;
+mod required;
+mod rules;
 
 use std::fs;
 use std::io::{self, Write};

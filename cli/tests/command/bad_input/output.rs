@@ -18,6 +18,9 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["check", MISSION], 0),
     (&["check", FINISHED_WHILE_MOVING], 1),
     (&["check", "--json", FINISHED_WHILE_MOVING], 1),
+    (&["compare", MISSION, MISSION], 0),
+    (&["compare", MISSION, FINISHED_WHILE_MOVING], 1),
+    (&["compare", "--json", MISSION, FINISHED_WHILE_MOVING], 1),
     (&["conform", "--runs", "0", "--", "sh", "-c", DUMB], 1),
     (&["conform", "--runs", "0", "--json", "--", "sh", "-c", DUMB], 1),
     (&["dbc"], 0),
@@ -193,6 +196,22 @@ pub(super) fn a_full_disk_for_counterexamples() {
     }
     let written = fs::read(folder.join("counterexample-driving-finished.log")).expect("it is there");
     assert!(written.len() > lines(100).len() && written.ends_with(b"\n"));
+}
+
+/// The report is told, and which excerpt could not be written; a file in the place of the directory is refused before all.
+#[test]
+pub(super) fn excerpts_that_cannot_be_written() {
+    let folder = folder_with("bad-input-excerpts", "unrelated", b"");
+    symlink("/dev/full", folder.join("02-fault-flag-unfounded.log")).expect("a file of that name");
+    let outcome = run(&["check", "--excerpt", text(&folder), FINISHED_WHILE_MOVING]);
+    assert_eq!(outcome.status, Some(2), "{}", outcome.stderr);
+    explained(&outcome.stderr, "02-fault-flag-unfounded.log: cannot write excerpts: ", "free some space");
+    reported(&outcome.stdout, 32_535, &["(2 violations, "]);
+    assert!(fs::read(folder.join("01-finished-while-moving.log")).is_ok_and(|log| log.ends_with(b"\n")));
+    for directory in [folder.join("unrelated"), folder.join("unrelated/deeper")] {
+        let outcome = run(&["check", "--excerpt", text(&directory), FINISHED_WHILE_MOVING]);
+        refused(&outcome, ": cannot write excerpts: ", "it is no directory");
+    }
 }
 
 /// A command that goes on until it is stopped; it is stopped when this is dropped, so also when a test fails.

@@ -2,7 +2,7 @@
 
 use std::thread;
 
-use super::{bus, given, log, long_line, output};
+use super::{bus, cars, given, log, long_line, output, required, rules};
 use crate::run::file;
 
 /// A row: the condition, the commands, the tests here with their names, and the names of those on SocketCAN, which are in
@@ -17,22 +17,29 @@ macro_rules! tests {
 }
 
 /// The conditions, in the order of the README.
-const CONDITIONS: [&str; 10] = [
+const CONDITIONS: [&str; 17] = [
     "a missing file",
     "a directory",
     "an empty file",
+    "standard input twice",
     "binary rubbish",
     "a truncated log",
     "a 1 GB line",
     "timestamps that go backwards or are absent",
+    "a recording of two cars",
+    "an AI Computer that restarts",
+    "a VCU that is switched off and on",
     "an interface that vanishes",
     "a closed pipe",
     "a full disk",
+    "a log without what is required",
+    "a requirement that no log can show",
+    "rules that are none",
 ];
 
 /// The rows, and what shows that each is as the README has it.
 const ROWS: &[Row] = &[
-    ("a missing file", "`check`, `conform`, `demo`, `vcu`", tests![given::a_missing_file], &[]),
+    ("a missing file", "`check`, `compare`, `conform`, `demo`, `vcu`", tests![given::a_missing_file], &[]),
     (
         "a missing file",
         "the folder of `demo --log`, `verify --logs`, `watch --log`",
@@ -41,20 +48,26 @@ const ROWS: &[Row] = &[
     ),
     (
         "a directory",
-        "`check`, `conform`, `demo`, `vcu`, `watch --log`",
+        "`check`, `compare`, `conform`, `demo`, `vcu`, `watch --log`",
         tests![given::a_directory],
         &["a_log_that_cannot_be_made_is_reported"],
     ),
     (
         "an empty file",
-        "`check`, `conform`, `demo`, `vcu`",
+        "`check`, `compare`, `conform`, `demo`, `vcu`",
         tests![given::an_empty_file, output::a_standard_input_that_is_closed_is_empty],
         &[],
     ),
+    ("standard input twice", "`compare`", tests![given::standard_input_for_both_logs], &[]),
     (
         "binary rubbish",
-        "`check`",
-        tests![log::rubbish_in_the_middle, given::binary_rubbish, given::logs_in_another_wrapping],
+        "`check`, `compare`",
+        tests![
+            log::rubbish_in_the_middle,
+            log::a_comparison_with_a_broken_log,
+            given::binary_rubbish,
+            given::logs_in_another_wrapping
+        ],
         &[],
     ),
     (
@@ -67,8 +80,22 @@ const ROWS: &[Row] = &[
         ],
         &[],
     ),
-    ("a truncated log", "`check`", tests![log::a_truncated_log, log::a_log_that_fails_while_it_is_read], &[]),
-    ("a 1 GB line", "`check`", tests![long_line::in_a_log], &[]),
+    (
+        "a truncated log",
+        "`check`, `compare`",
+        tests![
+            log::a_truncated_log,
+            log::a_log_that_fails_while_it_is_read,
+            log::a_comparison_with_a_broken_log
+        ],
+        &[],
+    ),
+    (
+        "a 1 GB line",
+        "`check`, `compare`",
+        tests![long_line::in_a_log, long_line::in_a_log_that_is_compared],
+        &[],
+    ),
     (
         "a 1 GB line",
         "`conform`, `demo`, `vcu`",
@@ -82,8 +109,16 @@ const ROWS: &[Row] = &[
     ),
     (
         "timestamps that go backwards or are absent",
-        "`check`",
-        tests![log::times_that_go_backwards, log::times_that_are_absent],
+        "`check`, `compare`",
+        tests![log::a_comparison_with_a_broken_log, log::times_that_go_backwards, log::times_that_are_absent],
+        &[],
+    ),
+    ("a recording of two cars", "`check`, `watch`", tests![cars::a_recording_of_two_cars], &[]),
+    ("an AI Computer that restarts", "`check`, `watch`", tests![cars::an_ai_computer_that_restarts], &[]),
+    (
+        "a VCU that is switched off and on",
+        "`check`, `watch`",
+        tests![cars::a_vcu_that_is_switched_off_and_on],
         &[],
     ),
     (
@@ -129,9 +164,30 @@ const ROWS: &[Row] = &[
         &["a_full_disk_for_what_is_printed_is_reported"],
     ),
     ("a full disk", "`demo --log`", tests![output::a_full_disk_for_the_log_of_a_demo], &[]),
+    ("a full disk", "`check --excerpt`", tests![output::excerpts_that_cannot_be_written], &[]),
     ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
     ("a full disk", "`watch --log`", &[], &["a_full_disk_is_reported_and_watching_goes_on"]),
     ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
+    (
+        "a log without what is required",
+        "`check --require`",
+        tests![
+            required::a_log_that_does_not_show_what_is_required,
+            required::what_is_required_stands_in_the_json
+        ],
+        &[],
+    ),
+    ("a requirement that no log can show", "`check --require`", tests![required::what_no_log_can_show], &[]),
+    (
+        "rules that are none",
+        "`check --rules`, `watch --rules`",
+        tests![
+            rules::rules_that_are_wrong,
+            rules::rules_that_are_not_there,
+            rules::rules_of_another_edition_than_the_log_speaks
+        ],
+        &[],
+    ),
     ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
 ];
 

@@ -1,0 +1,89 @@
+//! The parts of a report that say how close the run came, and what it exercised.
+
+use adsdv_oracle::judge::{Exercised, Margin, Report, Required, ToldRequirement};
+use serde::Serialize;
+
+use super::seconds;
+
+#[derive(Serialize)]
+pub(super) struct MarginJson {
+    what: &'static str,
+    message: Option<String>,
+    party: &'static str,
+    section: &'static str,
+    requirements: Vec<&'static str>,
+    value: f64,
+    limit: f64,
+    unit: &'static str,
+    basis: &'static str,
+    left: f64,
+    t: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct ExercisedJson {
+    ai: bool,
+    vcu: bool,
+    states: Vec<&'static str>,
+    requirements: Vec<RequirementJson>,
+}
+
+#[derive(Serialize)]
+struct RequirementJson {
+    id: &'static str,
+    told: &'static str,
+}
+
+#[derive(Serialize)]
+pub(super) struct RequiredJson {
+    what: String,
+    met: bool,
+}
+
+impl From<&Margin> for MarginJson {
+    fn from(margin: &Margin) -> Self {
+        Self {
+            what: margin.what.id(),
+            message: margin.message.map(|id| format!("{id:03X}h")),
+            party: margin.party.name(),
+            section: margin.section,
+            requirements: margin.requirements.clone(),
+            value: rounded(margin.value, 1e3),
+            limit: rounded(margin.limit, 1e3),
+            unit: margin.unit,
+            basis: margin.basis.name(),
+            left: rounded(margin.left(), 1e6),
+            t: seconds(margin.t_ns),
+        }
+    }
+}
+
+impl From<&Exercised> for ExercisedJson {
+    fn from(exercised: &Exercised) -> Self {
+        Self {
+            ai: exercised.ai,
+            vcu: exercised.vcu,
+            states: exercised.states.iter().map(|state| state.name()).collect(),
+            requirements: exercised.requirements.iter().map(RequirementJson::from).collect(),
+        }
+    }
+}
+
+impl From<&ToldRequirement> for RequirementJson {
+    fn from(ToldRequirement { id, told }: &ToldRequirement) -> Self {
+        Self { id, told: told.name() }
+    }
+}
+
+impl RequiredJson {
+    /// What was asked for, and whether the report has it.
+    pub(super) fn all(required: &[Required], report: &Report) -> Vec<Self> {
+        let of = |one: &Required| Self { what: one.to_string(), met: report.exercised.meets(*one) };
+        required.iter().map(of).collect()
+    }
+}
+
+/// A number with the digits that mean something.
+fn rounded(value: f64, steps: f64) -> f64 {
+    (value * steps).round() / steps
+}

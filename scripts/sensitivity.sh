@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# How much the judge sees, and that it blames nobody who is right: every mutation of an edition's table, times and thresholds drives
+# missions on a simulated bus, whose recordings are late or lose frames; the judge says of each what it can. Behind that, the VCU of
+# the specification does anything at all, and the judge must not blame it.
+#
+# usage: scripts/sensitivity.sh [-s] [-e EDITION] [-n RUNS]
+#   -s          the specification only, which takes much less time
+#   -e EDITION  3.0, 4.0 or 2026; 3.0 if nothing is said
+#   -n RUNS     how many runs of the specification are judged; 20000 if nothing is said
+# A recording in which the specification is blamed is kept in target/sensitivity, for adsdv check.
+# Exit status: 0 the specification was never blamed, 1 it was, 2 wrong usage.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/sensitivity.sh; }
+edition=3.0 runs=20000 only=
+while getopts se:n:h option; do
+  case $option in
+    s) only=soundness ;;
+    e) edition=$OPTARG ;;
+    n) runs=$OPTARG ;;
+    h) usage; exit 0 ;;
+    *) echo "sensitivity.sh: see scripts/sensitivity.sh -h" >&2; exit 2 ;;
+  esac
+done
+[[ $runs =~ ^[0-9]{1,12}$ ]] || { echo "sensitivity.sh: '$runs' is no number of runs" >&2; exit 2; }
+exec cargo run --release --locked -q -p adsdv-tests --bin sensitivity -- "$edition" "$runs" $only
