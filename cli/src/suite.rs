@@ -77,7 +77,7 @@ impl<'a> ProofJson<'a> {
 fn kinds(tests: &[Test]) -> Vec<KindJson> {
     let of = |kind: Kind| tests.iter().filter(move |test| test.kind == kind);
     let count = |kind: Kind| KindJson { kind: kind.name(), tests: of(kind).count(), steps: steps(of(kind)) };
-    Kind::ALL.map(count).into()
+    Kind::ALL.into_iter().filter(|kind| *kind != Kind::Written).map(count).collect()
 }
 
 fn steps<'a>(tests: impl Iterator<Item = &'a Test>) -> usize {

@@ -20,12 +20,13 @@
 //! A deviation is named only if taking it away explains less. What other deviation explains as much is told beside it.
 //!
 //! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
-//! - `deviation.rs`: what a program may do otherwise, and `model.rs` the state machine that does so;
+//! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id), and `model.rs` the state machine that does so;
 //! - `pilot.rs`: leads a program through its states by a model of it; `experiments.rs`: what is tried there;
 //! - `record.rs`: what was answered;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, and `words.rs` what they are called;
-//! - `diagnose.rs`: all of it in turn.
+//! - `diagnose.rs`: all of it in turn;
+//! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
 //! ```
 //! use adsdv_diagnosis::{Deviation, Model, diagnose};
@@ -45,9 +46,12 @@
 mod candidates;
 mod deviation;
 mod diagnose;
+mod example;
 mod experiments;
+mod figure;
 mod fit;
 mod model;
+mod named;
 mod pilot;
 mod record;
 mod subject;
@@ -56,6 +60,8 @@ mod words;
 
 pub use deviation::{Deviation, Wheels};
 pub use diagnose::{Diagnosis, diagnose, records};
+pub use example::{Example, examples};
+pub use figure::{Arrow, figure};
 pub use model::{Model, Running};
 pub use record::Record;
 pub use subject::Subject;

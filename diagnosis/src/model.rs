@@ -220,6 +220,15 @@ pub struct Running {
     memory: Memory,
 }
 
+impl Running {
+    /// One step, and what it shows.
+    pub fn shown(&mut self, dt_ms: u32, inputs: &Inputs) -> Shown {
+        let (memory, outputs) = self.model.step(&self.memory, inputs, dt_ms);
+        self.memory = memory;
+        self.model.shown(&outputs, inputs)
+    }
+}
+
 impl Subject for Running {
     fn reset(&mut self) -> Result<(), ProgramError> {
         self.memory = Memory::INITIAL;
@@ -227,9 +236,7 @@ impl Subject for Running {
     }
 
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
-        let (memory, outputs) = self.model.step(&self.memory, inputs, dt_ms);
-        self.memory = memory;
-        Ok(self.model.shown(&outputs, inputs).into())
+        Ok(self.shown(dt_ms, inputs).into())
     }
 }
 

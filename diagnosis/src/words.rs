@@ -49,6 +49,37 @@ impl Deviation {
         }
     }
 
+    /// The condition under which a state is left that should stay.
+    pub(crate) fn condition(self, edition: &Edition) -> Option<String> {
+        match self {
+            Self::Also { key, raw, .. } => Some(format!("{key} == {}", input(edition, key, raw))),
+            _ => None,
+        }
+    }
+
+    /// The arrows that it is about, by where they begin and lead; none where it is about no single ones.
+    pub fn arrows(self, edition: &Edition) -> Vec<(AsState, AsState)> {
+        let rows = edition.rules.table.rows();
+        let of = |place: usize| rows.get(place).map(|row| (row.from, row.to));
+        match self {
+            Self::Changed(Change::RowLeadsTo(place, to)) => {
+                of(place).into_iter().flat_map(|(from, usual)| [(from, to), (from, usual)]).collect()
+            }
+            Self::Changed(Change::RowFirst(place)) => {
+                of(place).into_iter().chain(place.checked_sub(1).and_then(of)).collect()
+            }
+            Self::Changed(Change::RowDropped(place) | Change::Term(place, ..)) => of(place).into_iter().collect(),
+            Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
+                vec![(from, to)]
+            }
+            Self::Changed(Change::Time(..) | Change::Threshold(..))
+            | Self::Wheels(_)
+            | Self::GoLevel
+            | Self::GoNeedsHandshake
+            | Self::Shows { .. } => Vec::new(),
+        }
+    }
+
     /// The requirements of the edition that it is against, as far as single ones are.
     pub fn requirements(self, edition: &Edition) -> Vec<&'static str> {
         let rows = edition.rules.table.rows();
@@ -231,7 +262,7 @@ fn term_changed(
 }
 
 /// A value of an input in the words of the edition.
-fn input(edition: &Edition, key: &str, raw: i32) -> String {
+pub(crate) fn input(edition: &Edition, key: &str, raw: i32) -> String {
     let protocol = Protocol::of(edition);
     let domain = protocol.inputs().find(|(field, _)| field.key == key).map(|(_, domain)| domain);
     let domain = domain.or_else(|| INPUTS.iter().find(|field| field.key == key).map(|field| field.domain));

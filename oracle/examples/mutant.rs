@@ -15,7 +15,7 @@ use std::fs;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use adsdv_oracle::protocol::{Protocol, Request, SHOWN, Shown};
 use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Mutation, Outputs};
@@ -37,7 +37,13 @@ struct Wrong {
     scramble: bool,
     /// Whether AS_READY is entered only once between resets.
     once: bool,
+    /// Whether its handshake bit turns only in each second step in which it is answered.
+    slow_bit: bool,
     reset: Option<String>,
+    /// What it says of itself before anything else.
+    about: Option<String>,
+    /// Whether a step takes the time that it says, by a clock.
+    clock: bool,
     /// What a hello is answered with.
     hello: Option<String>,
 }
@@ -73,9 +79,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             "--leave" => return Ok(()),
             "--once" => wrong.once = true,
+            "--slow-bit" => wrong.slow_bit = true,
             "--pid" => fs::write(value()?, std::process::id().to_string())?,
             "--only" => wrong.only = value()?.split(',').map(str::to_owned).collect(),
             "--lie" => wrong.lie = Some(value()?),
+            "--about" => wrong.about = Some(value()?),
+            "--clock" => wrong.clock = true,
             "--scramble" => wrong.scramble = true,
             "--reset" => wrong.reset = Some(value()?),
             "--hello" => wrong.hello = Some(value()?),
@@ -92,6 +101,11 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
     let protocol = Protocol::of(vcu.edition());
     let (mut control, mut times_ready) = (Control::INITIAL, 0);
     let (mut line, mut delayed) = (String::new(), VecDeque::new());
+    if let Some(about) = &wrong.about {
+        writeln!(answers, "{about}")?;
+    }
+    let mut last = Instant::now();
+    let (mut own_bit, mut steps) = (false, 0_u32);
     for count in 1.. {
         if requests.buffer().is_empty() {
             answers.flush()?;
@@ -105,16 +119,31 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
             Request::Hello { .. } => wrong.hello.clone().unwrap_or_else(|| "{}".to_owned()),
             Request::Reset => {
                 (control, times_ready) = (Control::INITIAL, 0);
+                last = Instant::now();
+                (own_bit, steps) = (false, 0);
                 delayed = VecDeque::from(vec!["{}".to_owned(); wrong.latency]);
                 wrong.reset.clone().unwrap_or_else(|| "{}".to_owned())
             }
-            Request::Step { dt_ms, inputs } => {
+            Request::Step { mut dt_ms, mut inputs } => {
+                if wrong.clock {
+                    dt_ms = u32::try_from(last.elapsed().as_millis())?;
+                    last += Duration::from_millis(dt_ms.into());
+                }
+                let answered = inputs.ai.status.handshake == own_bit;
+                if wrong.slow_bit {
+                    inputs.ai.status.handshake = control.handshake.bit == answered;
+                }
                 if wrong.scramble {
                     // Never the state, which comes first.
                     let place = 1 + line.len() % (protocol.shown().count() - 1);
                     wrong.lie = protocol.shown().nth(place).map(|(field, _)| field.key.to_owned());
                 }
-                let (after, outputs) = vcu.step(&control, &inputs, dt_ms);
+                let (after, mut outputs) = vcu.step(&control, &inputs, dt_ms);
+                if wrong.slow_bit {
+                    steps += 1;
+                    own_bit = inputs.tsms && own_bit ^ (answered && steps % 2 == 0);
+                    outputs.handshake = own_bit;
+                }
                 let again = (control.state, after.state) == (AsState::Off, AsState::Ready);
                 times_ready += u32::from(again);
                 if wrong.once && again && times_ready > 1 {
@@ -146,7 +175,7 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
                 "--garbage-at" => "engine started".clone_into(&mut answer),
                 "--list-at" => "[1, 2]".clone_into(&mut answer),
                 "--unknown-at" => r#"{"as_state":"AS_OFF","speed":3}"#.clone_into(&mut answer),
-                "--value-at" => r#"{"as_state":"AS_PARKED"}"#.clone_into(&mut answer),
+                "--value-at" => r#"{"as_state":"AS_OFF","handshake":"maybe"}"#.clone_into(&mut answer),
                 "--no-state-at" => r#"{"handshake":true}"#.clone_into(&mut answer),
                 "--chatty-at" => answer = format!("{answer}\n{answer}"),
                 "--lie-at" => r#"{"as_state":"AS_FINISHED"}"#.clone_into(&mut answer),

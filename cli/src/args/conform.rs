@@ -92,21 +92,30 @@ EXAMPLES
   More random scenarios, from another seed:
       adsdv conform --seed 7 --runs 5000 -- ./vcu
 
-  Each thing that it does otherwise by itself, also where one hides the other:
-      adsdv conform --diagnose -- ./vcu
+  In CI, where some deviations are known:
+      adsdv conform --write-accept known.txt -- ./vcu    # then give each a reason
+      adsdv conform --accept known.txt -- ./vcu
+
+  Its own Figure 2, drawn:
+      adsdv conform --figure vcu.dot -- ./vcu; dot -Tsvg vcu.dot > vcu.svg
 
   The requirements that failed, for a program:
       adsdv conform --json -- ./vcu | jq '.requirements[] | select(.outcome == \"fail\")'
 
 OUTPUT
-  DEVIATIONS    with --diagnose: what the program does otherwise than Figure 2, each by
+  DEVIATIONS    where tests fail: what the program does otherwise than Figure 2, each by
                 itself: an arrow that needs something else besides, or does not need
-                something, that is missing, late, or leads elsewhere; a time, a threshold
-  REQUIREMENTS  those that tests name. Fail: an output that it is about is wrong. Not
+                something, that is missing, late, or leads elsewhere; a time, a threshold.
+                Each with the shortest scenario that shows it, as a test for --suite
+  FIGURE 2      as the program does it, with what differs
+  REQUIREMENTS  those that tests name. Fail: an output that it is about is wrong. Differs:
+                the same, of one that is only decided here (D-1 and on). Not
                 checked: the program does not show all that it is about, or could not be
                 asked for it. TESTS is how many name it, or how many of them checked it:
                 a test does not if it cannot be told at the cycle, and after a wrong
                 state it says nothing of other outputs. FAILED names what breaks it
+  OBSERVATIONS  what is otherwise than this project decided where the document is silent.
+                It does not fail, but with --strict
   FAILURES      each thing that is wrong, the first 20 of the tests and of the random
                 scenarios: the row of Figure 2 that was broken, with its
                 section and its guard, and the shortest scenario that was found, step by
@@ -134,18 +143,44 @@ pub(crate) struct ConformArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) suite: Option<PathBuf>,
 
-    /// Name each deviation from Figure 2 by itself, also where one hides the others.
+    /// Look for deviations from Figure 2 even where no test fails.
     ///
-    /// Asks the program some thousand experiments more, step by step: from the states that it reaches, in the ways that it
-    /// accepts. For a program that steps at any time and shows its outputs at once.
+    /// Where one fails it is done without being asked for: some thousand experiments more, step by step, from the states
+    /// that the program reaches, in the ways that it accepts. For a program that steps at any time and shows its outputs at
+    /// once.
     #[arg(long, conflicts_with_all = ["latency", "cycle_ms"])]
     pub(crate) diagnose: bool,
+
+    /// Do not look for deviations: only run the tests.
+    #[arg(long, conflicts_with_all = ["diagnose", "accept", "write_accept", "figure"])]
+    pub(crate) no_diagnosis: bool,
+
+    /// Accept the deviations of this file: the verdict is about all others.
+    ///
+    /// A line is the id of a deviation, and why it is accepted. One that the program does not have any more is a warning.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    pub(crate) accept: Option<PathBuf>,
+
+    /// Write the deviations of the program into a file for --accept; reasons that --accept has stay.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    pub(crate) write_accept: Option<PathBuf>,
+
+    /// Draw Figure 2 as the program does it into a file: for Graphviz if it ends in .dot or .gv, else as Mermaid.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    pub(crate) figure: Option<PathBuf>,
 
     /// Pin a question that the document leaves open; may be repeated.
     ///
     /// Without a pin, every choice is allowed for. `adsdv readings` lists the ids and their choices.
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
+
+    /// Where the document is silent, count what is otherwise than this project decided as a failure.
+    ///
+    /// Those are the requirements D-1 and on, and the questions that the document leaves open: one that is not pinned has
+    /// its default answer then. Without it they are observations.
+    #[arg(long)]
+    pub(crate) strict: bool,
 
     /// Allow outputs that are late, by the same number of steps throughout, at most this one.
     ///
@@ -182,6 +217,10 @@ pub(crate) struct ConformArgs {
         allow_negative_numbers = true
     )]
     pub(crate) time_limit: Duration,
+
+    /// List the requirements that passed as well.
+    #[arg(long)]
+    pub(crate) all: bool,
 
     /// Print JSON; `adsdv schema conform` prints its schema.
     #[arg(long)]

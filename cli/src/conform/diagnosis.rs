@@ -1,13 +1,16 @@
-//! `--diagnose`: what the program does otherwise, each by itself.
+//! What the program does otherwise, each by itself.
 
 use std::fmt::{self, Write as _};
 
-use adsdv_diagnosis::{Diagnosis, Subject, diagnose};
-use adsdv_oracle::conform::{Program, ProgramError, Vcu as _};
-use adsdv_oracle::protocol::Answer;
-use adsdv_spec::{Edition, Inputs};
+use adsdv_diagnosis::{Arrow, Diagnosis, Example, Model, Record, Subject, diagnose, examples, figure};
+use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
+use adsdv_oracle::protocol::{Answer, Difference};
+use adsdv_oracle::suite::is_decision;
+use adsdv_spec::{Choices, Edition, Inputs, Machine, Readings};
 use serde::Serialize;
 
+use super::accept::Accepted;
+use super::figure::{self as drawn, mark};
 use super::start;
 use crate::args::ConformArgs;
 use crate::layout::{counted, wrapped};
@@ -22,14 +25,109 @@ const SHOWN_EVERY: u64 = 500;
 pub(super) struct DiagnosedProgram {
     edition: Edition,
     found: Diagnosis,
+    /// What shows each of the deviations.
+    examples: Vec<Option<Example>>,
+    pub(super) figure: Vec<Arrow>,
+    accepted: Accepted,
+    /// Whether what is only against decisions of this project counts.
+    strict: bool,
+    /// The program as far as it was found out.
+    model: Model,
 }
 
 /// Starts the program once more, and finds out.
-pub(super) fn of(args: &ConformArgs, edition: &Edition) -> Result<DiagnosedProgram, ProgramError> {
+///
+/// Which readings it follows its failed tests tell badly: what is a deviation may look like another reading. So the default answers
+/// come first, as far as they are possible, and those that the tests speak for only if they explain more by less.
+pub(super) fn of(
+    args: &ConformArgs,
+    (edition, possible): (&Edition, Choices),
+    report: &ConformReport,
+    accepted: &Accepted,
+) -> Result<DiagnosedProgram, ProgramError> {
     let mut program = Asked { program: start(args)?, steps: 0, line: Line::new() };
     program.program.hello(edition)?;
-    let found = diagnose(&mut program, edition)?;
-    Ok(DiagnosedProgram { edition: *edition, found })
+    let usual = edition.readings.choices().iter().filter(|choice| possible.has(*choice));
+    let usual = usual.fold(report.readings, Readings::with);
+    let mut best = found_by(&mut program, &Edition { readings: usual, ..*edition })?;
+    if usual != report.readings && cost(&best.1) > (0, 1) {
+        let other = found_by(&mut program, &Edition { readings: report.readings, ..*edition })?;
+        if cost(&other.1) < cost(&best.1) {
+            best = other;
+        }
+    }
+    let (edition, found) = best;
+    program.line.show(format_args!("diagnosis: the shortest scenarios of {}", found.deviations.len()));
+    let deviations = &found.deviations;
+    Ok(DiagnosedProgram {
+        examples: examples(&edition, deviations)?,
+        figure: figure(&edition, deviations),
+        accepted: accepted.clone(),
+        strict: args.strict,
+        model: Model::new(&edition, deviations),
+        edition,
+        found,
+    })
+}
+
+/// How badly a program is explained: what is not, and then by how many deviations.
+fn cost(found: &Diagnosis) -> (usize, usize) {
+    (found.unexplained.len(), found.deviations.len())
+}
+
+fn found_by(program: &mut Asked, edition: &Edition) -> Result<(Edition, Diagnosis), ProgramError> {
+    Ok((*edition, diagnose(program, edition)?))
+}
+
+impl DiagnosedProgram {
+    /// The answers to the document's questions by which it was found out.
+    pub(super) const fn readings(&self) -> Readings {
+        self.edition.readings
+    }
+
+    /// Whether deviations explain what the tests of a question show, by another answer than these speak for.
+    pub(super) fn is_otherwise(&self, follows: &Follows) -> bool {
+        !follows.possible.contains(&self.edition.readings.choice(follows.reading))
+    }
+
+    /// The deviations.
+    pub(super) fn deviations(&self) -> &[adsdv_diagnosis::Deviation] {
+        &self.found.deviations
+    }
+
+    fn ids(&self) -> Vec<String> {
+        self.found.deviations.iter().map(|deviation| deviation.id(&self.edition)).collect()
+    }
+
+    /// The accepted deviations that the program does not have any more.
+    pub(super) fn unused(&self) -> Vec<&str> {
+        self.accepted.unused(&self.ids())
+    }
+
+    /// Whether a failure follows from the deviations.
+    pub(super) fn explains(&self, failure: &Failure) -> bool {
+        let answers = failure.replies.iter().map(|reply| match reply {
+            Reply::Answer(answer) => Some(*answer),
+            Reply::Nothing => None,
+        });
+        let Some(replies) = answers.collect::<Option<Vec<Answer>>>() else { return false };
+        let record = Record { steps: failure.scenario.steps.clone(), replies };
+        failure.found.is_some() && !record.replies.is_empty() && record.is_explained(&self.model)
+    }
+
+    /// Whether every deviation is accepted, or only against decisions of this project.
+    pub(super) fn is_accepted(&self) -> bool {
+        let observed = |deviation: &adsdv_diagnosis::Deviation| self.is_observed(*deviation);
+        let accepted = |deviation: &adsdv_diagnosis::Deviation| {
+            self.accepted.reason(&deviation.id(&self.edition)).is_some()
+        };
+        self.found.deviations.iter().all(|one| accepted(one) || observed(one))
+    }
+
+    fn is_observed(&self, deviation: adsdv_diagnosis::Deviation) -> bool {
+        let requirements = deviation.requirements(&self.edition);
+        !self.strict && !requirements.is_empty() && requirements.iter().all(|id| is_decision(id))
+    }
 }
 
 /// A program, with how many steps it was asked for on the terminal.
@@ -55,50 +153,142 @@ impl Subject for Asked {
 
 /// As text, below the header.
 pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) -> fmt::Result {
-    let DiagnosedProgram { edition, found } = program;
+    let DiagnosedProgram { edition, found, accepted, .. } = program;
     writeln!(out, "\n{}", Styled(style::HEADING, "DEVIATIONS"))?;
     if found.deviations.is_empty() {
         writeln!(out, "  none in {}", counted(found.experiments as u64, "experiment"))?;
     }
-    for deviation in &found.deviations {
+    let machine = Machine::new(*edition, edition.readings);
+    for (deviation, example) in found.deviations.iter().zip(&program.examples) {
+        let id = deviation.id(edition);
         let requirements = deviation.requirements(edition).join(", ");
         let of = if requirements.is_empty() { String::new() } else { format!(" ({requirements})") };
-        wrapped(out, format!("{}{of}", deviation.text(edition)).split(' '), 2, width);
+        let mut text = String::new();
+        wrapped(&mut text, format!("{}{of}", deviation.text(edition)).split(' '), 2, width);
+        let reason = accepted.reason(&id);
+        let observed = program.is_observed(*deviation);
+        let style = if reason.is_some() || observed { style::CARE } else { style::BAD };
+        writeln!(out, "{}", Styled(style, text.trim_end_matches('\n')))?;
+        if let Some(reason) = reason {
+            wrapped(out, format!("accepted: {reason}").split(' '), 6, width);
+        }
+        if observed {
+            wrapped(out, "no failure: the document is silent, and this is only decided here".split(' '), 6, width);
+        }
+        shown(out, (&id, example.as_ref()), (edition, &machine), width)?;
     }
     if !found.unexplained.is_empty() {
         let many = counted(found.unexplained.len() as u64, "experiment");
         let rest = format!("not explained by that: {many} of {}", found.experiments);
         wrapped(out, rest.split(' '), 2, width);
     }
+    for id in program.unused() {
+        let text = format!("{id} is accepted, and is not there any more: take it out of the file");
+        writeln!(out, "  {} {text}", Styled(style::CARE, "warning:"))?;
+    }
+    if !found.deviations.is_empty() {
+        drawn::write(out, &program.figure, width)?;
+    }
     Ok(())
+}
+
+/// The scenario that shows a deviation.
+fn shown(
+    out: &mut String,
+    (id, example): (&str, Option<&Example>),
+    (edition, machine): (&Edition, &Machine),
+    width: usize,
+) -> fmt::Result {
+    let Some(Example { scenario, differences, beside }) = example else {
+        return writeln!(out, "      {}", Styled(style::QUIET, format!("id {id}")));
+    };
+    let steps = counted(scenario.steps.len() as u64, "step");
+    // In another state all outputs are others.
+    let state = differences.iter().filter(|one| one.key == "as_state");
+    let told: Vec<&Difference> = match state.collect::<Vec<_>>() {
+        state if state.is_empty() => differences.iter().collect(),
+        state => state,
+    };
+    let wrong: Vec<String> = told.iter().map(ToString::to_string).collect();
+    wrapped(out, format!("after {steps}: {}", wrong.join(", ")).split(' '), 6, width);
+    if !beside.is_empty() {
+        let others: Vec<String> = beside.iter().map(|other| other.id(edition)).collect();
+        wrapped(out, format!("shown beside {}", others.join(", ")).split(' '), 6, width);
+    }
+    let line = format!("as a test for --suite: {}", scenario.to_line(id, machine));
+    writeln!(out, "      {}", Styled(style::QUIET, line))
 }
 
 /// As `--json` writes it.
 #[derive(Serialize)]
-pub(super) struct DiagnosisJson {
+pub(super) struct DiagnosisJson<'a> {
     experiments: usize,
-    deviations: Vec<DeviationJson>,
+    deviations: Vec<DeviationJson<'a>>,
+    figure: Vec<ArrowJson<'a>>,
     unexplained: usize,
+    unused: Vec<&'a str>,
 }
 
 #[derive(Serialize)]
-struct DeviationJson {
+struct DeviationJson<'a> {
     id: String,
     text: String,
     requirements: Vec<&'static str>,
+    observed: bool,
+    accepted: Option<&'a str>,
+    example: Option<ExampleJson>,
 }
 
-impl From<&DiagnosedProgram> for DiagnosisJson {
-    fn from(DiagnosedProgram { edition, found }: &DiagnosedProgram) -> Self {
-        let one = |deviation: &adsdv_diagnosis::Deviation| DeviationJson {
-            id: deviation.id(edition),
-            text: deviation.text(edition).to_string(),
-            requirements: deviation.requirements(edition),
+#[derive(Serialize)]
+struct ExampleJson {
+    differences: Vec<String>,
+    beside: Vec<String>,
+    test: String,
+}
+
+#[derive(Serialize)]
+struct ArrowJson<'a> {
+    from: &'static str,
+    to: &'static str,
+    section: Option<&'static str>,
+    guard: &'a [String],
+    otherwise: &'a [String],
+    missing: bool,
+}
+
+impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
+    fn from(program: &'a DiagnosedProgram) -> Self {
+        let DiagnosedProgram { edition, found, accepted, .. } = program;
+        let machine = Machine::new(*edition, edition.readings);
+        let one = |(deviation, example): (&adsdv_diagnosis::Deviation, &Option<Example>)| {
+            let id = deviation.id(edition);
+            DeviationJson {
+                text: deviation.text(edition).to_string(),
+                requirements: deviation.requirements(edition),
+                observed: program.is_observed(*deviation),
+                accepted: accepted.reason(&id),
+                example: example.as_ref().map(|example| ExampleJson {
+                    differences: example.differences.iter().map(ToString::to_string).collect(),
+                    beside: example.beside.iter().map(|other| other.id(edition)).collect(),
+                    test: example.scenario.to_line(&id, &machine).to_string(),
+                }),
+                id,
+            }
+        };
+        let arrow = |arrow: &'a Arrow| ArrowJson {
+            from: arrow.from.name(),
+            to: arrow.to.name(),
+            section: arrow.section,
+            guard: &arrow.guard,
+            otherwise: &arrow.otherwise,
+            missing: mark(arrow) == adsdv_spec::export::Mark::Missing,
         };
         Self {
             experiments: found.experiments,
-            deviations: found.deviations.iter().map(one).collect(),
+            deviations: found.deviations.iter().zip(&program.examples).map(one).collect(),
+            figure: program.figure.iter().map(arrow).collect(),
             unexplained: found.unexplained.len(),
+            unused: program.unused(),
         }
     }
 }

@@ -5,29 +5,34 @@ use std::collections::BTreeMap;
 use adsdv_oracle::conform::{Break, ConformReport, Failure, Follows, Reply};
 use adsdv_oracle::protocol::{Domain, INPUTS, Protocol, SHOWN, Shown, Value};
 use adsdv_oracle::suite::Step;
-use adsdv_spec::Inputs;
+use adsdv_spec::{Choice, Inputs, Readings};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
 use super::JudgedProgram;
-use super::diagnosis::DiagnosisJson;
+use super::diagnosis::{DiagnosedProgram, DiagnosisJson};
 use crate::json::{SCHEMA, line};
 
 /// The outcome as one JSON object on one line.
 pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> String {
     let protocol = Protocol::of(subject.edition.edition());
+    let readings = subject.diagnosis.as_ref().map_or(report.readings, DiagnosedProgram::readings);
     line(&ConformJson {
         schema: SCHEMA,
         edition: subject.edition.edition().version,
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         tests: report.tests,
         failed_tests: report.failed_tests,
+        observed_tests: report.observed_tests,
         runs: report.runs,
         failed_runs: report.failed_runs,
+        observed_runs: report.observed_runs,
+        strict: subject.args.strict,
         seed: subject.args.seed,
         steps: report.steps,
         latency: report.late,
-        cycle_ms: subject.args.cycle_ms,
+        cycle_ms: report.cycle_ms,
+        wall_clock: report.about.wall_clock,
         requirements: report
             .requirements
             .iter()
@@ -42,17 +47,18 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         about_the_vcu: report.about_the_vcu,
         failures: report.failures.iter().map(|failure| FailureJson::of(&protocol, failure)).collect(),
         more_failures: report.more_failures,
+        observations: report.observations.iter().map(|failure| FailureJson::of(&protocol, failure)).collect(),
         readings: report
             .follows
             .iter()
-            .map(|Follows { reading, .. }| (reading.id(), report.readings.choice(*reading).id()))
+            .map(|Follows { reading, .. }| (reading.id(), readings.choice(*reading).id()))
             .collect(),
-        follows: report.follows.iter().map(FollowsJson::from).collect(),
+        follows: report.follows.iter().map(|follows| FollowsJson::of(follows, readings)).collect(),
         not_shown: &report.not_shown,
         not_told: &report.not_told,
         notes: &report.notes,
         diagnosis: subject.diagnosis.as_ref().map(DiagnosisJson::from),
-        conforms: report.conforms(),
+        conforms: subject.conforms,
     })
 }
 
@@ -63,22 +69,27 @@ struct ConformJson<'a> {
     program: Vec<String>,
     tests: usize,
     failed_tests: usize,
+    observed_tests: usize,
     runs: u32,
     failed_runs: u32,
+    observed_runs: u32,
+    strict: bool,
     seed: u64,
     steps: u64,
     latency: usize,
     cycle_ms: Option<u32>,
+    wall_clock: bool,
     requirements: Vec<RequirementJson<'a>>,
     about_the_vcu: usize,
     failures: Vec<FailureJson<'a>>,
     more_failures: usize,
+    observations: Vec<FailureJson<'a>>,
     readings: BTreeMap<&'static str, &'static str>,
     follows: Vec<FollowsJson<'a>>,
     not_shown: &'a [&'static str],
     not_told: &'a [String],
     notes: &'a [String],
-    diagnosis: Option<DiagnosisJson>,
+    diagnosis: Option<DiagnosisJson<'a>>,
     conforms: bool,
 }
 
@@ -192,11 +203,14 @@ impl StepJson {
     }
 }
 
-impl<'a> From<&'a Follows> for FollowsJson<'a> {
-    fn from(follows: &'a Follows) -> Self {
+impl<'a> FollowsJson<'a> {
+    /// What the tests speak for, and what explains them by deviations.
+    fn of(follows: &'a Follows, readings: Readings) -> Self {
+        let other = Some(readings.choice(follows.reading)).filter(|choice| !follows.possible.contains(choice));
+        let other = other.filter(|_| !follows.possible.is_empty());
         Self {
             reading: follows.reading.id(),
-            possible: follows.possible.iter().map(|choice| choice.id()).collect(),
+            possible: follows.possible.iter().copied().chain(other).map(Choice::id).collect(),
             mixes: follows
                 .mixes
                 .iter()
@@ -211,7 +225,8 @@ fn json(value: Value) -> Json {
     match (value.domain, value.raw) {
         (_, None) => Json::Null,
         (Domain::Flag, Some(raw)) => (raw != 0).into(),
-        (Domain::Names(_), Some(_)) => value.to_string().into(),
-        (Domain::Number { .. }, Some(raw)) => raw.into(),
+        // A number that has no name is a number.
+        (Domain::Names(_), Some(raw)) if value.to_string() != raw.to_string() => value.to_string().into(),
+        (Domain::Names(_) | Domain::Number { .. }, Some(raw)) => raw.into(),
     }
 }

@@ -6,7 +6,9 @@
 //!            a program that does not keep to the protocol: an error
 //! ```
 
+mod accept;
 mod diagnosis;
+mod figure;
 mod json;
 mod stop;
 mod text;
@@ -19,8 +21,9 @@ use adsdv_oracle::conform::{
     ConformOptions, ConformProgress, ConformReport, Phase, Program, ProgramError, ProgramErrorKind, conform,
 };
 use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::{Edition, Machine};
+use adsdv_spec::{Choices, Edition, Machine, Reading};
 
+use accept::Accepted;
 use diagnosis::DiagnosedProgram;
 
 use crate::args::{ChosenEdition, ConformArgs};
@@ -33,10 +36,13 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
     let edition = chosen.edition();
     let options = ConformOptions {
-        possible: pins::possible(edition, &args.readings)?,
+        possible: possible(args, edition)?,
+        strict: args.strict,
         latency: args.latency,
         cycle_ms: args.cycle_ms,
         seed: args.seed,
+        // A program that does not say more takes most of its time for answers.
+        wall_time: args.time_limit.mul_f64(0.9),
         runs: args.runs,
         ..ConformOptions::of(edition)
     };
@@ -50,21 +56,61 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
+    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), Accepted::read)?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
-    let diagnosis = if args.diagnose {
-        // As the program reads the document, so far as the tests have shown it.
-        let edition = Edition { readings: report.readings, ..*edition };
-        Some(diagnosis::of(args, &edition).map_err(|trouble| no_verdict(&name, args, &trouble))?)
+    let diagnosis = if is_diagnosed(args, &report) {
+        let found = diagnosis::of(args, (edition, options.possible), &report, &accepted);
+        Some(found.map_err(|trouble| no_verdict(&name, args, &trouble))?)
     } else {
         None
     };
-    let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis };
+    if let Some(path) = &args.write_accept {
+        let deviations = diagnosis.as_ref().map_or(&[][..], DiagnosedProgram::deviations);
+        accepted.write(path, edition, deviations)?;
+    }
+    if let Some(path) = &args.figure {
+        let title = format!("Figure 2 as {name} does it ({})", chosen.edition().version);
+        let own = diagnosis.as_ref().map(|program| program.figure.clone());
+        figure::draw(path, &title, &own.unwrap_or_else(|| adsdv_diagnosis::figure(edition, &[])))?;
+    }
+    let conforms = conforms(args, &report, diagnosis.as_ref());
+    let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis, conforms };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
     }
-    Ok(if report.conforms() { Status::Conforms } else { Status::Violates })
+    Ok(if conforms { Status::Conforms } else { Status::Violates })
+}
+
+/// Whether it is found out what the program does otherwise: where it does something so, and can be asked at any time.
+fn is_diagnosed(args: &ConformArgs, report: &ConformReport) -> bool {
+    let can_be = args.latency == 0 && report.cycle_ms.is_none() && !report.about.wall_clock;
+    let differs = !report.conforms() || !report.observations.is_empty();
+    can_be && !args.no_diagnosis && (args.diagnose || differs)
+}
+
+/// The verdict: with accepted deviations it is about the others, and about what does not follow from any.
+fn conforms(args: &ConformArgs, report: &ConformReport, diagnosis: Option<&DiagnosedProgram>) -> bool {
+    match diagnosis.filter(|_| args.accept.is_some()) {
+        Some(program) => {
+            program.is_accepted()
+                && report.more_failures == 0
+                && report.failures.iter().all(|failure| program.explains(failure))
+        }
+        None => report.conforms(),
+    }
+}
+
+/// The readings that are allowed for: where it is strict, the default ones, but for what is pinned.
+fn possible(args: &ConformArgs, edition: &Edition) -> Result<Choices, Error> {
+    let possible = pins::possible(edition, &args.readings)?;
+    if !args.strict {
+        return Ok(possible);
+    }
+    let pinned = |reading: Reading| args.readings.iter().any(|choice| choice.reading() == reading);
+    let open = edition.questions().filter(|reading| !pinned(*reading));
+    Ok(open.fold(possible, |possible, reading| possible.pin(edition.readings.choice(reading))))
 }
 
 /// What was judged, and how.
@@ -78,6 +124,8 @@ struct JudgedProgram<'a> {
     args: &'a ConformArgs,
     /// What it does otherwise, if that was asked for.
     diagnosis: Option<DiagnosedProgram>,
+    /// The verdict.
+    conforms: bool,
 }
 
 fn judge(

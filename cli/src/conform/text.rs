@@ -2,8 +2,9 @@
 
 use std::fmt::{self, Write as _};
 
+use adsdv_oracle::protocol::About;
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
-use adsdv_spec::Edition;
+use adsdv_spec::{Edition, Machine};
 
 use super::JudgedProgram;
 use crate::layout::{counted, wrapped};
@@ -34,19 +35,21 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
     if let Some(program) = &subject.diagnosis {
         super::diagnosis::write(out, program, width)?;
     }
-    requirements(out, report, width)?;
+    requirements(out, subject.args.all, report, width)?;
+    let machine = Machine::new(*subject.edition.edition(), report.readings);
     writeln!(out, "\n{}", Styled(style::HEADING, "FAILURES"))?;
     if report.failures.is_empty() {
         writeln!(out, "  none")?;
     }
-    for (place, one) in report.failures.iter().enumerate() {
-        if place > 0 {
-            out.push('\n');
-        }
-        failure(out, one, width)?;
-    }
+    those(out, subject, &report.failures, &machine, width)?;
     if report.more_failures > 0 {
         writeln!(out, "\n  and {} more", report.more_failures)?;
+    }
+    if !report.observations.is_empty() {
+        writeln!(out, "\n{}", Styled(style::HEADING, "OBSERVATIONS"))?;
+        let about = "where the document is silent: otherwise than decided here, which is no failure but with --strict";
+        wrapped(out, about.split(' '), 2, width);
+        those(out, subject, &report.observations, &machine, width)?;
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "READINGS"))?;
     for follows in &report.follows {
@@ -54,10 +57,14 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
             Some(pin) => {
                 writeln!(out, "  {:17} pinned to {}: {}", follows.reading, pin.id(), pin.text())?;
             }
+            None if subject.diagnosis.as_ref().is_some_and(|program| program.is_otherwise(follows)) => {
+                let weak = Styled(style::CARE, "cannot be told: the deviations explain the tests of it");
+                writeln!(out, "  {:17} {weak}", follows.reading)?;
+            }
             None => reading(out, subject.edition.edition(), follows, width)?,
         }
     }
-    if !subject.args.readings.is_empty() && !report.conforms() {
+    if !subject.args.readings.is_empty() && !subject.conforms {
         let note = "what else the program may follow was not asked: leave the pins out to learn it";
         wrapped(out, note.split(' '), 2, width);
     }
@@ -86,15 +93,18 @@ fn header(
     if args.latency > 0 {
         writeln!(out, "outputs {} late", counted(report.late as u64, "step"))?;
     }
-    if let Some(cycle_ms) = args.cycle_ms {
-        write!(out, "cycle {cycle_ms} ms")?;
-        match report.not_told.len() {
-            0 => writeln!(out)?,
-            count => {
-                writeln!(out, "; not run, for they cannot be told at it: {}", counted(count as u64, "test"))?;
-                wrapped(out, report.not_told.join(", ").split(' '), 2, width);
-            }
-        }
+    if let Some(cycle_ms) = report.cycle_ms {
+        let by = if args.cycle_ms.is_none() { ", as it says" } else { "" };
+        writeln!(out, "cycle {cycle_ms} ms{by}")?;
+    }
+    if !report.not_told.is_empty() {
+        let why = match (&report.about, report.cycle_ms) {
+            (about, _) if about.wall_clock => "there is no time for them, or a clock cannot tell them",
+            (About { inputs: Some(_), .. }, _) => "they need an input that it does not have, or cannot be told at its cycle",
+            _ => "they cannot be told at it",
+        };
+        writeln!(out, "not run, for {why}: {}", counted(report.not_told.len() as u64, "test"))?;
+        wrapped(out, report.not_told.join(", ").split(' '), 2, width);
     }
     if !report.not_shown.is_empty() {
         writeln!(out, "outputs that it does not show:")?;
@@ -106,7 +116,7 @@ fn header(
     Ok(())
 }
 
-fn requirements(out: &mut String, report: &ConformReport, width: usize) -> fmt::Result {
+fn requirements(out: &mut String, all: bool, report: &ConformReport, width: usize) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "REQUIREMENTS"))?;
     // Those of a suite that somebody else wrote may be any.
     let about = match report.about_the_vcu.checked_sub(report.requirements.len()) {
@@ -116,11 +126,20 @@ fn requirements(out: &mut String, report: &ConformReport, width: usize) -> fmt::
         _ => String::new(),
     };
     wrapped(out, format!("their sentences stand in spec/REQUIREMENTS.md{about}").split(' '), 2, width);
+    let passed = report.requirements.iter().filter(|one| one.outcome == Outcome::Pass).count();
+    if !all && passed > 0 {
+        writeln!(out, "  {} (--all lists them)", Styled(style::GOOD, format!("{passed} pass")))?;
+        if passed == report.requirements.len() {
+            return Ok(());
+        }
+    }
     writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>TESTS$}  FAILED", "ID", "RESULT", "TESTS")?;
-    for Requirement { id, outcome, tests, checked, failed } in &report.requirements {
+    let told = report.requirements.iter().filter(|one| all || one.outcome != Outcome::Pass);
+    for Requirement { id, outcome, tests, checked, failed } in told {
         let style = match outcome {
             Outcome::Pass => style::GOOD,
             Outcome::Fail => style::BAD,
+            Outcome::Differs => style::CARE,
             Outcome::NotChecked => style::QUIET,
         };
         let tests = if checked == tests { tests.to_string() } else { format!("{checked} of {tests}") };
@@ -144,7 +163,39 @@ fn joined(all: &[String]) -> String {
     if more == 0 { told.join(", ") } else { format!("{} and {more} more", told.join(", ")) }
 }
 
-fn failure(out: &mut String, failure: &Failure, width: usize) -> fmt::Result {
+/// Those that the deviations do not explain; of the others only their names.
+fn those(
+    out: &mut String,
+    subject: &JudgedProgram<'_>,
+    all: &[Failure],
+    machine: &Machine,
+    width: usize,
+) -> fmt::Result {
+    let follows =
+        |failure: &&Failure| subject.diagnosis.as_ref().is_some_and(|program| program.explains(failure));
+    let (explained, rest): (Vec<&Failure>, Vec<&Failure>) =
+        all.iter().partition(|failure| !subject.args.all && follows(failure));
+    if !explained.is_empty() {
+        let names: Vec<String> = explained.iter().map(|failure| failure.name.clone()).collect();
+        let follow = if names.len() == 1 { "follows" } else { "follow" };
+        let count = names.len();
+        let text = format!("{count} {follow} from the deviations above: {} (--all prints them)", joined(&names));
+        wrapped(out, text.split(' '), 2, width);
+    }
+    failures(out, &rest, machine, width)
+}
+
+fn failures(out: &mut String, failures: &[&Failure], machine: &Machine, width: usize) -> fmt::Result {
+    for (place, one) in failures.iter().enumerate() {
+        if place > 0 {
+            out.push('\n');
+        }
+        failure(out, one, machine, width)?;
+    }
+    Ok(())
+}
+
+fn failure(out: &mut String, failure: &Failure, machine: &Machine, width: usize) -> fmt::Result {
     writeln!(out, "  {}", Styled(style::HEADING, &failure.name))?;
     if !failure.about.is_empty() {
         wrapped(out, failure.about.split(' '), 4, width);
@@ -172,7 +223,9 @@ fn failure(out: &mut String, failure: &Failure, width: usize) -> fmt::Result {
         writeln!(out, "    {difference}")?;
     }
     also(out, failure, width);
-    Ok(())
+    // On one line, however long: it is there to be copied.
+    let line = failure.scenario.to_line(&failure.name, machine);
+    writeln!(out, "    as a test for --suite: {}", Styled(style::QUIET, line))
 }
 
 fn step(out: &mut String, moment: &Stretch, width: usize) -> fmt::Result {
@@ -238,7 +291,7 @@ fn reading(out: &mut String, edition: &Edition, follows: &Follows, width: usize)
 }
 
 fn verdict(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport) -> fmt::Result {
-    let verdict = if report.conforms() {
+    let verdict = if subject.conforms {
         Styled(style::GOOD, "conforms")
     } else {
         Styled(style::BAD, "does not conform")
@@ -259,5 +312,12 @@ fn verdict(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport
         counted(report.tests as u64, "test"),
         report.failed_runs,
         counted(report.runs.into(), "random scenario"),
-    )
+    )?;
+    if !report.observations.is_empty() {
+        let (tests, runs) = (report.observed_tests as u64, u64::from(report.observed_runs));
+        let many = format!("{} and {}", counted(tests, "test"), counted(runs, "random scenario"));
+        let rest = format!("otherwise than decided here, where the document is silent: {many}");
+        wrapped(out, rest.split(' '), 0, usize::MAX);
+    }
+    Ok(())
 }

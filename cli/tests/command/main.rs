@@ -8,6 +8,7 @@ mod color;
 mod compare;
 mod conform;
 mod demo;
+mod diagnosis;
 mod diff;
 mod edition;
 mod errors;

@@ -4,6 +4,7 @@ use adsdv_spec::{Actuation, AsState, Fault};
 
 use super::keys::Keys;
 use crate::protocol::SHOWN;
+use crate::suite::is_decision;
 
 /// The outputs that a requirement is about. It is checked where all of them are shown, and broken where one of them is wrong.
 ///
@@ -116,10 +117,16 @@ pub(super) fn only_in(id: &str) -> Option<AsState> {
     states.next().filter(|_| states.next().is_none())
 }
 
-/// The requirement that an output itself is: what is broken if it is wrong where nothing more special asks for it.
-pub(super) fn own(key: &str) -> &'static str {
-    let own = SHOWN.iter().find(|field| field.key == key).and_then(|field| field.requirements.first());
-    own.copied().unwrap_or(STATE_MACHINE)
+/// The requirement that an output itself is: what is broken if it is wrong in a state, and nothing more special asks for it.
+///
+/// That is what the document asks for in that state; else our decision about that state, or about when the output is what it
+/// is, where the document is silent about that; else what it calls the output.
+pub(super) fn own(key: &str, state: AsState) -> &'static str {
+    let Some(field) = SHOWN.iter().find(|field| field.key == key) else { return STATE_MACHINE };
+    let in_state = || Actuation::requirements(state).iter().filter(|id| shows(id).has(key));
+    let of_document = in_state().find(|id| !is_decision(id));
+    let decided = in_state().next().or_else(|| field.requirements.iter().find(|id| is_decision(id)));
+    of_document.or(decided).or(field.requirements.first()).copied().unwrap_or(STATE_MACHINE)
 }
 
 /// What asks for the state machine as such.
@@ -137,8 +144,26 @@ mod tests {
     #[test]
     fn each_output_has_a_requirement_that_is_about_it() {
         for field in &SHOWN {
-            assert!(shows(own(field.key)).has(field.key), "{}", field.key);
+            for state in AsState::ALL {
+                assert!(shows(own(field.key, state)).has(field.key), "{} in {state}", field.key);
+            }
             assert!(field.requirements.iter().all(|id| shows(id).has(field.key)), "{}", field.key);
+        }
+    }
+
+    #[test]
+    fn what_the_document_asks_for_in_a_state_comes_before_what_we_decided() {
+        for (key, state, id) in [
+            ("front_axle_trq", AsState::Ready, "DRV-2"),
+            ("front_axle_trq", AsState::EmergencyBrake, "D-21"),
+            ("steer", AsState::Finished, "FIN-6"),
+            ("hyd_press_f", AsState::Ready, "D-41"),
+            ("hyd_press_f", AsState::Off, "D-42"),
+            ("shutdown_request", AsState::EmergencyBrake, "D-38"),
+            ("ai_comms_lost", AsState::Ready, Fault::AiCommsFault.requirement()),
+            ("as_state", AsState::Off, STATE_MACHINE),
+        ] {
+            assert_eq!(own(key, state), id, "{key} in {state}");
         }
     }
 

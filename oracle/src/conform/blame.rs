@@ -6,8 +6,9 @@
 //!   What these would have checked is not checked by that test.
 //! - A wrong state of which no requirement of the test is, as in a random scenario, breaks those of the tests of the row of
 //!   Figure 2 that was not taken, or was.
+//! - Where two rows held and the other one was taken, only what says which comes first is broken.
 
-use adsdv_spec::{AsState, Edition, Machine};
+use adsdv_spec::{AsState, Edition, Machine, Outputs, Term};
 
 use super::about::{NO_ARROW, STATE, STATE_MACHINE, only_in, own, shows};
 use super::broken::{Row, Why, last_row, why};
@@ -25,6 +26,8 @@ pub(super) struct Wrong {
     pub(super) loses_the_state: bool,
     /// What a wrong state has to do with Figure 2.
     state: Option<Why>,
+    /// Where two rows held and the later one was taken: the requirements that say which comes first.
+    order: &'static [&'static str],
 }
 
 impl Wrong {
@@ -49,6 +52,7 @@ impl Wrong {
             if different.has(STATE) {
                 wrong.loses_the_state = true;
                 wrong.state = Some(why(machine, &outputs, reply));
+                wrong.order = reply.state().map_or(&[], |state| overtaken(machine, &outputs, state));
                 return wrong;
             }
             if !different.is_empty() {
@@ -94,16 +98,22 @@ impl<'a> Blame<'a> {
         let is_broken = |id: &&String| {
             let about = shows(id);
             let by_output = |(state, keys): &(AsState, Keys)| asks_for(id, *state) && about.meets(*keys);
-            unknown || (wrong.loses_the_state && about.has(STATE)) || wrong.keys.iter().any(by_output)
+            let by_state = || wrong.order.is_empty() || wrong.order.contains(&id.as_str());
+            unknown
+                || (wrong.loses_the_state && about.has(STATE) && by_state())
+                || wrong.keys.iter().any(by_output)
         };
         named.iter().filter(is_broken).for_each(|id| add(id));
         let counted = || named.iter().filter(|id| !is_of_a_reading(&self.edition, id));
         for (state, keys) in &wrong.keys {
             let is_told = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).has(key));
-            keys.iter().filter(|key| !is_told(key)).for_each(|key| add(own(key)));
+            keys.iter().filter(|key| !is_told(key)).for_each(|key| add(own(key, *state)));
         }
-        if wrong.loses_the_state && !counted().any(|id| shows(id).has(STATE)) {
-            self.of_state(wrong.state.as_ref()).iter().for_each(|id| add(id));
+        if wrong.loses_the_state {
+            wrong.order.iter().for_each(|id| add(id));
+            if wrong.order.is_empty() && !counted().any(|id| shows(id).has(STATE)) {
+                self.of_state(wrong.state.as_ref()).iter().for_each(|id| add(id));
+            }
         }
         if unknown && counted().next().is_none() {
             add(STATE_MACHINE);
@@ -133,6 +143,21 @@ impl<'a> Blame<'a> {
     }
 }
 
+/// The requirements that say that the row which was due comes before one that held as well, and leads to this state; none where
+/// that one did not hold, or where readings decide.
+fn overtaken(machine: &Machine, outputs: &Outputs, state: AsState) -> &'static [&'static str] {
+    let table = &machine.edition().rules.table;
+    let Some(due) = outputs.taken.and_then(|taken| taken.row(table)) else { return &[] };
+    let held = machine.arrows(outputs.from).any(|taken| {
+        let leads = taken.row(table).is_some_and(|row| row.to == state && row.to != due.to);
+        let holds = |term: &Term| term.literals().all(|(atom, on)| outputs.atoms.has(atom) == on);
+        leads && taken.term(table).is_some_and(holds)
+    });
+    let order = due.cites.order;
+    let decided = order.iter().any(|id| is_of_a_reading(machine.edition(), id));
+    if held && !decided { order } else { &[] }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,7 +184,7 @@ mod tests {
         ] {
             for state in AsState::ALL {
                 let wrong = Wrong { keys: vec![(state, Keys::of(&[key]))], ..Wrong::default() };
-                let expected = if state == only { id } else { own(key) };
+                let expected = if state == only { id } else { own(key, state) };
                 assert_eq!(broken(&[id], &wrong), [expected], "{key} in {state}");
             }
         }

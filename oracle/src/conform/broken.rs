@@ -5,9 +5,10 @@ use std::fmt;
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{AsState, Atom, Control, Fault, Faults, Inputs, Machine, Outputs, Taken, Term};
 
+use super::about::own;
 use super::vcu::Reply;
 use crate::protocol::{Difference, Shown};
-use crate::suite::Scenario;
+use crate::suite::{Scenario, is_decision};
 
 /// The first wrong answer of a scenario.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,6 +93,8 @@ impl fmt::Display for Why {
 
 impl Break {
     /// The first answer that is wrong where this machine is what is expected, `late` steps late; `None` if all are right.
+    ///
+    /// One that is only otherwise than we decided does not hide one that is against the document, which comes later.
     pub(super) fn find(
         machine: &Machine,
         scenario: &Scenario,
@@ -108,19 +111,25 @@ impl Break {
             }
         }
         let shown = scenario.run(machine).zip(&scenario.steps).enumerate();
+        let mut decided = None;
         for ((about, ((_, outputs), step)), reply) in shown.zip(replies.iter().skip(late)) {
             let expected = Shown::of(machine.edition(), &outputs, &step.inputs);
-            if !reply.agrees(&expected) {
-                let differences = differences(reply, &expected);
-                return Some(Self {
-                    step: about + late,
-                    about,
-                    differences,
-                    why: why(machine, &outputs, reply),
-                });
+            if reply.agrees(&expected) {
+                continue;
             }
+            let differences = differences(reply, &expected);
+            let only_decided = differences.iter().all(|one| is_decision(own(one.key, outputs.state)));
+            if only_decided && decided.is_some() {
+                continue;
+            }
+            let why = why(machine, &outputs, reply);
+            let found = Self { step: about + late, about, differences, why };
+            if !only_decided || *reply == Reply::Nothing {
+                return Some(found);
+            }
+            decided = Some(found);
         }
-        None
+        decided
     }
 
     /// Whether it is the same thing that is wrong: the same alternative of a row that was not taken, or that was; or the

@@ -8,11 +8,11 @@ use super::blame::{Blame, Wrong};
 use super::broken::Break;
 use super::options::{ConformProgress, Phase};
 use super::program_error::ProgramError;
-use super::report::Failure;
+use super::report::{Failure, is_observation};
 use super::run::Run;
 use super::shrink::{Failing, Shrink};
 use super::suite::Suite;
-use super::vcu::Reply;
+use super::vcu::{Reply, Vcu as _};
 use crate::suite::{Scenario, Test};
 
 /// So many things that are wrong are told; of more only how many there are.
@@ -61,7 +61,7 @@ impl Run<'_> {
             failed.iter().map(|(_, test, scenario, _)| (test.name.as_str(), *scenario)).collect();
         let mut again: Vec<Again> = Vec::with_capacity(named.len());
         let mut broken: Vec<(usize, Wrong, Vec<String>)> = Vec::with_capacity(named.len());
-        self.vcu.ask(&named, &mut |asked, replies| {
+        self.asked.ask(&named, &mut |asked, replies| {
             let Some(&(place, test, scenario, _)) = failed.get(asked) else { return };
             let wrong = Wrong::find(&machine, scenario, replies, suite.late);
             let requirements = blame.broken(&test.requirements, &wrong);
@@ -75,8 +75,9 @@ impl Run<'_> {
         let mut wrong: Vec<String> = Vec::new();
         let each = failed.into_iter().zip(again).zip(&broken);
         for (((_, test, scenario, by), Again { replies, found }), (.., requirements)) in each {
+            let observed = !self.options.strict && is_observation(requirements, found.as_ref());
             let same = |other: &Failure| match (&other.found, &found) {
-                (Some(one), Some(other)) => one.is_like(other),
+                (Some(one), Some(another)) => one.is_like(another) && other.observed == observed,
                 (None, None) => true,
                 _ => false,
             };
@@ -91,6 +92,7 @@ impl Run<'_> {
                 name: test.name.clone(),
                 about: test.about.clone(),
                 requirements: requirements.clone(),
+                observed,
                 also: Vec::new(),
                 explained_by: by.clone().unwrap_or_default(),
                 expected: scenario.shown(&machine).collect(),
@@ -137,7 +139,7 @@ impl Run<'_> {
         let Some(found) = failure.found.clone() else { return Ok(failure) };
         let start = Instant::now();
         let mut shrink = Shrink {
-            vcu: &mut *self.vcu,
+            vcu: &mut self.asked,
             machine,
             late,
             fixed: self.options.cycle_ms.is_some(),

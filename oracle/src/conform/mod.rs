@@ -12,7 +12,9 @@
 //! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
 //!   such combinations;
 //! - `verdict.rs`: which combination the answers follow, or mix;
+//! - `own_bit.rs`: the handshake for a program whose bit is not the specification's;
 //! - `cycle.rs`: scenarios for a program that steps at a fixed cycle;
+//! - `wall_clock.rs`: the tests for a program that runs on a clock on the wall;
 //! - `walker.rs`: scenarios that lead everywhere, `rng.rs` the chance in them;
 //! - `shrink.rs`: the shortest scenario that fails in the same way;
 //! - `broken.rs`: the row of Figure 2 behind a wrong answer;
@@ -45,6 +47,7 @@ mod failures;
 mod keys;
 mod lines;
 mod options;
+mod own_bit;
 mod program;
 mod program_error;
 mod random;
@@ -59,6 +62,7 @@ mod suite;
 mod vcu;
 mod verdict;
 mod walker;
+mod wall_clock;
 
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]

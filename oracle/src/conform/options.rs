@@ -19,6 +19,10 @@ pub struct ConformOptions {
     pub seed: u64,
     /// How many random scenarios there are.
     pub runs: u32,
+    /// Whether what is only against a decision of ours, where the document is silent, is a failure as well.
+    pub strict: bool,
+    /// How long the tests may take for a program whose time is that of a clock on the wall.
+    pub wall_time: Duration,
     /// How long the search for shorter scenarios may take in all.
     pub shrinking: Duration,
 }
@@ -39,6 +43,8 @@ impl ConformOptions {
             cycle_ms: None,
             seed: 1,
             runs: 300,
+            strict: false,
+            wall_time: Duration::from_mins(5),
             shrinking: Duration::from_secs(10),
         }
     }

@@ -14,8 +14,9 @@ use super::lines::{LineBuffer, Lines, Missing};
 use super::program_error::{Place, ProgramError, ProgramErrorKind, excerpt};
 use super::stderr::LastWords;
 use super::vcu::{Reply, Vcu};
-use crate::protocol::{Answer, Protocol, Request, UNSAID};
-use crate::suite::Scenario;
+use super::wall_clock::PATIENCE;
+use crate::protocol::{About, Answer, Protocol, Request, UNSAID};
+use crate::suite::{Scenario, Step};
 
 /// So many lines are sent before the answer to the first of them has come.
 const AHEAD: usize = 4096;
@@ -38,6 +39,10 @@ pub struct Program {
     late: bool,
     /// What its answers may say.
     protocol: Arc<Protocol>,
+    /// Whether it has just been reset, and nothing was asked since.
+    is_reset: bool,
+    /// Since when its last step lasts, if its time is that of a clock on the wall.
+    clock: Option<Instant>,
 }
 
 impl Program {
@@ -65,6 +70,8 @@ impl Program {
             limit: None,
             late,
             protocol,
+            is_reset: false,
+            clock: None,
         })
     }
 
@@ -87,6 +94,9 @@ impl Program {
 
     /// Power on, and waits for the answer; for who asks one thing after the other, each by the answer before.
     pub fn reset(&mut self) -> Result<(), ProgramError> {
+        if std::mem::take(&mut self.is_reset) {
+            return Ok(());
+        }
         self.asked(&Request::Reset, |line, _| Reply::to_reset(line))
     }
 
@@ -115,15 +125,34 @@ impl Program {
         })
     }
 
-    /// Writes all lines of a scenario; how many.
-    fn send(&self, scenario: &Scenario) -> usize {
+    /// Waits until this time has passed since the last step, if that is what the program goes by.
+    fn wait_for(&mut self, dt_ms: u32) {
+        let Some(since) = self.clock else { return };
+        let due = since + Duration::from_millis(dt_ms.into()) + PATIENCE;
+        thread::sleep(due.saturating_duration_since(Instant::now()));
+        self.clock = Some(Instant::now());
+    }
+
+    /// The first reset, before which a program may say something of itself.
+    fn first_reset(&mut self) -> Result<Option<About>, ProgramErrorKind> {
+        let protocol = Arc::clone(&self.protocol);
+        self.write(format!("{}\n", protocol.line(&Request::Reset)).into_bytes());
+        let line = self.line()?.to_vec();
+        let about = Reply::about(&line, &protocol)?;
+        Reply::to_reset(if about.is_some() { self.line()? } else { &line })?;
+        self.is_reset = true;
+        Ok(about)
+    }
+
+    /// Writes all lines of a scenario, but for so many at its beginning; how many are answered.
+    fn send(&self, scenario: &Scenario, written: usize) -> usize {
         let mut lines = Vec::with_capacity(64 * (scenario.steps.len() + 1));
-        for request in scenario.requests() {
+        for request in scenario.requests().skip(written) {
             // Writing to memory does not fail.
             let _ = writeln!(lines, "{}", self.protocol.line(&request));
         }
         self.write(lines);
-        scenario.steps.len() + 1
+        scenario.steps.len() + 1 - written
     }
 
     fn write(&self, lines: Vec<u8>) {
@@ -182,17 +211,38 @@ impl Program {
 
 impl Vcu for Program {
     /// One that is asked about [`UNSAID`] is told nothing: so programs that know no hello are judged as they always were.
-    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+    fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         self.protocol = Arc::new(Protocol::of(edition));
-        if edition.version == UNSAID.version {
-            return Ok(());
+        let protocol = Arc::clone(&self.protocol);
+        let mut about = None;
+        if edition.version != UNSAID.version {
+            let sent = Request::Hello { edition: edition.version.to_owned() }.to_string();
+            self.write(format!("{sent}\n").into_bytes());
+            let answered = self.line().and_then(|line| {
+                let about = Reply::about(line, &protocol)?;
+                Ok((about, Reply::to_hello(line, edition)))
+            });
+            let answered = answered.and_then(|(said, answer)| {
+                about = said;
+                match answer {
+                    // It says something of itself before it answers.
+                    Err(_) if about.is_some() => self.line().and_then(|line| Reply::to_hello(line, edition)),
+                    answer => answer,
+                }
+            });
+            answered.map_err(|what| {
+                let place = Some(Box::new(Place { scenario: String::new(), step: 0, sent }));
+                ProgramError { place, what, stderr: self.last_words.lines() }
+            })?;
         }
-        let sent = Request::Hello { edition: edition.version.to_owned() }.to_string();
-        self.write(format!("{sent}\n").into_bytes());
-        self.line().and_then(|line| Reply::to_hello(line, edition)).map_err(|what| {
-            let place = Some(Box::new(Place { scenario: String::new(), step: 0, sent }));
+        let first = self.first_reset().map_err(|what| {
+            let sent = Request::Reset.to_string();
+            let place = Some(Box::new(Place { scenario: "the beginning".to_owned(), step: 0, sent }));
             ProgramError { place, what, stderr: self.last_words.lines() }
-        })
+        })?;
+        let about = about.or(first).unwrap_or_default();
+        self.clock = about.wall_clock.then(Instant::now);
+        Ok(about)
     }
 
     fn ask(
@@ -200,28 +250,67 @@ impl Vcu for Program {
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
     ) -> Result<(), ProgramError> {
+        if self.clock.is_some() {
+            for (place, (name, scenario)) in scenarios.iter().enumerate() {
+                let replies = self.ask_in_turn(name, &mut |place, _| scenario.steps.get(place).copied())?;
+                answered(place, &replies);
+            }
+            return Ok(());
+        }
         let protocol = Arc::clone(&self.protocol);
         let mut to_send = scenarios.iter();
         let mut in_flight = 0;
         let mut replies = Vec::new();
+        // The first of all was reset already.
+        let mut to_write = usize::from(!scenarios.is_empty() && std::mem::take(&mut self.is_reset));
+        let mut to_read = to_write;
         for (place, (name, scenario)) in scenarios.iter().enumerate() {
             // This one at least has been sent when its answers are waited for: it is the first of those in flight.
             while in_flight < AHEAD {
                 let Some((_, next)) = to_send.next() else { break };
-                in_flight += self.send(next);
+                in_flight += self.send(next, std::mem::take(&mut to_write));
             }
-            let reset = self.line().and_then(Reply::to_reset);
-            reset.map_err(|what| self.trouble(what, name, scenario, 0))?;
+            if std::mem::take(&mut to_read) == 0 {
+                let reset = self.line().and_then(Reply::to_reset);
+                reset.map_err(|what| self.trouble(what, name, scenario, 0))?;
+                in_flight -= 1;
+            }
             replies.clear();
             for step in 1..=scenario.steps.len() {
                 let late = self.late;
                 let reply = self.line().and_then(|line| Reply::to_step(line, late, &protocol));
                 replies.push(reply.map_err(|what| self.trouble(what, name, scenario, step))?);
             }
-            in_flight -= scenario.steps.len() + 1;
+            in_flight -= scenario.steps.len();
             answered(place, &replies);
         }
         Ok(())
+    }
+
+    fn ask_in_turn(
+        &mut self,
+        name: &str,
+        next: &mut dyn FnMut(usize, Option<&Reply>) -> Option<Step>,
+    ) -> Result<Vec<Reply>, ProgramError> {
+        let protocol = Arc::clone(&self.protocol);
+        let mut scenario = Scenario::default();
+        let mut replies = Vec::new();
+        if !std::mem::take(&mut self.is_reset) {
+            self.write(format!("{}\n", protocol.line(&Request::Reset)).into_bytes());
+            let reset = self.line().and_then(Reply::to_reset);
+            reset.map_err(|what| self.trouble(what, name, &scenario, 0))?;
+        }
+        self.clock = self.clock.map(|_| Instant::now());
+        while let Some(step) = next(replies.len(), replies.last()) {
+            scenario.steps.push(step);
+            self.wait_for(step.dt_ms);
+            let request = Request::Step { dt_ms: step.dt_ms, inputs: step.inputs };
+            self.write(format!("{}\n", protocol.line(&request)).into_bytes());
+            let late = self.late;
+            let reply = self.line().and_then(|line| Reply::to_step(line, late, &protocol));
+            replies.push(reply.map_err(|what| self.trouble(what, name, &scenario, replies.len() + 1))?);
+        }
+        Ok(replies)
     }
 
     /// Ends its input, and gives it a moment to end. One that does not is killed; that is no trouble, but worth a note.

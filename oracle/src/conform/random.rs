@@ -1,6 +1,6 @@
 //! Random scenarios, run, and what is wrong in them.
 
-use adsdv_spec::{Machine, Readings};
+use adsdv_spec::{Inputs, Machine, Readings};
 
 use super::blame::{Blame, Wrong};
 use super::broken::Break;
@@ -8,14 +8,14 @@ use super::explain::Explain;
 use super::failures::{Failures, TOLD, share};
 use super::options::{ConformProgress, Phase};
 use super::program_error::ProgramError;
-use super::report::Failure;
+use super::report::{Failure, is_observation};
 use super::rng::Rng;
 use super::run::Run;
 use super::shrink::with_tail;
 use super::suite::Suite;
 use super::vcu::Reply;
 use super::walker::Walker;
-use crate::suite::Scenario;
+use crate::suite::{Scenario, is_decision};
 
 /// So many random scenarios are asked for at once.
 const BATCH: u32 = 64;
@@ -31,6 +31,8 @@ pub(super) struct RandomRuns {
     pub(super) more: Vec<Break>,
     /// How many scenarios failed.
     pub(super) failed: u32,
+    /// How many are only against decisions of ours, where that is no failure.
+    pub(super) observed: u32,
     /// The requirements that are broken, each with the first scenario that breaks it.
     pub(super) broken: Vec<(String, String)>,
 }
@@ -45,6 +47,16 @@ struct New {
 }
 
 impl Run<'_> {
+    /// What the program does not have stays at its default.
+    fn leave_out_what_it_lacks(&self, scenario: &mut Scenario) {
+        let usual = Inputs::default();
+        for step in &mut scenario.steps {
+            for field in &self.lacking {
+                (field.set)(&mut step.inputs, (field.get)(&usual));
+            }
+        }
+    }
+
     /// Random scenarios, as many as were asked for; `known` is what is wrong in the suite.
     pub(super) fn random(
         &mut self,
@@ -61,6 +73,7 @@ impl Run<'_> {
             failures: Vec::new(),
             more: Vec::new(),
             failed: 0,
+            observed: 0,
             broken: Vec::new(),
         };
         let mut run = 0;
@@ -70,7 +83,8 @@ impl Run<'_> {
             let scenarios: Vec<(String, Scenario)> = (run..run + batch)
                 .map(|run| {
                     let rng = Rng::new(options.seed, run.into());
-                    let scenario = Walker::new(&machine, options.cycle_ms, rng).scenario();
+                    let mut scenario = Walker::new(&machine, options.cycle_ms, rng).scenario();
+                    self.leave_out_what_it_lacks(&mut scenario);
                     (
                         format!("random scenario {run} of seed {}", options.seed),
                         with_tail(&scenario, options.latency),
@@ -81,7 +95,7 @@ impl Run<'_> {
                 scenarios.iter().map(|(name, scenario)| (name.as_str(), scenario)).collect();
             let mut alive = explain.all();
             let mut new: Vec<New> = Vec::new();
-            let RandomRuns { failures, more, failed, broken, .. } = &mut random;
+            let RandomRuns { failures, more, failed, observed, broken, .. } = &mut random;
             let told = failures.iter().filter_map(|failure| failure.found.as_ref()).chain(more.iter());
             let told: Vec<&Break> = known.iter().copied().chain(told).collect();
             self.ask(&named, Phase::Random, run as usize, options.runs as usize, &mut |place, replies| {
@@ -91,12 +105,17 @@ impl Run<'_> {
                     alive = left;
                     return;
                 }
-                *failed += 1;
                 let Some(machine) = alive.iter().next().and_then(|first| explain.machine(first)) else {
                     return;
                 };
                 let wrong = Wrong::find(&machine, scenario, replies, suite.late);
                 let requirements = blame.broken(&[], &wrong);
+                let only_decided = requirements.iter().all(|id| is_decision(id));
+                if options.strict || wrong.is_nothing() || !only_decided {
+                    *failed += 1;
+                } else {
+                    *observed += 1;
+                }
                 for id in &requirements {
                     if broken.iter().all(|(other, _)| other != id) {
                         broken.push((id.clone(), (*name).to_owned()));
@@ -117,8 +136,10 @@ impl Run<'_> {
                     random.more.push(found);
                     continue;
                 }
+                let observed = !options.strict && is_observation(&requirements, Some(&found));
                 let failure = Failure {
                     name: name.clone(),
+                    observed,
                     about: String::new(),
                     requirements,
                     also: Vec::new(),

@@ -3,11 +3,11 @@
 use adsdv_spec::{Choice, Inputs, Readings};
 
 use super::broken::Break;
-use super::requirements::Requirement;
+use super::requirements::{Outcome, Requirement};
 use super::vcu::Reply;
 use super::verdict::Follows;
-use crate::protocol::{INPUTS, InputField, Shown, Value};
-use crate::suite::{Scenario, Step};
+use crate::protocol::{About, Domain, INPUTS, InputField, Shown, Value};
+use crate::suite::{Scenario, Step, is_decision};
 
 /// Whether a program conforms, and all that is known of why and how.
 #[derive(Clone, Debug)]
@@ -16,10 +16,14 @@ pub struct ConformReport {
     pub tests: usize,
     /// How many of them failed.
     pub failed_tests: usize,
+    /// How many of them are only against decisions of ours, and so have not failed.
+    pub observed_tests: usize,
     /// How many random scenarios were run.
     pub runs: u32,
     /// How many of them failed.
     pub failed_runs: u32,
+    /// How many of them are only against decisions of ours.
+    pub observed_runs: u32,
     /// How many steps the program has made in them.
     pub steps: u64,
     /// How many steps late its outputs are.
@@ -34,20 +38,26 @@ pub struct ConformReport {
     pub about_the_vcu: usize,
     /// What failed, one for each thing that is wrong.
     pub failures: Vec<Failure>,
+    /// What is otherwise than we decided where the document is silent, likewise.
+    pub observations: Vec<Failure>,
     /// How many more things are wrong that are not told.
     pub more_failures: usize,
     /// The outputs that it never shows.
     pub not_shown: Vec<&'static str>,
-    /// The tests that cannot be told at its cycle.
+    /// The tests that were not run: that cannot be told at its cycle, need an input that it does not have, or more time than there was.
     pub not_told: Vec<String>,
     /// What else is worth knowing.
     pub notes: Vec<String>,
+    /// The cycle at which it stepped, in milliseconds; `None`: any time passed between two steps.
+    pub cycle_ms: Option<u32>,
+    /// What the program said of itself.
+    pub about: About,
 }
 
 impl ConformReport {
-    /// Whether one combination of readings explains everything.
+    /// Whether one combination of readings explains everything that the document asks for.
     pub fn conforms(&self) -> bool {
-        self.failures.is_empty()
+        self.failures.is_empty() && self.requirements.iter().all(|one| one.outcome != Outcome::Fail)
     }
 }
 
@@ -60,6 +70,8 @@ pub struct Failure {
     pub about: String,
     /// The requirements that it breaks.
     pub requirements: Vec<String>,
+    /// Whether all of them are decisions of ours, where the document is silent, and that is no failure.
+    pub observed: bool,
     /// The other tests that fail for the same reason.
     pub also: Vec<String>,
     /// The choices that would explain this test, if it is only that the readings are mixed.
@@ -74,6 +86,20 @@ pub struct Failure {
     pub found: Option<Break>,
 }
 
+/// Whether all that is broken are decisions of ours. What was not wrong when it was asked for again breaks more than that.
+pub(super) fn is_observation(ids: &[String], found: Option<&Break>) -> bool {
+    found.is_some() && !ids.is_empty() && ids.iter().all(|id| is_decision(id))
+}
+
+/// The key of the AI Computer's bit, and of the VCU's.
+const HANDSHAKE: &str = "handshake";
+
+/// Whether the AI Computer answers the handshake, as a value.
+const fn answer(answers: bool) -> Value {
+    const WORDS: Domain = Domain::Names(&[(0, "unanswered"), (1, "answered")]);
+    Value { domain: WORDS, raw: Some(answers as i32) }
+}
+
 /// Steps of a failing scenario that are alike, or one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
@@ -83,7 +109,7 @@ pub struct Stretch {
     pub last: usize,
     /// The time of the last since power-on, in milliseconds.
     pub time_ms: u64,
-    /// The inputs that changed before the first.
+    /// The inputs that changed before the first; of the handshake whether the AI Computer answers it.
     pub changes: Vec<(&'static str, Value)>,
     /// The AS_STATE that is expected; `None` before a late program has anything to show.
     pub expected: Option<Value>,
@@ -94,22 +120,24 @@ pub struct Stretch {
 }
 
 impl Failure {
-    /// The scenario as what changed, step by step, up to the first wrong answer.
+    /// The scenario as what changed, step by step, up to the first wrong answer. Of the handshake it says whether the AI Computer
+    /// answers it; so nothing that matters is left out.
     pub fn timeline(&self) -> Vec<Stretch> {
         let usual = Step { dt_ms: 0, inputs: Inputs::default() };
         let late = self.found.as_ref().map_or(0, |found| found.step - found.about.min(found.step));
         let last = self.found.as_ref().map(|found| found.step);
         let mut moments: Vec<Stretch> = Vec::new();
         let mut time_ms = 0;
-        let (mut before, mut handshake_only) = (&usual, 0);
+        let (mut before, mut answered) = (&usual, true);
         for (place, (step, reply)) in self.steps().zip(&self.replies).enumerate() {
             time_ms += u64::from(step.dt_ms);
-            let differs = |field: &&InputField| (field.get)(&step.inputs) != (field.get)(&before.inputs);
-            let changes: Vec<_> = INPUTS
-                .iter()
-                .filter(differs)
-                .map(|field| (field.key, self.input(field, &step.inputs)))
-                .collect();
+            let answers = self.answers(place, step);
+            let differs = |field: &&InputField| {
+                field.key != HANDSHAKE && (field.get)(&step.inputs) != (field.get)(&before.inputs)
+            };
+            let given = INPUTS.iter().filter(differs).map(|field| (field.key, self.input(field, &step.inputs)));
+            let turned = (answers != answered).then_some((HANDSHAKE, answer(answers)));
+            let changes: Vec<_> = given.chain(turned).collect();
             let expected =
                 place.checked_sub(late).and_then(|about| self.expected.get(about)?.get("as_state"));
             let actual = match reply {
@@ -117,13 +145,10 @@ impl Failure {
                 Reply::Nothing => None,
             };
             let wrong = last == Some(place);
-            let alternates = changes.iter().all(|(key, _)| *key == "handshake");
-            handshake_only = if alternates { handshake_only + 1 } else { 0 };
             match moments.last_mut() {
-                // A handshake that goes on and on is told once.
                 Some(moment)
                     if !wrong
-                        && (changes.is_empty() || handshake_only > 2)
+                        && changes.is_empty()
                         && step.dt_ms == before.dt_ms
                         && (moment.expected, moment.actual) == (expected, actual) =>
                 {
@@ -139,12 +164,20 @@ impl Failure {
                     wrong,
                 }),
             }
-            before = step;
+            (before, answered) = (step, answers);
             if wrong {
                 break;
             }
         }
         moments
+    }
+
+    /// Whether the AI Computer answers the handshake in a step: whether its bit is the one that it should have seen last.
+    fn answers(&self, place: usize, step: &Step) -> bool {
+        // After all steps a late program is asked for the last one again.
+        let about = place.min(self.expected.len().saturating_sub(1));
+        let seen = about.checked_sub(1).and_then(|before| self.expected.get(before)?.get(HANDSHAKE)?.raw);
+        step.inputs.ai.status.handshake == seen.is_some_and(|bit| bit != 0)
     }
 
     /// A value of an input, in the words of what was expected.

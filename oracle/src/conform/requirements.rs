@@ -7,7 +7,7 @@ use adsdv_spec::Edition;
 use super::about::shows;
 use super::blame::Wrong;
 use super::keys::Keys;
-use crate::suite::{Test, is_of_a_reading, order};
+use crate::suite::{Test, is_decision, is_of_a_reading, order};
 
 /// A requirement that tests name, or that something wrong breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +38,8 @@ pub enum Outcome {
     Pass,
     /// Something breaks it: an output that it is about is wrong.
     Fail,
+    /// The program does otherwise than we decided, where the document is silent.
+    Differs,
     /// No test checked it: the program does not show all that it is about, or cannot be asked for it.
     NotChecked,
 }
@@ -48,6 +50,7 @@ impl Outcome {
         match self {
             Self::Pass => "pass",
             Self::Fail => "fail",
+            Self::Differs => "differs",
             Self::NotChecked => "not checked",
         }
     }
@@ -97,9 +100,10 @@ pub(super) fn ran(
 
 /// The requirements that tests name, and those that are broken besides, in the order of the document.
 ///
-/// `ran` tells what came of each test, if it was run; `random` names the first random scenario that breaks a requirement.
+/// `ran` tells what came of each test, if it was run; `random` names the first random scenario that breaks a requirement. Where it
+/// is `strict`, a decision of ours fails as the document's requirements do.
 pub(super) fn table(
-    edition: &Edition,
+    (edition, strict): (&Edition, bool),
     tests: &[Test],
     ran: &[Option<Ran>],
     random: &[(String, String)],
@@ -123,6 +127,7 @@ pub(super) fn table(
     let mut found: Vec<Requirement> = found.into_values().collect();
     for requirement in &mut found {
         requirement.outcome = match (requirement.failed.is_empty(), requirement.checked) {
+            (false, _) if !strict && is_decision(&requirement.id) => Outcome::Differs,
             (false, _) => Outcome::Fail,
             (true, 0) => Outcome::NotChecked,
             (true, _) => Outcome::Pass,

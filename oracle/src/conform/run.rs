@@ -2,40 +2,109 @@
 
 use std::time::Duration;
 
-use adsdv_spec::Machine;
+use adsdv_spec::{Inputs, Machine};
 
-use super::blame::Blame;
+use super::blame::{Blame, Wrong};
 use super::failures::Failures;
 use super::keys::Keys;
+use super::own_bit::Asked;
 use super::options::{ConformOptions, ConformProgress, Phase};
 use super::program_error::{ProgramError, Work};
 use super::report::{ConformReport, Failure};
 use super::requirements;
 use super::suite::Suite;
 use super::vcu::{Reply, Vcu};
-use super::verdict;
-use crate::protocol::SHOWN;
-use crate::suite::{Scenario, Test, about_the_vcu};
+use super::{verdict, wall_clock};
+use crate::protocol::{About, INPUTS, InputField, SHOWN};
+use crate::suite::{Scenario, Test, about_the_vcu, is_decision};
 
 /// Judges a program by a suite, and then by random scenarios.
+///
+/// What it says of itself counts where `options` do not say otherwise: its cycle; the inputs that it has, for no other is asked for;
+/// and its clock. One on the wall has time for a few tests, and for no random scenarios.
 pub fn conform(
     vcu: &mut dyn Vcu,
     tests: &[Test],
     options: &ConformOptions,
     progress: &mut dyn FnMut(ConformProgress),
 ) -> Result<ConformReport, ProgramError> {
-    let at = ConformProgress { phase: Phase::Suite, done: 0, all: tests.len() };
+    let about = vcu.hello(&options.edition)?;
+    let mut options = options.clone();
+    options.cycle_ms = options.cycle_ms.or(about.cycle_ms);
+    if about.wall_clock {
+        (options.runs, options.shrinking) = (0, Duration::ZERO);
+    }
+    let askable: Vec<Test> = askable(tests, &about, &options).cloned().collect();
+    let at = ConformProgress { phase: Phase::Suite, done: 0, all: askable.len() };
     let shrinking = options.shrinking;
-    let mut run = Run { vcu, options, progress, at, steps: 0, suite_steps: 0, shown: Keys::NONE, shrinking };
-    let judged = run.judge(tests);
-    judged.map_err(|trouble| {
-        trouble.after(Work { at: run.at, steps: run.steps, suite_steps: run.suite_steps, runs: options.runs })
+    let asked = Asked { vcu, own: None };
+    let runs = options.runs;
+    let mut run = Run {
+        asked,
+        lacking: lacking(&about),
+        options: &options,
+        progress,
+        at,
+        steps: 0,
+        suite_steps: 0,
+        shown: Keys::NONE,
+        shrinking,
+    };
+    let judged = run.judge(&askable);
+    let mut report = judged.map_err(|trouble| {
+        trouble.after(Work { at: run.at, steps: run.steps, suite_steps: run.suite_steps, runs })
+    })?;
+    let left_out = tests.iter().filter(|test| !askable.iter().any(|one| one.name == test.name));
+    report.not_told.extend(left_out.map(|test| test.name.clone()));
+    report.notes.extend(said(&about, &report));
+    report.about = about;
+    Ok(report)
+}
+
+/// The tests that a program can be asked for.
+fn askable<'a>(
+    tests: &'a [Test],
+    about: &About,
+    options: &ConformOptions,
+) -> impl Iterator<Item = &'a Test> {
+    let machine = Machine::new(options.edition, options.edition.readings);
+    let chosen = about.wall_clock.then(|| wall_clock::chosen(&machine, tests, options.wall_time));
+    let lacking = lacking(about);
+    let usual = Inputs::default();
+    tests.iter().enumerate().filter_map(move |(place, test)| {
+        let needs = |field: &&InputField| {
+            test.scenario.steps.iter().any(|step| (field.get)(&step.inputs) != (field.get)(&usual))
+        };
+        let is_chosen = chosen.as_ref().is_none_or(|chosen| chosen.contains(&place));
+        (is_chosen && !lacking.iter().any(needs)).then_some(test)
     })
+}
+
+/// The inputs that a program says it does not have.
+fn lacking(about: &About) -> Vec<&'static InputField> {
+    let has = |field: &&InputField| about.inputs.as_ref().is_none_or(|inputs| inputs.contains(&field.key));
+    INPUTS.iter().filter(|field| !has(field)).collect()
+}
+
+/// What is worth knowing of what a program says of itself.
+fn said(about: &About, report: &ConformReport) -> Vec<String> {
+    let mut notes = Vec::new();
+    if about.wall_clock {
+        notes.push("it runs on a clock on the wall: the tests that tell most in the time are run, and no random scenarios".to_owned());
+    }
+    let promised = about.outputs.iter().flatten().filter(|key| report.not_shown.contains(key));
+    let promised: Vec<&str> = promised.copied().collect();
+    if !promised.is_empty() {
+        notes.push(format!("it says that it has these outputs, and never shows them: {}", promised.join(", ")));
+    }
+    notes
 }
 
 /// What goes on, and what it has come to.
 pub(super) struct Run<'a> {
-    pub(super) vcu: &'a mut dyn Vcu,
+    pub(super) asked: Asked<'a>,
+    /// The inputs that it does not have.
+    pub(super) lacking: Vec<&'static InputField>,
     pub(super) options: &'a ConformOptions,
     progress: &'a mut dyn FnMut(ConformProgress),
     /// How far it is.
@@ -53,35 +122,45 @@ pub(super) struct Run<'a> {
 impl Run<'_> {
     fn judge(&mut self, tests: &[Test]) -> Result<ConformReport, ProgramError> {
         let options = self.options;
-        self.vcu.hello(&options.edition)?;
-        let suite = self.suite(tests, options.latency)?;
+        let mut suite = self.suite(tests, options.latency)?;
         let mut notes = self.later(tests, &suite)?;
+        notes.extend(self.by_its_own_bit(tests, &mut suite)?);
         let blame = Blame::of(&Machine::new(options.edition, suite.judged_by()), tests);
         let in_suite = self.suite_failures(tests, &suite, &blame)?;
         let in_random = self.random(&suite, &in_suite, &blame)?;
-        notes.extend(self.vcu.end()?);
+        notes.extend(self.asked.end()?);
 
         let Failures { told, more, wrong, broken } = in_suite;
+        let strict = options.strict;
+        let is_observed = |wrong: &Wrong, ids: &[String]| {
+            !strict && !wrong.is_nothing() && ids.iter().all(|id| is_decision(id))
+        };
+        let observed_tests = broken.iter().filter(|(_, wrong, ids)| is_observed(wrong, ids)).count();
         let follows = if suite.failed.is_empty() {
             verdict::follows(&options.edition, &in_random.readings)
         } else {
             verdict::mixes(&options.edition, &suite.explain, &suite.names, &suite.explained_by_state, &wrong)
         };
-        let failures: Vec<Failure> = told.into_iter().chain(in_random.failures).collect();
+        let found = told.into_iter().chain(in_random.failures);
+        let (observations, failures): (Vec<Failure>, Vec<Failure>) =
+            found.partition(|failure| failure.observed);
         let Suite { failed, late, not_told, asked, shown, .. } = suite;
         let ran = requirements::ran(tests, asked.into_iter().zip(shown), broken);
         Ok(ConformReport {
             tests: tests.len() - not_told.len(),
-            failed_tests: failed.len(),
+            failed_tests: failed.len() - observed_tests,
+            observed_tests,
             runs: options.runs,
             failed_runs: in_random.failed,
+            observed_runs: in_random.observed,
             steps: self.steps,
             late,
             readings: in_random.readings.first().copied().unwrap_or_default(),
             follows,
-            requirements: requirements::table(&options.edition, tests, &ran, &in_random.broken),
+            requirements: requirements::table((&options.edition, strict), tests, &ran, &in_random.broken),
             about_the_vcu: about_the_vcu(&options.edition).len(),
             failures,
+            observations,
             more_failures: more.len() + in_random.more.len(),
             not_shown: SHOWN
                 .iter()
@@ -90,6 +169,8 @@ impl Run<'_> {
                 .collect(),
             not_told,
             notes,
+            cycle_ms: options.cycle_ms,
+            about: About::default(),
         })
     }
 
@@ -102,9 +183,9 @@ impl Run<'_> {
         all: usize,
         answered: &mut dyn FnMut(usize, &[Reply]),
     ) -> Result<(), ProgramError> {
-        let Self { vcu, progress, at, steps, shown, .. } = self;
+        let Self { asked, progress, at, steps, shown, .. } = self;
         *at = ConformProgress { phase, done: before, all };
-        vcu.ask(named, &mut |place, replies| {
+        asked.ask(named, &mut |place, replies| {
             *steps += replies.len() as u64;
             *shown = replies.iter().fold(*shown, |shown, reply| shown.or(Keys::given(reply)));
             answered(place, replies);

@@ -6,6 +6,7 @@ use super::cycle::in_cycles;
 use super::explain::Explain;
 use super::keys::Keys;
 use super::options::Phase;
+use super::own_bit::differs;
 use super::program_error::ProgramError;
 use super::run::Run;
 use super::set::Set;
@@ -41,6 +42,8 @@ pub(super) struct Suite {
     pub(super) scenarios: Vec<Option<Scenario>>,
     /// The tests that cannot be told at the cycle.
     pub(super) not_told: Vec<String>,
+    /// Whether some answers that nothing explains have another handshake bit than the default readings.
+    pub(super) another_bit: bool,
 }
 
 /// What explains the answers to a test.
@@ -52,6 +55,11 @@ struct Explained {
 }
 
 impl Suite {
+    /// How many tests have states that no combination of readings explains.
+    fn losing(&self) -> usize {
+        self.explained_by_state.iter().filter(|set| set.is_empty()).count()
+    }
+
     /// The combination that what is expected is taken from.
     pub(super) fn judged_by(&self) -> Readings {
         self.readings.first().copied().unwrap_or_default()
@@ -80,6 +88,29 @@ impl Run<'_> {
         Ok(fewer.then(note).into_iter().collect())
     }
 
+    /// Whether tests fail because the program's handshake bit is not the specification's: then its own is answered from here on,
+    /// if fewer of them lose the state that way.
+    pub(super) fn by_its_own_bit(
+        &mut self,
+        tests: &[Test],
+        suite: &mut Suite,
+    ) -> Result<Option<String>, ProgramError> {
+        if !suite.another_bit || self.options.latency > 0 {
+            return Ok(None);
+        }
+        let machine = Machine::new(self.options.edition, suite.judged_by());
+        let steps = self.steps;
+        self.asked.own = Some(machine);
+        let again = self.suite(tests, 0)?;
+        self.steps = steps;
+        if again.losing() >= suite.losing() {
+            self.asked.own = None;
+            return Ok(None);
+        }
+        *suite = again;
+        Ok(Some("its HANDSHAKE is not the specification's; the AI Computer answers the bit that it shows".to_owned()))
+    }
+
     pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, ProgramError> {
         let options = self.options;
         let explain = Explain::every(&options.edition, options.possible);
@@ -101,13 +132,16 @@ impl Run<'_> {
         let mut explained: Vec<Vec<Explained>> = Vec::new();
         explained.resize_with(latency + 1, || Vec::with_capacity(asked.len()));
         let mut shown: Vec<Keys> = Vec::with_capacity(asked.len());
+        let mut another_bit = false;
         let named: Vec<(&str, &Scenario)> =
             asked.iter().map(|&(_, name, scenario)| (name, scenario)).collect();
         self.suite_steps = named.iter().map(|(_, scenario)| scenario.steps.len() as u64).sum();
         self.ask(&named, Phase::Suite, 0, named.len(), &mut |place, replies| {
             if let Some((_, scenario)) = named.get(place) {
                 for (late, explained) in explained.iter_mut().enumerate() {
-                    explained.push(Explained::of(&explain, scenario, replies, late));
+                    let by = Explained::of(&explain, scenario, replies, late);
+                    another_bit |= by.state.is_empty() && differs(&reference, scenario, replies);
+                    explained.push(by);
                 }
                 // Of the first answers a late program need not show more than AS_OFF.
                 let told = replies.iter().skip(latency).map(Keys::given);
@@ -151,6 +185,7 @@ impl Run<'_> {
             asked: asked.iter().map(|(place, ..)| *place).collect(),
             explained_by_state,
             shown,
+            another_bit,
             explain,
             scenarios,
         };

@@ -4,15 +4,15 @@ use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{AsState, Edition, Machine};
 
 use super::program_error::{ProgramError, ProgramErrorKind, excerpt};
-use crate::protocol::{Answer, BadLine, Protocol, Shown};
-use crate::suite::Scenario;
+use crate::protocol::{About, Answer, BadLine, Protocol, Shown};
+use crate::suite::{Scenario, Step};
 
 /// A VCU that is asked: a program, or a machine in this process.
 pub trait Vcu {
-    /// Is told, before anything else, which edition all that follows is about.
+    /// Is told, before anything else, which edition all that follows is about, and tells about itself.
     ///
     /// Errors: it is of another one.
-    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError>;
+    fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError>;
 
     /// Steps through scenarios, each after a reset, and hands over the answers to all steps of each in turn.
     fn ask(
@@ -20,6 +20,23 @@ pub trait Vcu {
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
     ) -> Result<(), ProgramError>;
+
+    /// Steps through one scenario, after a reset, of which each step depends on the answer to the one before: `next` has the step
+    /// at a place, given that answer. Hands over the answers.
+    fn ask_in_turn(
+        &mut self,
+        name: &str,
+        next: &mut dyn FnMut(usize, Option<&Reply>) -> Option<Step>,
+    ) -> Result<Vec<Reply>, ProgramError> {
+        // One that can only be asked for whole scenarios is asked again for a longer one each time: that is for tests.
+        let mut scenario = Scenario::default();
+        let mut replies: Vec<Reply> = Vec::new();
+        while let Some(step) = next(scenario.steps.len(), replies.last()) {
+            scenario.steps.push(step);
+            self.ask(&[(name, &scenario)], &mut |_, all| replies = all.to_vec())?;
+        }
+        Ok(replies)
+    }
 
     /// Ends it, and says what is worth knowing about how that went.
     fn end(&mut self) -> Result<Vec<String>, ProgramError> {
@@ -51,6 +68,14 @@ impl Reply {
             }),
             Err(why) => Err(ProgramErrorKind::NoHello(excerpt(line.as_bytes()), why)),
         }
+    }
+
+    /// What a program says of itself, if a line says that.
+    ///
+    /// Errors: the line is no text, or says what cannot be so.
+    pub fn about(line: &[u8], protocol: &Protocol) -> Result<Option<About>, ProgramErrorKind> {
+        let line = text(line)?;
+        About::read(line, protocol).map_err(|why| ProgramErrorKind::NoHello(excerpt(line.as_bytes()), why))
     }
 
     /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.
@@ -87,7 +112,7 @@ impl Reply {
         }
     }
 
-    /// The state that it shows.
+    /// The state that it shows; `None` if that is none.
     pub(super) fn state(&self) -> Option<AsState> {
         match self {
             Self::Answer(answer) => AsState::from_raw(answer.get("as_state")?.raw?),
@@ -113,7 +138,7 @@ impl Reply {
 
     /// Whether it can come before the first step has its effect: a VCU that shows AS_OFF, or nothing yet.
     pub(super) fn is_initial(&self) -> bool {
-        self.state().is_none_or(|state| state == AsState::Off)
+        matches!(self, Self::Nothing) || self.state() == Some(AsState::Off)
     }
 }
 
@@ -132,10 +157,10 @@ impl From<Shown> for Reply {
 pub struct InProcess(pub Machine);
 
 impl Vcu for InProcess {
-    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+    fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         let own = self.0.edition().version;
         if own == edition.version {
-            return Ok(());
+            return Ok(About::default());
         }
         let (asked, said) = (edition.version.to_owned(), Some(own.to_owned()));
         Err(ProgramError::new(ProgramErrorKind::OtherEdition { asked, said }))

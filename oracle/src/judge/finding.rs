@@ -299,8 +299,8 @@ impl Finding {
 
     /// It is against these requirements.
     #[must_use]
-    pub fn against(self, requirements: &[&'static str]) -> Self {
-        Self { requirements: requirements.to_vec(), ..self }
+    pub fn against(self, ids: &[&'static str]) -> Self {
+        Self { requirements: ids.to_vec(), ..self }
     }
 
     /// These frames show it.

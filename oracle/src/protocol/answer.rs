@@ -9,6 +9,8 @@ use super::shown::{FIELDS, SHOWN, Shown};
 use super::spoken::{Protocol, UNSAID};
 
 /// An answer to a step: some fields of [`SHOWN`] or all; a field that it leaves out is not checked. It is read from a line.
+///
+/// A number or a name that the field does not have is a value as well, one that no specification shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Answer {
     given: [AnsweredValue; SHOWN.len()],
@@ -146,7 +148,11 @@ impl Answer {
                 _ => match domain.raw_or(field.domain, found) {
                     //= D-69
                     Some(raw) => AnsweredValue::Value(Some(field.meaning(raw, protocol.bus()))),
-                    None => return Err(BadLine::value(key, found, domain)),
+                    // That it is none of the values is for the judge to say.
+                    None => match domain.foreign(found) {
+                        Some(raw) => AnsweredValue::Value(Some(raw)),
+                        None => return Err(BadLine::value(key, found, domain)),
+                    },
                 },
             };
         }
@@ -196,6 +202,37 @@ mod tests {
         let differences = answer.differences(&shown);
         let given: Vec<String> = differences.map(|difference| difference.to_string()).collect();
         assert_eq!(given, ["as_state is AS_READY; expected AS_OFF", "steer is 7; expected null"]);
+    }
+
+    #[test]
+    fn a_value_that_a_field_does_not_have_is_an_answer_and_differs() {
+        let (machine, inputs) = (adsdv_spec::Machine::REFERENCE, adsdv_spec::Inputs::default());
+        let (_, outputs) = machine.step(&adsdv_spec::Control::INITIAL, &inputs, 0);
+        let shown = Shown::of(machine.edition(), &outputs, &inputs);
+        for (line, difference) in [
+            (r#"{"as_state":0}"#, "as_state is 0; expected AS_OFF"),
+            (r#"{"as_state":"AS_LIMP"}"#, "as_state is AS_LIMP; expected AS_OFF"),
+            (
+                r#"{"as_state":"AS_OFF","shutdown_cause":99}"#,
+                "shutdown_cause is 99; expected NO SHUTDOWN",
+            ),
+            (r#"{"as_state":"AS_OFF","front_axle_trq":-1}"#, "front_axle_trq is -1; expected 0"),
+        ] {
+            let answer: Answer = line.parse().unwrap();
+            assert!(!answer.agrees(&shown), "{line}");
+            let differences: Vec<String> =
+                answer.differences(&shown).map(|difference| difference.to_string()).collect();
+            assert_eq!(differences, [difference]);
+        }
+        for line in [
+            r#"{"as_state":null}"#,
+            r#"{"as_state":1.5}"#,
+            r#"{"as_state":99999999999}"#,
+            r#"{"as_state":"AS_OFF","handshake":2}"#,
+            r#"{"as_state":"AS_OFF","front_axle_trq":"much"}"#,
+        ] {
+            assert!(line.parse::<Answer>().is_err(), "{line}");
+        }
     }
 
     #[test]

@@ -40,6 +40,9 @@ impl fmt::Display for BadLine {
 
 impl std::error::Error for BadLine {}
 
+/// No list of the protocol is longer.
+const LONGEST_LIST: usize = 128;
+
 /// A value of JSON, as far as the protocol has any.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Given<'a> {
@@ -47,7 +50,9 @@ pub(super) enum Given<'a> {
     Flag(bool),
     Number(i64),
     Text(Cow<'a, str>),
-    /// A fraction, a list or an object.
+    /// A list of texts.
+    List(Vec<String>),
+    /// A fraction, another list or an object.
     Other(&'static str),
 }
 
@@ -58,6 +63,7 @@ impl fmt::Display for Given<'_> {
             Self::Flag(flag) => write!(f, "{flag}"),
             Self::Number(number) => write!(f, "{number}"),
             Self::Text(text) => write!(f, "{text:?}"),
+            Self::List(_) => f.write_str("a list"),
             Self::Other(what) => f.write_str(what),
         }
     }
@@ -102,8 +108,14 @@ impl<'de> Deserialize<'de> for Given<'de> {
             }
 
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<Given<'de>, A::Error> {
-                while list.next_element::<serde::de::IgnoredAny>()?.is_some() {}
-                Ok(Given::Other("a list"))
+                let (mut texts, mut others) = (Vec::new(), false);
+                while let Some(one) = list.next_element::<Given<'de>>()? {
+                    match one {
+                        Given::Text(text) if texts.len() < LONGEST_LIST => texts.push(text.into_owned()),
+                        _ => others = true,
+                    }
+                }
+                Ok(if others { Given::Other("a list") } else { Given::List(texts) })
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Given<'de>, A::Error> {

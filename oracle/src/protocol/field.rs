@@ -7,6 +7,7 @@ use adsdv_spec::Bus;
 use adsdv_spec::messages::SignalValue;
 
 use super::bad_line::Given;
+use super::foreign;
 
 /// The values of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +65,15 @@ impl Domain {
     /// The same, and where it is none, that of another edition's name for one of them.
     pub(super) fn raw_or(self, other: Self, read: &Given<'_>) -> Option<i32> {
         self.raw(read).or_else(|| other.raw(read).filter(|&raw| self.has(raw)))
+    }
+
+    /// The number of a value of the right kind that is none of these: a number, or a name.
+    pub(super) fn foreign(self, read: &Given<'_>) -> Option<i32> {
+        match (self, read) {
+            (Self::Names(_) | Self::Number { .. }, Given::Number(number)) => i32::try_from(*number).ok(),
+            (Self::Names(_), Given::Text(name)) => foreign::number(name),
+            _ => None,
+        }
     }
 
     /// Whether it has this raw value.
@@ -125,7 +135,11 @@ impl fmt::Display for Value {
             Domain::Flag => write!(f, "{}", raw != 0),
             Domain::Names(names) => match names.iter().find(|&&(value, _)| value == raw) {
                 Some((_, name)) => f.write_str(name),
-                None => write!(f, "{raw}"),
+                None => match foreign::name(raw) {
+                    // It is the program's word: nothing in it may do anything to a terminal.
+                    Some(name) => write!(f, "{}", name.escape_debug()),
+                    None => write!(f, "{raw}"),
+                },
             },
             Domain::Number { .. } => write!(f, "{raw}"),
         }
@@ -137,7 +151,7 @@ impl Value {
     pub(super) fn write_json(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.domain {
             // No name has anything in it that JSON would have escaped: a test holds them to that.
-            Domain::Names(_) if self.raw.is_some() => write!(f, "\"{self}\""),
+            Domain::Names(_) if self.raw.is_some_and(|raw| self.domain.has(raw)) => write!(f, "\"{self}\""),
             _ => write!(f, "{self}"),
         }
     }

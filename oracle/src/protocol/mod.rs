@@ -23,14 +23,17 @@
 //! # Ok::<(), adsdv_oracle::protocol::BadLine>(())
 //! ```
 
+mod about;
 mod answer;
 mod bad_line;
 mod field;
+mod foreign;
 mod inputs;
 mod request;
 mod shown;
 mod spoken;
 
+pub use about::About;
 pub use answer::{Answer, Difference};
 pub use bad_line::BadLine;
 pub use field::{Domain, Value};

@@ -7,11 +7,11 @@ use std::io::{self, BufRead};
 use std::sync::OnceLock;
 
 use adsdv_spec::{Edition, Machine, Reading};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::{Kind, Scenario, Step, Test, untested};
-use crate::protocol::{BadLine, InputsAsJson, Protocol, UNSAID};
+use super::{Kind, Test, steps, untested};
+use crate::protocol::{InputsAsJson, Protocol, UNSAID};
 
 /// The number of the form that a line has. A line that says another one is not read; one that says none has this form, or is not
 /// read for what else is wrong with it.
@@ -76,6 +76,9 @@ pub const MAX_LINE: usize = 4 << 20;
 /// So many lines that are no tests are told in full; the others are counted.
 pub const MAX_BAD: usize = 1000;
 
+/// So many steps all tests have together at most: repeated steps are short to write.
+pub const MAX_STEPS: usize = 1_000_000;
+
 /// A suite as it was read: every line that is a test, and what is wrong with the others.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReadSuite {
@@ -88,6 +91,10 @@ pub struct ReadSuite {
 }
 
 impl ReadSuite {
+    fn steps(&self) -> usize {
+        self.tests.iter().map(|test| test.scenario.steps.len()).sum()
+    }
+
     fn is_bad(&mut self, line: u64, why: String) {
         if self.bad.len() < MAX_BAD {
             self.bad.push(BadTest { line, why });
@@ -99,11 +106,22 @@ impl ReadSuite {
 
 /// Reads a suite. A line that is no test does not keep the others from being read; empty lines are passed over.
 ///
-/// What a step expects has to be there, and has to be what the machine shows: a suite is judged by the specification, under
-/// every reading, and not by what a file says. A line is of the machine's edition: one that says none is of
-/// [`UNSAID`]. It may be part of what the machine shows, `as_state` at least. A test names
-/// requirements that there are: those of the tests that [`generate`](super::generate) makes, and those that
-/// [`untested`](super::untested) has.
+/// What a step expects, if it says that, has to be what the machine shows, or part of it, `as_state` at least: a suite is judged by
+/// the specification, under every reading, and not by what a file says. A line is of the machine's edition: one that says none
+/// is of [`UNSAID`]. A test names requirements that there are: those of the tests that [`generate`](super::generate) makes, and
+/// those that [`untested`](super::untested) has.
+///
+/// Who writes a test by hand needs steps and nothing else:
+///
+/// ```
+/// use adsdv_oracle::suite;
+/// use adsdv_spec::Machine;
+///
+/// let line = r#"{"steps":[{"dt_ms":10,"inputs":{"tsms":true}},{"dt_ms":10,"times":100,"answers":true,"inputs":{"tsms":true}}]}"#;
+/// let read = suite::read(line.as_bytes(), &Machine::REFERENCE)?;
+/// assert_eq!((read.tests[0].name.as_str(), read.tests[0].scenario.steps.len()), ("line 1", 101));
+/// # Ok::<(), std::io::Error>(())
+/// ```
 ///
 /// Errors: what the reader's own errors are. Bytes that are no UTF-8 are a line that is none.
 pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite> {
@@ -123,7 +141,16 @@ pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite
             }
             End::Line => {}
         }
-        match read_line(&bytes, machine, &requirements) {
+        match read_line(line, &bytes, machine, &requirements) {
+            Ok(Some(test)) if suite.steps() + test.scenario.steps.len() > MAX_STEPS => {
+                suite.is_bad(
+                    line,
+                    format!(
+                        "{} steps are too many; expected at most {MAX_STEPS} in all tests",
+                        test.scenario.steps.len()
+                    ),
+                );
+            }
             Ok(Some(test)) if names.contains(&test.name) => {
                 suite.is_bad(
                     line,
@@ -180,7 +207,7 @@ fn next_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<End> 
     }
 }
 
-/// A line before it is looked at.
+/// A line before it is looked at. A test needs steps; all else can be left out by who writes one by hand.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Line<'a> {
@@ -188,12 +215,17 @@ struct Line<'a> {
     schema: Option<u32>,
     #[serde(default)]
     edition: Option<String>,
-    name: String,
-    kind: String,
+    #[serde(default)]
+    name: Option<String>,
+    #[serde(default)]
+    kind: Option<String>,
+    #[serde(default)]
     about: String,
+    #[serde(default)]
     section: String,
+    #[serde(default)]
     requirements: Vec<String>,
-    #[serde(deserialize_with = "there")]
+    #[serde(default)]
     reading: Option<String>,
     #[serde(borrow)]
     steps: Vec<RawStep<'a>>,
@@ -201,17 +233,18 @@ struct Line<'a> {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawStep<'a> {
-    dt_ms: u32,
-    #[serde(borrow)]
-    inputs: &'a RawValue,
-    #[serde(borrow)]
-    expected: &'a RawValue,
-}
-
-/// A value that may be `null`, and has to be there.
-fn there<'a, D: Deserializer<'a>>(from: D) -> Result<Option<String>, D::Error> {
-    Option::deserialize(from)
+pub(super) struct RawStep<'a> {
+    pub(super) dt_ms: u32,
+    /// How often it is made.
+    #[serde(default)]
+    pub(super) times: Option<u32>,
+    /// Whether the AI Computer answers the handshake; where that is not said, `inputs` say its bit.
+    #[serde(default)]
+    pub(super) answers: Option<bool>,
+    #[serde(borrow, default)]
+    pub(super) inputs: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    pub(super) expected: Option<&'a RawValue>,
 }
 
 /// The identifiers of all requirements that there are.
@@ -239,6 +272,7 @@ fn printable(text: &str) -> String {
 }
 
 fn read_line(
+    number: u64,
     bytes: &[u8],
     machine: &Machine,
     requirements: &HashSet<String>,
@@ -263,13 +297,16 @@ fn read_line(
     if said != asked {
         return Err(format!("\"edition\" is {said:?}; expected {asked:?}, the edition that was asked for"));
     }
-    if line.name.is_empty() {
-        return Err("\"name\" is empty; expected a name of its own".to_owned());
+    if line.name.as_deref() == Some("") {
+        return Err("\"name\" is empty; expected a name of its own, or none".to_owned());
     }
-    let kind = Kind::ALL.into_iter().find(|kind| kind.name() == line.kind).ok_or_else(|| {
-        let names = Kind::ALL.map(Kind::name).join(", ");
-        format!("\"kind\" is {:?}; expected one of {names}", line.kind)
-    })?;
+    let kind = |name: &str| {
+        Kind::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
+            let names = Kind::ALL.map(Kind::name).join(", ");
+            format!("\"kind\" is {name:?}; expected one of {names}")
+        })
+    };
+    let kind = line.kind.as_deref().map_or(Ok(Kind::Written), kind)?;
     if line.steps.is_empty() {
         return Err("\"steps\" is empty; expected at least one step".to_owned());
     }
@@ -282,22 +319,9 @@ fn read_line(
         .reading
         .as_deref()
         .map(|id| id.parse::<Reading>().map_err(|error| format!("\"reading\" is {id:?}: {error}")));
-    let mut scenario = Scenario::default();
-    let mut answers = Vec::new();
-    let protocol = Protocol::of(machine.edition());
-    for (number, step) in (1..).zip(&line.steps) {
-        let at = |error: BadLine| format!("step {number}: {error}");
-        let InputsAsJson(inputs) = protocol.inputs_as_json(step.inputs.get()).map_err(at)?;
-        scenario.steps.push(Step { dt_ms: step.dt_ms, inputs });
-        answers.push(protocol.answer(step.expected.get()).map_err(at)?);
-    }
-    for (number, (answer, shown)) in (1..).zip(answers.iter().zip(scenario.shown(machine))) {
-        if let Some(difference) = answer.differences(&shown).next() {
-            return Err(format!("step {number}: {difference}, which is what the specification shows"));
-        }
-    }
+    let scenario = steps::read(&line.steps, machine)?;
     Ok(Some(Test {
-        name: line.name,
+        name: line.name.unwrap_or_else(|| format!("line {number}")),
         kind,
         about: line.about,
         section: line.section,

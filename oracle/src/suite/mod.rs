@@ -2,7 +2,7 @@
 //!
 //! - `scenario.rs`: steps of a VCU from power-on, and what a machine shows in each;
 //! - `test.rs`: a scenario with a name and the requirements that it checks;
-//! - `lines.rs`: the tests as JSON Lines, written and read;
+//! - `lines.rs`: the tests as JSON Lines, written and read; `steps.rs`: their steps as a person writes them;
 //! - `generate/`: the tests, made from the table; `walk.rs` gets a machine to where a test begins, and `requirements.rs` says
 //!   which requirements a row, a condition and a fault stand for; `untested.rs` has those that no test is for;
 //! - `prove.rs`: whether they tell every mutation of the specification from it.
@@ -22,14 +22,16 @@ mod lines;
 mod prove;
 mod requirements;
 mod scenario;
+mod steps;
 mod test;
 mod untested;
 mod walk;
 
 use adsdv_spec::Edition;
 
-pub use lines::{BadTest, MAX_BAD, MAX_LINE, ReadSuite, SCHEMA, read};
+pub use lines::{BadTest, MAX_BAD, MAX_LINE, MAX_STEPS, ReadSuite, SCHEMA, read};
 pub use prove::{Proof, prove};
+pub use requirements::is_decision;
 pub(crate) use requirements::{is_of_a_reading, of_edition, of_term, order};
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};

@@ -50,6 +50,12 @@ pub(crate) fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
     edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
 }
 
+/// Whether it is a decision of ours, where the document is silent or contradicts itself: what stands under "Decisions" in
+/// `spec/REQUIREMENTS.md`.
+pub fn is_decision(id: &str) -> bool {
+    id.starts_with("D-")
+}
+
 /// The place of a requirement in the document: by prefix, and within it by number.
 pub(crate) fn order(id: &str) -> (usize, u32) {
     const PREFIXES: [&str; 14] =

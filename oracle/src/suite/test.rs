@@ -27,11 +27,13 @@ pub enum Kind {
     Output,
     /// A question that the document leaves open.
     Reading,
+    /// What somebody wants to know: a test that was written, and not generated.
+    Written,
 }
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Row,
         Self::Condition,
         Self::Limit,
@@ -41,6 +43,7 @@ impl Kind {
         Self::Fault,
         Self::Output,
         Self::Reading,
+        Self::Written,
     ];
 
     /// The stable name, such as `row`.
@@ -55,6 +58,7 @@ impl Kind {
             Self::Fault => "fault",
             Self::Output => "output",
             Self::Reading => "reading",
+            Self::Written => "written",
         }
     }
 }

@@ -16,7 +16,7 @@ const SLOW: Edition = Edition {
 };
 
 fn judged(edition: &Edition, of: &Edition) -> Vec<String> {
-    let options = ConformOptions { runs: 40, ..ConformOptions::of(of) };
+    let options = ConformOptions { runs: 40, strict: true, ..ConformOptions::of(of) };
     let mut vcu = InProcess(Machine::new(*edition, edition.readings));
     let report = conform(&mut vcu, &suite::generate(of), &options, &mut |_| {}).expect("a machine");
     report.failures.into_iter().flat_map(|failure| failure.requirements).collect()
@@ -33,7 +33,7 @@ fn a_program_conforms_to_its_own_edition_and_not_to_one_with_other_times() {
 }
 
 fn of_other(name: &str, args: &[&str]) -> Result<bool, ProgramError> {
-    let options = ConformOptions { runs: 0, ..ConformOptions::of(&OTHER) };
+    let options = ConformOptions { runs: 0, strict: true, ..ConformOptions::of(&OTHER) };
     example(name, args, &options, TIMEOUT).map(|report| report.conforms())
 }
 

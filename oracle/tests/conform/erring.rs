@@ -1,9 +1,9 @@
 //! Programs that err: machines in this process with another hand on their outputs.
 
 use adsdv_oracle::conform::{InProcess, ProgramError, Reply, Vcu};
-use adsdv_oracle::protocol::Protocol;
-use adsdv_oracle::suite::Scenario;
-use adsdv_spec::{Edition, Inputs, Machine};
+use adsdv_oracle::protocol::{About, Protocol, Shown};
+use adsdv_oracle::suite::{Scenario, Step};
+use adsdv_spec::{Control, Edition, Inputs, Machine};
 use serde_json::{Map, Value, json};
 
 /// The outputs of a step, by their keys.
@@ -29,18 +29,24 @@ impl Erring {
     }
 
     fn replies(&self, scenario: &Scenario) -> Vec<Reply> {
-        let protocol = Protocol::of(self.machine.edition());
-        let tampered = scenario.shown(&self.machine).zip(&scenario.steps).enumerate();
-        let answers = tampered.map(|(place, (shown, step))| {
-            let mut outputs: Outputs = serde_json::from_str(&shown.to_string()).expect("an object");
-            if self.for_scenarios > 0 {
-                (self.tampers)(place, &step.inputs, &mut outputs);
-            }
-            answer(outputs, &protocol)
-        });
+        let answers = scenario.shown(&self.machine).zip(&scenario.steps).enumerate();
+        let answers = answers.map(|(place, (shown, step))| self.tampered(place, &step.inputs, &shown));
+        std::iter::repeat_n(self.first(), self.late).chain(answers).take(scenario.steps.len()).collect()
+    }
+
+    /// The answer to a step in which the machine shows this.
+    fn tampered(&self, place: usize, inputs: &Inputs, shown: &Shown) -> Reply {
+        let mut outputs: Outputs = serde_json::from_str(&shown.to_string()).expect("an object");
+        if self.for_scenarios > 0 {
+            (self.tampers)(place, inputs, &mut outputs);
+        }
+        answer(outputs, &Protocol::of(self.machine.edition()))
+    }
+
+    /// What it shows before it has anything to show.
+    fn first(&self) -> Reply {
         let off = Outputs::from_iter([("as_state".to_owned(), json!("AS_OFF"))]);
-        let first = if self.nothing { Reply::Nothing } else { answer(off, &protocol) };
-        std::iter::repeat_n(first, self.late).chain(answers).take(scenario.steps.len()).collect()
+        if self.nothing { Reply::Nothing } else { answer(off, &Protocol::of(self.machine.edition())) }
     }
 }
 
@@ -49,7 +55,7 @@ fn answer(outputs: Outputs, protocol: &Protocol) -> Reply {
 }
 
 impl Vcu for Erring {
-    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+    fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         InProcess(self.machine).hello(edition)
     }
 
@@ -63,6 +69,25 @@ impl Vcu for Erring {
             self.for_scenarios = self.for_scenarios.saturating_sub(1);
         }
         Ok(())
+    }
+
+    fn ask_in_turn(
+        &mut self,
+        _: &str,
+        next: &mut dyn FnMut(usize, Option<&Reply>) -> Option<Step>,
+    ) -> Result<Vec<Reply>, ProgramError> {
+        let (mut control, mut replies) = (Control::INITIAL, vec![self.first(); self.late]);
+        let mut place = 0;
+        while let Some(step) = next(place, place.checked_sub(1).and_then(|last| replies.get(last))) {
+            let (after, outputs) = self.machine.step(&control, &step.inputs, step.dt_ms);
+            control = after;
+            let shown = Shown::of(self.machine.edition(), &outputs, &step.inputs);
+            replies.push(self.tampered(place, &step.inputs, &shown));
+            place += 1;
+        }
+        self.for_scenarios = self.for_scenarios.saturating_sub(1);
+        replies.truncate(place);
+        Ok(replies)
     }
 
     fn end(&mut self) -> Result<Vec<String>, ProgramError> {

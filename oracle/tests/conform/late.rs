@@ -6,7 +6,7 @@ use adsdv_spec::Machine;
 use crate::programs::{TIMEOUT, example, machine};
 
 fn late(args: &[&str], latency: usize) -> ConformReport {
-    let options = ConformOptions { latency, runs: 100, ..ConformOptions::default() };
+    let options = ConformOptions { latency, runs: 100, strict: true, ..ConformOptions::default() };
     example("mutant", args, &options, TIMEOUT).expect("it answers")
 }
 
@@ -47,7 +47,7 @@ fn at_a_fixed_cycle_every_step_takes_it() {
         fn hello(
             &mut self,
             edition: &adsdv_spec::Edition,
-        ) -> Result<(), adsdv_oracle::conform::ProgramError> {
+        ) -> Result<adsdv_oracle::protocol::About, adsdv_oracle::conform::ProgramError> {
             self.0.hello(edition)
         }
 
@@ -63,7 +63,7 @@ fn at_a_fixed_cycle_every_step_takes_it() {
     }
     let tests = crate::programs::tests();
     for (cycle_ms, at_most) in [(10, 0), (50, 20)] {
-        let options = ConformOptions { cycle_ms: Some(cycle_ms), runs: 20, ..ConformOptions::default() };
+        let options = ConformOptions { cycle_ms: Some(cycle_ms), runs: 20, strict: true, ..ConformOptions::default() };
         let mut vcu = OneCycle(adsdv_oracle::conform::InProcess(Machine::REFERENCE), cycle_ms);
         let report =
             adsdv_oracle::conform::conform(&mut vcu, tests, &options, &mut |_| {}).expect("it answers");
@@ -80,7 +80,7 @@ fn a_mutant_at_a_fixed_cycle_fails_in_its_row() {
     let mutation = adsdv_spec::Mutation::all(adsdv_spec::Edition::DEFAULT)
         .find(|one| one.to_string() == "3.7 term 1: dropped");
     let mutant = mutation.expect("a mutation").apply(adsdv_spec::Edition::DEFAULT);
-    let options = ConformOptions { cycle_ms: Some(100), runs: 0, ..ConformOptions::default() };
+    let options = ConformOptions { cycle_ms: Some(100), runs: 0, strict: true, ..ConformOptions::default() };
     let report = machine(&Machine::new(mutant, adsdv_spec::Readings::DEFAULT), &options);
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();
     assert!(!rows.is_empty() && rows.iter().all(|row| row.section == "3.7"), "{rows:?}");

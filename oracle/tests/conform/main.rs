@@ -3,11 +3,13 @@
 
 #![forbid(unsafe_code)]
 
+mod about;
 mod blame;
 mod edition;
 mod erring;
 mod late;
 mod misconduct;
+mod observed;
 mod mutants;
 mod programs;
 mod random;

@@ -69,9 +69,9 @@ fn programs_that_end_early() {
     );
     reports(
         &["--crash-at", "2"],
-        &["the program ended early (signal 6)", "3.1, the reset", r#"{"op":"reset"}"#],
+        &["the program ended early (signal 6)", "3.1, step 1", FIRST_STEP],
     );
-    reports(&["--leave"], &["the program ended early (exit status 0)", "3.1, the reset"]);
+    reports(&["--leave"], &["the program ended early (exit status 0)", "the beginning, the reset"]);
     reports(&["--no-such-option"], &["ended early (exit status 1)", "what is --no-such-option?"]);
 }
 
@@ -81,7 +81,7 @@ fn programs_that_do_not_answer() {
         &["--hang-at", "2"],
         &["no answer within 0.5 s", "3.1, step 1", FIRST_STEP, "hint: answer every line"],
     );
-    reports(&["--no-read"], &["no answer within 0.5 s", "3.1, the reset"]);
+    reports(&["--no-read"], &["no answer within 0.5 s", "the beginning, the reset"]);
     reports(&["--stall-at", "2"], &["no end of the line within 0.5 s", "received  {\"as_state\":"]);
 }
 
@@ -127,7 +127,7 @@ fn programs_that_answer_something_else() {
     );
     reports(
         &["--garbage-at", "1"],
-        &["not the answer to a reset: ", "3.1, the reset", "received  engine started"],
+        &["not the answer to a reset: ", "the beginning, the reset", "received  engine started"],
     );
     reports(&["--list-at", "2"], &["not the answer to a step: ", "received  [1, 2]"]);
     reports(
@@ -136,7 +136,7 @@ fn programs_that_answer_something_else() {
     );
     reports(
         &["--value-at", "2"],
-        &["\"as_state\" is \"AS_PARKED\"; expected one of \"AS_OFF\" (1), \"AS_READY\" (2), "],
+        &["\"handshake\" is \"maybe\"; expected true or false"],
     );
     reports(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
     reports(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);

@@ -13,7 +13,7 @@ fn by_default() -> ConformOptions {
 }
 
 fn by_default_of(edition: &Edition) -> ConformOptions {
-    ConformOptions { possible: edition.readings.choices(), runs: 0, ..ConformOptions::of(edition) }
+    ConformOptions { possible: edition.readings.choices(), runs: 0, strict: true, ..ConformOptions::of(edition) }
 }
 
 fn mutated(mutation: &Mutation) -> Machine {
@@ -122,7 +122,8 @@ fn a_shortest_scenario_has_nothing_that_it_does_not_need() {
     let changed = |place: usize| moments[place].changes.iter().map(|(key, _)| *key).collect::<Vec<_>>();
     assert_eq!(changed(0), ["asms", "tsms", "ami", "ebs", "mission_status"]);
     assert!(changed(1).contains(&"asms"), "{moments:?}");
-    assert_eq!((changed(1).len(), changed(2).len()), (2, 0));
+    // The AI Computer does not answer in time for it to matter; so that is said as well.
+    assert_eq!((changed(1).len(), changed(2).len()), (3, 0));
     let shown = |place: usize| {
         let state = |state: &Option<adsdv_oracle::protocol::Value>| state.as_ref().map(ToString::to_string);
         (state(&moments[place].expected), state(&moments[place].actual), moments[place].wrong)

@@ -9,7 +9,7 @@ use crate::programs::{TIMEOUT, example, tests};
 
 fn once(seed: u64, runs: u32) -> ConformReport {
     // It enters AS_READY only once after each reset, which no test of the suite asks for twice.
-    let options = ConformOptions { seed, runs, ..ConformOptions::default() };
+    let options = ConformOptions { seed, runs, strict: true, ..ConformOptions::default() };
     example("mutant", &["--once"], &options, TIMEOUT).expect("it answers")
 }
 
@@ -46,7 +46,7 @@ fn the_same_seed_is_the_same_run() {
 #[test]
 fn a_failure_that_does_not_repeat_is_reported_as_that() {
     // A program that lies is found out even if it does not repeat the lie. The first line is a reset.
-    let options = ConformOptions { runs: 0, ..ConformOptions::default() };
+    let options = ConformOptions { runs: 0, strict: true, ..ConformOptions::default() };
     let report = example("mutant", &["--lie-at", "2"], &options, TIMEOUT).expect("it answers");
     let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
     assert!(failure.found.is_none() && !report.conforms());
@@ -56,7 +56,7 @@ fn a_failure_that_does_not_repeat_is_reported_as_that() {
 #[test]
 fn as_many_scenarios_are_tried_as_were_asked_for() {
     for runs in [0, 1, 63, 64, 65, 200] {
-        let options = ConformOptions { runs, ..ConformOptions::default() };
+        let options = ConformOptions { runs, strict: true, ..ConformOptions::default() };
         let mut answered = 0;
         let mut progress = |at: ConformProgress| answered += u32::from(at.phase == Phase::Random);
         let report = conform(&mut InProcess(Machine::REFERENCE), tests(), &options, &mut progress);

@@ -8,7 +8,7 @@ use crate::programs::{TIMEOUT, example, machine};
 const EDITION: Edition = Edition::V4_0;
 
 fn suite_only() -> ConformOptions {
-    ConformOptions { runs: 0, ..ConformOptions::of(&EDITION) }
+    ConformOptions { runs: 0, strict: true, ..ConformOptions::of(&EDITION) }
 }
 
 /// The requirements that are broken.
@@ -41,7 +41,7 @@ fn the_reference_conforms_and_follows_every_default() {
 
 #[test]
 fn through_the_pipe_it_conforms_too() {
-    let options = ConformOptions { runs: 40, ..ConformOptions::of(&EDITION) };
+    let options = ConformOptions { runs: 40, strict: true, ..ConformOptions::of(&EDITION) };
     for (name, args) in [("adapter", &[][..]), ("mutant", &["--edition", "4.0"])] {
         let report = example(name, args, &options, TIMEOUT).expect("it answers");
         assert!(report.conforms() && report.not_shown.is_empty(), "{name}: {:?}", report.failures);

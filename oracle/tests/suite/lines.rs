@@ -3,8 +3,8 @@
 use std::io::{self, BufReader};
 
 use adsdv_oracle::protocol::{Request, SHOWN, Shown};
-use adsdv_oracle::suite::{self, Test};
-use adsdv_spec::{Edition, Machine};
+use adsdv_oracle::suite::{self, Kind, Test};
+use adsdv_spec::{AsState, Edition, Machine};
 
 use crate::tests;
 
@@ -28,12 +28,6 @@ fn changed(from: &str, to: &str) -> String {
     line.replacen(from, to, 1)
 }
 
-/// One line of the suite with a step that expects nothing.
-fn without_expected() -> String {
-    let shown = tests()[1].scenario.shown(&Machine::REFERENCE).next();
-    changed(&format!(",\"expected\":{}", shown.expect("a step")), "")
-}
-
 #[test]
 fn bad_lines_are_reported_and_lose_nothing_else() {
     let good = tests();
@@ -51,7 +45,7 @@ fn bad_lines_are_reported_and_lose_nothing_else() {
             "step 1: there is no key \"gas\"",
             "steer_angle",
         ),
-        (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "AT_OFF", "\"AS_READY\""),
+        (changed("\"as_state\":\"AS_", "\"as_state\":\"AT_"), "as_state is AT_OFF", "AS_OFF"),
         (changed("\"as_state\":\"AS_OFF\"", "\"as_state\":\"AS_READY\""), "as_state is AS_READY", "AS_OFF"),
         (line(&good[0]), "is there already", "one of its own"),
         (
@@ -65,9 +59,15 @@ fn bad_lines_are_reported_and_lose_nothing_else() {
             "of spec/REQUIREMENTS.md",
         ),
         (changed("\"RDY-2\"", "\"RDY-02\""), "\"RDY-02\", which there is not", "of spec/REQUIREMENTS.md"),
-        (changed("\"reading\":null,", ""), "missing field `reading`", "a test as one JSON object"),
         (changed("\"expected\":", "\"foreseen\":"), "unknown field `foreseen`", "`expected`"),
-        (without_expected(), "missing field `expected`", "a test as one JSON object"),
+        (changed("\"dt_ms\":10,", ""), "missing field `dt_ms`", "a test as one JSON object"),
+        (changed("\"dt_ms\":10,", "\"dt_ms\":10,\"times\":0,"), "step 1: \"times\" is 0", "1 to 20000"),
+        (changed("\"dt_ms\":10,", "\"dt_ms\":10,\"times\":20001,"), "\"times\" is 20001", "1 to 20000"),
+        (
+            r#"{"steps":[{"dt_ms":10,"answers":true,"inputs":{"handshake":true}}]}"#.to_owned(),
+            "\"answers\" says what \"handshake\" is",
+            "one of them",
+        ),
         (changed("\"as_state\":\"AS_OFF\",", ""), "step 1: there is no \"as_state\"", "at least that"),
         (changed("\"edition\":\"3.0\"", "\"edition\":\"4.0\""), "\"edition\" is \"4.0\"", "\"3.0\""),
         (changed("\"schema\":1", "\"schema\":2"), "\"schema\" is 2", "expected 1"),
@@ -126,6 +126,44 @@ fn a_test_of_ones_own_is_read() {
     let read = suite::read(line.as_bytes(), &Machine::REFERENCE).unwrap();
     assert_eq!(read.bad, []);
     assert_eq!(read.tests[0].requirements, ["MSG-29", "HS-9"]);
+}
+
+/// What a person writes in a minute: steps, how often, and that the AI Computer answers. What is expected the edition says.
+#[test]
+fn a_test_needs_steps_and_nothing_else() {
+    let inputs = r#""inputs":{"asms":true,"tsms":true,"ami":"SKIDPAD","ebs":"ARMED","mission_status":"SELECTED"}"#;
+    let line = format!(
+        r#"{{"steps":[{{"dt_ms":10}},{{"dt_ms":10,"times":30,"answers":true,{inputs}}},{{"dt_ms":10,"times":7,"answers":false,{inputs}}}]}}"#
+    );
+    let read = suite::read(format!("\n{line}\n").as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!(read.bad, []);
+    let test = &read.tests[0];
+    assert_eq!((test.name.as_str(), test.kind, test.scenario.steps.len()), ("line 2", Kind::Written, 38));
+    let outputs: Vec<_> = test.scenario.run(&Machine::REFERENCE).map(|(_, outputs)| outputs).collect();
+    assert!(outputs[1..36].iter().all(|outputs| outputs.state == AsState::Ready), "answered");
+    assert_eq!(outputs.last().map(|outputs| outputs.state), Some(AsState::EmergencyBrake), "unanswered");
+}
+
+/// Every test of the suite, written in the short form and read again, is the same scenario.
+#[test]
+fn a_scenario_that_is_written_as_a_test_is_read_as_it_was() {
+    for edition in Edition::ALL {
+        let machine = Machine::new(**edition, edition.readings);
+        for test in suite::generate(edition) {
+            let line = test.scenario.to_line(&test.name, &machine).to_string();
+            let read = suite::read(line.as_bytes(), &machine).unwrap();
+            assert_eq!(read.bad, [], "{line}");
+            assert_eq!(read.tests[0].scenario, test.scenario, "{line}");
+        }
+    }
+}
+
+#[test]
+fn a_suite_of_repeated_steps_without_end_is_cut() {
+    let line = r#"{"steps":[{"dt_ms":1,"times":20000}]}"#;
+    let read = suite::read([line; 60].join("\n").as_bytes(), &Machine::REFERENCE).unwrap();
+    assert_eq!((read.tests.len(), read.bad.len()), (50, 10));
+    assert!(read.bad[0].to_string().contains("line 51: 20000 steps are too many; expected at most 1000000"));
 }
 
 /// Names are looked up, not compared one by one: a suite of many tests is read in time that grows with its length.

@@ -45,6 +45,7 @@ impl<'a> ShownArrow<'a> {
 }
 
 /// Displays the guard of an arrow; see [`ShownArrow::guard`].
+#[derive(Clone, Copy)]
 pub(super) struct Guard<'a> {
     arrow: ShownArrow<'a>,
     wrap: usize,
@@ -73,6 +74,7 @@ impl fmt::Display for Guard<'_> {
 }
 
 /// Displays the label of an arrow in a diagram: its section, then its guard.
+#[derive(Clone, Copy)]
 pub(super) struct Label<'a> {
     pub(super) arrow: ShownArrow<'a>,
     pub(super) wrap: usize,

@@ -3,8 +3,10 @@
 use core::fmt;
 
 use super::arrows::{Label, Title, arrows};
+use super::drawing::Mark;
 use super::escape::Escaped;
 use super::light::{fill, flashes};
+use super::mermaid::in_title;
 use crate::messages::AsState;
 use crate::{Assi, Control, Machine};
 
@@ -25,28 +27,44 @@ pub struct Dot<'a>(pub &'a Machine);
 
 impl fmt::Display for Dot<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "// {}", Title(self.0))?;
-        f.write_str("digraph figure_2 {\n")?;
-        f.write_str("    node [shape=box, fontname=\"Helvetica\"];\n")?;
-        f.write_str("    edge [fontname=\"Helvetica\", fontsize=10];\n")?;
-        f.write_str("    start [shape=point, width=0.15];\n")?;
-        for state in AsState::ALL {
-            let light = Assi::of(state);
-            let style = if flashes(light) { "rounded,filled,dashed" } else { "rounded,filled" };
-            let label = Escaped(light, in_quotes);
-            let fill = fill(light);
-            writeln!(
-                f,
-                "    {state} [label=\"{state}\\nASSI {label}\", style=\"{style}\", fillcolor=\"{fill}\"];"
-            )?;
-        }
-        writeln!(f, "    start -> {};", Control::INITIAL.state)?;
-        for arrow in arrows(self.0) {
-            let label = Escaped(Label { arrow, wrap: CONDITIONS_PER_LINE }, in_quotes);
-            writeln!(f, "    {} -> {} [label=\"{label}\\l\"];", arrow.row.from, arrow.row.to)?;
-        }
-        f.write_str("}\n")
+        let all = arrows(self.0).map(|arrow| {
+            (arrow.row.from, arrow.row.to, Label { arrow, wrap: CONDITIONS_PER_LINE }, Mark::Usual)
+        });
+        write(f, &Title(self.0), all)
     }
+}
+
+/// The graph of these arrows, each with what stands at it, and what it is.
+pub(super) fn write<L: fmt::Display + Copy>(
+    f: &mut fmt::Formatter<'_>,
+    title: &dyn fmt::Display,
+    arrows: impl Iterator<Item = (AsState, AsState, L, Mark)>,
+) -> fmt::Result {
+    writeln!(f, "// {}", Escaped(title, in_title))?;
+    f.write_str("digraph figure_2 {\n")?;
+    f.write_str("    node [shape=box, fontname=\"Helvetica\"];\n")?;
+    f.write_str("    edge [fontname=\"Helvetica\", fontsize=10];\n")?;
+    f.write_str("    start [shape=point, width=0.15];\n")?;
+    for state in AsState::ALL {
+        let light = Assi::of(state);
+        let style = if flashes(light) { "rounded,filled,dashed" } else { "rounded,filled" };
+        let label = Escaped(light, in_quotes);
+        let fill = fill(light);
+        writeln!(
+            f,
+            "    {state} [label=\"{state}\\nASSI {label}\", style=\"{style}\", fillcolor=\"{fill}\"];"
+        )?;
+    }
+    writeln!(f, "    start -> {};", Control::INITIAL.state)?;
+    for (from, to, label, mark) in arrows {
+        let style = match mark {
+            Mark::Usual => "",
+            Mark::Differs => ", color=\"#c00000\", fontcolor=\"#c00000\", penwidth=2",
+            Mark::Missing => ", color=\"#808080\", fontcolor=\"#808080\", style=dashed",
+        };
+        writeln!(f, "    {from} -> {to} [label=\"{}\\l\"{style}];", Escaped(label, in_quotes))?;
+    }
+    f.write_str("}\n")
 }
 
 /// `\l` ends a line that is aligned to the left; entities such as `&lt;` are read even in plain labels.

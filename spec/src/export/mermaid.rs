@@ -28,26 +28,40 @@ pub struct Mermaid<'a>(pub &'a Machine);
 
 impl fmt::Display for Mermaid<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "%% {}", Title(self.0))?;
-        f.write_str("stateDiagram-v2\n")?;
-        for state in AsState::ALL {
-            writeln!(f, "    state \"{state}\" as {state}")?;
-            writeln!(f, "    {state} : ASSI {}", Escaped(Assi::of(state), in_text))?;
-        }
-        writeln!(f, "    [*] --> {}", Control::INITIAL.state)?;
-        for arrow in arrows(self.0) {
-            let label = Escaped(Label { arrow, wrap: CONDITIONS_PER_LINE }, in_text);
-            writeln!(f, "    {} --> {} : {label}", arrow.row.from, arrow.row.to)?;
-        }
-        for state in AsState::ALL {
-            let light = Assi::of(state);
-            // Classes and states are named apart, so the name of the one serves the other.
-            write!(f, "    classDef {state} fill:{},stroke:#333,color:#000", fill(light))?;
-            writeln!(f, "{}", if flashes(light) { ",stroke-dasharray:5 5" } else { "" })?;
-            writeln!(f, "    class {state} {state}")?;
-        }
-        Ok(())
+        let label = |arrow| Label { arrow, wrap: CONDITIONS_PER_LINE };
+        write(f, &Title(self.0), arrows(self.0).map(|arrow| (arrow.row.from, arrow.row.to, label(arrow))))
     }
+}
+
+/// The diagram of these arrows, each with what stands at it.
+pub(super) fn write<L: fmt::Display + Copy>(
+    f: &mut fmt::Formatter<'_>,
+    title: &dyn fmt::Display,
+    arrows: impl Iterator<Item = (AsState, AsState, L)>,
+) -> fmt::Result {
+    writeln!(f, "%% {}", Escaped(title, in_title))?;
+    f.write_str("stateDiagram-v2\n")?;
+    for state in AsState::ALL {
+        writeln!(f, "    state \"{state}\" as {state}")?;
+        writeln!(f, "    {state} : ASSI {}", Escaped(Assi::of(state), in_text))?;
+    }
+    writeln!(f, "    [*] --> {}", Control::INITIAL.state)?;
+    for (from, to, label) in arrows {
+        writeln!(f, "    {from} --> {to} : {}", Escaped(label, in_text))?;
+    }
+    for state in AsState::ALL {
+        let light = Assi::of(state);
+        // Classes and states are named apart, so the name of the one serves the other.
+        write!(f, "    classDef {state} fill:{},stroke:#333,color:#000", fill(light))?;
+        writeln!(f, "{}", if flashes(light) { ",stroke-dasharray:5 5" } else { "" })?;
+        writeln!(f, "    class {state} {state}")?;
+    }
+    Ok(())
+}
+
+/// A title stays on its line.
+pub(super) fn in_title(character: char) -> Option<&'static str> {
+    (character == '\n').then_some(" ")
 }
 
 /// A text runs to the end of the line, and a colon or a semicolon ends it. Mermaid's own entity codes, `#` for

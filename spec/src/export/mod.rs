@@ -14,6 +14,8 @@
 //! [`Readings`](crate::Readings) have and no others, an arrow being left out when it has no term at all. Where an
 //! alternative of a guard comes from another section than its arrow does, that section stands behind it.
 //!
+//! A [`Drawing`] draws the state machine of somebody else in the same way, with what differs marked.
+//!
 //! ```
 //! use adsdv_spec::export::{Dbc, Figure2, Mermaid};
 //! use adsdv_spec::{Choice, Edition, Machine, Readings};
@@ -32,6 +34,7 @@
 mod arrows;
 mod dbc;
 mod dot;
+mod drawing;
 mod escape;
 mod light;
 mod markdown;
@@ -39,5 +42,6 @@ mod mermaid;
 
 pub use dbc::Dbc;
 pub use dot::Dot;
+pub use drawing::{AsDot, AsMermaid, Drawing, DrawnArrow, Mark};
 pub use markdown::Figure2;
 pub use mermaid::Mermaid;

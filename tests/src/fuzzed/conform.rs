@@ -6,7 +6,7 @@ use std::time::Duration;
 use adsdv_oracle::conform::{
     ConformOptions, ConformReport, InProcess, Outcome, ProgramError, ProgramErrorKind, Reply, Vcu, conform,
 };
-use adsdv_oracle::protocol::{Answer, SHOWN, Shown};
+use adsdv_oracle::protocol::{About, Answer, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{Control, Edition, Fault, Machine, Mutation, Readings};
@@ -191,7 +191,7 @@ impl arbitrary::Arbitrary<'_> for Seen {
 }
 
 impl Vcu for Liar<'_> {
-    fn hello(&mut self, edition: &Edition) -> Result<(), ProgramError> {
+    fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         InProcess(self.machine).hello(edition)
     }
 

@@ -1,0 +1,148 @@
+//! `adsdv conform` of programs that are wrong in several places: each deviation by itself, in the first screen.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::conform::{conform, report, text};
+use crate::run::temporary;
+
+/// The deviations that are printed, one after the other, before the figure; of the first 24 lines, which is a screen.
+fn first_screen(args: &[&str]) -> String {
+    let (status, text) = text(&["--runs", "20"], "deviating", args);
+    assert_eq!(status, Some(1), "{text}");
+    text.lines().take(24).collect::<Vec<_>>().join("\n")
+}
+
+fn names(args: &[&str], deviations: &[&str]) {
+    let screen = first_screen(args);
+    for text in deviations {
+        assert!(screen.contains(text), "{text:?} is not in the first screen:\n{screen}");
+    }
+}
+
+/// One condition more at the first arrow, and nothing behind it was ever tested.
+#[test]
+fn a_condition_more_does_not_hide_the_mistakes_behind_it() {
+    names(
+        &["off-ready:needs:ami=3", "handshake:+450ms", "ready-off:missing"],
+        &[
+            "AS_OFF -> AS_READY also needs ami == AUTOCROSS",
+            "AI_COMMS_LOST after 500 ms; expected 50 ms",
+            "AS_READY -> AS_OFF is never taken",
+        ],
+    );
+}
+
+#[test]
+fn an_arrow_that_comes_one_cycle_later_is_late_and_not_missing() {
+    names(&["driving-finished:late:1"], &["AS_DRIVING -> AS_FINISHED one step late"]);
+}
+
+#[test]
+fn a_program_that_brakes_after_half_a_second_has_another_time_and_no_other_reading() {
+    let json = report(&["--runs", "20"], "deviating", &["handshake:+450ms"]);
+    assert_eq!(json["diagnosis"]["deviations"][0]["id"], "handshake:+450ms");
+    assert_eq!(json["readings"]["comms-lost"], "every-state");
+}
+
+#[test]
+fn an_edge_of_go_that_the_handshake_loses_and_a_wheel_that_alone_counts_are_found() {
+    names(
+        &["go:needs-handshake", "moving:wheel-2"],
+        &[
+            "an edge of \"Go\" is lost while the AI Computer's HANDSHAKE is not the VCU's",
+            "only the front right wheel tells whether the vehicle moves",
+        ],
+    );
+}
+
+#[test]
+fn a_state_and_a_cause_that_there_are_not_are_deviations_and_the_run_goes_on() {
+    names(
+        &["finished:shows:as_state=0", "brake:shows:shutdown_cause=99"],
+        &["as_state is 0 in AS_FINISHED", "shutdown_cause is 99 in EMERGENCY_BRAKE"],
+    );
+}
+
+#[test]
+fn a_deviation_has_a_scenario_that_shows_it_and_that_fails_again_when_it_is_run_as_a_test() {
+    let deviations = ["ready-dwell:+50ms", "driving-finished:missing"];
+    let json = report(&["--runs", "0"], "deviating", &deviations);
+    let found = json["diagnosis"]["deviations"].as_array().expect("a list");
+    assert_eq!(found.len(), 2, "{found:?}");
+    for deviation in found {
+        let file = temporary("one.jsonl", b"");
+        fs::write(&file, deviation["example"]["test"].as_str().expect("a test")).expect("it can be written");
+        let options = ["--runs", "0", "--no-diagnosis", "--suite", file.to_str().expect("a path of text")];
+        let again = report(&options, "deviating", &deviations);
+        assert_eq!((&again["tests"], &again["failed_tests"]), (&json!(1), &json!(1)), "{deviation}");
+        let beside = deviation["example"]["beside"].as_array().expect("a list");
+        if beside.is_empty() {
+            let id = deviation["id"].as_str().expect("an id");
+            assert_eq!(report(&options, "deviating", &[id])["failed_tests"], 1, "{id} alone shows it");
+        }
+    }
+}
+
+#[test]
+fn what_is_printed_of_two_deviations() {
+    let (status, text) = text(&["--runs", "20"], "deviating", &["off-ready:needs:ami=3", "driving:shows:go_signal=0"]);
+    assert_eq!(status, Some(1));
+    crate::golden::compare_text("conform-deviations.txt", &text);
+}
+
+#[test]
+fn accepted_deviations_are_no_failure_and_others_are() {
+    let file = temporary("known.txt", b"");
+    let path = file.to_str().expect("a path of text");
+    let deviations = ["ready-dwell:+50ms", "driving-finished:missing"];
+    let written = conform(&["--runs", "0", "--write-accept", path], "deviating", &deviations);
+    assert_eq!(written.status, Some(1), "{}", written.stderr);
+    let known = fs::read_to_string(&file).expect("it was written");
+    assert!(known.contains("\nready-dwell:+50ms  no reason given yet\n"), "{known}");
+    fs::write(&file, known.replace("no reason given yet", "as ordered")).expect("it can be written");
+
+    let accept = ["--runs", "0", "--accept", path];
+    let (status, text) = text(&accept, "deviating", &deviations);
+    assert_eq!(status, Some(0), "{text}");
+    assert!(text.contains("accepted: as ordered") && text.contains("deviating ready-dwell:+50ms driving-finished:missing: conforms"), "{text}");
+    let more = report(&accept, "deviating", &["ready-dwell:+50ms", "driving-finished:missing", "ready-off:missing"]);
+    assert_eq!(more["conforms"], false, "one that is not accepted");
+    let fewer = report(&accept, "deviating", &["ready-dwell:+50ms"]);
+    assert_eq!((&fewer["conforms"], &fewer["diagnosis"]["unused"]), (&json!(true), &json!(["driving-finished:missing"])));
+}
+
+#[test]
+fn a_file_of_accepted_deviations_that_is_wrong_is_refused() {
+    let file = temporary("wrong.txt", b"");
+    let path = file.to_str().expect("a path of text");
+    fs::write(&file, "# known\ngo:level\n").expect("it can be written");
+    let told = conform(&["--runs", "0", "--accept", path], "deviating", &[]);
+    assert_eq!(told.status, Some(2));
+    assert!(told.stderr.contains("line 2: \"go:level\" has no reason"), "{}", told.stderr);
+    let none = conform(&["--runs", "0", "--accept", "no/such/file"], "deviating", &[]);
+    assert!(none.status == Some(2) && none.stderr.contains("hint: a line is an id and a reason"), "{}", none.stderr);
+}
+
+#[test]
+fn the_figure_of_the_program_is_drawn_with_what_differs() {
+    let (dot, mermaid) = (temporary("figure.dot", b""), temporary("figure.mmd", b""));
+    for (file, parts) in [
+        (&dot, ["digraph figure_2 {", "DIFFERS", "MISSING", "color=\"#c00000\""]),
+        (&mermaid, ["stateDiagram-v2", "DIFFERS<br/>", "MISSING<br/>", "AS_READY --> AS_OFF"]),
+    ] {
+        let path = file.to_str().expect("a path of text");
+        conform(&["--runs", "0", "--figure", path], "deviating", &["ready-off:missing", "off-ready:needs:ami=3"]);
+        let drawn = fs::read_to_string(file).expect("it was written");
+        assert!(parts.iter().all(|part| drawn.contains(part)), "{drawn}");
+    }
+}
+
+#[test]
+fn without_a_diagnosis_only_the_tests_tell() {
+    let json = report(&["--runs", "0", "--no-diagnosis"], "deviating", &["ready-off:missing"]);
+    assert_eq!(json["diagnosis"], Value::Null);
+    let refused = conform(&["--no-diagnosis", "--diagnose"], "deviating", &[]);
+    assert_eq!(refused.status, Some(2), "{}", refused.stdout);
+}

@@ -1,0 +1,80 @@
+//! A deviation by its id.
+
+use adsdv_oracle::protocol::{INPUTS, SHOWN};
+use adsdv_spec::mutation::{Change, Threshold, Time};
+use adsdv_spec::{AsState, Edition};
+
+use crate::deviation::Deviation;
+
+impl Deviation {
+    /// The deviation with this [id](Self::id), with any number in the place of one; `None` if no deviation has it.
+    ///
+    /// ```
+    /// use adsdv_diagnosis::Deviation;
+    /// use adsdv_spec::Edition;
+    ///
+    /// let late = Deviation::find(&Edition::V3_0, "ready-driving:late:2").unwrap();
+    /// assert_eq!(late.text(&Edition::V3_0).to_string(), "AS_READY -> AS_DRIVING 2 steps late");
+    /// assert_eq!(Deviation::find(&Edition::V3_0, "ready-driving:early"), None);
+    /// ```
+    pub fn find(edition: &Edition, id: &str) -> Option<Self> {
+        let is_it = |one: &Self| one.id(edition) == id;
+        Self::every(edition).into_iter().find(is_it).or_else(|| with_numbers(id).into_iter().find(is_it))
+    }
+}
+
+/// All deviations that have the number, or the key and the value, that an id ends with.
+fn with_numbers(id: &str) -> Vec<Deviation> {
+    let last = id.rsplit(':').next().unwrap_or_default();
+    let mut all = Vec::new();
+    if let Ok(by) = last.trim_end_matches("ms").parse() {
+        let times = [Time::ReadyDwell, Time::EbsTimer, Time::Handshake];
+        let thresholds = [Threshold::WheelSpeed, Threshold::Straight, Threshold::Missed];
+        all.extend(times.map(|time| Deviation::Changed(Change::Time(time, by))));
+        all.extend(thresholds.map(|threshold| Deviation::Changed(Change::Threshold(threshold, by))));
+    }
+    let arrows = || AsState::ALL.into_iter().flat_map(|from| AsState::ALL.map(|to| (from, to)));
+    if let Ok(steps) = last.parse() {
+        all.extend(arrows().map(|(from, to)| Deviation::Late { from, to, steps }));
+    }
+    let Some((key, raw)) = last.split_once('=') else { return all };
+    let (key, is) = key.strip_suffix('!').map_or((key, true), |key| (key, false));
+    let Ok(raw) = raw.parse() else { return all };
+    if let Some(field) = INPUTS.iter().find(|field| field.key == key) {
+        let key = field.key;
+        all.extend(arrows().map(|(from, to)| Deviation::Needs { from, to, key, raw, is }));
+        all.extend(arrows().map(|(from, to)| Deviation::Also { from, to, key, raw }));
+    }
+    if let Some(field) = SHOWN.iter().find(|field| field.key == key) {
+        let key = field.key;
+        all.extend(AsState::ALL.map(|state| Deviation::Shows { state, key, raw }));
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_deviation_is_found_by_its_id() {
+        for edition in Edition::ALL {
+            for deviation in Deviation::every(edition) {
+                let id = deviation.id(edition);
+                let found = Deviation::find(edition, &id).map(|found| found.id(edition));
+                assert_eq!(found.as_deref(), Some(id.as_str()));
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_may_be_any() {
+        let edition = Edition::DEFAULT;
+        for id in ["handshake:+451ms", "wheel-speed:-7", "off-ready:late:9", "driving:shows:shutdown_cause=77"] {
+            assert_eq!(Deviation::find(edition, id).map(|found| found.id(edition)).as_deref(), Some(id));
+        }
+        for id in ["", "handshake", "off-ready:late:-1", "off-ready:needs:gas=1", "off:shows:as_state=x"] {
+            assert_eq!(Deviation::find(edition, id), None, "{id}");
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Tests for a program whose time is that of a clock on the wall: each step takes as long as it says, so there is time for a few.
+
+use std::time::Duration;
+
+use adsdv_spec::{Control, Machine};
+
+use crate::protocol::Shown;
+use crate::suite::{Kind, Scenario, Test};
+
+/// So much longer than it says a step takes, at least and at most: whoever waits on a clock waits a little longer.
+const LONGER_MS: [u32; 2] = [1, 9];
+/// What a program may take for a step beside its time.
+const ANSWER: Duration = Duration::from_millis(2);
+
+/// How much longer than it says is waited for each step: between the two.
+pub(super) const PATIENCE: Duration = Duration::from_millis(2);
+
+/// The places of the tests that are run: those that a clock can tell, by how many requirements more they check in how much time, as
+/// many as there is time for.
+pub(super) fn chosen(machine: &Machine, tests: &[Test], time: Duration) -> Vec<usize> {
+    let told = |(place, test): (usize, &Test)| is_told(machine, &test.scenario).then_some(place);
+    let mut left: Vec<usize> = tests.iter().enumerate().filter_map(told).collect();
+    let mut chosen = Vec::new();
+    let mut checked: Vec<&str> = Vec::new();
+    let mut time = time;
+    while let Some(best) = best(tests, &left, &checked, time) {
+        left.retain(|place| *place != best);
+        let Some(test) = tests.get(best) else { continue };
+        time = time.saturating_sub(takes(&test.scenario));
+        checked.extend(test.requirements.iter().map(String::as_str));
+        chosen.push(best);
+    }
+    chosen.sort_unstable();
+    chosen
+}
+
+/// The test that tells most in its time, of those for which there is time.
+fn best(tests: &[Test], left: &[usize], checked: &[&str], time: Duration) -> Option<usize> {
+    let worth = |place: &usize| {
+        let test = tests.get(*place).filter(|test| takes(&test.scenario) <= time)?;
+        let new = test.requirements.iter().filter(|id| !checked.contains(&id.as_str())).count();
+        // A row that was never tried tells more than another condition of one that was.
+        let new = new * 2 + usize::from(test.kind == Kind::Row);
+        let milliseconds = takes(&test.scenario).as_millis().max(1);
+        Some((u128::try_from(new + 1).unwrap_or(1) * 1_000_000 / milliseconds, *place))
+    };
+    left.iter().filter_map(worth).max_by_key(|(worth, place)| (*worth, std::cmp::Reverse(*place))).map(|(_, place)| place)
+}
+
+/// How long a scenario takes.
+pub(super) fn takes(scenario: &Scenario) -> Duration {
+    let step = |dt_ms: u32| Duration::from_millis(dt_ms.into()) + PATIENCE + ANSWER;
+    scenario.steps.iter().map(|step_| step(step_.dt_ms)).sum()
+}
+
+/// Whether a scenario shows the same if its steps take a little longer.
+fn is_told(machine: &Machine, scenario: &Scenario) -> bool {
+    let usual: Vec<Shown> = scenario.shown(machine).collect();
+    LONGER_MS.iter().all(|longer| {
+        let mut control = Control::INITIAL;
+        scenario.steps.iter().zip(&usual).all(|(step, usual)| {
+            let (after, outputs) = machine.step(&control, &step.inputs, step.dt_ms.saturating_add(*longer));
+            control = after;
+            Shown::of(machine.edition(), &outputs, &step.inputs) == *usual
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::suite;
+    use adsdv_spec::Edition;
+
+    #[test]
+    fn what_a_clock_cannot_tell_is_not_chosen_and_the_time_is_kept() {
+        let tests = suite::generate(Edition::DEFAULT);
+        let all = chosen(&Machine::REFERENCE, &tests, Duration::from_secs(1 << 20));
+        let name = |place: &usize| tests[*place].name.as_str();
+        assert!(all.len() > tests.len() / 2 && all.len() < tests.len(), "{}", all.len());
+        assert!(!all.iter().any(|place| name(place) == "ready-dwell-4999-ms"));
+        let minute = Duration::from_mins(1);
+        let few = chosen(&Machine::REFERENCE, &tests, minute);
+        let time: Duration = few.iter().map(|place| takes(&tests[*place].scenario)).sum();
+        assert!(!few.is_empty() && few.len() < all.len() && time <= minute, "{time:?}");
+        let checked = |places: &[usize]| {
+            let ids = places.iter().flat_map(|place| &tests[*place].requirements);
+            ids.collect::<std::collections::HashSet<_>>().len()
+        };
+        let first: Vec<usize> = all.iter().copied().take(few.len()).collect();
+        assert!(checked(&few) > checked(&first), "those that tell most");
+    }
+}
