@@ -60,7 +60,8 @@ fn add_those_beside(edition: &Edition, deviations: &[Deviation], arrows: &mut Ve
     for deviation in deviations {
         if let Deviation::Also { from, to, .. } = deviation {
             let guard = vec![deviation.condition(edition).unwrap_or_default()];
-            let arrow = Arrow { from: *from, to: *to, section: None, guard, otherwise: Vec::new(), missing: false };
+            let arrow =
+                Arrow { from: *from, to: *to, section: None, guard, otherwise: Vec::new(), missing: false };
             arrows.push(arrow);
         }
     }
@@ -92,7 +93,12 @@ fn mark(edition: &Edition, deviations: &[Deviation], arrows: &mut [Arrow]) {
 fn in_words(edition: &Edition, model: &Model, row: &Row, term: &Term) -> String {
     let own = term.literals().map(|(atom, on)| edition.rules.text(atom, on).to_string());
     let besides = model.needs((row.from, row.to)).map(|(field, raw, is)| {
-        format!("{} {} {}", field.key, if is { "==" } else { "!=" }, crate::words::input(edition, field.key, raw))
+        format!(
+            "{} {} {}",
+            field.key,
+            if is { "==" } else { "!=" },
+            crate::words::input(edition, field.key, raw)
+        )
     });
     own.chain(besides).collect::<Vec<_>>().join(" and ")
 }

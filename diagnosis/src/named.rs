@@ -70,7 +70,9 @@ mod tests {
     #[test]
     fn numbers_may_be_any() {
         let edition = Edition::DEFAULT;
-        for id in ["handshake:+451ms", "wheel-speed:-7", "off-ready:late:9", "driving:shows:shutdown_cause=77"] {
+        for id in
+            ["handshake:+451ms", "wheel-speed:-7", "off-ready:late:9", "driving:shows:shutdown_cause=77"]
+        {
             assert_eq!(Deviation::find(edition, id).map(|found| found.id(edition)).as_deref(), Some(id));
         }
         for id in ["", "handshake", "off-ready:late:-1", "off-ready:needs:gas=1", "off:shows:as_state=x"] {

@@ -68,7 +68,9 @@ impl Deviation {
             Self::Changed(Change::RowFirst(place)) => {
                 of(place).into_iter().chain(place.checked_sub(1).and_then(of)).collect()
             }
-            Self::Changed(Change::RowDropped(place) | Change::Term(place, ..)) => of(place).into_iter().collect(),
+            Self::Changed(Change::RowDropped(place) | Change::Term(place, ..)) => {
+                of(place).into_iter().collect()
+            }
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 vec![(from, to)]
             }

@@ -18,7 +18,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use adsdv_oracle::protocol::{Protocol, Request, SHOWN, Shown};
-use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Mutation, Outputs};
+use adsdv_spec::{AsState, Choice, Control, Edition, Inputs, Machine, Mutation, Outputs};
 
 /// What the program was asked to do wrong.
 #[derive(Default)]
@@ -95,17 +95,50 @@ fn main() -> Result<(), Box<dyn Error>> {
     speak(&Machine::new(edition, readings), wrong)
 }
 
+/// What the program remembers between two steps.
+#[derive(Default)]
+struct Memory {
+    control: Control,
+    times_ready: u32,
+    /// The handshake bit, where that is its own.
+    bit: bool,
+    steps: u32,
+}
+
+impl Memory {
+    /// One step, as wrong as was asked for. The inputs become those that the machine behind it sees.
+    fn step(&mut self, vcu: &Machine, wrong: &Wrong, inputs: &mut Inputs, dt_ms: u32) -> Outputs {
+        let answered = inputs.ai.status.handshake == self.bit;
+        if wrong.slow_bit {
+            inputs.ai.status.handshake = self.control.handshake.bit == answered;
+        }
+        let (after, mut outputs) = vcu.step(&self.control, inputs, dt_ms);
+        if wrong.slow_bit {
+            self.steps += 1;
+            self.bit = inputs.tsms && self.bit ^ (answered && self.steps.is_multiple_of(2));
+            outputs.handshake = self.bit;
+        }
+        let again = (self.control.state, after.state) == (AsState::Off, AsState::Ready);
+        self.times_ready += u32::from(again);
+        if wrong.once && again && self.times_ready > 1 {
+            self.times_ready = 1;
+            return Outputs { state: AsState::Off, ..outputs };
+        }
+        self.control = after;
+        outputs
+    }
+}
+
 fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
     let mut requests = BufReader::new(io::stdin().lock());
     let mut answers = BufWriter::new(io::stdout().lock());
     let protocol = Protocol::of(vcu.edition());
-    let (mut control, mut times_ready) = (Control::INITIAL, 0);
+    let mut memory = Memory::default();
     let (mut line, mut delayed) = (String::new(), VecDeque::new());
     if let Some(about) = &wrong.about {
         writeln!(answers, "{about}")?;
     }
     let mut last = Instant::now();
-    let (mut own_bit, mut steps) = (false, 0_u32);
     for count in 1.. {
         if requests.buffer().is_empty() {
             answers.flush()?;
@@ -118,9 +151,8 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
         let mut answer = match protocol.request(&line)? {
             Request::Hello { .. } => wrong.hello.clone().unwrap_or_else(|| "{}".to_owned()),
             Request::Reset => {
-                (control, times_ready) = (Control::INITIAL, 0);
+                memory = Memory::default();
                 last = Instant::now();
-                (own_bit, steps) = (false, 0);
                 delayed = VecDeque::from(vec!["{}".to_owned(); wrong.latency]);
                 wrong.reset.clone().unwrap_or_else(|| "{}".to_owned())
             }
@@ -129,34 +161,13 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
                     dt_ms = u32::try_from(last.elapsed().as_millis())?;
                     last += Duration::from_millis(dt_ms.into());
                 }
-                let answered = inputs.ai.status.handshake == own_bit;
-                if wrong.slow_bit {
-                    inputs.ai.status.handshake = control.handshake.bit == answered;
-                }
                 if wrong.scramble {
                     // Never the state, which comes first.
                     let place = 1 + line.len() % (protocol.shown().count() - 1);
                     wrong.lie = protocol.shown().nth(place).map(|(field, _)| field.key.to_owned());
                 }
-                let (after, mut outputs) = vcu.step(&control, &inputs, dt_ms);
-                if wrong.slow_bit {
-                    steps += 1;
-                    own_bit = inputs.tsms && own_bit ^ (answered && steps % 2 == 0);
-                    outputs.handshake = own_bit;
-                }
-                let again = (control.state, after.state) == (AsState::Off, AsState::Ready);
-                times_ready += u32::from(again);
-                if wrong.once && again && times_ready > 1 {
-                    times_ready = 1;
-                    delayed.push_back(wrong.shown(&Shown::of(
-                        vcu.edition(),
-                        &Outputs { state: AsState::Off, ..outputs },
-                        &inputs,
-                    )));
-                } else {
-                    control = after;
-                    delayed.push_back(wrong.shown(&Shown::of(vcu.edition(), &outputs, &inputs)));
-                }
+                let outputs = memory.step(vcu, &wrong, &mut inputs, dt_ms);
+                delayed.push_back(wrong.shown(&Shown::of(vcu.edition(), &outputs, &inputs)));
                 delayed.pop_front().unwrap_or_default()
             }
         };

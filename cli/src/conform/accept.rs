@@ -51,7 +51,10 @@ impl Accepted {
             }
             let shown: String = line.chars().take(60).flat_map(char::escape_debug).collect();
             let Some((id, reason)) = line.split_once(char::is_whitespace) else {
-                return Err((number, format!("\"{shown}\" has no reason; expected an id, and why it is accepted")));
+                return Err((
+                    number,
+                    format!("\"{shown}\" has no reason; expected an id, and why it is accepted"),
+                ));
             };
             if entries.iter().any(|entry| entry.id == id) {
                 return Err((number, format!("\"{shown}\" is there already; expected each id once")));
@@ -73,8 +76,15 @@ impl Accepted {
     }
 
     /// Writes a file that accepts these deviations; the reasons that are known stay.
-    pub(super) fn write(&self, path: &Path, edition: &Edition, deviations: &[Deviation]) -> Result<(), Error> {
-        let mut text = String::from("# Deviations that are known: an id, and why it is accepted. For adsdv conform --accept.\n");
+    pub(super) fn write(
+        &self,
+        path: &Path,
+        edition: &Edition,
+        deviations: &[Deviation],
+    ) -> Result<(), Error> {
+        let mut text = String::from(
+            "# Deviations that are known: an id, and why it is accepted. For adsdv conform --accept.\n",
+        );
         for deviation in deviations {
             let id = deviation.id(edition);
             let reason = self.reason(&id).unwrap_or("no reason given yet");

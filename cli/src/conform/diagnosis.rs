@@ -173,7 +173,12 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
             wrapped(out, format!("accepted: {reason}").split(' '), 6, width);
         }
         if observed {
-            wrapped(out, "no failure: the document is silent, and this is only decided here".split(' '), 6, width);
+            wrapped(
+                out,
+                "no failure: the document is silent, and this is only decided here".split(' '),
+                6,
+                width,
+            );
         }
         shown(out, (&id, example.as_ref()), (edition, &machine), width)?;
     }

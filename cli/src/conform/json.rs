@@ -33,6 +33,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         latency: report.late,
         cycle_ms: report.cycle_ms,
         wall_clock: report.about.wall_clock,
+        repeats: report.repeats,
         requirements: report
             .requirements
             .iter()
@@ -79,6 +80,7 @@ struct ConformJson<'a> {
     latency: usize,
     cycle_ms: Option<u32>,
     wall_clock: bool,
+    repeats: bool,
     requirements: Vec<RequirementJson<'a>>,
     about_the_vcu: usize,
     failures: Vec<FailureJson<'a>>,
@@ -206,7 +208,8 @@ impl StepJson {
 impl<'a> FollowsJson<'a> {
     /// What the tests speak for, and what explains them by deviations.
     fn of(follows: &'a Follows, readings: Readings) -> Self {
-        let other = Some(readings.choice(follows.reading)).filter(|choice| !follows.possible.contains(choice));
+        let other =
+            Some(readings.choice(follows.reading)).filter(|choice| !follows.possible.contains(choice));
         let other = other.filter(|_| !follows.possible.is_empty());
         Self {
             reading: follows.reading.id(),

@@ -87,7 +87,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
 fn is_diagnosed(args: &ConformArgs, report: &ConformReport) -> bool {
     let can_be = args.latency == 0 && report.cycle_ms.is_none() && !report.about.wall_clock;
     let differs = !report.conforms() || !report.observations.is_empty();
-    can_be && !args.no_diagnosis && (args.diagnose || differs)
+    // What one experiment teaches would not hold in the next.
+    can_be && report.repeats && !args.no_diagnosis && (args.diagnose || differs)
 }
 
 /// The verdict: with accepted deviations it is about the others, and about what does not follow from any.

@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::protocol::About;
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
+use adsdv_oracle::protocol::About;
 use adsdv_spec::{Edition, Machine};
 
 use super::JudgedProgram;
@@ -100,7 +100,9 @@ fn header(
     if !report.not_told.is_empty() {
         let why = match (&report.about, report.cycle_ms) {
             (about, _) if about.wall_clock => "there is no time for them, or a clock cannot tell them",
-            (About { inputs: Some(_), .. }, _) => "they need an input that it does not have, or cannot be told at its cycle",
+            (About { inputs: Some(_), .. }, _) => {
+                "they need an input that it does not have, or cannot be told at its cycle"
+            }
             _ => "they cannot be told at it",
         };
         writeln!(out, "not run, for {why}: {}", counted(report.not_told.len() as u64, "test"))?;
@@ -179,7 +181,8 @@ fn those(
         let names: Vec<String> = explained.iter().map(|failure| failure.name.clone()).collect();
         let follow = if names.len() == 1 { "follows" } else { "follow" };
         let count = names.len();
-        let text = format!("{count} {follow} from the deviations above: {} (--all prints them)", joined(&names));
+        let text =
+            format!("{count} {follow} from the deviations above: {} (--all prints them)", joined(&names));
         wrapped(out, text.split(' '), 2, width);
     }
     failures(out, &rest, machine, width)

@@ -87,7 +87,8 @@ fn a_deviation_has_a_scenario_that_shows_it_and_that_fails_again_when_it_is_run_
 
 #[test]
 fn what_is_printed_of_two_deviations() {
-    let (status, text) = text(&["--runs", "20"], "deviating", &["off-ready:needs:ami=3", "driving:shows:go_signal=0"]);
+    let (status, text) =
+        text(&["--runs", "20"], "deviating", &["off-ready:needs:ami=3", "driving:shows:go_signal=0"]);
     assert_eq!(status, Some(1));
     crate::golden::compare_text("conform-deviations.txt", &text);
 }
@@ -106,11 +107,19 @@ fn accepted_deviations_are_no_failure_and_others_are() {
     let accept = ["--runs", "0", "--accept", path];
     let (status, text) = text(&accept, "deviating", &deviations);
     assert_eq!(status, Some(0), "{text}");
-    assert!(text.contains("accepted: as ordered") && text.contains("deviating ready-dwell:+50ms driving-finished:missing: conforms"), "{text}");
-    let more = report(&accept, "deviating", &["ready-dwell:+50ms", "driving-finished:missing", "ready-off:missing"]);
+    assert!(
+        text.contains("accepted: as ordered")
+            && text.contains("deviating ready-dwell:+50ms driving-finished:missing: conforms"),
+        "{text}"
+    );
+    let more =
+        report(&accept, "deviating", &["ready-dwell:+50ms", "driving-finished:missing", "ready-off:missing"]);
     assert_eq!(more["conforms"], false, "one that is not accepted");
     let fewer = report(&accept, "deviating", &["ready-dwell:+50ms"]);
-    assert_eq!((&fewer["conforms"], &fewer["diagnosis"]["unused"]), (&json!(true), &json!(["driving-finished:missing"])));
+    assert_eq!(
+        (&fewer["conforms"], &fewer["diagnosis"]["unused"]),
+        (&json!(true), &json!(["driving-finished:missing"]))
+    );
 }
 
 #[test]
@@ -122,7 +131,11 @@ fn a_file_of_accepted_deviations_that_is_wrong_is_refused() {
     assert_eq!(told.status, Some(2));
     assert!(told.stderr.contains("line 2: \"go:level\" has no reason"), "{}", told.stderr);
     let none = conform(&["--runs", "0", "--accept", "no/such/file"], "deviating", &[]);
-    assert!(none.status == Some(2) && none.stderr.contains("hint: a line is an id and a reason"), "{}", none.stderr);
+    assert!(
+        none.status == Some(2) && none.stderr.contains("hint: a line is an id and a reason"),
+        "{}",
+        none.stderr
+    );
 }
 
 #[test]
@@ -133,7 +146,11 @@ fn the_figure_of_the_program_is_drawn_with_what_differs() {
         (&mermaid, ["stateDiagram-v2", "DIFFERS<br/>", "MISSING<br/>", "AS_READY --> AS_OFF"]),
     ] {
         let path = file.to_str().expect("a path of text");
-        conform(&["--runs", "0", "--figure", path], "deviating", &["ready-off:missing", "off-ready:needs:ami=3"]);
+        conform(
+            &["--runs", "0", "--figure", path],
+            "deviating",
+            &["ready-off:missing", "off-ready:needs:ami=3"],
+        );
         let drawn = fs::read_to_string(file).expect("it was written");
         assert!(parts.iter().all(|part| drawn.contains(part)), "{drawn}");
     }

@@ -48,6 +48,8 @@ pub struct ConformReport {
     pub not_told: Vec<String>,
     /// What else is worth knowing.
     pub notes: Vec<String>,
+    /// Whether it answered alike what it was asked again. What is said of a program that does not may be otherwise the next time.
+    pub repeats: bool,
     /// The cycle at which it stepped, in milliseconds; `None`: any time passed between two steps.
     pub cycle_ms: Option<u32>,
     /// What the program said of itself.
@@ -135,7 +137,8 @@ impl Failure {
             let differs = |field: &&InputField| {
                 field.key != HANDSHAKE && (field.get)(&step.inputs) != (field.get)(&before.inputs)
             };
-            let given = INPUTS.iter().filter(differs).map(|field| (field.key, self.input(field, &step.inputs)));
+            let given =
+                INPUTS.iter().filter(differs).map(|field| (field.key, self.input(field, &step.inputs)));
             let turned = (answers != answered).then_some((HANDSHAKE, answer(answers)));
             let changes: Vec<_> = given.chain(turned).collect();
             let expected =

@@ -7,8 +7,8 @@ use adsdv_spec::{Inputs, Machine};
 use super::blame::{Blame, Wrong};
 use super::failures::Failures;
 use super::keys::Keys;
-use super::own_bit::Asked;
 use super::options::{ConformOptions, ConformProgress, Phase};
+use super::own_bit::Asked;
 use super::program_error::{ProgramError, Work};
 use super::report::{ConformReport, Failure};
 use super::requirements;
@@ -62,11 +62,7 @@ pub fn conform(
 }
 
 /// The tests that a program can be asked for.
-fn askable<'a>(
-    tests: &'a [Test],
-    about: &About,
-    options: &ConformOptions,
-) -> impl Iterator<Item = &'a Test> {
+fn askable<'a>(tests: &'a [Test], about: &About, options: &ConformOptions) -> impl Iterator<Item = &'a Test> {
     let machine = Machine::new(options.edition, options.edition.readings);
     let chosen = about.wall_clock.then(|| wall_clock::chosen(&machine, tests, options.wall_time));
     let lacking = lacking(about);
@@ -95,7 +91,10 @@ fn said(about: &About, report: &ConformReport) -> Vec<String> {
     let promised = about.outputs.iter().flatten().filter(|key| report.not_shown.contains(key));
     let promised: Vec<&str> = promised.copied().collect();
     if !promised.is_empty() {
-        notes.push(format!("it says that it has these outputs, and never shows them: {}", promised.join(", ")));
+        notes.push(format!(
+            "it says that it has these outputs, and never shows them: {}",
+            promised.join(", ")
+        ));
     }
     notes
 }
@@ -135,6 +134,12 @@ impl Run<'_> {
         let is_observed = |wrong: &Wrong, ids: &[String]| {
             !strict && !wrong.is_nothing() && ids.iter().all(|id| is_decision(id))
         };
+        let repeats = broken.iter().all(|(_, wrong, _)| !wrong.is_nothing());
+        if !repeats {
+            notes.push(
+                "it does not answer the same questions alike: what is said of it may be otherwise the next time".to_owned(),
+            );
+        }
         let observed_tests = broken.iter().filter(|(_, wrong, ids)| is_observed(wrong, ids)).count();
         let follows = if suite.failed.is_empty() {
             verdict::follows(&options.edition, &in_random.readings)
@@ -169,6 +174,7 @@ impl Run<'_> {
                 .collect(),
             not_told,
             notes,
+            repeats,
             cycle_ms: options.cycle_ms,
             about: About::default(),
         })

@@ -108,7 +108,10 @@ impl Run<'_> {
             return Ok(None);
         }
         *suite = again;
-        Ok(Some("its HANDSHAKE is not the specification's; the AI Computer answers the bit that it shows".to_owned()))
+        Ok(Some(
+            "its HANDSHAKE is not the specification's; the AI Computer answers the bit that it shows"
+                .to_owned(),
+        ))
     }
 
     pub(super) fn suite(&mut self, tests: &[Test], latency: usize) -> Result<Suite, ProgramError> {

@@ -44,7 +44,10 @@ fn best(tests: &[Test], left: &[usize], checked: &[&str], time: Duration) -> Opt
         let milliseconds = takes(&test.scenario).as_millis().max(1);
         Some((u128::try_from(new + 1).unwrap_or(1) * 1_000_000 / milliseconds, *place))
     };
-    left.iter().filter_map(worth).max_by_key(|(worth, place)| (*worth, std::cmp::Reverse(*place))).map(|(_, place)| place)
+    left.iter()
+        .filter_map(worth)
+        .max_by_key(|(worth, place)| (*worth, std::cmp::Reverse(*place)))
+        .map(|(_, place)| place)
 }
 
 /// How long a scenario takes.

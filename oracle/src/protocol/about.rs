@@ -54,7 +54,11 @@ impl About {
                     about.cycle_ms = u32::try_from(*cycle).ok();
                 }
                 ("cycle_ms", found) => {
-                    return Err(BadLine::value(key, found, format!("a whole number from 1 to {LONGEST_CYCLE}")));
+                    return Err(BadLine::value(
+                        key,
+                        found,
+                        format!("a whole number from 1 to {LONGEST_CYCLE}"),
+                    ));
                 }
                 ("clock", Given::Text(clock)) if clock == "wall" => about.wall_clock = true,
                 ("clock", Given::Text(clock)) if clock == "steps" => about.wall_clock = false,

@@ -212,10 +212,7 @@ mod tests {
         for (line, difference) in [
             (r#"{"as_state":0}"#, "as_state is 0; expected AS_OFF"),
             (r#"{"as_state":"AS_LIMP"}"#, "as_state is AS_LIMP; expected AS_OFF"),
-            (
-                r#"{"as_state":"AS_OFF","shutdown_cause":99}"#,
-                "shutdown_cause is 99; expected NO SHUTDOWN",
-            ),
+            (r#"{"as_state":"AS_OFF","shutdown_cause":99}"#, "shutdown_cause is 99; expected NO SHUTDOWN"),
             (r#"{"as_state":"AS_OFF","front_axle_trq":-1}"#, "front_axle_trq is -1; expected 0"),
         ] {
             let answer: Answer = line.parse().unwrap();

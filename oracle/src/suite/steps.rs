@@ -21,9 +21,12 @@ pub(super) fn read(steps: &[RawStep<'_>], machine: &Machine) -> Result<Scenario,
         let given = step.inputs.map_or("{}", |inputs| inputs.get());
         let InputsAsJson(mut inputs) = protocol.inputs_as_json(given).map_err(at)?;
         if step.answers.is_some() && inputs.ai.status.handshake {
-            return Err(format!("step {number}: \"answers\" says what \"handshake\" is; expected one of them"));
+            return Err(format!(
+                "step {number}: \"answers\" says what \"handshake\" is; expected one of them"
+            ));
         }
-        let expected = step.expected.map(|expected| protocol.answer(expected.get()).map_err(at)).transpose()?;
+        let expected =
+            step.expected.map(|expected| protocol.answer(expected.get()).map_err(at)).transpose()?;
         let times = step.times.unwrap_or(1);
         let room = MOST.saturating_sub(scenario.steps.len());
         if times == 0 || times > 1 && usize::try_from(times).unwrap_or(usize::MAX) > room {
@@ -40,7 +43,9 @@ pub(super) fn read(steps: &[RawStep<'_>], machine: &Machine) -> Result<Scenario,
             control = after;
             scenario.steps.push(step);
             let shown = Shown::of(machine.edition(), &outputs, &inputs);
-            if let Some(difference) = expected.as_ref().and_then(|expected| expected.differences(&shown).next()) {
+            if let Some(difference) =
+                expected.as_ref().and_then(|expected| expected.differences(&shown).next())
+            {
                 return Err(format!("step {number}: {difference}, which is what the specification shows"));
             }
         }

@@ -34,7 +34,11 @@ fn an_input_that_a_program_does_not_have_is_never_given() {
     let needs = |name: &str| report.not_told.iter().any(|left_out| left_out == name);
     assert!(needs("3.5-sdc-open") && !needs("3.6"), "{:?}", report.not_told);
     assert_eq!(report.tests + report.not_told.len(), tests().len());
-    assert!(report.notes.iter().any(|note| note.contains("never shows them: go_signal")), "{:?}", report.notes);
+    assert!(
+        report.notes.iter().any(|note| note.contains("never shows them: go_signal")),
+        "{:?}",
+        report.notes
+    );
 }
 
 #[test]

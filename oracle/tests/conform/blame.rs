@@ -105,7 +105,8 @@ fn a_random_scenario_breaks_the_row_that_it_finds_or_the_output() {
             outputs.insert("front_axle_trq".to_owned(), json!(7));
         }
     };
-    let report = tampered(&rows, &ConformOptions { runs: 200, strict: true, ..ConformOptions::default() }, torque);
+    let report =
+        tampered(&rows, &ConformOptions { runs: 200, strict: true, ..ConformOptions::default() }, torque);
     assert_eq!((report.failed_tests, failed(&report)), (0, vec!["DRV-2"]));
     let output = report.requirements.iter().find(|one| one.id == "DRV-2").expect("it is there");
     assert!(output.tests == 0 && output.failed[0].starts_with("random scenario "), "{output:?}");

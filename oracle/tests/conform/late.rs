@@ -63,7 +63,8 @@ fn at_a_fixed_cycle_every_step_takes_it() {
     }
     let tests = crate::programs::tests();
     for (cycle_ms, at_most) in [(10, 0), (50, 20)] {
-        let options = ConformOptions { cycle_ms: Some(cycle_ms), runs: 20, strict: true, ..ConformOptions::default() };
+        let options =
+            ConformOptions { cycle_ms: Some(cycle_ms), runs: 20, strict: true, ..ConformOptions::default() };
         let mut vcu = OneCycle(adsdv_oracle::conform::InProcess(Machine::REFERENCE), cycle_ms);
         let report =
             adsdv_oracle::conform::conform(&mut vcu, tests, &options, &mut |_| {}).expect("it answers");

@@ -67,10 +67,7 @@ fn programs_that_end_early() {
             "\n  stderr    first words\n  stderr    the battery is empty\\u{1b}[2J\n",
         ],
     );
-    reports(
-        &["--crash-at", "2"],
-        &["the program ended early (signal 6)", "3.1, step 1", FIRST_STEP],
-    );
+    reports(&["--crash-at", "2"], &["the program ended early (signal 6)", "3.1, step 1", FIRST_STEP]);
     reports(&["--leave"], &["the program ended early (exit status 0)", "the beginning, the reset"]);
     reports(&["--no-such-option"], &["ended early (exit status 1)", "what is --no-such-option?"]);
 }
@@ -134,10 +131,7 @@ fn programs_that_answer_something_else() {
         &["--unknown-at", "2"],
         &["there is no key \"speed\"; expected one of as_state", "received  {\"as_state\""],
     );
-    reports(
-        &["--value-at", "2"],
-        &["\"handshake\" is \"maybe\"; expected true or false"],
-    );
+    reports(&["--value-at", "2"], &["\"handshake\" is \"maybe\"; expected true or false"]);
     reports(&["--no-state-at", "2"], &["there is no \"as_state\"; expected at least that"]);
     reports(&["--binary-at", "2"], &["a line that is not UTF-8", "3.1, step 1", "write answers in UTF-8"]);
     reports(&["--long-at", "2"], &["a line of more than 65536 bytes", "received  xxxx", "end every answer"]);

@@ -13,7 +13,12 @@ fn by_default() -> ConformOptions {
 }
 
 fn by_default_of(edition: &Edition) -> ConformOptions {
-    ConformOptions { possible: edition.readings.choices(), runs: 0, strict: true, ..ConformOptions::of(edition) }
+    ConformOptions {
+        possible: edition.readings.choices(),
+        runs: 0,
+        strict: true,
+        ..ConformOptions::of(edition)
+    }
 }
 
 fn mutated(mutation: &Mutation) -> Machine {

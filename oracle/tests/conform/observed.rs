@@ -89,7 +89,10 @@ fn a_value_outside_of_its_enumeration_is_a_finding_and_the_run_goes_on() {
     let wrong = report.failures.iter().flat_map(|one| one.found.iter().flat_map(|found| &found.differences));
     let said: Vec<String> = wrong.map(ToString::to_string).collect();
     assert!(said.iter().any(|one| one == "as_state is 0; expected AS_FINISHED"), "{said:?}");
-    assert!(said.iter().any(|one| one.starts_with("shutdown_cause is BRAKES_ON_FIRE; expected ")), "{said:?}");
+    assert!(
+        said.iter().any(|one| one.starts_with("shutdown_cause is BRAKES_ON_FIRE; expected ")),
+        "{said:?}"
+    );
 }
 
 /// A VCU whose handshake bit turns at half the pace is answered by its own: it loses no communication, and only the bit is wrong.

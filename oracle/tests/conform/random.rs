@@ -49,7 +49,8 @@ fn a_failure_that_does_not_repeat_is_reported_as_that() {
     let options = ConformOptions { runs: 0, strict: true, ..ConformOptions::default() };
     let report = example("mutant", &["--lie-at", "2"], &options, TIMEOUT).expect("it answers");
     let [failure] = report.failures.as_slice() else { panic!("{:?}", report.failures) };
-    assert!(failure.found.is_none() && !report.conforms());
+    assert!(failure.found.is_none() && !report.conforms() && !report.repeats);
+    assert!(report.notes.iter().any(|note| note.contains("does not answer the same questions alike")));
     assert_eq!(report.failed_tests, 1);
 }
 

@@ -13,7 +13,12 @@ const REFERENCE: Machine = Machine::new(EDITION, EDITION.readings);
 
 /// The suite alone, by the default readings: much faster, and the readings are those of 4.0.
 fn by_default() -> ConformOptions {
-    ConformOptions { runs: 0, possible: EDITION.readings.choices(), strict: true, ..ConformOptions::of(&EDITION) }
+    ConformOptions {
+        runs: 0,
+        possible: EDITION.readings.choices(),
+        strict: true,
+        ..ConformOptions::of(&EDITION)
+    }
 }
 
 /// The requirements that came to this.

@@ -131,7 +131,8 @@ fn a_test_of_ones_own_is_read() {
 /// What a person writes in a minute: steps, how often, and that the AI Computer answers. What is expected the edition says.
 #[test]
 fn a_test_needs_steps_and_nothing_else() {
-    let inputs = r#""inputs":{"asms":true,"tsms":true,"ami":"SKIDPAD","ebs":"ARMED","mission_status":"SELECTED"}"#;
+    let inputs =
+        r#""inputs":{"asms":true,"tsms":true,"ami":"SKIDPAD","ebs":"ARMED","mission_status":"SELECTED"}"#;
     let line = format!(
         r#"{{"steps":[{{"dt_ms":10}},{{"dt_ms":10,"times":30,"answers":true,{inputs}}},{{"dt_ms":10,"times":7,"answers":false,{inputs}}}]}}"#
     );

@@ -4,6 +4,7 @@ mod alias;
 mod belief;
 mod codec;
 mod consistent;
+mod drawing;
 mod edition;
 mod faults;
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
