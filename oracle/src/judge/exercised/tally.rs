@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use adsdv_spec::{Actuation, AsState, Edition};
 
-use super::super::finding::Severity;
+use crate::judge::finding::Severity;
 use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
 use super::{Told, ToldRequirement};
 

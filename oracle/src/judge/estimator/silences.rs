@@ -1,0 +1,110 @@
+//! Missed messages: whether one of the AI Computer's has been silent for too long (section 2.4 of version 4.0).
+//!
+//! A recorder loses frames as well. So a silence that is about as long as the limit, give or take the window, may be one or
+//! not; and that nothing at all comes from the AI Computer may be the recorder's doing: what becomes of that is told by the
+//! handshake.
+
+use adsdv_spec::Truth;
+
+use crate::judge::sampler::Sampler;
+use crate::judge::sampler::places::{AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER};
+
+/// The messages that are watched.
+pub(in crate::judge) const WATCHED: [usize; 5] = [AI_STATUS, AI_DRIVE_F, AI_DRIVE_R, AI_STEER, AI_BRAKE];
+
+/// What is kept of the messages that are watched.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::judge) struct Silences {
+    /// How long a message may be silent; `None` where the edition has no such rule.
+    pub(in crate::judge) limit: Option<i64>,
+    window: i64,
+    /// Whether every VCU watches them, whatever TSMS is.
+    always: bool,
+    /// When the last frame of each came that nobody can refuse.
+    valid_at: [Option<i64>; WATCHED.len()],
+    /// Since when TSMS is known to have been on.
+    on_since: Option<i64>,
+    /// Whether any has been silent for too long, when that was looked at last.
+    pub(in crate::judge) silent: Truth,
+}
+
+impl Silences {
+    pub(in crate::judge) const fn new(limit: Option<i64>, window: i64, always: bool) -> Self {
+        Self { limit, window, always, valid_at: [None; WATCHED.len()], on_since: None, silent: Truth::Unknown }
+    }
+
+    /// Nothing is known of what came.
+    pub(in crate::judge) fn forget(&mut self) {
+        *self = Self::new(self.limit, self.window, self.always);
+    }
+
+    /// The VCU's frames stopped: whether the switch stayed on is not known.
+    pub(in crate::judge) fn vcu_gone(&mut self) {
+        self.on_since = None;
+    }
+
+    /// A frame of a message came. A VCU may refuse one with a value out of range, or of another length than the edition's.
+    pub(in crate::judge) fn heard(&mut self, place: usize, t: i64, sampler: &Sampler) {
+        let Some(slot) = WATCHED.get(place).and_then(|&index| sampler.slot(index)) else { return };
+        let valid = slot.fresh && slot.bad == 0 && slot.def.is_some_and(|def| def.len == slot.len);
+        if let (true, Some(at)) = (valid, self.valid_at.get_mut(place)) {
+            *at = Some(t);
+        }
+    }
+
+    /// When a frame of a message came last, valid or not.
+    pub(in crate::judge) fn heard_at(place: usize, sampler: &Sampler) -> Option<i64> {
+        sampler.last(*WATCHED.get(place)?)
+    }
+
+    /// Whether another message of the AI Computer comes, so that it is not the recorder that hears nothing.
+    pub(in crate::judge) fn others_come(&self, place: usize, t: i64, sampler: &Sampler) -> bool {
+        let within = self.limit.unwrap_or_default() - self.window;
+        let others = (0..WATCHED.len()).filter(|&other| other != place);
+        others.filter_map(|other| Self::heard_at(other, sampler)).any(|last| t - last < within)
+    }
+
+    /// Whether a message has been silent for too long. One that was never heard may have been left out by the recorder, and of two
+    /// silences a single frame between may be lost where the recorder loses frames.
+    pub(in crate::judge) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
+        let Some(limit) = self.limit else { return Truth::False };
+        let lossy = WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(|slot| slot.is_lossy());
+        match (self.valid_at.get(place), Self::heard_at(place, sampler)) {
+            (Some(Some(valid)), _) if t - valid < limit - self.window => Truth::False,
+            (_, Some(last)) if t - last < limit + self.window || lossy => Truth::Unknown,
+            (_, Some(_)) if self.others_come(place, t, sampler) => Truth::True,
+            _ => Truth::Unknown,
+        }
+    }
+
+    /// Whether a VCU watches the messages, and has for long enough. One that does not yet may from its next step on, and a
+    /// silence counts from before that.
+    //= D-52
+    pub(in crate::judge) fn is_watching(&self, t: i64, tsms: Truth) -> Truth {
+        let enough = self.limit.unwrap_or_default() + self.window;
+        let long = self.on_since.is_some_and(|since| t - since >= enough);
+        if self.always || tsms == Truth::True && long { Truth::True } else { Truth::Unknown }
+    }
+
+    /// Whether communication is lost because a message is missed.
+    pub(in crate::judge) fn is_missed(&mut self, t: i64, tsms: Truth, sampler: &Sampler) -> Truth {
+        if self.limit.is_none() {
+            self.silent = Truth::False;
+            return Truth::False;
+        }
+        self.on_since = if tsms == Truth::True { self.on_since.or(Some(t)) } else { None };
+        let each = (0..WATCHED.len()).map(|place| self.is_silent(place, t, sampler));
+        self.silent = each.fold(Truth::False, Truth::or);
+        self.is_watching(t, tsms).and(self.silent)
+    }
+
+    /// When a silence changes what is known, after this time.
+    pub(in crate::judge) fn next(&self, after: i64, sampler: &Sampler) -> i64 {
+        let Some(limit) = self.limit else { return i64::MAX };
+        let (sure, certain) = (limit - self.window, limit + self.window);
+        let valid = self.valid_at.iter().flatten().map(|at| at + sure);
+        let heard = (0..WATCHED.len()).filter_map(|place| Self::heard_at(place, sampler)).map(|at| at + certain);
+        let on = self.on_since.map(|at| at + certain);
+        valid.chain(heard).chain(on).filter(|&at| at > after).min().unwrap_or(i64::MAX)
+    }
+}
