@@ -87,25 +87,38 @@ impl<R: Read> Reader<R> {
     ///
     /// Fails when the source does, after every complete line that it gave. A broken line is no failure of
     /// the reader but an [`Entry::Broken`].
+    #[inline]
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
+        let text = self.buffer.get(self.pending.clone()).unwrap_or_default();
+        let Some((usual, taken)) =
+            usual::read(text, self.interface.as_bytes()).filter(|_| !self.inside_long_line)
+        else {
+            return self.next_unusual();
+        };
+        self.pending.start += taken;
+        self.line += 1;
+        let Usual { time_ns, id, data, len } = usual;
+        if let Some(place) = self.data.first_chunk_mut() {
+            *place = data;
+        }
+        Ok(Some(Entry::Frame(Record {
+            line: self.line,
+            time_ns,
+            interface: &self.interface,
+            kind: FrameKind::Standard,
+            id,
+            data: self.data.get(..len).unwrap_or_default(),
+            direction: None,
+            terminated: true,
+        })))
+    }
+
+    /// The next line that is not blank, whatever it is.
+    #[cold]
+    fn next_unusual(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let Some(span) = self.next_line()? else { return Ok(None) };
         let terminated = self.terminated;
         let text = text(&self.buffer, span, self.line);
-        if let Some(Usual { time_ns, id, data, len }) = usual::read(text, self.interface.as_bytes()) {
-            if let Some(place) = self.data.first_chunk_mut() {
-                *place = data;
-            }
-            return Ok(Some(Entry::Frame(Record {
-                line: self.line,
-                time_ns,
-                interface: &self.interface,
-                kind: FrameKind::Standard,
-                id,
-                data: self.data.get(..len).unwrap_or_default(),
-                direction: None,
-                terminated,
-            })));
-        }
         let parsed = if text.len() > MAX_LINE {
             Err(Flaw { at: 0, expected: SHORTER })
         } else {

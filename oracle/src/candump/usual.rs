@@ -23,14 +23,15 @@ pub(super) struct Usual {
     pub(super) len: usize,
 }
 
-/// Reads a line if it is a usual one on this interface. Before the first frame there is none, and its name is empty: a usual
+/// Reads the line at the beginning of a text if it is a usual one on this interface and there is room for the longest; tells how long
+/// it is, with its line feed, which is found on the way. Before the first frame there is no interface, and its name is empty: a usual
 /// line names one.
 #[inline]
-pub(super) fn read(line: &[u8], interface: &[u8]) -> Option<Usual> {
+pub(super) fn read(text: &[u8], interface: &[u8]) -> Option<(Usual, usize)> {
     if interface.is_empty() {
         return None;
     }
-    let mut cursor = Cursor::new(line);
+    let mut cursor = Cursor::new(text);
     let time_ns = time::usual(&mut cursor)?;
     let (&[b' ', ref id @ .., b'#'], digits) =
         cursor.rest().strip_prefix(b" ")?.strip_prefix(interface)?.split_first_chunk::<5>()?
@@ -38,8 +39,8 @@ pub(super) fn read(line: &[u8], interface: &[u8]) -> Option<Usual> {
         return None;
     };
     let id = hex::number(*id).ok().filter(|id| *id <= STANDARD_MASK)?;
-    let (data, len) = hex::some_bytes(digits)?;
-    Some(Usual { time_ns, id, data, len })
+    let (data, len) = hex::up_to_line_feed(digits.first_chunk()?)?;
+    Some((Usual { time_ns, id, data, len }, text.len() - digits.len() + 2 * len + 1))
 }
 
 #[cfg(test)]
@@ -50,7 +51,10 @@ mod tests {
 
     /// Whether the line is usual. If it is, the long way must read it to the same record.
     fn is_usual(text: &str) -> bool {
-        let Some(Usual { time_ns, id, data, len }) = read(text.as_bytes(), b"vcan0") else { return false };
+        let with_more = format!("{text}\n(1795209995.234359) vcan0");
+        let read = read(with_more.as_bytes(), b"vcan0");
+        let Some((Usual { time_ns, id, data, len }, taken)) = read else { return false };
+        assert_eq!(taken, text.len() + 1, "{text}");
         let same = Record {
             line: 1,
             time_ns,
@@ -103,7 +107,10 @@ mod tests {
 
     #[test]
     fn no_line_is_usual_before_an_interface_is_known() {
-        for line in ["(1795209995.234358)  520#00", "(1795209995.234358) vcan0 520#00"] {
+        for line in [
+            "(1795209995.234358)  520#0011223344556677\n",
+            "(1795209995.234358) vcan0 520#0011223344556677\n",
+        ] {
             assert_eq!(read(line.as_bytes(), b""), None, "{line}");
         }
     }

@@ -21,8 +21,9 @@ impl Book {
         Self { edition, out: Output::default(), margins: Kept::default(), tally: Tally::default() }
     }
 
-    /// Adds what was found. The requirements are those that the edition has for the ones that are named.
-    pub(super) fn found(&mut self, finding: Finding) {
+    /// Adds what was found, if anything was. The requirements are those that the edition has for the ones that are named.
+    pub(super) fn found(&mut self, finding: impl Into<Option<Finding>>) {
+        let Some(finding) = finding.into() else { return };
         let requirements = of_edition(&self.edition, &finding.requirements);
         self.tally.found(finding.severity, &finding.requirements);
         self.out.finding(Finding { requirements, ..finding });

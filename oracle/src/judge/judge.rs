@@ -77,7 +77,8 @@ impl Judge {
         };
         let Some(came) = self.est.sampler.frame(index, t_ns, t, data) else { return };
         self.next_event = self.next_event.min(came.stale_at);
-        if let Some(before) = came.before.filter(|&before| t - before > self.book.margins.longest_gap(index)) {
+        if let Some(before) = came.before.filter(|&before| t - before > self.book.margins.longest_gap(index))
+        {
             let missed = self.rules.is_missed(index);
             self.book.longer_gap(&self.est, missed, index, before, t);
         }
@@ -129,8 +130,11 @@ impl Judge {
             }
             Says::This { said, .. } => match said.message {
                 AnyMessage::Vcu2AiStatus(status) => {
-                    let from = est.vcu.state.filter(|&from| from != status.as_state && !said.is_bad("as_state"));
-                    if self.senders.several() || from.is_some_and(|from| self.is_of_another(t, from, status.as_state)) {
+                    let from =
+                        est.vcu.state.filter(|&from| from != status.as_state && !said.is_bad("as_state"));
+                    if self.senders.several()
+                        || from.is_some_and(|from| self.is_of_another(t, from, status.as_state))
+                    {
                         return;
                     }
                     let Self { est, book, rules, .. } = self;
@@ -220,7 +224,7 @@ impl Judge {
         self.est.now = end;
         self.lose(end, end);
         self.rules.settle_all(&self.est, &mut self.book);
-        self.loss.tell().into_iter().for_each(|finding| self.book.found(finding));
+        self.book.found(self.loss.tell());
         let missed: [bool; COUNT] = std::array::from_fn(|index| self.rules.is_missed(index));
         self.book.notice_end(&self.est, &missed, end);
     }
@@ -240,7 +244,7 @@ impl Judge {
     pub fn finish(mut self) -> Report {
         self.end();
         let now = self.est.now;
-        values::one_sided(&self.est.sampler, now).into_iter().for_each(|finding| self.book.found(finding));
+        self.book.found(values::one_sided(&self.est.sampler, now));
         let (margins, exercised) = (self.book.margins(&self.est), self.book.exercised(&self.est));
         let (stays, go_presses) = self.est.why.end(now);
         Report { stays, go_presses, margins, exercised, ..self.book.out.report(self.frames, now) }
@@ -398,7 +402,7 @@ impl Judge {
             return;
         }
         if self.loss.told_at(self.pause) <= t {
-            return self.loss.tell().into_iter().for_each(|finding| book.found(finding));
+            return book.found(self.loss.tell());
         }
         est.go_settles(t);
     }

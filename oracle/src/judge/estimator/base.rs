@@ -16,40 +16,40 @@ use crate::why::Why;
 
 /// What is known of both sides, and the samples that tell it: what every rule sees.
 #[derive(Debug)]
-pub(in crate::judge) struct Estimator {
-    pub(in crate::judge) options: JudgeOptions,
-    pub(in crate::judge) edition: Edition,
-    pub(in crate::judge) readings: Readings,
-    pub(in crate::judge) window: i64,
-    pub(in crate::judge) deadline: i64,
-    pub(in crate::judge) sampler: Sampler,
-    pub(in crate::judge) now: i64,
-    pub(in crate::judge) known: Knowledge,
+pub(crate) struct Estimator {
+    pub(crate) options: JudgeOptions,
+    pub(crate) edition: Edition,
+    pub(crate) readings: Readings,
+    pub(crate) window: i64,
+    pub(crate) deadline: i64,
+    pub(crate) sampler: Sampler,
+    pub(crate) now: i64,
+    pub(crate) known: Knowledge,
     /// Whether that, or the state, has changed since the rules looked at it last.
-    pub(in crate::judge) changed: bool,
-    pub(in crate::judge) history: History,
-    pub(in crate::judge) vcu: Vcu,
+    pub(crate) changed: bool,
+    pub(crate) history: History,
+    pub(crate) vcu: Vcu,
     /// When conditions change because time passes.
     pub(super) timers: Vec<Timer>,
-    pub(in crate::judge) handshake: Watch,
-    pub(in crate::judge) silences: Silences,
+    pub(crate) handshake: Watch,
+    pub(crate) silences: Silences,
     /// When what is known of lost communication was last brought up to date.
     pub(super) comms_known_at: i64,
     /// The AI Computer's last status.
-    pub(in crate::judge) ai: Option<Ai2VcuStatus>,
-    pub(in crate::judge) remote: RemoteSide,
+    pub(crate) ai: Option<Ai2VcuStatus>,
+    pub(crate) remote: RemoteSide,
     /// Changes that count, which the rules have not looked at: the condition, and whether it does count.
-    pub(in crate::judge) edges: Vec<(Atom, Truth)>,
-    pub(in crate::judge) why: Why,
+    pub(crate) edges: Vec<(Atom, Truth)>,
+    pub(crate) why: Why,
 }
 
 /// The VCU as the bus shows it.
 #[derive(Debug, Default)]
-pub(in crate::judge) struct Vcu {
+pub(crate) struct Vcu {
     /// The last AS state; `None` if it is not known.
-    pub(in crate::judge) state: Option<AsState>,
+    pub(crate) state: Option<AsState>,
     /// The last 520h.
-    pub(in crate::judge) status: Option<Vcu2AiStatus>,
+    pub(crate) status: Option<Vcu2AiStatus>,
     /// Since when 520h is missing.
     pub(super) gap_since: Option<i64>,
     /// Whether `EMERGENCY_BRAKE`, or the cause of one, was seen.
@@ -78,7 +78,7 @@ pub(super) struct Timer {
 }
 
 /// Whether a state is one in which the Autonomous System is active.
-pub(in crate::judge) const fn is_active(state: Option<AsState>) -> bool {
+pub(crate) const fn is_active(state: Option<AsState>) -> bool {
     matches!(state, Some(AsState::Ready | AsState::Driving | AsState::Finished))
 }
 
@@ -89,13 +89,13 @@ const fn certain(shows: bool) -> Truth {
 
 impl Estimator {
     /// One that has seen nothing.
-    pub(in crate::judge) fn new(options: JudgeOptions) -> Self {
+    pub(crate) fn new(options: JudgeOptions) -> Self {
         let edition = *options.edition;
         let options = JudgeOptions { readings: edition.choices.intersection(options.readings), ..options };
         let window = i64::from(options.window_ms) * MS;
         let pinned = |choice: Choice| pinned(&options, choice.reading()) == Some(choice);
-        let always = pinned(Choice::WatchAlways)
-            || pinned(Choice::WatchHandshake) && pinned(Choice::HandshakeAlways);
+        let always =
+            pinned(Choice::WatchAlways) || pinned(Choice::WatchHandshake) && pinned(Choice::HandshakeAlways);
         let missed = edition.rules.thresholds.missed_ms.map(|ms| i64::from(ms) * MS);
         Self {
             options,
@@ -121,7 +121,7 @@ impl Estimator {
     }
 
     /// Nothing is known any more.
-    pub(in crate::judge) fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.known = Knowledge::NOTHING;
         self.history.clear();
         self.why.forget(self.now);
@@ -166,14 +166,14 @@ impl Estimator {
 
     /// No frame came for a while: the recorder paused, or its clock was set. What has lasted long enough by its clock
     /// may not have by the VCU's.
-    pub(in crate::judge) fn postpone(&mut self, by: i64) {
+    pub(crate) fn postpone(&mut self, by: i64) {
         for timer in self.timers.iter_mut().filter(|timer| timer.becomes == Truth::True) {
             timer.at += by;
         }
     }
 
     /// Takes the first condition that has become something else by `t`. Tells whether there was one.
-    pub(in crate::judge) fn time_comes(&mut self, t: i64) -> bool {
+    pub(crate) fn time_comes(&mut self, t: i64) -> bool {
         let Some(index) = self.timers.iter().position(|timer| timer.at <= t) else { return false };
         let timer = self.timers.swap_remove(index);
         self.learn(t, self.known.set(timer.atom, timer.becomes));
@@ -181,13 +181,13 @@ impl Estimator {
     }
 
     /// When something becomes known, or unknown, though no frame comes.
-    pub(in crate::judge) fn next(&self) -> i64 {
+    pub(crate) fn next(&self) -> i64 {
         let timers = self.timers.iter().map(|timer| timer.at).min().unwrap_or(i64::MAX);
         timers.min(self.comms_event()).min(self.remote.go_settles.unwrap_or(i64::MAX))
     }
 
     /// When an unanswered edge, or a message that is silent, changes what is known.
-    pub(in crate::judge) fn comms_event(&self) -> i64 {
+    pub(crate) fn comms_event(&self) -> i64 {
         let edge = self.handshake.next(self.comms_known_at, self.handshake_limit(), self.window);
         edge.min(self.silences.next(self.comms_known_at, &self.sampler))
     }
@@ -196,7 +196,7 @@ impl Estimator {
     ///
     /// What the log ends too early to tell is unknown. Messages that come rarely are looked at for longer: they
     /// show late what was so before.
-    pub(in crate::judge) fn throughout(&self, start: i64, end: i64) -> Knowledge {
+    pub(crate) fn throughout(&self, start: i64, end: i64) -> Knowledge {
         let seen =
             |end| if self.now < end { Knowledge::NOTHING } else { self.history.throughout(start, end) };
         let mut known = seen(end);
@@ -209,23 +209,23 @@ impl Estimator {
     }
 
     /// The moments from `start` on, up to `end`, with what was known at each.
-    pub(in crate::judge) fn moments(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
+    pub(crate) fn moments(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
         self.history.between(start, end)
     }
 
     /// Whether 520h is coming.
-    pub(in crate::judge) fn vcu_is_seen(&self) -> bool {
+    pub(crate) fn vcu_is_seen(&self) -> bool {
         self.sampler.is_fresh(STATUS)
     }
 
     /// The state that the VCU shows, while its frames are fresh.
-    pub(in crate::judge) fn state_seen(&self) -> Option<AsState> {
+    pub(crate) fn state_seen(&self) -> Option<AsState> {
         self.vcu.state.filter(|_| self.vcu_is_seen())
     }
 
     /// Whether the VCU has shown these conditions again, a window after `since`: what it measures is only certain up to the last frame
     /// that shows it.
-    pub(in crate::judge) fn is_confirmed(&self, atoms: Atoms, since: i64) -> bool {
+    pub(crate) fn is_confirmed(&self, atoms: Atoms, since: i64) -> bool {
         self.sampler.slots.iter().enumerate().all(|(index, slot)| {
             !slot.is_from(Node::Vcu)
                 || self.sampler.scope(index).intersection(atoms).is_empty()
@@ -234,18 +234,21 @@ impl Estimator {
     }
 
     /// Whether the VCU says that communication with the AI Computer is lost.
-    pub(in crate::judge) fn shows_comms_lost(&self) -> bool {
+    pub(crate) fn shows_comms_lost(&self) -> bool {
         self.vcu.status.is_some_and(|status| status.ai_comms_lost)
     }
 
     /// Whether the VCU may have left its state before `t` in a frame that is missing from the log.
-    pub(in crate::judge) fn left_unseen(&self, t: i64) -> bool {
+    pub(crate) fn left_unseen(&self, t: i64) -> bool {
         self.vcu.left.is_some_and(|left| left.gap && left.before <= t && t <= left.at)
     }
 
     /// Whether a fault of the battery may act by itself, so that it does not tell that the circuit is open.
     pub(super) fn battery(&self) -> Truth {
-        certain(self.options.readings.has(Choice::BmsDriving) && self.vcu.opening.has(adsdv_spec::Fault::BmsFault))
+        certain(
+            self.options.readings.has(Choice::BmsDriving)
+                && self.vcu.opening.has(adsdv_spec::Fault::BmsFault),
+        )
     }
 
     /// Whether the shutdown circuit is open, as far as faults and the remote control show it.
@@ -256,17 +259,17 @@ impl Estimator {
     }
 
     /// How long an edge of the handshake may stay unanswered, in nanoseconds.
-    pub(in crate::judge) fn handshake_limit(&self) -> i64 {
+    pub(crate) fn handshake_limit(&self) -> i64 {
         i64::from(self.edition.rules.timing.handshake_ms) * MS
     }
 
     /// The cycle of the reference VCU, in nanoseconds.
-    pub(in crate::judge) fn cycle(&self) -> i64 {
+    pub(crate) fn cycle(&self) -> i64 {
         i64::from(self.edition.rules.timing.cycle_ms) * MS
     }
 
     /// The answer to a question, if only one is possible.
-    pub(in crate::judge) fn pinned(&self, reading: Reading) -> Option<Choice> {
+    pub(crate) fn pinned(&self, reading: Reading) -> Option<Choice> {
         pinned(&self.options, reading)
     }
 }

@@ -9,10 +9,10 @@ use adsdv_spec::{Term, Truth};
 
 /// A way out of a state: one alternative of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::judge) struct Way {
-    pub(in crate::judge) to: AsState,
-    pub(in crate::judge) section: &'static str,
-    pub(in crate::judge) term: Term,
+pub(crate) struct Way {
+    pub(crate) to: AsState,
+    pub(crate) section: &'static str,
+    pub(crate) term: Term,
 }
 
 /// What leads out of one state.
@@ -25,12 +25,13 @@ struct Leaving {
 
 /// What leads out of every state.
 #[derive(Debug)]
-pub(in crate::judge) struct Readings(Vec<Leaving>);
+pub(crate) struct Readings(Vec<Leaving>);
 
 impl Readings {
-    pub(in crate::judge) fn new(edition: &Edition, readings: Choices) -> Self {
+    pub(crate) fn new(edition: &Edition, readings: Choices) -> Self {
         let changing = table_readings(edition);
-        let all: Vec<Machine> = readings.combinations(&changing).map(|answer| Machine::new(*edition, answer)).collect();
+        let all: Vec<Machine> =
+            readings.combinations(&changing).map(|answer| Machine::new(*edition, answer)).collect();
         let leaving = |&state: &AsState| {
             let mut seen: Vec<Vec<Taken>> = Vec::new();
             let mut leaving = Leaving { machines: Vec::new(), ways: Vec::new() };
@@ -52,33 +53,33 @@ impl Readings {
     }
 
     /// The machines that differ in what leads out of a state.
-    pub(in crate::judge) fn of(&self, state: AsState) -> &[Machine] {
+    pub(crate) fn of(&self, state: AsState) -> &[Machine] {
         self.0.get(state as usize - 1).map_or(&[], |leaving| &leaving.machines)
     }
 
     /// Every way out of a state under some reading.
-    pub(in crate::judge) fn ways(&self, state: AsState) -> &[Way] {
+    pub(crate) fn ways(&self, state: AsState) -> &[Way] {
         self.0.get(state as usize - 1).map_or(&[], |leaving| &leaving.ways)
     }
 
     /// Every alternative of an arrow under some reading.
-    pub(in crate::judge) fn terms(&self, from: AsState, to: AsState) -> impl Iterator<Item = &Term> {
+    pub(crate) fn terms(&self, from: AsState, to: AsState) -> impl Iterator<Item = &Term> {
         self.ways(from).iter().filter(move |way| way.to == to).map(|way| &way.term)
     }
 
     /// Every alternative, of any arrow, that tells of this fault.
-    pub(in crate::judge) fn terms_of(&self, fault: Fault) -> impl Iterator<Item = &Term> {
+    pub(crate) fn terms_of(&self, fault: Fault) -> impl Iterator<Item = &Term> {
         let ways = self.0.iter().flat_map(|leaving| &leaving.ways).map(|way| &way.term);
         ways.filter(move |term| term.fault == Some(fault))
     }
 
     /// The atoms that decide which way a state is left.
-    pub(in crate::judge) fn deciding(&self, state: AsState) -> Atoms {
+    pub(crate) fn deciding(&self, state: AsState) -> Atoms {
         of_terms(self.ways(state).iter().map(|way| &way.term))
     }
 
     /// The way that is certainly open: under every reading the state is left. Tells that of the first.
-    pub(in crate::judge) fn due(&self, state: AsState, known: Knowledge) -> Option<Way> {
+    pub(crate) fn due(&self, state: AsState, known: Knowledge) -> Option<Way> {
         if !self.ways(state).iter().any(|way| way.term.truth(known) == Truth::True) {
             return None;
         }
@@ -88,43 +89,39 @@ impl Readings {
     }
 
     /// Whether an arrow may be taken under some reading.
-    pub(in crate::judge) fn may(&self, from: AsState, to: AsState, known: Knowledge) -> bool {
+    pub(crate) fn may(&self, from: AsState, to: AsState, known: Knowledge) -> bool {
         self.of(from).iter().any(|machine| possible(machine, (from, to), known).is_some())
     }
 }
 
 /// The atoms of these terms.
-pub(in crate::judge) fn of_terms<'a>(terms: impl Iterator<Item = &'a Term>) -> Atoms {
+pub(crate) fn of_terms<'a>(terms: impl Iterator<Item = &'a Term>) -> Atoms {
     terms.fold(Atoms::NONE, |all, term| all.union(term.on).union(term.off))
 }
 
 /// The row of an arrow.
-pub(in crate::judge) fn row_of(edition: &Edition, from: AsState, to: AsState) -> Option<&Row> {
+pub(crate) fn row_of(edition: &Edition, from: AsState, to: AsState) -> Option<&Row> {
     edition.rules.table.rows().iter().find(|row| (row.from, row.to) == (from, to))
 }
 
 /// What is taken for certain: what is taken if nothing is that only may be, unless the state may stay.
-pub(in crate::judge) fn forced(machine: &Machine, from: AsState, known: Knowledge) -> Option<Way> {
+pub(crate) fn forced(machine: &Machine, from: AsState, known: Knowledge) -> Option<Way> {
     way(machine, machine.outcomes(from, known).last()?.taken?.0)
 }
 
 /// The first alternative of an arrow that may be taken.
-pub(in crate::judge) fn possible(
-    machine: &Machine,
-    (from, to): (AsState, AsState),
-    known: Knowledge,
-) -> Option<Way> {
+pub(crate) fn possible(machine: &Machine, (from, to): (AsState, AsState), known: Knowledge) -> Option<Way> {
     let taken = machine.outcomes(from, known).filter_map(|outcome| outcome.taken);
     way(machine, { taken }.find(|(_, leads)| *leads == to)?.0)
 }
 
 /// The alternatives of an arrow under the readings of a machine.
-pub(in crate::judge) fn guard(machine: &Machine, from: AsState, to: AsState) -> Vec<Way> {
+pub(crate) fn guard(machine: &Machine, from: AsState, to: AsState) -> Vec<Way> {
     ways(machine, from).filter(|way| way.to == to).collect()
 }
 
 /// The ways out of a state under the readings of a machine, in the order of evaluation.
-pub(in crate::judge) fn ways(machine: &Machine, from: AsState) -> impl Iterator<Item = Way> {
+pub(crate) fn ways(machine: &Machine, from: AsState) -> impl Iterator<Item = Way> {
     machine.arrows(from).filter_map(|taken| way(machine, taken))
 }
 

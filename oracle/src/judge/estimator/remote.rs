@@ -12,13 +12,13 @@ use crate::remote::Switches;
 
 /// What is kept of the remote control.
 #[derive(Debug, Default)]
-pub(in crate::judge) struct RemoteSide {
+pub(crate) struct RemoteSide {
     /// What it showed last; `None` while that is too old to speak for now.
-    pub(in crate::judge) shown: Option<Switches>,
+    pub(crate) shown: Option<Switches>,
     /// When "Go" changed last, or was first seen.
     pub(super) go_changed_at: Option<i64>,
     /// When the VCU has seen the last change of "Go", or what may have been one.
-    pub(in crate::judge) go_settles: Option<i64>,
+    pub(crate) go_settles: Option<i64>,
     /// The level of the E-stop's bit that means that it is released, once that is known.
     released: Option<bool>,
     /// Since when the bit and a state in which the E-stop is released have both lasted.
@@ -34,7 +34,7 @@ impl RemoteSide {
     }
 
     /// Whether the E-stop was seen to be pressed at some time between these.
-    pub(in crate::judge) fn was_pressed(&self, start: i64, end: i64) -> bool {
+    pub(crate) fn was_pressed(&self, start: i64, end: i64) -> bool {
         self.pressed.is_some_and(|(since, until)| since <= end && start <= until)
     }
 

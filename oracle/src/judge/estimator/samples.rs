@@ -1,6 +1,8 @@
 //! What all other messages tell: the AI Computer's requests, what the VCU measures, the remote control; and what silence takes away.
 
-use adsdv_spec::messages::{Ai2VcuStatus, AnyMessage, AsState, DirectionRequest, EbsState, MissionStatus, Node};
+use adsdv_spec::messages::{
+    Ai2VcuStatus, AnyMessage, AsState, DirectionRequest, EbsState, MissionStatus, Node,
+};
 use adsdv_spec::{Atom, Choice, Reading, Truth};
 
 use super::base::{Estimator, is_active};
@@ -13,7 +15,7 @@ use crate::remote::Switches;
 
 impl Estimator {
     /// A message says nothing that can be read, or has not come for so long that one may be missing.
-    pub(in crate::judge) fn says_nothing(&mut self, index: usize, t: i64) {
+    pub(crate) fn says_nothing(&mut self, index: usize, t: i64) {
         if index == REMOTE {
             return self.remote_gone(t);
         }
@@ -25,7 +27,7 @@ impl Estimator {
     }
 
     /// A message has not come for so long that one may be missing: what it said is not certain any more.
-    pub(in crate::judge) fn becomes_stale(&mut self, index: usize, t: i64) {
+    pub(crate) fn becomes_stale(&mut self, index: usize, t: i64) {
         if let Some(slot) = self.sampler.slots.get_mut(index) {
             slot.fresh = false;
         }
@@ -39,7 +41,7 @@ impl Estimator {
     }
 
     /// A message of requests, or of what the VCU measures, says something else than before.
-    pub(in crate::judge) fn learns(&mut self, came: &Came, said: &Said) {
+    pub(crate) fn learns(&mut self, came: &Came, said: &Said) {
         let &Came { index, t, before, was_fresh, .. } = came;
         let atoms = said.atoms(&self.edition.rules.thresholds);
         let scope = self.sampler.scope(index);
@@ -61,12 +63,12 @@ impl Estimator {
     }
 
     /// 502h shows the state: a moment of its own, so that a change until the next sample can be told from this one.
-    pub(in crate::judge) fn sampled(&mut self, t: i64) {
+    pub(crate) fn sampled(&mut self, t: i64) {
         self.history.push(t, self.known, self.vcu.state);
     }
 
     /// 510h came with something new. Tells the one before, where that is known.
-    pub(in crate::judge) fn ai_says(&mut self, came: &Came, status: Ai2VcuStatus) -> Option<Ai2VcuStatus> {
+    pub(crate) fn ai_says(&mut self, came: &Came, status: Ai2VcuStatus) -> Option<Ai2VcuStatus> {
         let t = came.t;
         let previous = self.ai.replace(status).filter(|_| came.was_fresh);
         let mut known = self.known.learn(scope(AI_STATUS), status.atoms());
@@ -95,7 +97,7 @@ impl Estimator {
     }
 
     /// The AI Computer's handshake bit was seen. Tells whether that changes what is known of the handshake.
-    pub(in crate::judge) fn ai_answers(&mut self, t: i64, bit: bool) -> bool {
+    pub(crate) fn ai_answers(&mut self, t: i64, bit: bool) -> bool {
         let changes = self.handshake.ai(t, bit);
         if changes {
             self.update_comms(t);
@@ -105,7 +107,7 @@ impl Estimator {
 
     /// A message of the AI Computer came, and all else that it says is known. Tells its place among those that are watched.
     #[inline]
-    pub(in crate::judge) fn ends_silence(&mut self, index: usize, t: i64) -> Option<usize> {
+    pub(crate) fn ends_silence(&mut self, index: usize, t: i64) -> Option<usize> {
         self.silences.limit?;
         let place = WATCHED.iter().position(|&watched| watched == index)?;
         self.silences.heard(place, t, &self.sampler);
@@ -116,7 +118,7 @@ impl Estimator {
     }
 
     /// Brings what is known of lost communication up to date.
-    pub(in crate::judge) fn update_comms(&mut self, t: i64) {
+    pub(crate) fn update_comms(&mut self, t: i64) {
         self.comms_known_at = t;
         let tsms = self.known.of(Atom::Tsms);
         let raised = self.shows_comms_lost() && is_active(self.vcu.state);
@@ -133,7 +135,7 @@ impl Estimator {
 
     /// A frame of the remote control came with another content than the one before, or after a silence. Tells whether it shows
     /// "Go" switched on after it was off for a while.
-    pub(in crate::judge) fn remote_shows(&mut self, t: i64, shown: Switches) -> bool {
+    pub(crate) fn remote_shows(&mut self, t: i64, shown: Switches) -> bool {
         let before = self.remote.shows(t, shown).map(|before| before.go);
         let pressed = shown.go && before == Some(false);
         let after_a_while = self.remote.go_changed_at.is_some_and(|at| t - at > self.window);
@@ -154,7 +156,7 @@ impl Estimator {
     }
 
     /// A frame of the remote control came with the same content.
-    pub(in crate::judge) fn remote_lasts(&mut self, t: i64) {
+    pub(crate) fn remote_lasts(&mut self, t: i64) {
         self.remote.lasts(t, self.state_seen(), self.window + self.deadline);
     }
 
@@ -188,7 +190,7 @@ impl Estimator {
     }
 
     /// The VCU has seen the last change of "Go".
-    pub(in crate::judge) fn go_settles(&mut self, t: i64) {
+    pub(crate) fn go_settles(&mut self, t: i64) {
         self.remote.go_settles = None;
         self.learn(t, self.known.set(Atom::GoEdge, Truth::False));
     }

@@ -10,13 +10,13 @@ use crate::judge::sampler::Sampler;
 use crate::judge::sampler::places::{AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER};
 
 /// The messages that are watched.
-pub(in crate::judge) const WATCHED: [usize; 5] = [AI_STATUS, AI_DRIVE_F, AI_DRIVE_R, AI_STEER, AI_BRAKE];
+pub(crate) const WATCHED: [usize; 5] = [AI_STATUS, AI_DRIVE_F, AI_DRIVE_R, AI_STEER, AI_BRAKE];
 
 /// What is kept of the messages that are watched.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Silences {
+pub(crate) struct Silences {
     /// How long a message may be silent; `None` where the edition has no such rule.
-    pub(in crate::judge) limit: Option<i64>,
+    pub(crate) limit: Option<i64>,
     window: i64,
     /// Whether every VCU watches them, whatever TSMS is.
     always: bool,
@@ -25,26 +25,33 @@ pub(in crate::judge) struct Silences {
     /// Since when TSMS is known to have been on.
     on_since: Option<i64>,
     /// Whether any has been silent for too long, when that was looked at last.
-    pub(in crate::judge) silent: Truth,
+    pub(crate) silent: Truth,
 }
 
 impl Silences {
-    pub(in crate::judge) const fn new(limit: Option<i64>, window: i64, always: bool) -> Self {
-        Self { limit, window, always, valid_at: [None; WATCHED.len()], on_since: None, silent: Truth::Unknown }
+    pub(crate) const fn new(limit: Option<i64>, window: i64, always: bool) -> Self {
+        Self {
+            limit,
+            window,
+            always,
+            valid_at: [None; WATCHED.len()],
+            on_since: None,
+            silent: Truth::Unknown,
+        }
     }
 
     /// Nothing is known of what came.
-    pub(in crate::judge) fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         *self = Self::new(self.limit, self.window, self.always);
     }
 
     /// The VCU's frames stopped: whether the switch stayed on is not known.
-    pub(in crate::judge) fn vcu_gone(&mut self) {
+    pub(crate) fn vcu_gone(&mut self) {
         self.on_since = None;
     }
 
     /// A frame of a message came. A VCU may refuse one with a value out of range, or of another length than the edition's.
-    pub(in crate::judge) fn heard(&mut self, place: usize, t: i64, sampler: &Sampler) {
+    pub(crate) fn heard(&mut self, place: usize, t: i64, sampler: &Sampler) {
         let Some(slot) = WATCHED.get(place).and_then(|&index| sampler.slot(index)) else { return };
         let valid = slot.fresh && slot.bad == 0 && slot.def.is_some_and(|def| def.len == slot.len);
         if let (true, Some(at)) = (valid, self.valid_at.get_mut(place)) {
@@ -53,12 +60,12 @@ impl Silences {
     }
 
     /// When a frame of a message came last, valid or not.
-    pub(in crate::judge) fn heard_at(place: usize, sampler: &Sampler) -> Option<i64> {
+    pub(crate) fn heard_at(place: usize, sampler: &Sampler) -> Option<i64> {
         sampler.last(*WATCHED.get(place)?)
     }
 
     /// Whether another message of the AI Computer comes, so that it is not the recorder that hears nothing.
-    pub(in crate::judge) fn others_come(&self, place: usize, t: i64, sampler: &Sampler) -> bool {
+    pub(crate) fn others_come(&self, place: usize, t: i64, sampler: &Sampler) -> bool {
         let within = self.limit.unwrap_or_default() - self.window;
         let others = (0..WATCHED.len()).filter(|&other| other != place);
         others.filter_map(|other| Self::heard_at(other, sampler)).any(|last| t - last < within)
@@ -66,9 +73,10 @@ impl Silences {
 
     /// Whether a message has been silent for too long. One that was never heard may have been left out by the recorder, and of two
     /// silences a single frame between may be lost where the recorder loses frames.
-    pub(in crate::judge) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
+    pub(crate) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
         let Some(limit) = self.limit else { return Truth::False };
-        let lossy = WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(|slot| slot.is_lossy());
+        let lossy =
+            WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(|slot| slot.is_lossy());
         match (self.valid_at.get(place), Self::heard_at(place, sampler)) {
             (Some(Some(valid)), _) if t - valid < limit - self.window => Truth::False,
             (_, Some(last)) if t - last < limit + self.window || lossy => Truth::Unknown,
@@ -80,14 +88,14 @@ impl Silences {
     /// Whether a VCU watches the messages, and has for long enough. One that does not yet may from its next step on, and a
     /// silence counts from before that.
     //= D-52
-    pub(in crate::judge) fn is_watching(&self, t: i64, tsms: Truth) -> Truth {
+    pub(crate) fn is_watching(&self, t: i64, tsms: Truth) -> Truth {
         let enough = self.limit.unwrap_or_default() + self.window;
         let long = self.on_since.is_some_and(|since| t - since >= enough);
         if self.always || tsms == Truth::True && long { Truth::True } else { Truth::Unknown }
     }
 
     /// Whether communication is lost because a message is missed.
-    pub(in crate::judge) fn is_missed(&mut self, t: i64, tsms: Truth, sampler: &Sampler) -> Truth {
+    pub(crate) fn is_missed(&mut self, t: i64, tsms: Truth, sampler: &Sampler) -> Truth {
         if self.limit.is_none() {
             self.silent = Truth::False;
             return Truth::False;
@@ -99,11 +107,12 @@ impl Silences {
     }
 
     /// When a silence changes what is known, after this time.
-    pub(in crate::judge) fn next(&self, after: i64, sampler: &Sampler) -> i64 {
+    pub(crate) fn next(&self, after: i64, sampler: &Sampler) -> i64 {
         let Some(limit) = self.limit else { return i64::MAX };
         let (sure, certain) = (limit - self.window, limit + self.window);
         let valid = self.valid_at.iter().flatten().map(|at| at + sure);
-        let heard = (0..WATCHED.len()).filter_map(|place| Self::heard_at(place, sampler)).map(|at| at + certain);
+        let heard =
+            (0..WATCHED.len()).filter_map(|place| Self::heard_at(place, sampler)).map(|at| at + certain);
         let on = self.on_since.map(|at| at + certain);
         valid.chain(heard).chain(on).filter(|&at| at > after).min().unwrap_or(i64::MAX)
     }

@@ -5,9 +5,9 @@ use adsdv_spec::{AsState, Atom, Atoms, Choice, Faults, Knowledge, Observation, R
 
 use super::base::{Estimator, Left, Vcu, is_active};
 use super::watch::Suspect;
+use crate::judge::sampler::Came;
 use crate::judge::sampler::places::STATUS;
 use crate::judge::sampler::said::Said;
-use crate::judge::sampler::Came;
 use crate::judge::time::{MS, SILENCE_NS};
 
 /// The changes that only count in `AS_DRIVING`.
@@ -15,43 +15,43 @@ const IN_DRIVING: [Atom; 2] = [Atom::MissionFinishedEdge, Atom::DirectionNeutral
 
 /// A 520h that came with something new.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Shown {
-    pub(in crate::judge) status: Vcu2AiStatus,
+pub(crate) struct Shown {
+    pub(crate) status: Vcu2AiStatus,
     /// The one before, unless a silence lies between; and whether a frame may be missing in between.
-    pub(in crate::judge) previous: Option<Vcu2AiStatus>,
-    pub(in crate::judge) gap: bool,
+    pub(crate) previous: Option<Vcu2AiStatus>,
+    pub(crate) gap: bool,
     /// For how long the VCU was silent, if that was long.
-    pub(in crate::judge) silence: Option<i64>,
+    pub(crate) silence: Option<i64>,
     /// Whether the edge before was answered, and the new one if it seems not to have been.
-    pub(in crate::judge) answered: bool,
-    pub(in crate::judge) suspect: Option<Suspect>,
+    pub(crate) answered: bool,
+    pub(crate) suspect: Option<Suspect>,
     /// What was known before.
-    pub(in crate::judge) before: Knowledge,
+    pub(crate) before: Knowledge,
     /// The state before, and the one now if that is another or known anew.
-    pub(in crate::judge) old: Option<AsState>,
-    pub(in crate::judge) entered: Option<AsState>,
-    pub(in crate::judge) change: Option<SeenChange>,
+    pub(crate) old: Option<AsState>,
+    pub(crate) entered: Option<AsState>,
+    pub(crate) change: Option<SeenChange>,
 }
 
 /// A change of state that was seen.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct SeenChange {
-    pub(in crate::judge) from: AsState,
-    pub(in crate::judge) to: AsState,
+pub(crate) struct SeenChange {
+    pub(crate) from: AsState,
+    pub(crate) to: AsState,
     /// When the VCU last showed the old state.
-    pub(in crate::judge) before: i64,
+    pub(crate) before: i64,
     /// Whether a frame of the VCU may be missing in between.
-    pub(in crate::judge) gap: bool,
+    pub(crate) gap: bool,
     /// What was known in the step that led there, and what was shown last when it was seen.
-    pub(in crate::judge) at_step: Knowledge,
-    pub(in crate::judge) shown: Knowledge,
+    pub(crate) at_step: Knowledge,
+    pub(crate) shown: Knowledge,
     /// For how long the state had lasted.
-    pub(in crate::judge) lasted: i64,
+    pub(crate) lasted: i64,
 }
 
 impl Estimator {
     /// 520h came with something new.
-    pub(in crate::judge) fn shows(&mut self, came: &Came, said: &Said, mut status: Vcu2AiStatus) -> Shown {
+    pub(crate) fn shows(&mut self, came: &Came, said: &Said, mut status: Vcu2AiStatus) -> Shown {
         let t = came.t;
         if said.is_bad("shutdown_cause") {
             // A cause that cannot be read says nothing about the one before.
@@ -74,8 +74,18 @@ impl Estimator {
         let before = self.known;
         self.learn_status(t, status, readable, previous, new, gap);
         let last = came.before.unwrap_or(t);
-        let mut shown =
-            Shown { status, previous, gap, silence, answered, suspect, before, old, entered: None, change: None };
+        let mut shown = Shown {
+            status,
+            previous,
+            gap,
+            silence,
+            answered,
+            suspect,
+            before,
+            old,
+            entered: None,
+            change: None,
+        };
         match (old, new) {
             (Some(from), Some(to)) if from != to => {
                 shown.change = Some(self.changes(t, from, to, last, gap));
@@ -215,7 +225,9 @@ impl Estimator {
         self.vcu.state = Some(state);
         self.timers.clear();
         let limit = i64::from(self.edition.rules.timing.in_state_limit(state)) * MS;
-        for (timed, atom) in AsState::ALL.into_iter().filter_map(|state| Some((state, Atom::of_timer(state)?))) {
+        for (timed, atom) in
+            AsState::ALL.into_iter().filter_map(|state| Some((state, Atom::of_timer(state)?)))
+        {
             let entered = state == timed;
             // The timer began between the two frames, give or take the window.
             let old = entered && before.is_none();
@@ -241,7 +253,7 @@ impl Estimator {
 
     /// What the VCU's memory decides as it was in the step that led to a change of state, and what it saw in the window of that
     /// step: what is known throughout.
-    pub(in crate::judge) fn at_step(&self, t: i64, start: i64, at_step: Knowledge) -> Knowledge {
+    pub(crate) fn at_step(&self, t: i64, start: i64, at_step: Knowledge) -> Knowledge {
         let inputs = self.throughout(start, t + self.window);
         let memory = self.history.throughout(start, t - 1).meet(at_step);
         // Where the remote control shows the switch, an edge shows when it comes, and may be recorded late.
@@ -255,7 +267,7 @@ impl Estimator {
     ///
     /// The bus does not show which step it was, so such a condition is true, or possible, for a window only. But where all the rest
     /// of a guard was so on either side of the change for a window, any step saw it hold.
-    pub(in crate::judge) fn step_of_change(&self, t: i64, edge: Atom, truth: Truth) -> Option<(AsState, Knowledge)> {
+    pub(crate) fn step_of_change(&self, t: i64, edge: Atom, truth: Truth) -> Option<(AsState, Knowledge)> {
         let (start, end) = (t - self.window, t + self.window);
         let state = self.vcu.state?;
         if self.moments(start, self.now).any(|moment| moment.state != Some(state)) {
@@ -277,4 +289,4 @@ impl Estimator {
 
 /// The atoms that the VCU's memory decides, or that it shows itself in the frame that shows the state: they count up to
 /// the step that is judged, not behind it.
-pub(in crate::judge) const MEMORY: Atoms = Atoms::ALL.difference(Observation::SCOPE).with(Atom::SdcOpen);
+pub(crate) const MEMORY: Atoms = Atoms::ALL.difference(Observation::SCOPE).with(Atom::SdcOpen);

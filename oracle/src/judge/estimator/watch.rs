@@ -10,7 +10,7 @@ const STUCK: u32 = 20;
 
 /// What the bus shows of the handshake.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::judge) struct Watch {
+pub(crate) struct Watch {
     /// The VCU's bit.
     vcu: Option<bool>,
     /// When it changed to that; `None` if that was before the first frame seen.
@@ -26,22 +26,22 @@ pub(in crate::judge) struct Watch {
     /// Whether frames that could have answered this edge may be missing from the log.
     blind: bool,
     /// Whether the AI Computer's fault at this edge was reported, and the VCU's.
-    pub(in crate::judge) reported_ai: bool,
-    pub(in crate::judge) reported_vcu: bool,
+    pub(crate) reported_ai: bool,
+    pub(crate) reported_vcu: bool,
 }
 
 /// An edge of the VCU's bit that came, as far as is seen yet, without an answer to the one before.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Suspect {
+pub(crate) struct Suspect {
     /// The bit that should have been answered.
-    pub(in crate::judge) bit: bool,
+    pub(crate) bit: bool,
     /// When it came.
-    pub(in crate::judge) since: i64,
+    pub(crate) since: i64,
 }
 
 impl Watch {
     /// The VCU's bit was seen.
-    pub(in crate::judge) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
+    pub(crate) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
         let before = self.vcu.replace(bit);
         if before == Some(bit) {
             return None;
@@ -57,7 +57,7 @@ impl Watch {
 
     /// The AI Computer's bit was seen. Tells whether this changes what is known: it answers the edge, or shows that
     /// one is missing from the log.
-    pub(in crate::judge) fn ai(&mut self, now: i64, bit: bool) -> bool {
+    pub(crate) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
         if self.answered && self.vcu != Some(bit) {
@@ -75,53 +75,53 @@ impl Watch {
 
     /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so
     /// only a bit that has been stuck for many frames proves that there was none.
-    pub(in crate::judge) fn clears(&self, suspect: Suspect) -> bool {
+    pub(crate) fn clears(&self, suspect: Suspect) -> bool {
         self.ai != Some(!suspect.bit) || self.ai_run < STUCK
     }
 
     /// The handshake may have begun anew, because the tractive system was switched on or off.
-    pub(in crate::judge) fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         (self.edge_at, self.answered, self.blind) = (None, false, true);
     }
 
     /// The AI Computer's frames stopped, or cannot be read.
-    pub(in crate::judge) fn ai_gone(&mut self) {
+    pub(crate) fn ai_gone(&mut self) {
         (self.ai, self.ai_run, self.blind) = (None, 0, true);
     }
 
     /// The VCU's frames stopped: nothing is known of its edge.
-    pub(in crate::judge) fn vcu_gone(&mut self) {
+    pub(crate) fn vcu_gone(&mut self) {
         self.vcu = None;
         self.restart();
     }
 
     /// Whether the edge was answered.
-    pub(in crate::judge) const fn is_answered(&self) -> bool {
+    pub(crate) const fn is_answered(&self) -> bool {
         self.answered
     }
 
     /// How long the answer to this edge took, if it is certain that no earlier one is missing from the log.
-    pub(in crate::judge) fn response(&self) -> Option<i64> {
+    pub(crate) fn response(&self) -> Option<i64> {
         (self.answered && !self.blind && self.edge_at.is_some()).then_some(self.last_response)
     }
 
     /// When the VCU's bit changed last.
-    pub(in crate::judge) const fn edge_at(&self) -> Option<i64> {
+    pub(crate) const fn edge_at(&self) -> Option<i64> {
         self.edge_at
     }
 
     /// For how long the edge has been unanswered, as far as the log shows.
-    pub(in crate::judge) fn unanswered(&self, now: i64) -> Option<i64> {
+    pub(crate) fn unanswered(&self, now: i64) -> Option<i64> {
         if self.answered { None } else { self.edge_at.map(|edge| now - edge) }
     }
 
     /// Whether the AI Computer can be seen not to answer: its frames come, with the other bit.
-    pub(in crate::judge) fn ai_is_wrong(&self) -> bool {
+    pub(crate) fn ai_is_wrong(&self) -> bool {
         !self.blind && !self.answered && self.ai.is_some() && self.ai != self.vcu
     }
 
     /// Whether the communication is lost: unanswered for `limit`, give or take `window`.
-    pub(in crate::judge) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
+    pub(crate) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
         let quick = self.last_response + window < limit;
         match self.unanswered(now) {
             // While the AI Computer is not heard, two edges may be missing from the log: the bit looks the same.
@@ -133,7 +133,7 @@ impl Watch {
     }
 
     /// When an unanswered edge changes what is known: when communication may be lost, and when it must be.
-    pub(in crate::judge) fn next(&self, after: i64, limit: i64, window: i64) -> i64 {
+    pub(crate) fn next(&self, after: i64, limit: i64, window: i64) -> i64 {
         let Some(edge) = self.edge_at.filter(|_| !self.answered) else { return i64::MAX };
         let times = [edge + limit - window, edge + limit + window];
         times.into_iter().find(|&at| after < at).unwrap_or(i64::MAX)

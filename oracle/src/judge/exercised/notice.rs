@@ -3,11 +3,11 @@
 use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Fault, Faults, Knowledge, Term, Truth};
 
+use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
+use super::{Exercised, Told};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
-use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
-use super::{Exercised, Told};
 
 impl Book {
     /// A change of state was judged. `decided` are the alternatives that decided, or may have; `window` is what is known of the
@@ -58,7 +58,8 @@ impl Book {
         if let Some(broken) = overtaking {
             return broken;
         }
-        let mut broken = row_of(&est.edition, from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
+        let mut broken =
+            row_of(&est.edition, from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
         let terms: Vec<Term> = est.readings.terms(from, to).copied().collect();
         for term in &terms {
             for (atom, needed) in term.literals() {
@@ -133,11 +134,6 @@ impl Book {
         let tally = std::mem::take(&mut self.tally);
         let (ai, vcu) = tally.heard;
         let answers = self.out.responses.count() > 0;
-        Exercised {
-            ai,
-            vcu,
-            states: tally.states(),
-            requirements: tally.requirements(&est.edition, answers),
-        }
+        Exercised { ai, vcu, states: tally.states(), requirements: tally.requirements(&est.edition, answers) }
     }
 }

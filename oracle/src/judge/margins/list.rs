@@ -4,6 +4,8 @@ use adsdv_spec::messages::MessageDef;
 use adsdv_spec::{AsState, Atom};
 
 use super::kept::{AT_SPEED, Peak, Reaction};
+use super::notice::ANGLE;
+use super::{Basis, Margin, Measure};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
@@ -11,8 +13,6 @@ use crate::judge::estimator::silences::WATCHED;
 use crate::judge::exercised::cited;
 use crate::judge::finding::Party;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
-use super::notice::ANGLE;
-use super::{Basis, Margin, Measure};
 
 /// The requirement behind the time for an answer, as version 3.0 has it.
 const ANSWER: &str = "HS-9"; //= HS-9, HS-17

@@ -3,13 +3,13 @@
 use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus, Vcu2AiWheelSpeeds};
 use adsdv_spec::{AsState, Fault, Truth};
 
+use super::kept::{AT_SPEED, Go, Peak, Reaction, lower, raise};
+use super::list::watched_limit;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::status::SeenChange;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
 use crate::judge::time::MS;
-use super::kept::{AT_SPEED, Go, Peak, Reaction, lower, raise};
-use super::list::watched_limit;
 
 /// The field of 523h with the angle of the front wheels.
 pub(super) const ANGLE: &str = "steer_angle";

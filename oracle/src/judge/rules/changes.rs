@@ -72,7 +72,12 @@ pub(super) fn guard_held(due: &mut Option<Due>, est: &Estimator, t: i64, edge: A
 }
 
 /// 520h still shows the old state: a transition that should have come by now is missing.
-pub(super) fn due_at_status(due: &mut Option<Due>, likely: &mut Likely, est: &Estimator, t: i64) -> Option<Finding> {
+pub(super) fn due_at_status(
+    due: &mut Option<Due>,
+    likely: &mut Likely,
+    est: &Estimator,
+    t: i64,
+) -> Option<Finding> {
     let due = due.as_mut().filter(|due| !due.reported && t > due.since + est.deadline)?;
     let atoms = due.way.term.on.union(due.way.term.off);
     let state = est.vcu.state.filter(|_| est.is_confirmed(atoms, due.since))?;
@@ -97,10 +102,12 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
     // 502h comes rarely: where the sample behind differs, or there is none, that before does not speak for now.
     let after = est.throughout(t, t + est.window);
     let between = est.sampler.scope(LOG_STATUS).difference(after.on().union(after.off()));
-    let moments = est.moments(start, t).filter(|moment| moment.state == Some(from)).map(|moment| moment.known);
+    let moments =
+        est.moments(start, t).filter(|moment| moment.state == Some(from)).map(|moment| moment.known);
     let instants: Vec<Knowledge> = moments.chain([at_step]).map(|known| known.forget(between)).collect();
     let machines = est.readings.of(from);
-    let judged: Vec<Judged> = machines.iter().map(|machine| judge(machine, (from, to), window, &instants)).collect();
+    let judged: Vec<Judged> =
+        machines.iter().map(|machine| judge(machine, (from, to), window, &instants)).collect();
     let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
     let between_missed = justified == Truth::False && gap && leads_through_others(est, from, to, window);
     if between_missed {
@@ -131,7 +138,8 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
     let finding = match (&arrow, justified) {
         _ if between_missed => {
             let gap = no_frame(Vcu2AiStatus::ID, before, t);
-            let stays = Wrong::stays(format!("by all that was recorded {from} -> {to}, without a reason"), from);
+            let stays =
+                Wrong::stays(format!("by all that was recorded {from} -> {to}, without a reason"), from);
             let excuse = format!("a state between was missed ({gap})");
             Some(stays.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse))
         }
@@ -150,14 +158,11 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
             let broken = book.broken_by(est, from, to, &deciding, window);
             Some(wrong.told(found(Severity::Violation, Rule::Unjustified)).against(&broken))
         }
-        (_, Truth::Unknown) => likely_unjustified(est, t, (from, to), shown, lasted).map(|(wrong, excuse)| {
-            wrong.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse)
-        }),
+        (_, Truth::Unknown) => likely_unjustified(est, t, (from, to), shown, lasted)
+            .map(|(wrong, excuse)| wrong.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse)),
         _ => None,
     };
-    if let Some(finding) = finding {
-        book.found(finding);
-    }
+    book.found(finding);
     // Where the shutdown circuit decided: what is reported as the same fault (D-13).
     let or = if opens { named } else { Vec::new() };
     book.out.transition(Transition { t_ns: t, from, to, section, justified, decided, remote_estop, or });
@@ -200,7 +205,8 @@ fn leads_through_others(est: &Estimator, from: AsState, to: AsState, window: Kno
         for then in AsState::ALL {
             // A state that was entered in the gap and has to last for its time lasts for longer than any gap; READY may
             // be left at once to where no dwell is needed.
-            let lasts = matches!((state, then), (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _));
+            let lasts =
+                matches!((state, then), (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _));
             if (state == from || !lasts) && est.readings.may(state, then, seen) {
                 if then == to && state != from {
                     return true;

@@ -49,7 +49,13 @@ impl Comms {
     }
 
     /// The AI Computer's handshake bit was seen; `changes`: that tells more of the handshake.
-    pub(super) fn answered(&mut self, est: &mut Estimator, book: &mut Book, (t, bit): (i64, bool), changes: bool) {
+    pub(super) fn answered(
+        &mut self,
+        est: &mut Estimator,
+        book: &mut Book,
+        (t, bit): (i64, bool),
+        changes: bool,
+    ) {
         let limit = est.handshake_limit();
         if let Some(response) = self.meter.ai(t, bit) {
             book.answered(t, response, limit);
@@ -87,8 +93,8 @@ impl Comms {
         for (place, reported) in self.reported.iter_mut().enumerate() {
             let Some(last) = Silences::heard_at(place, &est.sampler) else { continue };
             let told = est.shows_comms_lost() && est.silences.others_come(place, t, &est.sampler);
-            let silent = t - last >= limit && told
-                || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
+            let silent =
+                t - last >= limit && told || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
             if silent && !std::mem::replace(reported, true) {
                 report_missed(est, book, place, (t, last, limit));
             }
@@ -97,34 +103,8 @@ impl Comms {
 
     /// 520h shows this: has it been so for too long?
     pub(super) fn due(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
-        book_found(book, self.edge_due(est, t));
-        book_found(book, self.missed_due(est, t));
-    }
-
-    /// Has the same handshake bit been shown for too long?
-    fn edge_due(&self, est: &mut Estimator, t: i64) -> Option<Finding> {
-        let (limit, status) = (est.handshake_limit(), est.vcu.status?);
-        let edge = est.handshake.edge_at().filter(|edge| t - edge > limit + est.deadline)?;
-        // In AS_OFF nothing drives yet, and where the AI Computer is still to start every VCU waits for it.
-        let waits = est.sampler.last(AI_STATUS).is_none() && est.vcu.state == Some(AsState::Off);
-        let tells = status.ai_comms_lost || !status.ts_switch_status || !est.vcu_is_seen();
-        if waits || tells || std::mem::replace(&mut est.handshake.reported_vcu, true) {
-            return None;
-        }
-        let at = edge + limit + est.deadline;
-        let finding = if est.handshake.is_answered() {
-            Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, at)
-                .against(&[HOLDS[usize::from(status.handshake)]])
-                .seen("HANDSHAKE did not change though the AI Computer answered it")
-                .expected("it to change")
-        } else {
-            let waited = milliseconds(t - edge);
-            Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, at)
-                .against(UNANSWERED)
-                .seen(format!("AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {waited:.0} ms"))
-                .expected(format!("1 after {} ms", limit / MS))
-        };
-        Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
+        book.found(edge_due(est, t));
+        book.found(self.missed_due(est, t));
     }
 
     /// 520h still says that communication is present: has a message been silent for too long?
@@ -147,12 +127,14 @@ impl Comms {
         }
         // Where 510h is silent itself, the handshake tells.
         let others = (0..WATCHED.len()).filter(|&place| WATCHED.get(place) != Some(&AI_STATUS));
-        let place = { others }.find(|&place| est.silences.is_silent(place, late, &est.sampler) == Truth::True)?;
+        let place =
+            { others }.find(|&place| est.silences.is_silent(place, late, &est.sampler) == Truth::True)?;
         let (index, last) = (*WATCHED.get(place)?, Silences::heard_at(place, &est.sampler)?);
         let def = est.sampler.def(index)?;
         self.reported_vcu = true;
         let silent = milliseconds(t - last);
-        let seen = format!("AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {silent:.0} ms", def.name, def.id);
+        let seen =
+            format!("AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {silent:.0} ms", def.name, def.id);
         let finding = Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, last + limit + est.deadline)
             .against(&[MISSED])
             .seen(seen)
@@ -161,8 +143,30 @@ impl Comms {
     }
 }
 
-fn book_found(book: &mut Book, finding: Option<Finding>) {
-    finding.into_iter().for_each(|finding| book.found(finding));
+/// Has the same handshake bit been shown for too long?
+fn edge_due(est: &mut Estimator, t: i64) -> Option<Finding> {
+    let (limit, status) = (est.handshake_limit(), est.vcu.status?);
+    let edge = est.handshake.edge_at().filter(|edge| t - edge > limit + est.deadline)?;
+    // In AS_OFF nothing drives yet, and where the AI Computer is still to start every VCU waits for it.
+    let waits = est.sampler.last(AI_STATUS).is_none() && est.vcu.state == Some(AsState::Off);
+    let tells = status.ai_comms_lost || !status.ts_switch_status || !est.vcu_is_seen();
+    if waits || tells || std::mem::replace(&mut est.handshake.reported_vcu, true) {
+        return None;
+    }
+    let at = edge + limit + est.deadline;
+    let finding = if est.handshake.is_answered() {
+        Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, at)
+            .against(&[HOLDS[usize::from(status.handshake)]])
+            .seen("HANDSHAKE did not change though the AI Computer answered it")
+            .expected("it to change")
+    } else {
+        let waited = milliseconds(t - edge);
+        Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, at)
+            .against(UNANSWERED)
+            .seen(format!("AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {waited:.0} ms"))
+            .expected(format!("1 after {} ms", limit / MS))
+    };
+    Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
 }
 
 /// In AS_OFF nothing drives yet.

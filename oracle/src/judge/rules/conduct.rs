@@ -49,8 +49,11 @@ impl Conduct {
     pub(super) fn reconsider(&mut self, est: &Estimator, book: &mut Book, t: i64) -> Vec<(i64, What)> {
         let mut begins = Vec::new();
         let state = est.state_seen();
-        for (fault, does) in FORBIDDEN.into_iter().zip(&mut self.does).filter(|_| state == Some(AsState::Driving)) {
-            let terms = est.readings.ways(AsState::Driving).iter().filter(|way| way.term.fault == Some(fault));
+        for (fault, does) in
+            FORBIDDEN.into_iter().zip(&mut self.does).filter(|_| state == Some(AsState::Driving))
+        {
+            let terms =
+                est.readings.ways(AsState::Driving).iter().filter(|way| way.term.fault == Some(fault));
             let now = terms.fold(Truth::False, |any, way| any.or(way.term.truth(est.known)));
             if now == Truth::True && !*does {
                 book.notice_forbidden(est, t, fault);
@@ -99,7 +102,8 @@ impl Conduct {
         };
         let holds = |way: &Way| way.term.fault == Some(fault) && way.term.truth(known) == Truth::True;
         let machines = est.readings.of(AsState::Driving);
-        let terms: Vec<_> = machines.iter().map(|machine| ways(machine, AsState::Driving).find(holds)).collect();
+        let terms: Vec<_> =
+            machines.iter().map(|machine| ways(machine, AsState::Driving).find(holds)).collect();
         let Some(Way { term, .. }) = terms.iter().find_map(|way| *way) else {
             // It may go on, and show more clearly later.
             if let Some(does) = FORBIDDEN.iter().position(|&other| other == fault && fault != BOTH) {
@@ -115,9 +119,12 @@ impl Conduct {
         book.was_forbidden(fault);
         // Section 3.7 is where both readings of what is forbidden at speed meet. The other requirements are the VCU's.
         let (section, rule, broken, expected): (_, _, &[_], _) = match fault {
-            Fault::MissionStatusFault => {
-                ("3.7", Rule::FinishedMoving, &[FINISHES_AT_REST], "FINISHED only once the vehicle has stopped")
-            }
+            Fault::MissionStatusFault => (
+                "3.7",
+                Rule::FinishedMoving,
+                &[FINISHES_AT_REST],
+                "FINISHED only once the vehicle has stopped",
+            ),
             BOTH => (term.section, Rule::BrakeAndTorque, &[], "no request to drive and to brake at once"),
             _ => ("3.7", Rule::NeutralMoving, &[], "NEUTRAL only once the vehicle has stopped"),
         };

@@ -66,9 +66,10 @@ fn shows_wrongly(
 
 /// The faults whose flags have been raised, and whose conditions the bus shows.
 pub(super) fn risen(shown: &Shown) -> impl Iterator<Item = Fault> {
-    let new = shown.previous.filter(|_| !shown.gap).map(|previous| {
-        Faults::shown_by(&shown.status).difference(Faults::shown_by(&previous))
-    });
+    let new = shown
+        .previous
+        .filter(|_| !shown.gap)
+        .map(|previous| Faults::shown_by(&shown.status).difference(Faults::shown_by(&previous)));
     VISIBLE.into_iter().filter(move |&fault| new.is_some_and(|new| new.has(fault)))
 }
 
@@ -97,7 +98,14 @@ impl Flags {
         self.warning_sum.is(t, warnings && !status.warning_status, gap);
     }
 
-    fn cause_changed(&mut self, est: &Estimator, book: &mut Book, t: i64, previous: &Vcu2AiStatus, shown: &Shown) {
+    fn cause_changed(
+        &mut self,
+        est: &Estimator,
+        book: &mut Book,
+        t: i64,
+        previous: &Vcu2AiStatus,
+        shown: &Shown,
+    ) {
         let (old, new) = (previous.shutdown_cause, shown.status.shutdown_cause);
         if old == ShutdownCause::NoShutdown {
             let flag_seen = Faults::of_cause(new).is_subset(Faults::shown_by(previous));
@@ -138,7 +146,13 @@ impl Flags {
             if status.shutdown_cause == ShutdownCause::NoShutdown && readable {
                 let severity = if certain { Severity::Violation } else { Severity::Warning };
                 let seen = "SHUTDOWN_CAUSE is 0 (no shutdown) in EMERGENCY_BRAKE";
-                book.found(shows_wrongly(est, (severity, Rule::CauseMissing, CAUSE), since, seen, "the cause"));
+                book.found(shows_wrongly(
+                    est,
+                    (severity, Rule::CauseMissing, CAUSE),
+                    since,
+                    seen,
+                    "the cause",
+                ));
             }
         }
         self.estop_since = self.estop_since.filter(|_| !status.ai_estop_request);
@@ -175,7 +189,13 @@ impl Flags {
 }
 
 /// A flag was raised, and its window has passed: could its condition have held?
-pub(super) fn judge_flag(est: &Estimator, book: &mut Book, pending: &Pending, fault: Fault, before: Knowledge) {
+pub(super) fn judge_flag(
+    est: &Estimator,
+    book: &mut Book,
+    pending: &Pending,
+    fault: Fault,
+    before: Knowledge,
+) {
     let t = pending.t;
     let start = t - est.window - est.cycle();
     // What the flag itself says counts only from the flag on; it may be recorded behind what ended its reason.
@@ -208,10 +228,10 @@ pub(super) fn judge_flag(est: &Estimator, book: &mut Book, pending: &Pending, fa
             let missed = rules.thresholds.missed_ms.map_or("", |_| ", and none of its messages is missed");
             ("2.4", format!("the AI Computer answers the handshake in time{missed}"))
         }
-        (Fault::AiComputerRequest, _) => ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false))),
-        (_, Some(term)) => {
-            (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on))))
+        (Fault::AiComputerRequest, _) => {
+            ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
         }
+        (_, Some(term)) => (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on)))),
         (_, None) => (section, "nothing can be its reason".to_owned()),
     };
     let finding = Finding::violation(Party::Vcu, section, Rule::FlagUnfounded, t)

@@ -16,8 +16,8 @@ pub(super) mod values;
 use adsdv_spec::messages::{Ai2VcuStatus, AnyMessage};
 use adsdv_spec::{AsState, Fault};
 
-use changes::Due;
 use alike::{Assi, Ebs};
+use changes::Due;
 use comms::Comms;
 use conduct::Conduct;
 use flags::Flags;
@@ -112,13 +112,11 @@ impl Rules {
 
     /// 520h shows this, maybe again: what should have come by now?
     pub(super) fn status(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
-        let due = changes::due_at_status(&mut self.due, &mut self.likely, est, t);
-        due.into_iter().for_each(|finding| book.found(finding));
-        let likely = likely::likely_due_at_status(&mut self.likely, est, t);
-        likely.into_iter().for_each(|finding| book.found(finding));
+        book.found(changes::due_at_status(&mut self.due, &mut self.likely, est, t));
+        book.found(likely::likely_due_at_status(&mut self.likely, est, t));
         self.comms.due(est, book, t);
         self.flags.over_time(est, book, t);
-        self.ebs.compare(est, t).into_iter().for_each(|finding| book.found(finding));
+        book.found(self.ebs.compare(est, t));
     }
 
     /// 510h came with something new; `previous` is the one before, where that is known.
@@ -164,7 +162,7 @@ impl Rules {
             Some(_) => return,
             None => None,
         };
-        self.assi.shown(est, t, shown).into_iter().for_each(|finding| book.found(finding));
+        book.found(self.assi.shown(est, t, shown));
     }
 
     /// The remote control shows "Go" switched on, after it was off for a while.
@@ -201,8 +199,7 @@ impl Rules {
     /// Requests may have held the vehicle for too long. Tells whether it was time to look.
     pub(super) fn held(&mut self, est: &Estimator, book: &mut Book, t: i64) -> bool {
         let time = self.conduct.next(est) <= t;
-        let held = if time { self.conduct.held(est) } else { None };
-        held.into_iter().for_each(|finding| book.found(finding));
+        book.found(if time { self.conduct.held(est) } else { None });
         time
     }
 
@@ -240,7 +237,7 @@ impl Rules {
             }
             What::Flag(fault, before) => flags::judge_flag(est, book, pending, fault, before),
             What::Edge(suspect) => {
-                comms::judge_edge(est, t, suspect).into_iter().for_each(|finding| book.found(finding));
+                book.found(comms::judge_edge(est, t, suspect));
             }
             What::Conduct(fault, before) => {
                 if let Some(wait) = self.conduct.judge(est, book, pending, (fault, before)) {
@@ -256,7 +253,8 @@ impl Rules {
 
     /// Nothing is known any more.
     pub(super) fn forget(&mut self) {
-        (self.due, self.flags, self.assi, self.ebs) = (None, Flags::default(), Assi::default(), Ebs::default());
+        (self.due, self.flags, self.assi, self.ebs) =
+            (None, Flags::default(), Assi::default(), Ebs::default());
         self.comms.forget();
     }
 

@@ -11,7 +11,7 @@ const MAX_PENDING: usize = 256;
 
 /// Something that waits to be judged: when it happened, when it can be judged, and the last frames when it happened.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Pending {
+pub(crate) struct Pending {
     pub(super) t: i64,
     at: i64,
     pub(super) frames: Frames,
@@ -34,7 +34,7 @@ pub(super) enum What {
 
 /// All that waits.
 #[derive(Debug, Default)]
-pub(in crate::judge) struct Queue(Vec<Pending>);
+pub(crate) struct Queue(Vec<Pending>);
 
 impl Queue {
     /// Tells what can wait no longer, where there is far more than any bus does in a window.
@@ -45,13 +45,13 @@ impl Queue {
     }
 
     /// What can be judged by `t`.
-    pub(in crate::judge) fn ready(&mut self, t: i64) -> Option<Pending> {
+    pub(crate) fn ready(&mut self, t: i64) -> Option<Pending> {
         let place = self.0.iter().position(|pending| pending.at <= t)?;
         Some(self.0.swap_remove(place))
     }
 
     /// All of it, in order.
-    pub(in crate::judge) fn take(&mut self) -> Vec<Pending> {
+    pub(crate) fn take(&mut self) -> Vec<Pending> {
         self.0.sort_by_key(|pending| pending.t);
         std::mem::take(&mut self.0)
     }

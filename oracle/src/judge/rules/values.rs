@@ -36,8 +36,13 @@ pub(super) fn judge(sampler: &Sampler, book: &mut Book, came: &Came) {
     let slot_len = sampler.slot(came.index).map_or(0, |slot| slot.len);
     match came.says {
         Says::TooShort { first: true } => {
-            let finding =
-                of_message(Severity::Violation, def, Rule::TooShort, came.t, &format!(" has {slot_len} bytes"));
+            let finding = of_message(
+                Severity::Violation,
+                def,
+                Rule::TooShort,
+                came.t,
+                &format!(" has {slot_len} bytes"),
+            );
             book.found(finding.expected(format!("at least {} for its signals", def.bytes_needed())));
         }
         Says::This { newly_bad, other_length, .. } => {
@@ -102,18 +107,19 @@ fn echoes_bad_request(sampler: &Sampler, id: u16, signal: &str) -> bool {
 /// A frame of no message of the document.
 ///
 /// Those of the vehicle's devices have their senders, and nothing is said of them, whatever they hold.
-pub(in crate::judge) fn other_id(edition: &Edition, book: &mut Book, t: i64, id: u32) {
+pub(crate) fn other_id(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     let bus = &edition.bus;
     let reserved = u16::try_from(id).is_ok_and(|id| bus.is_reserved(id) && bus.device(id).is_none());
     if reserved && book.out.first_of_id(id) {
-        let seen =
-            format!("{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not");
+        let seen = format!(
+            "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
+        );
         book.found(Finding::note(Party::Log, "2.3", Rule::Reserved, t).seen(seen));
     }
 }
 
 /// The log says that the AI Computer itself sent a frame with this identifier, which is not for it to send.
-pub(in crate::judge) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, id: u32) {
+pub(crate) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     let short = u16::try_from(id).unwrap_or(u16::MAX);
     let bus = &edition.bus;
     let of_the_vcu = bus.message(short).filter(|def| def.sender == Node::Vcu);
@@ -135,7 +141,7 @@ pub(in crate::judge) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, i
 }
 
 /// The end of the log: says which side was not there.
-pub(in crate::judge) fn one_sided(sampler: &Sampler, t: i64) -> Option<Finding> {
+pub(crate) fn one_sided(sampler: &Sampler, t: i64) -> Option<Finding> {
     let nothing = "no message of the document in the log: nothing was judged";
     let (severity, what, expected) = match (sampler.heard(Node::Ai), sampler.heard(Node::Vcu)) {
         (true, true) => return None,

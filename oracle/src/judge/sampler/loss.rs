@@ -11,7 +11,7 @@ const LONGEST_NS: i64 = 10_000 * MS;
 
 /// Losses that have not been told yet.
 #[derive(Debug, Default)]
-pub(in crate::judge) struct Loss {
+pub(crate) struct Loss {
     /// Lost before the next frame, which has not come yet.
     coming: u64,
     running: Option<Running>,
@@ -30,16 +30,16 @@ struct Running {
 impl Loss {
     /// So many frames were lost before the next one. It is not known when: what is judged until that one comes is judged
     /// as if this were a silence.
-    pub(in crate::judge) fn comes(&mut self, count: u64) {
+    pub(crate) fn comes(&mut self, count: u64) {
         self.coming = self.coming.saturating_add(count);
     }
 
-    pub(in crate::judge) const fn is_coming(&self) -> bool {
+    pub(crate) const fn is_coming(&self) -> bool {
         self.coming > 0
     }
 
     /// The next frame comes at `until`, the last one came at `since`. Tells whether this loss follows no other.
-    pub(in crate::judge) fn ends(&mut self, since: i64, until: i64) -> bool {
+    pub(crate) fn ends(&mut self, since: i64, until: i64) -> bool {
         let coming = std::mem::take(&mut self.coming);
         let running = self.running.unwrap_or(Running { since, until, count: 0, pieces: 0 });
         let (count, pieces) = (running.count.saturating_add(coming), running.pieces + 1);
@@ -48,11 +48,11 @@ impl Loss {
     }
 
     /// When it is certain that no further loss belongs to those before.
-    pub(in crate::judge) fn told_at(&self, pause: i64) -> i64 {
+    pub(crate) fn told_at(&self, pause: i64) -> i64 {
         self.running.map_or(i64::MAX, |loss| (loss.until + pause).min(loss.since + LONGEST_NS))
     }
 
-    pub(in crate::judge) fn tell(&mut self) -> Option<Finding> {
+    pub(crate) fn tell(&mut self) -> Option<Finding> {
         let Running { since, until, count, pieces } = self.running.take()?;
         let frames = if count == 1 { "1 frame".to_owned() } else { format!("{count} frames") };
         let (place, anew) = if pieces == 1 {

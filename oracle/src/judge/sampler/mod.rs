@@ -2,12 +2,14 @@
 //!
 //! It knows how recorders jitter and lose frames, and nothing of the state machine.
 
-pub(in crate::judge) mod loss;
-pub(in crate::judge) mod places;
-pub(in crate::judge) mod said;
-pub(in crate::judge) mod slot;
+pub(crate) mod loss;
+pub(crate) mod places;
+pub(crate) mod said;
+pub(crate) mod slot;
 
-use adsdv_spec::messages::{Ai2VcuBrake, AnyMessage, MessageDef, Node, Vcu2AiBrake, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_spec::messages::{
+    Ai2VcuBrake, AnyMessage, MessageDef, Node, Vcu2AiBrake, Vcu2AiStatus, Vcu2LogStatus,
+};
 use adsdv_spec::{Atom, Atoms, Bus, Edition};
 
 use crate::remote::{Remote, Switches};
@@ -17,8 +19,8 @@ use slot::Slot;
 
 /// The last frame of every message.
 #[derive(Debug)]
-pub(in crate::judge) struct Sampler {
-    pub(in crate::judge) slots: [Slot; COUNT],
+pub(crate) struct Sampler {
+    pub(crate) slots: [Slot; COUNT],
     slot_of: SlotOf,
     bus: Bus,
     remote: Option<Remote>,
@@ -27,26 +29,26 @@ pub(in crate::judge) struct Sampler {
     braking: Atoms,
     /// Whether 524h shows the Emergency Braking System, and whether 520h shows its stage.
     ebs: bool,
-    pub(in crate::judge) stage: bool,
+    pub(crate) stage: bool,
 }
 
 /// A frame that came.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Came {
-    pub(in crate::judge) index: usize,
-    pub(in crate::judge) t: i64,
+pub(crate) struct Came {
+    pub(crate) index: usize,
+    pub(crate) t: i64,
     /// When the one before came.
-    pub(in crate::judge) before: Option<i64>,
+    pub(crate) before: Option<i64>,
     /// Whether that one still spoke for now.
-    pub(in crate::judge) was_fresh: bool,
+    pub(crate) was_fresh: bool,
     /// When this one may be too old, if that may be sooner than was thought.
-    pub(in crate::judge) stale_at: i64,
-    pub(in crate::judge) says: Says,
+    pub(crate) stale_at: i64,
+    pub(crate) says: Says,
 }
 
 /// What it says.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) enum Says {
+pub(crate) enum Says {
     /// The same as the one before.
     Same,
     /// It is too short; the first such, or another.
@@ -58,7 +60,7 @@ pub(in crate::judge) enum Says {
 }
 
 impl Sampler {
-    pub(in crate::judge) fn new(edition: &Edition, complete: bool, window: i64) -> Self {
+    pub(crate) fn new(edition: &Edition, complete: bool, window: i64) -> Self {
         let shows = |id, field| edition.bus.message(id).is_some_and(|def| def.signal_of(field).is_some());
         Self {
             slots: std::array::from_fn(|index| {
@@ -76,21 +78,21 @@ impl Sampler {
 
     /// The slot of an identifier.
     #[inline]
-    pub(in crate::judge) fn index(&self, id: u32) -> Option<usize> {
+    pub(crate) fn index(&self, id: u32) -> Option<usize> {
         self.slot_of.get(id)
     }
 
-    pub(in crate::judge) fn slot(&self, index: usize) -> Option<&Slot> {
+    pub(crate) fn slot(&self, index: usize) -> Option<&Slot> {
         self.slots.get(index)
     }
 
     /// What the edition says of the message of a slot.
-    pub(in crate::judge) fn def(&self, index: usize) -> Option<&'static MessageDef> {
+    pub(crate) fn def(&self, index: usize) -> Option<&'static MessageDef> {
         self.slots.get(index)?.def
     }
 
     /// The identifier of the message of a slot.
-    pub(in crate::judge) fn id(&self, index: usize) -> Option<u16> {
+    pub(crate) fn id(&self, index: usize) -> Option<u16> {
         if index == REMOTE {
             return self.remote.map(|remote| remote.message().id);
         }
@@ -98,24 +100,24 @@ impl Sampler {
     }
 
     /// Whether what the message said last speaks for now.
-    pub(in crate::judge) fn is_fresh(&self, index: usize) -> bool {
+    pub(crate) fn is_fresh(&self, index: usize) -> bool {
         self.slots.get(index).is_some_and(|slot| slot.fresh)
     }
 
     /// When its last frame came.
-    pub(in crate::judge) fn last(&self, index: usize) -> Option<i64> {
+    pub(crate) fn last(&self, index: usize) -> Option<i64> {
         self.slots.get(index)?.last
     }
 
     /// Whether any message of this side came.
-    pub(in crate::judge) fn heard(&self, node: Node) -> bool {
+    pub(crate) fn heard(&self, node: Node) -> bool {
         self.slots.iter().any(|slot| slot.is_from(node) && slot.last.is_some())
     }
 
     /// A frame came; the log's own time of it is `t_ns`. What one says that is older than the last of its identifier is not so
     /// any more: then there is nothing to tell.
     #[inline]
-    pub(in crate::judge) fn frame(&mut self, index: usize, t_ns: i64, t: i64, data: &[u8]) -> Option<Came> {
+    pub(crate) fn frame(&mut self, index: usize, t_ns: i64, t: i64, data: &[u8]) -> Option<Came> {
         let slot = self.slots.get_mut(index)?;
         if t_ns < slot.newest {
             return None;
@@ -164,20 +166,20 @@ impl Sampler {
     }
 
     /// Nothing is known any more of what came.
-    pub(in crate::judge) fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         for slot in &mut self.slots {
             (slot.fresh, slot.last, slot.newest) = (false, None, i64::MIN);
         }
     }
 
     /// That values were bad is not known any more, either: if they still are, it is told again.
-    pub(in crate::judge) fn forget_values(&mut self) {
+    pub(crate) fn forget_values(&mut self) {
         self.slots.iter_mut().for_each(|slot| slot.bad = 0);
     }
 
     /// The atoms that a message shows. The Emergency Braking System is taken from 524h where that shows it and comes: it is
     /// there every cycle, and in 502h much more rarely. The "Go" switch is taken from the remote control as long as that comes.
-    pub(in crate::judge) fn scope(&self, index: usize) -> Atoms {
+    pub(crate) fn scope(&self, index: usize) -> Atoms {
         let by_brake = || self.ebs && self.last(BRAKE).is_some();
         match index {
             LOG_STATUS if by_brake() => Atoms::NONE,
@@ -190,25 +192,25 @@ impl Sampler {
     }
 
     /// The messages that show any of these conditions and come so rarely that a window may pass between two of their frames.
-    pub(in crate::judge) fn slow(&self, atoms: Atoms) -> impl Iterator<Item = (&Slot, Atoms)> {
+    pub(crate) fn slow(&self, atoms: Atoms) -> impl Iterator<Item = (&Slot, Atoms)> {
         let slow = self.slots.iter().enumerate().filter(|(_, slot)| slot.usual() > self.window);
         slow.map(|(index, slot)| (slot, self.scope(index)))
             .filter(move |(_, scope)| !scope.intersection(atoms).is_empty())
     }
 
     /// How long to wait until all that decides these atoms in a window has been seen.
-    pub(in crate::judge) fn wait_for(&self, atoms: Atoms) -> i64 {
+    pub(crate) fn wait_for(&self, atoms: Atoms) -> i64 {
         // Half a period more than is looked at: what is known of the period may change meanwhile.
         self.window + self.slow(atoms).map(|(slot, _)| slot.usual() * 5 / 2).max().unwrap_or(0)
     }
 
     /// The first message that is too old to speak for now, though nobody has said so yet.
-    pub(in crate::judge) fn too_old(&self, t: i64) -> Option<usize> {
+    pub(crate) fn too_old(&self, t: i64) -> Option<usize> {
         self.slots.iter().position(|slot| slot.fresh && slot.stale_at() <= t)
     }
 
     /// When the next message will be too old.
-    pub(in crate::judge) fn next(&self) -> i64 {
+    pub(crate) fn next(&self) -> i64 {
         self.slots.iter().filter(|slot| slot.fresh).map(Slot::stale_at).min().unwrap_or(i64::MAX)
     }
 }

@@ -11,23 +11,23 @@ use crate::remote::Remote;
 /// How many messages there are, in all editions.
 const MESSAGES: usize = AnyMessage::IDS.len();
 /// The slot of the remote control: behind those of the messages.
-pub(in crate::judge) const REMOTE: usize = MESSAGES;
+pub(crate) const REMOTE: usize = MESSAGES;
 /// How many slots there are.
-pub(in crate::judge) const COUNT: usize = MESSAGES + 1;
+pub(crate) const COUNT: usize = MESSAGES + 1;
 
-pub(in crate::judge) const STATUS: usize = slot_of(Vcu2AiStatus::ID);
-pub(in crate::judge) const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
-pub(in crate::judge) const STEER: usize = slot_of(Vcu2AiSteer::ID);
-pub(in crate::judge) const BRAKE: usize = slot_of(Vcu2AiBrake::ID);
-pub(in crate::judge) const WHEEL_SPEEDS: usize = slot_of(Vcu2AiWheelSpeeds::ID);
-pub(in crate::judge) const AI_STATUS: usize = slot_of(Ai2VcuStatus::ID);
-pub(in crate::judge) const AI_DRIVE_F: usize = slot_of(Ai2VcuDriveF::ID);
-pub(in crate::judge) const AI_DRIVE_R: usize = slot_of(Ai2VcuDriveR::ID);
-pub(in crate::judge) const AI_STEER: usize = slot_of(Ai2VcuSteer::ID);
-pub(in crate::judge) const AI_BRAKE: usize = slot_of(Ai2VcuBrake::ID);
+pub(crate) const STATUS: usize = slot_of(Vcu2AiStatus::ID);
+pub(crate) const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
+pub(crate) const STEER: usize = slot_of(Vcu2AiSteer::ID);
+pub(crate) const BRAKE: usize = slot_of(Vcu2AiBrake::ID);
+pub(crate) const WHEEL_SPEEDS: usize = slot_of(Vcu2AiWheelSpeeds::ID);
+pub(crate) const AI_STATUS: usize = slot_of(Ai2VcuStatus::ID);
+pub(crate) const AI_DRIVE_F: usize = slot_of(Ai2VcuDriveF::ID);
+pub(crate) const AI_DRIVE_R: usize = slot_of(Ai2VcuDriveR::ID);
+pub(crate) const AI_STEER: usize = slot_of(Ai2VcuSteer::ID);
+pub(crate) const AI_BRAKE: usize = slot_of(Ai2VcuBrake::ID);
 
 /// The slot of a message.
-pub(in crate::judge) const fn slot_of(id: u16) -> usize {
+pub(crate) const fn slot_of(id: u16) -> usize {
     let mut index = 0;
     while index < MESSAGES && AnyMessage::IDS[index] != id {
         index += 1;
@@ -36,7 +36,7 @@ pub(in crate::judge) const fn slot_of(id: u16) -> usize {
 }
 
 /// The atoms that a message shows in all editions.
-pub(in crate::judge) const fn scope(slot: usize) -> Atoms {
+pub(crate) const fn scope(slot: usize) -> Atoms {
     match slot {
         STATUS => Vcu2AiStatus::SCOPE.with(Atom::GoOn),
         LOG_STATUS => Vcu2LogStatus::SCOPE,

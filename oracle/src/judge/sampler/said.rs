@@ -5,12 +5,12 @@ use adsdv_spec::{Atoms, Bus, Thresholds};
 
 /// What a frame says.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::judge) struct Said {
+pub(crate) struct Said {
     /// The message, with an allowed value in place of each that was not.
-    pub(in crate::judge) message: AnyMessage,
+    pub(crate) message: AnyMessage,
     def: &'static MessageDef,
     /// The signals whose values were not allowed, one bit each in the order of the table.
-    pub(in crate::judge) bad: u32,
+    pub(crate) bad: u32,
 }
 
 impl Said {
@@ -35,13 +35,13 @@ impl Said {
     }
 
     /// Whether the signal that this field carries has a value that is not allowed.
-    pub(in crate::judge) fn is_bad(&self, field: &str) -> bool {
+    pub(crate) fn is_bad(&self, field: &str) -> bool {
         let place = || self.def.signals.iter().position(|signal| signal.field == field);
         self.bad != 0 && place().is_some_and(|place| self.bad >> place & 1 == 1)
     }
 
     /// The conditions that hold by what it says; `None` where it says nothing certain.
-    pub(in crate::judge) fn atoms(&self, thresholds: &Thresholds) -> Option<Atoms> {
+    pub(crate) fn atoms(&self, thresholds: &Thresholds) -> Option<Atoms> {
         let all_good = |atoms| Some(atoms).filter(|_| self.bad == 0);
         match &self.message {
             // Whether a VCU takes anything from a frame of the AI Computer that is partly wrong is not known.

@@ -28,16 +28,16 @@ const fn longest(period: i64) -> i64 {
 
 /// One message on the bus.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::judge) struct Slot {
+pub(crate) struct Slot {
     /// What the edition says of the message; `None` if it has no such message, and for the remote control.
-    pub(in crate::judge) def: Option<&'static MessageDef>,
+    pub(crate) def: Option<&'static MessageDef>,
     /// The data of the last frame, as far as a word holds it.
-    pub(in crate::judge) word: u64,
-    pub(in crate::judge) len: u8,
+    pub(crate) word: u64,
+    pub(crate) len: u8,
     /// When the last frame came; `None` before the first.
-    pub(in crate::judge) last: Option<i64>,
+    pub(crate) last: Option<i64>,
     /// The usual time between two frames: a running median.
-    pub(in crate::judge) period: i64,
+    pub(crate) period: i64,
     /// How many intervals in a row were longer than that; negative: shorter.
     run: i8,
     /// For how many intervals the rate has not changed.
@@ -48,21 +48,21 @@ pub(in crate::judge) struct Slot {
     /// How far intervals are from the period, the largest of late: the recorder's jitter.
     spread: i64,
     /// The last frame's time as the log has it.
-    pub(in crate::judge) newest: i64,
+    pub(crate) newest: i64,
     /// The time before a long interval, and how many frames have come behind it.
     suspect: Option<(i64, i64)>,
     /// Until when frames are taken to get lost.
     lossy_until: i64,
     /// Whether the last frame is recent enough to speak for now.
-    pub(in crate::judge) fresh: bool,
+    pub(crate) fresh: bool,
     /// The signals whose last value was not allowed, one bit each.
-    pub(in crate::judge) bad: u32,
+    pub(crate) bad: u32,
     /// What the last frame said of the atoms.
-    pub(in crate::judge) atoms: Option<Atoms>,
-    pub(in crate::judge) length_noted: bool,
-    pub(in crate::judge) too_short: bool,
+    pub(crate) atoms: Option<Atoms>,
+    pub(crate) length_noted: bool,
+    pub(crate) too_short: bool,
     /// Whether no frame can be missing.
-    pub(in crate::judge) complete: bool,
+    pub(crate) complete: bool,
     /// The last time between two frames that was longer than usual.
     gap: Option<(i64, i64)>,
 }
@@ -74,12 +74,12 @@ impl Slot {
     }
 
     /// Whether this node sends the message.
-    pub(in crate::judge) fn is_from(&self, node: Node) -> bool {
+    pub(crate) fn is_from(&self, node: Node) -> bool {
         self.def.is_some_and(|def| def.sender == node)
     }
 
     /// The usual time between two frames; as long as only one has come, that of the edition.
-    pub(in crate::judge) fn usual(&self) -> i64 {
+    pub(crate) fn usual(&self) -> i64 {
         match (self.period, self.last, self.def) {
             (0, Some(_), Some(def)) => i64::from(def.cycle_ms) * MS,
             (period, ..) => period,
@@ -91,7 +91,7 @@ impl Slot {
     /// One that is missing between two frames makes the interval twice as long, give or take what the recorder's jitter is. Where
     /// nothing is known to be missing, long intervals are taken for jitter as far as that can be; where frames do get lost, no
     /// interval counts as whole into which one more would fit.
-    pub(in crate::judge) fn stale_at(&self) -> i64 {
+    pub(crate) fn stale_at(&self) -> i64 {
         let Some(last) = self.last else { return i64::MAX };
         if self.complete {
             return last + SILENCE_NS;
@@ -108,30 +108,30 @@ impl Slot {
     }
 
     /// The last time that was longer than usual between two frames, or since the last.
-    pub(in crate::judge) fn longest_gap(&self, now: i64) -> Option<(i64, i64)> {
+    pub(crate) fn longest_gap(&self, now: i64) -> Option<(i64, i64)> {
         let last = self.last?;
         if now - last > longest(self.period) { Some((last, now)) } else { self.gap }
     }
 
     /// When the last time between two frames ended that was longer than usual, if that was after `since`, and one may be missing.
-    pub(in crate::judge) fn gap_since(&self, since: i64) -> Option<i64> {
+    pub(crate) fn gap_since(&self, since: i64) -> Option<i64> {
         self.gap.map(|(_, end)| end).filter(|&end| end > since && !self.complete)
     }
 
     /// Whether frames are taken to get lost.
-    pub(in crate::judge) fn is_lossy(&self) -> bool {
+    pub(crate) fn is_lossy(&self) -> bool {
         self.last.is_some_and(|last| last < self.lossy_until)
     }
 
     /// Frames get lost, at least for a while.
-    pub(in crate::judge) fn becomes_lossy(&mut self, now: i64) {
+    pub(crate) fn becomes_lossy(&mut self, now: i64) {
         if !self.complete {
             self.lossy_until = now + LOSSY_NS;
         }
     }
 
     /// A frame came. Tells whether one before it is clearly missing.
-    pub(in crate::judge) fn seen(&mut self, now: i64) -> bool {
+    pub(crate) fn seen(&mut self, now: i64) -> bool {
         let mut missing = false;
         if let Some(last) = self.last {
             let interval = now - last;
