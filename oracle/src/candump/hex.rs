@@ -60,12 +60,10 @@ pub(super) fn bytes<const DIGITS: usize, const BYTES: usize>(digits: [u8; DIGITS
 /// more or anything else.
 #[inline]
 pub(super) fn up_to_line_feed(text: &[u8; 2 * MAX_CLASSIC + 1]) -> Option<([u8; MAX_CLASSIC], usize)> {
-    let [&[a, b, c, d, e, f, g, h], &[i, j, k, l, m, n, o, p]] =
-        [text.first_chunk()?, text[8..].first_chunk()?];
-    let (low, low_digits) = eight([a, b, c, d, e, f, g, h]);
-    let (high, high_digits) = eight([i, j, k, l, m, n, o, p]);
+    let (low, rest) = text.split_first_chunk()?;
+    let ((low, low_digits), (high, high_digits)) = (eight(*low), eight(*rest.first_chunk()?));
     let digits = if low_digits < 8 { low_digits } else { 8 + high_digits };
-    let bytes = u64::from(high) << 32 | u64::from(low);
+    let bytes = high << 32 | low;
     if digits % 2 != 0 || text.get(digits) != Some(&b'\n') {
         return None;
     }
@@ -77,7 +75,7 @@ pub(super) fn up_to_line_feed(text: &[u8; 2 * MAX_CLASSIC + 1]) -> Option<([u8; 
 /// The bytes that eight digits stand for, the first lowest, and how many digits there are before anything else, all eight at once:
 /// each byte of the word is one of them.
 #[inline]
-const fn eight(digits: [u8; 8]) -> (u32, usize) {
+const fn eight(digits: [u8; 8]) -> (u64, usize) {
     const TOP: u64 = 0x8080_8080_8080_8080;
     const fn each(byte: u8) -> u64 {
         u64::from_le_bytes([byte; 8])
@@ -92,7 +90,7 @@ const fn eight(digits: [u8; 8]) -> (u32, usize) {
     let values = (word & each(0xF)) + (is_letter >> 7) * 9;
     let pairs = (values << 4 | values >> 8) & 0x00FF_00FF_00FF_00FF;
     let fours = (pairs | pairs >> 8) & 0x0000_FFFF_0000_FFFF;
-    ((fours | fours >> 16) as u32, others.trailing_zeros() as usize / 8)
+    ((fours | fours >> 16) & 0xFFFF_FFFF, others.trailing_zeros() as usize / 8)
 }
 
 #[cfg(test)]

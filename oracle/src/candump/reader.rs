@@ -10,7 +10,7 @@ use super::dropped::{self, Dropped};
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::record::{FrameKind, MAX_DATA, Record};
-use super::usual::{self, Usual};
+use super::usual::{self, Interface, Usual};
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
 const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
@@ -53,6 +53,7 @@ pub struct Reader<R> {
     data: Box<[u8; MAX_DATA]>,
     /// The interface that the next line will name most of the time: that of a line before. Empty at first.
     interface: String,
+    usual: Interface,
 }
 
 impl<R: Read> Reader<R> {
@@ -67,6 +68,7 @@ impl<R: Read> Reader<R> {
             terminated: true,
             data: Box::new([0; MAX_DATA]),
             interface: String::new(),
+            usual: Interface::UNKNOWN,
         }
     }
 
@@ -90,9 +92,7 @@ impl<R: Read> Reader<R> {
     #[inline]
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let text = self.buffer.get(self.pending.clone()).unwrap_or_default();
-        let Some((usual, taken)) =
-            usual::read(text, self.interface.as_bytes()).filter(|_| !self.inside_long_line)
-        else {
+        let Some((usual, taken)) = usual::read(text, &self.usual).filter(|_| !self.inside_long_line) else {
             return self.next_unusual();
         };
         self.pending.start += taken;
@@ -133,6 +133,7 @@ impl<R: Read> Reader<R> {
                 if record.interface != self.interface {
                     self.interface.clear();
                     self.interface.push_str(record.interface);
+                    self.usual = Interface::named(record.interface);
                 }
                 Entry::Frame(Record { terminated, ..record })
             }

@@ -17,8 +17,8 @@ pub(super) struct Book {
 }
 
 impl Book {
-    pub(super) fn new(edition: Edition) -> Self {
-        Self { edition, out: Output::default(), margins: Kept::default(), tally: Tally::default() }
+    pub(super) fn new(edition: &Edition) -> Self {
+        Self { edition: *edition, out: Output::default(), margins: Kept::default(), tally: Tally::default() }
     }
 
     /// Adds what was found, if anything was. The requirements are those that the edition has for the ones that are named.

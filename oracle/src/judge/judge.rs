@@ -49,7 +49,7 @@ impl Judge {
         let est = Estimator::new(options);
         Self {
             rules: Rules::default(),
-            book: Book::new(est.edition),
+            book: Book::new(&est.edition),
             loss: Loss::default(),
             senders: Senders::default(),
             // Most messages come once a cycle, all at once: one frame may be missing.
@@ -90,6 +90,7 @@ impl Judge {
         if let Some(place) = self.est.ends_silence(index, t) {
             self.rules.heard(place);
         }
+        self.next_event = self.next_event.min(self.est.comms_at);
         if self.est.changed || !self.est.edges.is_empty() {
             self.rules.reconsider(&mut self.est, &mut self.book, t);
         }
@@ -395,7 +396,7 @@ impl Judge {
         if est.time_comes(t) || rules.settle_next(est, book, t) {
             return;
         }
-        if est.comms_event() <= t {
+        if est.comms_at <= t {
             return rules.comms_time(est, book, t);
         }
         if rules.held(est, book, t) {

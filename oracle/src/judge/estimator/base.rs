@@ -33,8 +33,8 @@ pub(crate) struct Estimator {
     pub(super) timers: Vec<Timer>,
     pub(crate) handshake: Watch,
     pub(crate) silences: Silences,
-    /// When what is known of lost communication was last brought up to date.
-    pub(super) comms_known_at: i64,
+    /// When an unanswered edge, or a message that is silent, may change what is known.
+    pub(crate) comms_at: i64,
     /// The AI Computer's last status.
     pub(crate) ai: Option<Ai2VcuStatus>,
     pub(crate) remote: RemoteSide,
@@ -112,7 +112,7 @@ impl Estimator {
             timers: Vec::new(),
             handshake: Watch::default(),
             silences: Silences::new(missed, window, always),
-            comms_known_at: 0,
+            comms_at: i64::MAX,
             ai: None,
             remote: RemoteSide::default(),
             edges: Vec::new(),
@@ -127,7 +127,7 @@ impl Estimator {
         self.why.forget(self.now);
         self.vcu = Vcu::default();
         self.timers.clear();
-        self.handshake = Watch::default();
+        (self.handshake, self.comms_at) = (Watch::default(), i64::MAX);
         self.silences.forget();
         self.remote = RemoteSide::default();
         self.sampler.forget();
@@ -183,13 +183,7 @@ impl Estimator {
     /// When something becomes known, or unknown, though no frame comes.
     pub(crate) fn next(&self) -> i64 {
         let timers = self.timers.iter().map(|timer| timer.at).min().unwrap_or(i64::MAX);
-        timers.min(self.comms_event()).min(self.remote.go_settles.unwrap_or(i64::MAX))
-    }
-
-    /// When an unanswered edge, or a message that is silent, changes what is known.
-    pub(crate) fn comms_event(&self) -> i64 {
-        let edge = self.handshake.next(self.comms_known_at, self.handshake_limit(), self.window);
-        edge.min(self.silences.next(self.comms_known_at, &self.sampler))
+        timers.min(self.comms_at).min(self.remote.go_settles.unwrap_or(i64::MAX))
     }
 
     /// What is known of all of the time from `start` to `end`, as far as the judge has seen by now.

@@ -6,7 +6,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Atom, Choice, Reading, Truth};
 
 use super::base::{Estimator, is_active};
-use super::silences::WATCHED;
+use super::silences::place_of;
 use crate::judge::sampler::Came;
 use crate::judge::sampler::places::{AI_STATUS, REMOTE, STATUS, scope};
 use crate::judge::sampler::said::Said;
@@ -109,7 +109,7 @@ impl Estimator {
     #[inline]
     pub(crate) fn ends_silence(&mut self, index: usize, t: i64) -> Option<usize> {
         self.silences.limit?;
-        let place = WATCHED.iter().position(|&watched| watched == index)?;
+        let place = place_of(index)?;
         self.silences.heard(place, t, &self.sampler);
         if self.silences.silent != Truth::False {
             self.update_comms(t);
@@ -119,7 +119,6 @@ impl Estimator {
 
     /// Brings what is known of lost communication up to date.
     pub(crate) fn update_comms(&mut self, t: i64) {
-        self.comms_known_at = t;
         let tsms = self.known.of(Atom::Tsms);
         let raised = self.shows_comms_lost() && is_active(self.vcu.state);
         let missed = self.silences.is_missed(t, tsms, &self.sampler);
@@ -131,6 +130,8 @@ impl Estimator {
         };
         let truth = if raised { Truth::True } else { unanswered.or(missed) };
         self.learn(t, self.known.set(Atom::AiCommsLost, truth));
+        let edge = self.handshake.next(t, self.handshake_limit(), self.window);
+        self.comms_at = edge.min(self.silences.next(t, &self.sampler));
     }
 
     /// A frame of the remote control came with another content than the one before, or after a silence. Tells whether it shows

@@ -8,9 +8,27 @@ use adsdv_spec::Truth;
 
 use crate::judge::sampler::Sampler;
 use crate::judge::sampler::places::{AI_BRAKE, AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER};
+use crate::judge::sampler::slot::Slot;
 
 /// The messages that are watched.
 pub(crate) const WATCHED: [usize; 5] = [AI_STATUS, AI_DRIVE_F, AI_DRIVE_R, AI_STEER, AI_BRAKE];
+
+/// The place of a message among those that are watched; they stand together among the slots.
+#[inline]
+pub(crate) const fn place_of(index: usize) -> Option<usize> {
+    match index.checked_sub(AI_STATUS) {
+        Some(place) if place < WATCHED.len() => Some(place),
+        _ => None,
+    }
+}
+
+const _: () = {
+    let mut place = 0;
+    while place < WATCHED.len() {
+        assert!(WATCHED[place] == AI_STATUS + place);
+        place += 1;
+    }
+};
 
 /// What is kept of the messages that are watched.
 #[derive(Clone, Copy, Debug)]
@@ -75,8 +93,7 @@ impl Silences {
     /// silences a single frame between may be lost where the recorder loses frames.
     pub(crate) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
         let Some(limit) = self.limit else { return Truth::False };
-        let lossy =
-            WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(|slot| slot.is_lossy());
+        let lossy = WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(Slot::is_lossy);
         match (self.valid_at.get(place), Self::heard_at(place, sampler)) {
             (Some(Some(valid)), _) if t - valid < limit - self.window => Truth::False,
             (_, Some(last)) if t - last < limit + self.window || lossy => Truth::Unknown,

@@ -41,39 +41,6 @@ impl Book {
         }
     }
 
-    /// What an arrow is against that was taken and should not have been.
-    pub(in crate::judge) fn broken_by(
-        &self,
-        est: &Estimator,
-        from: AsState,
-        to: AsState,
-        decided: &[(Term, Knowledge)],
-        window: Knowledge,
-    ) -> Vec<&'static str> {
-        let rows = est.edition.rules.table.rows();
-        let overtaking = rows.iter().filter(|other| other.from == from && other.to != to).find_map(|other| {
-            let (term, _) = decided.iter().find(|(term, _)| other.terms().contains(term))?;
-            Some(cited::of_term(other, term))
-        });
-        if let Some(broken) = overtaking {
-            return broken;
-        }
-        let mut broken =
-            row_of(&est.edition, from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
-        let terms: Vec<Term> = est.readings.terms(from, to).copied().collect();
-        for term in &terms {
-            for (atom, needed) in term.literals() {
-                let necessary = terms.iter().all(|other| other.on.has(atom) || other.off.has(atom));
-                if necessary && window.of(atom) == Truth::from(!needed) {
-                    broken.extend(term.requirements_of(atom).unwrap_or_default());
-                }
-            }
-        }
-        let mut seen = std::collections::HashSet::new();
-        broken.retain(|id| seen.insert(*id));
-        broken
-    }
-
     /// Flags of faults were raised. Whether rightly, is judged later, if the bus shows the reason at all.
     pub(in crate::judge) fn exercise_flags(&mut self, raised: Faults) {
         for fault in raised.iter() {
@@ -136,4 +103,35 @@ impl Book {
         let answers = self.out.responses.count() > 0;
         Exercised { ai, vcu, states: tally.states(), requirements: tally.requirements(&est.edition, answers) }
     }
+}
+
+/// What an arrow is against that was taken and should not have been.
+pub(in crate::judge) fn broken_by(
+    est: &Estimator,
+    from: AsState,
+    to: AsState,
+    decided: &[(Term, Knowledge)],
+    window: Knowledge,
+) -> Vec<&'static str> {
+    let rows = est.edition.rules.table.rows();
+    let overtaking = rows.iter().filter(|other| other.from == from && other.to != to).find_map(|other| {
+        let (term, _) = decided.iter().find(|(term, _)| other.terms().contains(term))?;
+        Some(cited::of_term(other, term))
+    });
+    if let Some(broken) = overtaking {
+        return broken;
+    }
+    let mut broken = row_of(&est.edition, from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
+    let terms: Vec<Term> = est.readings.terms(from, to).copied().collect();
+    for term in &terms {
+        for (atom, needed) in term.literals() {
+            let necessary = terms.iter().all(|other| other.on.has(atom) || other.off.has(atom));
+            if necessary && window.of(atom) == Truth::from(!needed) {
+                broken.extend(term.requirements_of(atom).unwrap_or_default());
+            }
+        }
+    }
+    let mut seen = std::collections::HashSet::new();
+    broken.retain(|id| seen.insert(*id));
+    broken
 }

@@ -9,7 +9,7 @@ use super::{Basis, Margin, Measure};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
-use crate::judge::estimator::silences::WATCHED;
+use crate::judge::estimator::silences::place_of;
 use crate::judge::exercised::cited;
 use crate::judge::finding::Party;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
@@ -106,7 +106,7 @@ impl Book {
 
 /// How long this message may be missing, in nanoseconds; `None` if nobody watches it.
 pub(super) fn watched_limit(est: &Estimator, index: usize) -> Option<i64> {
-    est.silences.limit.filter(|_| WATCHED.contains(&index))
+    est.silences.limit.filter(|_| place_of(index).is_some())
 }
 
 fn of_gap(est: &Estimator, index: usize, gap: Peak, def: &MessageDef) -> Margin {

@@ -11,7 +11,7 @@ use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::{Way, forced, guard, of_terms, possible, ways};
 use crate::judge::estimator::status::{MEMORY, SeenChange};
 use crate::judge::evidence::Frames;
-use crate::judge::exercised::ONLY_ARROWS;
+use crate::judge::exercised::{ONLY_ARROWS, broken_by};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::report::Transition;
 use crate::judge::sampler::places::{LOG_STATUS, STATUS};
@@ -155,7 +155,7 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
             let overtaking = judged.iter().find_map(|j| j.decided).map(|(term, _)| term);
             let terms: Vec<Term> = guard.iter().map(|way| way.term).collect();
             let wrong = unjustified(&est.edition.rules, (from, to), &terms, window, overtaking);
-            let broken = book.broken_by(est, from, to, &deciding, window);
+            let broken = broken_by(est, from, to, &deciding, window);
             Some(wrong.told(found(Severity::Violation, Rule::Unjustified)).against(&broken))
         }
         (_, Truth::Unknown) => likely_unjustified(est, t, (from, to), shown, lasted)

@@ -5,7 +5,7 @@ use adsdv_spec::{AsState, Atom, Truth};
 
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::silences::{Silences, WATCHED};
+use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
 use crate::judge::estimator::watch::Suspect;
 use crate::judge::exercised::{ANSWERS, HOLDS, MISSED, UNANSWERED};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
@@ -39,8 +39,7 @@ impl Comms {
 
     /// Whether it was reported that this message is missing.
     pub(super) fn is_missed(&self, index: usize) -> bool {
-        let place = WATCHED.iter().position(|&watched| watched == index);
-        place.and_then(|place| self.reported.get(place)).is_some_and(|reported| *reported)
+        place_of(index).and_then(|place| self.reported.get(place)).is_some_and(|reported| *reported)
     }
 
     /// Whether it was reported of any.

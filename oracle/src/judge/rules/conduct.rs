@@ -112,9 +112,10 @@ impl Conduct {
             return None;
         };
         let certain = fault == BOTH && told || terms.iter().all(Option::is_some);
-        let (severity, reservation) = match certain {
-            true => (Severity::Violation, ""),
-            false => (Severity::Warning, " (a violation under some readings of the document only)"),
+        let (severity, reservation) = if certain {
+            (Severity::Violation, "")
+        } else {
+            (Severity::Warning, " (a violation under some readings of the document only)")
         };
         book.was_forbidden(fault);
         // Section 3.7 is where both readings of what is forbidden at speed meet. The other requirements are the VCU's.

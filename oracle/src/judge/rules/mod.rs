@@ -204,7 +204,7 @@ impl Rules {
     }
 
     fn wait(&mut self, est: &Estimator, book: &mut Book, t: i64, wait: i64, what: What) {
-        if let Some(oldest) = self.queue.wait(t, wait, est.sampler.frames(), what)
+        if let Some(oldest) = self.queue.wait(t, wait, &est.sampler.frames(), what)
             && let What::Change(_) = oldest.what
         {
             // What comes too early to be judged is left open.

@@ -38,9 +38,9 @@ pub(crate) struct Queue(Vec<Pending>);
 
 impl Queue {
     /// Tells what can wait no longer, where there is far more than any bus does in a window.
-    pub(super) fn wait(&mut self, t: i64, wait: i64, frames: Frames, what: What) -> Option<Pending> {
+    pub(super) fn wait(&mut self, t: i64, wait: i64, frames: &Frames, what: What) -> Option<Pending> {
         let oldest = (self.0.len() >= MAX_PENDING).then(|| self.0.swap_remove(0));
-        self.0.push(Pending { t, at: t + wait, frames, what });
+        self.0.push(Pending { t, at: t + wait, frames: *frames, what });
         oldest
     }
 

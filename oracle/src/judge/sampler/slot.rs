@@ -70,7 +70,7 @@ pub(crate) struct Slot {
 impl Slot {
     pub(super) fn new(def: Option<&'static MessageDef>, complete: bool) -> Self {
         let (shortest, newest, lossy_until) = (i64::MAX, i64::MIN, i64::MIN);
-        Self { def, complete, shortest, newest, lossy_until, ..Self::default() }
+        Self { def, shortest, newest, lossy_until, complete, ..Self::default() }
     }
 
     /// Whether this node sends the message.
@@ -135,7 +135,8 @@ impl Slot {
         let mut missing = false;
         if let Some(last) = self.last {
             let interval = now - last;
-            if interval > longest(self.period) || self.gap.is_none() {
+            let is_long = interval > longest(self.period);
+            if is_long || self.gap.is_none() {
                 self.gap = Some((last, now));
             }
             if self.learnt < LEARNING {
@@ -143,7 +144,7 @@ impl Slot {
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
             }
             missing = self.was_missing(last, now);
-            if interval <= longest(self.period) {
+            if !is_long {
                 self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
             }
             self.period = match self.period {
