@@ -82,10 +82,10 @@ impl Judge {
             let missed = self.rules.is_missed(index);
             self.book.longer_gap(&self.est, missed, index, before, t);
         }
-        if let Says::Same = came.says {
+        if came.same {
             self.repeated(index, t);
-        } else {
-            self.changed(&came);
+        } else if let Some(says) = self.est.sampler.read(index) {
+            self.changed(&came, &says);
         }
         if let Some(place) = self.est.ends_silence(index, t) {
             self.rules.heard(place);
@@ -94,7 +94,7 @@ impl Judge {
         if self.est.changed || !self.est.edges.is_empty() {
             self.rules.reconsider(&mut self.est, &mut self.book, t);
         }
-        if index == STATUS && !self.senders.several() && !matches!(came.says, Says::TooShort { .. }) {
+        if index == STATUS && self.est.vcu_is_seen() && !self.senders.several() {
             self.rules.status(&mut self.est, &mut self.book, t);
         }
     }
@@ -117,12 +117,11 @@ impl Judge {
     }
 
     /// A frame came with another content than the one before, or after a silence.
-    fn changed(&mut self, came: &Came) {
+    fn changed(&mut self, came: &Came, says: &Says) {
         let Self { est, book, rules, .. } = self;
         let t = came.t;
-        rules.came(est, book, came);
-        match &came.says {
-            Says::Same => {}
+        rules.came(est, book, came, says);
+        match says {
             Says::TooShort { .. } | Says::Remote(None) => est.says_nothing(came.index, t),
             Says::Remote(Some(shown)) => {
                 if est.remote_shows(t, *shown) {

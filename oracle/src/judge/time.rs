@@ -9,18 +9,6 @@ pub(crate) const SILENCE_NS: i64 = 500 * MS;
 /// Times further away than this (73 years) are taken for this, so that no sum of times overflows.
 pub(super) const FAR_NS: i64 = 1 << 61;
 
-/// Behind a silence of that length no state is known: none that has to last fits into a gap.
-const _: () = {
-    let editions = adsdv_spec::Edition::ALL;
-    let mut place = 0;
-    while place < editions.len() {
-        let timing = editions[place].rules.timing;
-        assert!(SILENCE_NS < timing.ready_dwell_ms as i64 * MS);
-        assert!(SILENCE_NS < timing.ebs_timer_ms as i64 * MS);
-        place += 1;
-    }
-};
-
 #[allow(clippy::cast_precision_loss, reason = "a duration for display")]
 pub(super) fn milliseconds(ns: i64) -> f64 {
     ns as f64 / 1e6

@@ -87,11 +87,6 @@ impl Readings {
         let first = ways.next()??;
         ways.all(|way| way.is_some()).then_some(first)
     }
-
-    /// Whether an arrow may be taken under some reading.
-    pub(crate) fn may(&self, from: AsState, to: AsState, known: Knowledge) -> bool {
-        self.of(from).iter().any(|machine| possible(machine, (from, to), known).is_some())
-    }
 }
 
 /// The atoms of these terms.

@@ -1,7 +1,8 @@
 //! Changes of state: those that were seen, and those that were due.
 
+use adsdv_spec::belief::{Belief, Glimpse, KnownFaults};
 use adsdv_spec::messages::Vcu2AiStatus;
-use adsdv_spec::{AsState, Atom, Fault, Knowledge, Machine, Term, Truth};
+use adsdv_spec::{AsState, Atom, Choice, Fault, Knowledge, Machine, Term, Truth};
 
 use super::likely::{Likely, likely_unjustified, no_frame};
 use super::pending::Pending;
@@ -15,6 +16,7 @@ use crate::judge::exercised::{ONLY_ARROWS, broken_by};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::report::Transition;
 use crate::judge::sampler::places::{LOG_STATUS, STATUS};
+use crate::judge::time::MS;
 
 /// A way out of the current state that is certain to be open.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +111,8 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
     let judged: Vec<Judged> =
         machines.iter().map(|machine| judge(machine, (from, to), window, &instants)).collect();
     let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
-    let between_missed = justified == Truth::False && gap && leads_through_others(est, from, to, window);
+    let between_missed =
+        justified == Truth::False && gap && leads_through_others(est, (from, to), window, t - before);
     if between_missed {
         justified = Truth::Unknown;
     }
@@ -194,28 +197,33 @@ fn judge(
     }
 }
 
-/// Whether several arrows, of which the log missed the states between, can lead there.
-fn leads_through_others(est: &Estimator, from: AsState, to: AsState, window: Knowledge) -> bool {
-    // What the VCU remembers was not seen; what it saw has to allow each arrow.
-    let seen = window.forget(MEMORY);
-    let mut reached = vec![from];
-    let mut next = 0;
-    while let Some(&state) = reached.get(next) {
-        next += 1;
-        for then in AsState::ALL {
-            // A state that was entered in the gap and has to last for its time lasts for longer than any gap; READY may
-            // be left at once to where no dwell is needed.
-            let lasts =
-                matches!((state, then), (AsState::Ready, AsState::Driving) | (AsState::EmergencyBrake, _));
-            if (state == from || !lasts) && est.readings.may(state, then, seen) {
-                if then == to && state != from {
-                    return true;
-                }
-                if !reached.contains(&then) {
-                    reached.push(then);
-                }
-            }
-        }
+/// Whether several steps can lead there in a time in which the log missed the states between: by what may be of the VCU after one step
+/// and another, whatever it remembered before.
+fn leads_through_others(
+    est: &Estimator,
+    (from, to): (AsState, AsState),
+    window: Knowledge,
+    gap: i64,
+) -> bool {
+    // What the VCU remembers was not seen; what it saw has to allow each step, and communication may be lost in any.
+    let seen = Glimpse::new(window.forget(MEMORY), KnownFaults::NOTHING);
+    let gap_ms = u32::try_from((gap + est.window) / MS).unwrap_or_default();
+    let step = |state: AsState, before: &Belief| {
+        est.readings.of(state).iter().fold(Belief::NONE, |after, machine| {
+            let readings = machine.readings().with(Choice::HandshakeAlways).with(Choice::WatchAlways);
+            let machine = Machine::new(est.edition, readings);
+            after.or(&machine.react_known(&before.given(state), &seen, 0..=gap_ms))
+        })
+    };
+    let only = |belief: &Belief, wanted: &dyn Fn(AsState) -> bool| {
+        let states = belief.states().filter(|&state| wanted(state));
+        states.fold(Belief::NONE, |only, state| only.or(&belief.given(state)))
+    };
+    let first = step(from, &Belief::anything(&est.edition.rules.timing));
+    let mut between = only(&first, &|state| state != from && state != to);
+    for _ in AsState::ALL {
+        let after = between.states().fold(between, |after, state| after.or(&step(state, &between)));
+        between = only(&after, &|state| state != from);
     }
-    false
+    between.memory(to).is_some()
 }

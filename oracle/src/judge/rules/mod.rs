@@ -47,9 +47,9 @@ pub(super) struct Rules {
 
 impl Rules {
     /// A frame came that says something else than the one before, and nothing of it has been looked at yet.
-    pub(super) fn came(&mut self, est: &Estimator, book: &mut Book, came: &Came) {
-        values::judge(&est.sampler, book, came);
-        if let Says::This { said, .. } = &came.says {
+    pub(super) fn came(&mut self, est: &Estimator, book: &mut Book, came: &Came, says: &Says) {
+        values::judge(&est.sampler, book, came, says);
+        if let Says::This { said, .. } = says {
             match said.message {
                 AnyMessage::Vcu2AiStatus(message) => {
                     let readable = est.sampler.stage && !said.is_bad("ebs_state");

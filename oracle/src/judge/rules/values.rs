@@ -31,10 +31,10 @@ fn is_some_limit(raw: i32) -> bool {
 }
 
 /// A frame says something else than the one before: is it as long as it should be, and does it say only what is allowed?
-pub(super) fn judge(sampler: &Sampler, book: &mut Book, came: &Came) {
+pub(super) fn judge(sampler: &Sampler, book: &mut Book, came: &Came, says: &Says) {
     let Some(def) = sampler.def(came.index) else { return };
     let slot_len = sampler.slot(came.index).map_or(0, |slot| slot.len);
-    match came.says {
+    match *says {
         Says::TooShort { first: true } => {
             let finding = of_message(
                 Severity::Violation,

@@ -43,14 +43,13 @@ pub(crate) struct Came {
     pub(crate) was_fresh: bool,
     /// When this one may be too old, if that may be sooner than was thought.
     pub(crate) stale_at: i64,
-    pub(crate) says: Says,
+    /// Whether it says the same as the one before.
+    pub(crate) same: bool,
 }
 
-/// What it says.
+/// What a frame says that does not say the same as the one before.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Says {
-    /// The same as the one before.
-    Same,
     /// It is too short; the first such, or another.
     TooShort { first: bool },
     /// This, with these signals wrong that were not wrong before; and whether its length is another for the first time.
@@ -128,26 +127,20 @@ impl Sampler {
         let same = slot.fresh && slot.word == word && slot.len == len;
         // The AI Computer's program may well leave cycles out; the VCU keeps its own.
         let missing = slot.seen(t) && slot.is_from(Node::Vcu) && !slot.complete;
-        let mut came = Came { index, t, before, was_fresh, stale_at: i64::MAX, says: Says::Same };
-        if slot.is_lossy() {
-            came.stale_at = slot.stale_at();
-        }
+        (slot.word, slot.len) = (word, len);
+        let mut stale_at = if same && !slot.is_lossy() { i64::MAX } else { slot.stale_at() };
         if missing {
             // Of a frame that is clearly missing nobody has told: others may be where it does not show.
             self.slots.iter_mut().for_each(|slot| slot.becomes_lossy(t));
-            came.stale_at = i64::MIN;
+            stale_at = i64::MIN;
         }
-        if !same {
-            came.says = self.read(index, word, len)?;
-            came.stale_at = came.stale_at.min(self.slots.get(index)?.stale_at());
-        }
-        Some(came)
+        Some(Came { index, t, before, was_fresh, stale_at, same })
     }
 
-    fn read(&mut self, index: usize, word: u64, len: u8) -> Option<Says> {
+    /// Reads the last frame of a message, which says something else than the one before.
+    pub(crate) fn read(&mut self, index: usize) -> Option<Says> {
         let slot = self.slots.get_mut(index)?;
-        (slot.word, slot.len) = (word, len);
-        let data = word.to_le_bytes();
+        let (data, len) = (slot.word.to_le_bytes(), slot.len);
         if index == REMOTE {
             let shown = self.remote.and_then(|remote| remote.read(data.get(..usize::from(len))?));
             slot.fresh = shown.is_some();
@@ -219,9 +212,13 @@ impl Sampler {
 #[inline]
 fn load(data: &[u8]) -> (u64, u8) {
     let len = u8::try_from(data.len()).unwrap_or(u8::MAX);
-    let word = match data.first_chunk::<8>() {
-        Some(bytes) => u64::from_le_bytes(*bytes),
-        None => data.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)),
+    let word = match (data.first_chunk(), data.first_chunk(), data.last_chunk()) {
+        (Some(bytes), ..) => u64::from_le_bytes(*bytes),
+        // Two halves, which overlap.
+        (_, Some(first), Some(last)) => {
+            u64::from(u32::from_le_bytes(*first)) | u64::from(u32::from_le_bytes(*last)) << (8 * (len - 4))
+        }
+        _ => data.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte)),
     };
     (word, len)
 }

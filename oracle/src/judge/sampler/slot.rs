@@ -172,7 +172,9 @@ impl Slot {
         // Jitter alone does not make it that long, and a longer silence is somebody who does not send.
         let interval = now - last;
         let is_long = interval > longest(usual) + self.spread && interval < usual * 4;
-        self.suspect = (is_long && self.learnt == LEARNING).then_some((last, 0));
+        if is_long && self.learnt == LEARNING {
+            self.suspect = Some((last, 0));
+        }
         false
     }
 
