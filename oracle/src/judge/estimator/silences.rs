@@ -93,10 +93,10 @@ impl Silences {
     /// silences a single frame between may be lost where the recorder loses frames.
     pub(crate) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
         let Some(limit) = self.limit else { return Truth::False };
-        let lossy = WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(Slot::is_lossy);
+        let lossy = || WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(Slot::is_lossy);
         match (self.valid_at.get(place), Self::heard_at(place, sampler)) {
             (Some(Some(valid)), _) if t - valid < limit - self.window => Truth::False,
-            (_, Some(last)) if t - last < limit + self.window || lossy => Truth::Unknown,
+            (_, Some(last)) if t - last < limit + self.window || lossy() => Truth::Unknown,
             (_, Some(_)) if self.others_come(place, t, sampler) => Truth::True,
             _ => Truth::Unknown,
         }

@@ -26,13 +26,16 @@ impl Assi {
     /// 502h came, with this state if it says another than before.
     pub(super) fn shown(&mut self, est: &Estimator, t: i64, shown: Option<AsState>) -> Option<Finding> {
         self.shown = shown.or(self.shown);
-        let (shown, state) = (self.shown?, est.state_seen());
-        let differs = state.filter(|&state| state != shown);
+        let shown = self.shown?;
+        let Some(state) = est.state_seen() else {
+            self.differs.pauses();
+            return None;
+        };
         // It begins, or what 502h shows may have been so when it was sent.
         let late = t - est.deadline;
         let anew = self.differs.since.is_some_and(|since| since < late && !stood(est, since - est.window, t));
-        self.differs.is(t, differs.is_some(), anew);
-        let (state, since) = (differs?, self.differs.overdue(late)?);
+        self.differs.is(t, state != shown, anew);
+        let since = self.differs.overdue(late)?;
         let section = est.edition.bus.message(Vcu2LogStatus::ID).map_or("", |def| def.section);
         let finding = Finding::violation(Party::Vcu, section, Rule::AssiDiffers, since)
             .against(&[ASSI])

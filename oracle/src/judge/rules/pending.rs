@@ -83,6 +83,11 @@ impl Lasting {
         }
     }
 
+    /// Whether it is so is not known for a while; what was told is not told again behind that.
+    pub(super) fn pauses(&mut self) {
+        self.since = self.since.filter(|_| self.told);
+    }
+
     /// Since when it has been so, if that is before `late`; this is told once.
     pub(super) fn overdue(&mut self, late: i64) -> Option<i64> {
         let since = self.since.filter(|&since| since < late && !self.told)?;

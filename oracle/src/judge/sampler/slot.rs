@@ -182,7 +182,8 @@ impl Slot {
     /// change of rate.
     fn median(&mut self, period: i64, interval: i64) -> i64 {
         let side = if interval > period { 1 } else { -1 };
-        self.run = if self.run.signum() == side { self.run.saturating_add(side) } else { side };
+        // One side is as the sign of the run, which is the upper one where there is none.
+        self.run = if (self.run ^ side) >= 0 { self.run.saturating_add(side) } else { side };
         self.steady = if self.run.unsigned_abs() < RUN { self.steady.saturating_add(1) } else { 0 };
         period + i64::from(side) * (period >> (4 + self.steady / 16).min(8))
     }
