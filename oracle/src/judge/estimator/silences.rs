@@ -58,6 +58,11 @@ impl Silences {
         }
     }
 
+    /// How long this message may be silent; `None` if nobody watches it.
+    pub(crate) fn limit_of(&self, index: usize) -> Option<i64> {
+        self.limit.filter(|_| place_of(index).is_some())
+    }
+
     /// Nothing is known of what came.
     pub(crate) fn forget(&mut self) {
         *self = Self::new(self.limit, self.window, self.always);

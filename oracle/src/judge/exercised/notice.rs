@@ -4,7 +4,7 @@ use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Fault, Faults, Knowledge, Term, Truth};
 
 use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
-use super::{Exercised, Told};
+use super::told::{Exercised, Told};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use adsdv_spec::{Actuation, AsState, Edition};
 
 use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
-use super::{Told, ToldRequirement};
+use super::told::{Told, ToldRequirement};
 use crate::judge::finding::Severity;
 
 /// Marks of requirements. There are no more than are cited anywhere, so that they stay few.

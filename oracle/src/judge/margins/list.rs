@@ -9,7 +9,6 @@ use super::{Basis, Margin, Measure};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
-use crate::judge::estimator::silences::place_of;
 use crate::judge::exercised::cited;
 use crate::judge::finding::Party;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
@@ -104,18 +103,13 @@ impl Book {
     }
 }
 
-/// How long this message may be missing, in nanoseconds; `None` if nobody watches it.
-pub(super) fn watched_limit(est: &Estimator, index: usize) -> Option<i64> {
-    est.silences.limit.filter(|_| place_of(index).is_some())
-}
-
 fn of_gap(est: &Estimator, index: usize, gap: Peak, def: &MessageDef) -> Margin {
     let of = |section, limit| {
         let party = Party::from(def.sender);
         let margin = margin(Measure::MessageGap, party, section, ms(gap.value), limit, "ms", gap.t);
         Margin { message: Some(def.id), ..margin }
     };
-    match watched_limit(est, index) {
+    match est.silences.limit_of(index) {
         Some(limit) => Margin { requirements: vec![MISSED], ..of(COMMUNICATION, ms(limit)) },
         None => Margin { basis: Basis::Cycle, ..of(def.section, f64::from(def.cycle_ms)) },
     }

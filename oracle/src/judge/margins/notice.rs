@@ -4,7 +4,6 @@ use adsdv_spec::messages::{Ai2VcuStatus, DirectionRequest, MissionStatus, Vcu2Ai
 use adsdv_spec::{AsState, Fault, Truth};
 
 use super::kept::{AT_SPEED, Go, Peak, Reaction, lower, raise};
-use super::list::watched_limit;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::status::SeenChange;
@@ -27,7 +26,7 @@ impl Book {
     ) {
         let gap = t - before;
         let silent = self.margins.whole_since.is_some_and(|since| before < since);
-        let past = watched_limit(est, index).is_some_and(|limit| gap > limit);
+        let past = est.silences.limit_of(index).is_some_and(|limit| gap > limit);
         if !silent && (!past || missed) {
             self.margins.gap(index, gap, t);
         }
