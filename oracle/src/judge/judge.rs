@@ -91,8 +91,9 @@ impl Judge {
             self.rules.heard(place);
         }
         self.next_event = self.next_event.min(self.est.comms_at);
-        if self.est.changed || !self.est.edges.is_empty() {
+        if !came.same || self.est.changed {
             self.rules.reconsider(&mut self.est, &mut self.book, t);
+            self.next_event = self.next_event.min(self.est.next()).min(self.rules.next(&self.est));
         }
         if index == STATUS && self.est.vcu_is_seen() && !self.senders.several() {
             self.rules.status(&mut self.est, &mut self.book, t);
@@ -155,7 +156,6 @@ impl Judge {
                 }
             },
         }
-        self.next_event = self.next_event.min(self.est.next()).min(self.rules.next(&self.est));
     }
 
     /// 520h shows another state than before. Tells whether that is of another VCU.

@@ -10,17 +10,6 @@ use crate::recognise::Held;
 /// A log can name any number of interfaces; the first few tell enough.
 const MAX_INTERFACES: usize = 64;
 
-/// Whether two names are the same: most have four to eight letters, and two halves of four that may overlap.
-#[inline]
-fn is_same(one: &str, other: &str) -> bool {
-    let (one, other) = (one.as_bytes(), other.as_bytes());
-    let half = |name: &[u8]| Some((*name.first_chunk::<4>()?, *name.last_chunk::<4>()?));
-    match (half(one), half(other)) {
-        (Some(halves), Some(others)) if one.len() <= 8 => one.len() == other.len() && halves == others,
-        _ => one == other,
-    }
-}
-
 impl LogJudge {
     /// Whether a frame has come, of whatever kind.
     pub(super) fn has_frame(&self) -> bool {
@@ -36,7 +25,7 @@ impl LogJudge {
         self.frames += 1;
         let t = record.time_ns.saturating_sub(*self.origin.get_or_insert(record.time_ns));
         let ours = match &self.interface {
-            Some(interface) => is_same(interface, record.interface),
+            Some(interface) => interface == record.interface,
             None => self.choose(record),
         };
         if !ours || record.kind != FrameKind::Standard {
@@ -128,33 +117,5 @@ impl LogJudge {
     /// Whether a frame lacks data that its message has.
     fn is_cut_off(&self, record: &Record<'_>) -> bool {
         self.judge.message(record.id).is_some_and(|def| record.data.len() < def.bytes_needed())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_same;
-
-    #[test]
-    fn names_are_the_same_if_all_of_their_letters_are() {
-        let names = [
-            "",
-            "c",
-            "can",
-            "can0",
-            "can1",
-            "vcan0",
-            "vcan1",
-            "vcan00",
-            "vcan0000",
-            "vcan0001",
-            "vcan00000",
-            "vcan00001",
-        ];
-        for one in names {
-            for other in names {
-                assert_eq!(is_same(one, other), one == other, "{one} {other}");
-            }
-        }
     }
 }

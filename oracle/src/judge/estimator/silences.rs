@@ -40,6 +40,8 @@ pub(crate) struct Silences {
     always: bool,
     /// When the last frame of each came that nobody can refuse.
     valid_at: [Option<i64>; WATCHED.len()],
+    /// Until when none of them has been silent for too long, as far as they had come when that was looked at last.
+    none_until: i64,
     /// Since when TSMS is known to have been on.
     on_since: Option<i64>,
     /// Whether any has been silent for too long, when that was looked at last.
@@ -53,6 +55,7 @@ impl Silences {
             window,
             always,
             valid_at: [None; WATCHED.len()],
+            none_until: i64::MIN,
             on_since: None,
             silent: Truth::Unknown,
         }
@@ -118,18 +121,25 @@ impl Silences {
 
     /// Whether communication is lost because a message is missed.
     pub(crate) fn is_missed(&mut self, t: i64, tsms: Truth, sampler: &Sampler) -> Truth {
-        if self.limit.is_none() {
-            self.silent = Truth::False;
-            return Truth::False;
-        }
         self.on_since = if tsms == Truth::True { self.on_since.or(Some(t)) } else { None };
-        let each = (0..WATCHED.len()).map(|place| self.is_silent(place, t, sampler));
-        self.silent = each.fold(Truth::False, Truth::or);
+        if t >= self.none_until {
+            let each = (0..WATCHED.len()).map(|place| self.is_silent(place, t, sampler));
+            self.silent = each.fold(Truth::False, Truth::or);
+            let first = self.valid_at.iter().flatten().min().filter(|_| self.silent == Truth::False);
+            self.none_until = match (self.limit, first) {
+                (Some(limit), Some(first)) => first + limit - self.window,
+                (None, _) => i64::MAX,
+                _ => i64::MIN,
+            };
+        }
         self.is_watching(t, tsms).and(self.silent)
     }
 
     /// When a silence changes what is known, after this time.
     pub(crate) fn next(&self, after: i64, sampler: &Sampler) -> i64 {
+        if self.silent == Truth::False {
+            return self.none_until;
+        }
         let Some(limit) = self.limit else { return i64::MAX };
         let (sure, certain) = (limit - self.window, limit + self.window);
         let valid = self.valid_at.iter().flatten().map(|at| at + sure);
