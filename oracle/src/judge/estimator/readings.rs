@@ -16,7 +16,7 @@ pub(crate) struct Way {
 }
 
 /// What leads out of one state.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Leaving {
     machines: Vec<Machine>,
     /// Every way under some reading, each once.
@@ -25,31 +25,26 @@ struct Leaving {
 
 /// What leads out of every state.
 #[derive(Debug)]
-pub(crate) struct Readings(Vec<Leaving>);
+pub(crate) struct Readings([Leaving; AsState::ALL.len()]);
 
 impl Readings {
     pub(crate) fn new(edition: &Edition, readings: Choices) -> Self {
-        let changing = table_readings(edition);
-        let all: Vec<Machine> =
-            readings.combinations(&changing).map(|answer| Machine::new(*edition, answer)).collect();
-        let leaving = |&state: &AsState| {
-            let mut seen: Vec<Vec<Taken>> = Vec::new();
-            let mut leaving = Leaving { machines: Vec::new(), ways: Vec::new() };
-            for machine in &all {
-                let arrows: Vec<Taken> = machine.arrows(state).collect();
-                if !seen.contains(&arrows) {
-                    for way in arrows.iter().filter_map(|&taken| way(machine, taken)) {
-                        if !leaving.ways.contains(&way) {
-                            leaving.ways.push(way);
-                        }
-                    }
-                    leaving.machines.push(*machine);
-                    seen.push(arrows);
+        let mut all = AsState::ALL.map(|_| Leaving::default());
+        for answer in readings.combinations(&table_readings(edition)) {
+            let machine = Machine::new(*edition, answer);
+            for (state, leaving) in AsState::ALL.into_iter().zip(&mut all) {
+                if leaving.machines.iter().any(|other| other.arrows(state).eq(machine.arrows(state))) {
+                    continue;
                 }
+                for way in ways(&machine, state) {
+                    if !leaving.ways.contains(&way) {
+                        leaving.ways.push(way);
+                    }
+                }
+                leaving.machines.push(machine);
             }
-            leaving
-        };
-        Self(AsState::ALL.iter().map(leaving).collect())
+        }
+        Self(all)
     }
 
     /// The machines that differ in what leads out of a state.
