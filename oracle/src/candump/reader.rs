@@ -10,7 +10,7 @@ use super::dropped::{self, Dropped};
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::record::{FrameKind, MAX_DATA, Record};
-use super::usual::{self, Usual};
+use super::usual::{self, Interface, Usual};
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
 const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
@@ -53,6 +53,7 @@ pub struct Reader<R> {
     data: Box<[u8; MAX_DATA]>,
     /// The interface that the next line will name most of the time: that of a line before. Empty at first.
     interface: String,
+    usual: Interface,
 }
 
 impl<R: Read> Reader<R> {
@@ -67,6 +68,7 @@ impl<R: Read> Reader<R> {
             terminated: true,
             data: Box::new([0; MAX_DATA]),
             interface: String::new(),
+            usual: Interface::UNKNOWN,
         }
     }
 
@@ -87,25 +89,36 @@ impl<R: Read> Reader<R> {
     ///
     /// Fails when the source does, after every complete line that it gave. A broken line is no failure of
     /// the reader but an [`Entry::Broken`].
+    #[inline]
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
+        let text = self.buffer.get(self.pending.clone()).unwrap_or_default();
+        let Some((usual, taken)) = usual::read(text, &self.usual).filter(|_| !self.inside_long_line) else {
+            return self.next_unusual();
+        };
+        self.pending.start += taken;
+        self.line += 1;
+        let Usual { time_ns, id, data, len } = usual;
+        if let Some(place) = self.data.first_chunk_mut() {
+            *place = data;
+        }
+        Ok(Some(Entry::Frame(Record {
+            line: self.line,
+            time_ns,
+            interface: &self.interface,
+            kind: FrameKind::Standard,
+            id,
+            data: self.data.get(..len).unwrap_or_default(),
+            direction: None,
+            terminated: true,
+        })))
+    }
+
+    /// The next line that is not blank, whatever it is.
+    #[cold]
+    fn next_unusual(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let Some(span) = self.next_line()? else { return Ok(None) };
         let terminated = self.terminated;
         let text = text(&self.buffer, span, self.line);
-        if let Some(Usual { time_ns, id, data, len }) = usual::read(text, self.interface.as_bytes()) {
-            if let Some(place) = self.data.first_chunk_mut() {
-                *place = data;
-            }
-            return Ok(Some(Entry::Frame(Record {
-                line: self.line,
-                time_ns,
-                interface: &self.interface,
-                kind: FrameKind::Standard,
-                id,
-                data: self.data.get(..len).unwrap_or_default(),
-                direction: None,
-                terminated,
-            })));
-        }
         let parsed = if text.len() > MAX_LINE {
             Err(Flaw { at: 0, expected: SHORTER })
         } else {
@@ -120,6 +133,7 @@ impl<R: Read> Reader<R> {
                 if record.interface != self.interface {
                     self.interface.clear();
                     self.interface.push_str(record.interface);
+                    self.usual = Interface::named(record.interface);
                 }
                 Entry::Frame(Record { terminated, ..record })
             }

@@ -24,13 +24,17 @@ pub(super) fn take(cursor: &mut Cursor<'_>) -> Result<i64, Flaw> {
 /// Whatever it cannot read is left for [`any`], which would read this form to the same value.
 #[inline]
 pub(super) fn usual(cursor: &mut Cursor<'_>) -> Option<i64> {
-    let &[b'(', s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, b'.', u0, u1, u2, u3, u4, u5, b')'] =
-        cursor.rest().first_chunk()?
-    else {
+    let [b'(', seconds @ .., b'.', _, _, _, _, _, _, b')'] = cursor.rest().first_chunk::<19>()? else {
         return None;
     };
-    let hundreds = eight_digits([s0, s1, s2, s3, s4, s5, s6, s7])?;
-    let rest = eight_digits([s8, s9, u0, u1, u2, u3, u4, u5])?;
+    let [_, _, _, _, _, _, _, _, _, _, last @ .., b')'] = cursor.rest().first_chunk::<19>()? else {
+        return None;
+    };
+    let [hundreds @ .., s8, s9] = seconds;
+    // Of the last eight, the two before the fraction are one digit and the point.
+    let ones = u64::from(u16::from_le_bytes([*s8, *s9]));
+    let hundreds = eight_digits(u64::from_le_bytes(*hundreds))?;
+    let rest = eight_digits(u64::from_le_bytes(*last) >> 16 << 16 | ones)?;
     // Sixteen digits of microseconds: below 10^16, so that nanoseconds may overflow, and then it is not usual.
     let time = (hundreds * 100_000_000 + rest).checked_mul(NS_PER_MICROSECOND)?;
     cursor.skip(19);
@@ -40,8 +44,8 @@ pub(super) fn usual(cursor: &mut Cursor<'_>) -> Option<i64> {
 /// The number that eight decimal digits stand for: each step halves the count of the numbers in the word and
 /// doubles their width.
 #[inline]
-fn eight_digits(digits: [u8; 8]) -> Option<i64> {
-    let word = u64::from_le_bytes(digits) ^ 0x3030_3030_3030_3030;
+fn eight_digits(digits: u64) -> Option<i64> {
+    let word = digits ^ 0x3030_3030_3030_3030;
     // A byte above 9 has its top bit set here, either its own or the one that adding 0x76 carries into it.
     if (word | word.wrapping_add(0x7676_7676_7676_7676)) & 0x8080_8080_8080_8080 != 0 {
         return None;

@@ -23,23 +23,51 @@ pub(super) struct Usual {
     pub(super) len: usize,
 }
 
-/// Reads a line if it is a usual one on this interface. Before the first frame there is none, and its name is empty: a usual
-/// line names one.
-#[inline]
-pub(super) fn read(line: &[u8], interface: &[u8]) -> Option<Usual> {
-    if interface.is_empty() {
-        return None;
+/// The interface that the usual line names, with the space before it and that behind: as one word, for names that fit.
+#[derive(Debug)]
+pub(super) struct Interface {
+    word: u128,
+    /// Which bits of a word count; none before the first frame, when there is no interface and no line is usual.
+    mask: u128,
+    len: usize,
+}
+
+impl Interface {
+    /// No interface is known yet.
+    pub(super) const UNKNOWN: Self = Self { word: 0, mask: 0, len: 0 };
+
+    /// The interface of this name.
+    pub(super) fn named(name: &str) -> Self {
+        let len = name.len() + 2;
+        let mut bytes = [0; size_of::<u128>()];
+        match bytes.get_mut(..len) {
+            Some(place) => place.copy_from_slice(format!(" {name} ").as_bytes()),
+            None => return Self::UNKNOWN,
+        }
+        let mask = u128::MAX >> (8 * (size_of::<u128>() - len));
+        Self { word: u128::from_le_bytes(bytes), mask, len }
     }
-    let mut cursor = Cursor::new(line);
+
+    /// What stands behind it, if the text begins with it.
+    #[inline]
+    fn behind<'a>(&self, text: &'a [u8]) -> Option<&'a [u8]> {
+        let word = u128::from_le_bytes(*text.first_chunk()?);
+        text.get(self.len..).filter(|_| self.mask != 0 && word & self.mask == self.word)
+    }
+}
+
+/// Reads the line at the beginning of a text if it is a usual one on this interface and there is room for the longest; tells how long
+/// it is, with its line feed, which is found on the way.
+#[inline]
+pub(super) fn read(text: &[u8], interface: &Interface) -> Option<(Usual, usize)> {
+    let mut cursor = Cursor::new(text);
     let time_ns = time::usual(&mut cursor)?;
-    let (&[b' ', ref id @ .., b'#'], digits) =
-        cursor.rest().strip_prefix(b" ")?.strip_prefix(interface)?.split_first_chunk::<5>()?
-    else {
+    let (&[ref id @ .., b'#'], digits) = interface.behind(cursor.rest())?.split_first_chunk::<4>()? else {
         return None;
     };
     let id = hex::number(*id).ok().filter(|id| *id <= STANDARD_MASK)?;
-    let (data, len) = hex::some_bytes(digits)?;
-    Some(Usual { time_ns, id, data, len })
+    let (data, len) = hex::up_to_line_feed(digits.first_chunk()?)?;
+    Some((Usual { time_ns, id, data, len }, text.len() - digits.len() + 2 * len + 1))
 }
 
 #[cfg(test)]
@@ -50,7 +78,10 @@ mod tests {
 
     /// Whether the line is usual. If it is, the long way must read it to the same record.
     fn is_usual(text: &str) -> bool {
-        let Some(Usual { time_ns, id, data, len }) = read(text.as_bytes(), b"vcan0") else { return false };
+        let with_more = format!("{text}\n(1795209995.234359) vcan0");
+        let read = read(with_more.as_bytes(), &Interface::named("vcan0"));
+        let Some((Usual { time_ns, id, data, len }, taken)) = read else { return false };
+        assert_eq!(taken, text.len() + 1, "{text}");
         let same = Record {
             line: 1,
             time_ns,
@@ -103,8 +134,23 @@ mod tests {
 
     #[test]
     fn no_line_is_usual_before_an_interface_is_known() {
-        for line in ["(1795209995.234358)  520#00", "(1795209995.234358) vcan0 520#00"] {
-            assert_eq!(read(line.as_bytes(), b""), None, "{line}");
+        for line in [
+            "(1795209995.234358)  520#0011223344556677\n",
+            "(1795209995.234358) vcan0 520#0011223344556677\n",
+        ] {
+            assert_eq!(read(line.as_bytes(), &Interface::UNKNOWN), None, "{line}");
         }
+    }
+
+    #[test]
+    fn an_interface_has_its_whole_name_between_two_spaces() {
+        for name in ["c", "vcan0", "fourteen_bytes"] {
+            let line = |name| format!("(1795209995.234358) {name} 520#0011223344556677\n");
+            let read = |interface| read(line(name).as_bytes(), &Interface::named(interface)).is_some();
+            assert!(read(name), "{name}");
+            assert!(!read("vcan") && !read("can0") && !read("fifteen_bytes__"), "{name}");
+        }
+        let behind = |name: &str| Interface::named(name).behind(b" fifteen_bytes__ 520#00112233").is_some();
+        assert!(!behind("fifteen_bytes__") && !behind("fifteen_bytes_"), "it is read the long way");
     }
 }

@@ -3,18 +3,18 @@
 use adsdv_spec::Atoms;
 
 use super::finding::Evidence;
-use super::slots::{COUNT, Slot};
-use super::{Judge, REMOTE, STATUS};
-use crate::remote::Remote;
+use super::sampler::Sampler;
+use super::sampler::places::{COUNT, STATUS};
+use super::sampler::slot::Slot;
 
 /// When the last frame of each message came, up to some time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frames([Option<i64>; COUNT]);
 
-impl Judge {
+impl Sampler {
     /// The last frames up to now.
     pub(super) fn frames(&self) -> Frames {
-        Frames(std::array::from_fn(|index| self.slots.get(index).and_then(|slot| slot.last)))
+        Frames(std::array::from_fn(|index| self.last(index)))
     }
 
     /// Of these frames those that decide conditions, and 520h, which shows the state.
@@ -30,19 +30,11 @@ impl Judge {
 
     fn evidence<'a>(&self, these: impl Iterator<Item = (usize, &'a Frames)>) -> Vec<Evidence> {
         let one = |(index, Frames(frames)): (usize, &Frames)| {
-            Some(Evidence { t_ns: (*frames.get(index)?)?, id: self.id_of(index)? })
+            Some(Evidence { t_ns: (*frames.get(index)?)?, id: self.id(index)? })
         };
         let mut evidence: Vec<Evidence> = these.filter_map(one).collect();
         evidence.sort_by_key(|frame| (frame.t_ns, frame.id));
         evidence
-    }
-
-    /// The identifier of the message of a slot.
-    pub(super) fn id_of(&self, index: usize) -> Option<u16> {
-        if index == REMOTE {
-            return Remote::of(&self.edition.bus).map(|remote| remote.message().id);
-        }
-        Some(self.slots.get(index)?.def?.id)
     }
 
     /// The messages that decide these conditions, and 520h, which shows the state.

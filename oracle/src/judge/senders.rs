@@ -2,9 +2,8 @@
 
 use adsdv_spec::AsState;
 
-use super::events::milliseconds;
 use super::finding::{Finding, Party, Rule};
-use super::{Judge, STATUS};
+use super::time::milliseconds;
 
 /// After so many changes to and fro, each sooner than a VCU can take a step, it is not one VCU.
 const TURNS: u32 = 5;
@@ -27,11 +26,17 @@ impl Senders {
         self.several
     }
 
-    /// 520h shows another state than before. Tells whether there are two VCUs, which is told once.
-    fn changed(&mut self, t: i64, from: AsState, to: AsState, cycle: i64) -> bool {
-        let intervals = i64::from(self.turns);
+    /// 520h shows another state than before. Tells of two VCUs if there are, once.
+    pub(super) fn changed(
+        &mut self,
+        t: i64,
+        (from, to): (AsState, AsState),
+        cycle: i64,
+        now: i64,
+    ) -> Option<Finding> {
+        let (since, intervals) = (self.since, i64::from(self.turns));
         // Jitter brings one VCU's steps together; those of two come twice in a cycle.
-        let fast = t.saturating_sub(self.since) < intervals * cycle * 3 / 4;
+        let fast = t.saturating_sub(since) < intervals * cycle * 3 / 4;
         if self.before == Some(to) && fast {
             self.turns += 1;
         } else {
@@ -39,29 +44,16 @@ impl Senders {
         }
         self.before = Some(from);
         self.several = self.turns > TURNS;
-        self.several
-    }
-}
-
-impl Judge {
-    /// 520h shows another state than before. Tells whether that is of another VCU.
-    pub(super) fn is_of_another(&mut self, t: i64, from: AsState, to: AsState) -> bool {
-        let cycle = self.slots.get(STATUS).and_then(|slot| slot.def).map_or(0, |def| def.cycle_ms);
-        let since = self.senders.since;
-        if !self.senders.changed(t, from, to, i64::from(cycle) * super::MS) {
-            return false;
+        if !self.several {
+            return None;
         }
-        // What waited to be judged is of both.
-        self.pending.clear();
-        self.forget_everything();
         let seen = format!(
             "520h shows {from} and {to} in turn, {TURNS} times in {:.0} ms, faster than one VCU can: two cars, or two recordings in one",
-            milliseconds(t - since)
+            milliseconds(t.saturating_sub(since))
         );
         let expected = "one VCU: record each car by itself; nothing is said of a VCU from here on";
-        let finding = Finding::violation(Party::Log, "2.2", Rule::TwoSenders, self.now).seen(seen);
-        self.found(finding.expected(expected).shown_by(self.last_frames(&[STATUS])));
-        true
+        let finding = Finding::violation(Party::Log, "2.2", Rule::TwoSenders, now).seen(seen);
+        Some(finding.expected(expected))
     }
 }
 
@@ -78,7 +70,7 @@ mod tests {
         let mut states = [(Off, Driving), (Driving, Off)].into_iter().cycle();
         let told = (0..100).position(|turn| {
             let (from, to) = states.next().expect("it goes on");
-            senders.changed(turn * CYCLE / 2, from, to, CYCLE)
+            senders.changed(turn * CYCLE / 2, (from, to), CYCLE, 0).is_some()
         });
         assert_eq!(told, Some(TURNS as usize));
         assert!(senders.several());
@@ -89,7 +81,7 @@ mod tests {
         let mut senders = Senders::default();
         for turn in 0..100 {
             let (from, to) = if turn % 2 == 0 { (Off, Ready) } else { (Ready, Off) };
-            assert!(!senders.changed(turn * CYCLE, from, to, CYCLE), "{turn}");
+            assert!(senders.changed(turn * CYCLE, (from, to), CYCLE, 0).is_none(), "{turn}");
         }
     }
 
@@ -97,7 +89,7 @@ mod tests {
     fn centuries_between_two_states_are_none_the_worse() {
         let mut senders = Senders::default();
         for (t, from, to) in [(i64::MIN, Off, Ready), (i64::MAX, Ready, Off), (i64::MIN, Off, Ready)] {
-            assert!(!senders.changed(t, from, to, CYCLE));
+            assert!(senders.changed(t, (from, to), CYCLE, 0).is_none());
         }
     }
 
@@ -107,7 +99,7 @@ mod tests {
         let states = [Off, Ready, Driving];
         for turn in 0..100 {
             let (from, to) = (states[turn % 3], states[(turn + 1) % 3]);
-            assert!(!senders.changed(0, from, to, CYCLE), "{turn}");
+            assert!(senders.changed(0, (from, to), CYCLE, 0).is_none(), "{turn}");
         }
     }
 }

@@ -114,6 +114,22 @@ fn the_logger_shows_another_state() {
 }
 
 #[test]
+fn the_logger_goes_on_to_show_the_state_before() {
+    let mut world = World::reference();
+    world.prepare();
+    world.wait(500);
+    world.inputs.asms = true;
+    let since = world.t;
+    world.wait(1000);
+    assert_eq!(world.control.state, AsState::Ready);
+    is_silent(&world, JudgeOptions::default(), "the same state");
+    // Not a bit of 502h changes.
+    world.falsify(def_of::<Vcu2LogStatus>(), "State_ASSI", since, AsState::Off as i32);
+    let expected = [(Rule::AssiDiffers, def_of::<Vcu2LogStatus>().section)];
+    is_reported_if_seen(&world, JudgeOptions::default(), Party::Vcu, &expected, "State_ASSI");
+}
+
+#[test]
 fn a_state_that_lasts_for_a_step_is_what_the_logger_shows() {
     let mut world = World::reference();
     world.ready();

@@ -2,7 +2,7 @@
 //!
 //! `cited.rs` lists the requirements that a log can show, from what cites them: the rows and alternatives of Figure 2, the faults,
 //! the handshake, and what reaches the actuators. `tally.rs` marks them while the bus goes on, and `notice.rs` is where the judge
-//! tells it what it has seen. `required.rs` is what somebody wants a recording to show.
+//! tells it what it has seen. `told.rs` is what comes of it, and `required.rs` what somebody wants a recording to show.
 //!
 //! The requirements of an arrow count when the arrow was seen, those of a fault when its flag was, those of the handshake when an
 //! edge was answered or lost. One arrow that is right says that its requirements held, whatever else is not certain; one that is
@@ -12,117 +12,12 @@ pub(super) mod cited;
 mod notice;
 mod required;
 mod tally;
+mod told;
 
 pub(super) use cited::{
     ANSWERS, FINISHES_AT_REST, HOLDS, MISSED, ONLY_ARROWS, UNANSWERED, of_edition, of_term,
 };
+pub(super) use notice::broken_by;
 pub use required::{Required, RequiredError};
 pub(super) use tally::Tally;
-
-use adsdv_spec::AsState;
-
-/// What a recording tells of a requirement. What weighs more stands behind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Told {
-    /// Nothing: what it is about never happened.
-    NotExercised,
-    /// What it is about happened, and whether it was kept cannot be told.
-    NotCertain,
-    /// It was kept at least once, and never seen broken.
-    Held,
-    /// It was broken.
-    Violated,
-}
-
-impl Told {
-    /// Each of them, what matters most to a reader first.
-    pub const ALL: [Self; 4] = [Self::Violated, Self::Held, Self::NotCertain, Self::NotExercised];
-
-    /// In words.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NotExercised => "not exercised",
-            Self::NotCertain => "not certain",
-            Self::Held => "held",
-            Self::Violated => "violated",
-        }
-    }
-}
-
-/// A requirement that a log can show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ToldRequirement {
-    /// As `spec/REQUIREMENTS.md` numbers it, such as `RDY-5`.
-    pub id: &'static str,
-    /// What the recording tells of it.
-    pub told: Told,
-}
-
-/// Something without which a recording tells little.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Lack {
-    /// No message of the AI Computer.
-    Ai,
-    /// No message of the VCU.
-    Vcu,
-    /// The VCU was there, and showed no AS_STATE that could be read.
-    State,
-    /// The VCU never showed another state than AS_OFF.
-    LeftOff,
-}
-
-impl Lack {
-    /// In words.
-    pub const fn text(self) -> &'static str {
-        match self {
-            Self::Ai => "no message of the AI Computer",
-            Self::Vcu => "no message of the VCU",
-            Self::State => "no AS_STATE shown",
-            Self::LeftOff => "never left AS_OFF",
-        }
-    }
-}
-
-/// What the recording exercised.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Exercised {
-    /// Whether a message of the AI Computer came.
-    pub ai: bool,
-    /// Whether a message of the VCU came.
-    pub vcu: bool,
-    /// The AS states that 520h showed, in the order of their numbers.
-    pub states: Vec<AsState>,
-    /// The requirements of the edition that a log can show, in the order of the document.
-    pub requirements: Vec<ToldRequirement>,
-}
-
-impl Exercised {
-    /// Of how many requirements this is told.
-    pub fn count(&self, told: Told) -> usize {
-        self.requirements.iter().filter(|requirement| requirement.told == told).count()
-    }
-
-    /// What was not there, so that the verdict is about less than a run.
-    pub fn lacks(&self) -> Vec<Lack> {
-        let state = match self.states[..] {
-            _ if !self.vcu => None,
-            [] => Some(Lack::State),
-            [AsState::Off] => Some(Lack::LeftOff),
-            _ => None,
-        };
-        let sides = [(self.ai, Lack::Ai), (self.vcu, Lack::Vcu)];
-        sides.into_iter().filter(|(there, _)| !there).map(|(_, lack)| lack).chain(state).collect()
-    }
-
-    /// Whether the recording showed this.
-    pub fn meets(&self, required: Required) -> bool {
-        match required {
-            Required::Ai => self.ai,
-            Required::Vcu => self.vcu,
-            Required::State(state) => self.states.contains(&state),
-            Required::Requirement(id) => {
-                self.requirements.iter().any(|one| one.id == id && one.told != Told::NotExercised)
-            }
-        }
-    }
-}
+pub use told::{Exercised, Lack, Told, ToldRequirement};

@@ -3,22 +3,24 @@
 use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Fault, Faults, Knowledge, Term, Truth};
 
-use super::super::Judge;
-use super::super::variants::Guard;
 use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
-use super::{Exercised, Told};
+use super::told::{Exercised, Told};
+use crate::judge::book::Book;
+use crate::judge::estimator::base::Estimator;
+use crate::judge::estimator::readings::row_of;
 
-impl Judge {
+impl Book {
     /// A change of state was judged. `decided` are the alternatives that decided, or may have; `window` is what is known of the
     /// time in which they had to hold.
     pub(in crate::judge) fn exercise_arrow(
         &mut self,
+        est: &Estimator,
         (from, to): (AsState, AsState),
         justified: Truth,
         decided: &[(Term, Knowledge)],
         window: Knowledge,
     ) {
-        let Some(row) = self.row(from, to).copied() else {
+        let Some(row) = row_of(&est.edition, from, to).copied() else {
             return self.tally.mark(&[ONLY_ARROWS], Told::NotCertain);
         };
         self.tally.mark(&[ONLY_ARROWS], Told::Held);
@@ -39,61 +41,26 @@ impl Judge {
         }
     }
 
-    /// What an arrow is against that was taken and should not have been.
-    pub(in crate::judge) fn broken_by(
-        &self,
-        from: AsState,
-        to: AsState,
-        decided: &[(Term, Knowledge)],
-        window: Knowledge,
-    ) -> Vec<&'static str> {
-        let rows = self.edition.rules.table.rows();
-        let overtaking = rows.iter().filter(|other| other.from == from && other.to != to).find_map(|other| {
-            let (term, _) = decided.iter().find(|(term, _)| other.terms().contains(term))?;
-            Some(cited::of_term(other, term))
-        });
-        if let Some(broken) = overtaking {
-            return broken;
-        }
-        let mut broken = self.row(from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
-        let guards = self.variants.of(from).iter().flatten().filter(|guard| guard.to == to);
-        let terms: Vec<Term> = guards.flat_map(|guard: &Guard| guard.terms.iter().copied()).collect();
-        for term in &terms {
-            for (atom, needed) in term.literals() {
-                let necessary = terms.iter().all(|other| other.on.has(atom) || other.off.has(atom));
-                if necessary && window.of(atom) == Truth::from(!needed) {
-                    broken.extend(term.requirements_of(atom).unwrap_or_default());
-                }
-            }
-        }
-        let mut seen = std::collections::HashSet::new();
-        broken.retain(|id| seen.insert(*id));
-        broken
-    }
-
     /// Flags of faults were raised. Whether rightly, is judged later, if the bus shows the reason at all.
-    pub(in crate::judge) fn exercise_flags(&mut self, t: i64, raised: Faults) {
+    pub(in crate::judge) fn exercise_flags(&mut self, raised: Faults) {
         for fault in raised.iter() {
             self.tally.mark(&[fault.requirement()], Told::NotCertain);
-        }
-        if raised.has(Fault::AiCommsFault) {
-            self.exercise_lost(t);
         }
     }
 
     /// AI_COMMS_LOST was raised. It is at its time where the log shows for as long, but for a cycle, that the AI Computer does not
     /// answer, or that a message is missing while others come.
-    fn exercise_lost(&mut self, t: i64) {
-        let limit = self.handshake_limit();
-        let waited = self.handshake.unanswered(t).unwrap_or_default();
+    pub(in crate::judge) fn exercise_lost(&mut self, est: &Estimator, t: i64, reported: bool) {
+        let limit = est.handshake_limit();
+        let waited = est.handshake.unanswered(t).unwrap_or_default();
         let edge = match waited {
-            _ if waited < limit - self.window => None,
-            _ if waited >= limit - self.cycle() && self.handshake.ai_is_wrong() => Some(Told::Held),
+            _ if waited < limit - est.window => None,
+            _ if waited >= limit - est.cycle() && est.handshake.ai_is_wrong() => Some(Told::Held),
             _ => Some(Told::NotCertain),
         };
-        let missed = match self.edition.rules.thresholds.missed_ms {
-            Some(_) if (0..self.slots.len()).any(|index| self.is_reported_missed(index)) => Some(Told::Held),
-            Some(_) if self.is_silent_message() => Some(Told::NotCertain),
+        let missed = match est.edition.rules.thresholds.missed_ms {
+            Some(_) if reported => Some(Told::Held),
+            Some(_) if est.silences.silent != Truth::False => Some(Told::NotCertain),
             _ => None,
         };
         if let Some(told) = edge {
@@ -123,23 +90,48 @@ impl Judge {
     }
 
     /// What is known of the messages is forgotten; that they came is not.
-    pub(in crate::judge) fn exercise_forgotten(&mut self) {
-        let heard = |node| self.slots.iter().any(|slot| slot.is_from(node) && slot.last.is_some());
+    pub(in crate::judge) fn exercise_forgotten(&mut self, est: &Estimator) {
         let (ai, vcu) = self.tally.heard;
-        self.tally.heard = (ai || heard(Node::Ai), vcu || heard(Node::Vcu));
+        self.tally.heard = (ai || est.sampler.heard(Node::Ai), vcu || est.sampler.heard(Node::Vcu));
     }
 
     /// What the recording exercised.
-    pub(in crate::judge) fn exercised(&mut self) -> Exercised {
-        self.exercise_forgotten();
+    pub(in crate::judge) fn exercised(&mut self, est: &Estimator) -> Exercised {
+        self.exercise_forgotten(est);
         let tally = std::mem::take(&mut self.tally);
         let (ai, vcu) = tally.heard;
         let answers = self.out.responses.count() > 0;
-        Exercised {
-            ai,
-            vcu,
-            states: tally.states(),
-            requirements: tally.requirements(&self.edition, answers),
+        Exercised { ai, vcu, states: tally.states(), requirements: tally.requirements(&est.edition, answers) }
+    }
+}
+
+/// What an arrow is against that was taken and should not have been.
+pub(in crate::judge) fn broken_by(
+    est: &Estimator,
+    from: AsState,
+    to: AsState,
+    decided: &[(Term, Knowledge)],
+    window: Knowledge,
+) -> Vec<&'static str> {
+    let rows = est.edition.rules.table.rows();
+    let overtaking = rows.iter().filter(|other| other.from == from && other.to != to).find_map(|other| {
+        let (term, _) = decided.iter().find(|(term, _)| other.terms().contains(term))?;
+        Some(cited::of_term(other, term))
+    });
+    if let Some(broken) = overtaking {
+        return broken;
+    }
+    let mut broken = row_of(&est.edition, from, to).map_or(Vec::new(), |row| row.cites.requirements.to_vec());
+    let terms: Vec<Term> = est.readings.terms(from, to).copied().collect();
+    for term in &terms {
+        for (atom, needed) in term.literals() {
+            let necessary = terms.iter().all(|other| other.on.has(atom) || other.off.has(atom));
+            if necessary && window.of(atom) == Truth::from(!needed) {
+                broken.extend(term.requirements_of(atom).unwrap_or_default());
+            }
         }
     }
+    let mut seen = std::collections::HashSet::new();
+    broken.retain(|id| seen.insert(*id));
+    broken
 }

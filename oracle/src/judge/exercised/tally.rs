@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use adsdv_spec::{Actuation, AsState, Edition};
 
-use super::super::finding::Severity;
 use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
-use super::{Told, ToldRequirement};
+use super::told::{Told, ToldRequirement};
+use crate::judge::finding::Severity;
 
 /// Marks of requirements. There are no more than are cited anywhere, so that they stay few.
 #[derive(Debug, Default)]

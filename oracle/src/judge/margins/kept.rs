@@ -1,8 +1,12 @@
 //! The worst of each measure so far.
 
-use super::super::slots;
-use super::super::transitions::Due;
-use super::super::variants::Way;
+use adsdv_spec::Fault;
+
+use crate::judge::estimator::readings::Way;
+use crate::judge::sampler::places;
+
+/// What section 3.7 forbids the AI Computer while the vehicle is moving.
+pub(in crate::judge) const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
 
 /// A value with the time at which it was seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,13 +52,13 @@ pub(super) struct Go {
 pub(in crate::judge) struct Kept {
     pub(super) answer: Option<Peak>,
     /// The longest time between two frames of each message.
-    pub(super) gaps: [Peak; slots::COUNT],
+    pub(super) gaps: [Peak; places::COUNT],
     /// When a time ended in which no frame came at all: what lasted longer, the recorder may have made.
     pub(super) whole_since: Option<i64>,
     pub(super) slowest: Option<Reaction>,
     pub(super) fastest: Option<Reaction>,
-    /// What was due before the frame that shows a change of state.
-    pub(in crate::judge) due: Option<Due>,
+    /// What was due before the frame that shows a change of state: since when, and whether that was reported.
+    pub(in crate::judge) due: Option<(i64, Way, bool)>,
     /// The highest speeds at FINISHED and at NEUTRAL.
     pub(super) speeds: [Option<Peak>; 2],
     /// Those past the limit, as long as they are not judged.

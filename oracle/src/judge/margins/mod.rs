@@ -8,7 +8,7 @@ mod kept;
 mod list;
 mod notice;
 
-pub(super) use kept::Kept;
+pub(super) use kept::{AT_SPEED, Kept};
 
 use super::finding::Party;
 

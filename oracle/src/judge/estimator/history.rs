@@ -6,12 +6,12 @@ use adsdv_spec::{AsState, Atoms, Knowledge};
 
 /// What is known from a moment on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment {
-    pub(super) t: i64,
-    pub(super) known: Knowledge,
-    pub(super) state: Option<AsState>,
+pub(crate) struct Moment {
+    pub(crate) t: i64,
+    pub(crate) known: Knowledge,
+    pub(crate) state: Option<AsState>,
     /// What is known only because a silence seems to have hidden nothing.
-    pub(super) filled: Atoms,
+    pub(crate) filled: Atoms,
 }
 
 /// How far back a window can reach.
@@ -21,21 +21,21 @@ const MAX_MOMENTS: usize = 1024;
 
 /// The recent moments, ascending; the first may lie before the horizon, because it is in force there.
 #[derive(Debug)]
-pub(super) struct History {
+pub(crate) struct History {
     moments: VecDeque<Moment>,
 }
 
 impl History {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { moments: VecDeque::with_capacity(256) }
     }
 
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.moments.clear();
     }
 
     /// From `t` on, this is known.
-    pub(super) fn push(&mut self, t: i64, known: Knowledge, state: Option<AsState>) {
+    pub(crate) fn push(&mut self, t: i64, known: Knowledge, state: Option<AsState>) {
         self.moments.push_back(Moment { t, known, state, filled: Atoms::NONE });
         while self.moments.len() > MAX_MOMENTS
             || self.moments.get(1).is_some_and(|second| second.t <= t - HORIZON_NS)
@@ -45,14 +45,14 @@ impl History {
     }
 
     /// The moments in force somewhere between `start` and `end`, both included.
-    pub(super) fn between(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
+    pub(crate) fn between(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
         let after = self.moments.partition_point(|moment| moment.t <= start);
         let first = after.saturating_sub(1);
         self.moments.range(first..).take_while(move |moment| moment.t <= end)
     }
 
     /// What is known of all of the time between `start` and `end`.
-    pub(super) fn throughout(&self, start: i64, end: i64) -> Knowledge {
+    pub(crate) fn throughout(&self, start: i64, end: i64) -> Knowledge {
         let mut moments = self.between(start, end);
         match moments.next() {
             Some(first) if first.t <= start => {
@@ -63,7 +63,7 @@ impl History {
     }
 
     /// Makes up for a silence that turned out to hide nothing: since `start`, these atoms had these values.
-    pub(super) fn fill(&mut self, start: i64, scope: Atoms, values: Atoms) {
+    pub(crate) fn fill(&mut self, start: i64, scope: Atoms, values: Atoms) {
         for moment in self.moments.iter_mut().rev().take_while(|moment| moment.t >= start) {
             moment.known = moment.known.learn(scope, values);
             moment.filled = moment.filled.union(scope);

@@ -1,28 +1,9 @@
-//! The last frame of every message: what it said, when, and how often it comes.
+//! The last frame of a message: what it said, when, and how often it comes.
 
-use adsdv_spec::messages::{AnyMessage, MessageDef, Node};
-use adsdv_spec::{Atoms, Bus};
+use adsdv_spec::Atoms;
+use adsdv_spec::messages::{MessageDef, Node};
 
-use super::SILENCE_NS;
-use crate::remote::Remote;
-
-/// How many messages there are, in all editions.
-const MESSAGES: usize = AnyMessage::IDS.len();
-
-/// The slot of the remote control: behind those of the messages.
-pub(super) const REMOTE: usize = MESSAGES;
-
-/// How many slots there are.
-pub(super) const COUNT: usize = MESSAGES + 1;
-
-/// The slot of a message.
-pub(super) const fn slot_of(id: u16) -> usize {
-    let mut index = 0;
-    while index < MESSAGES && AnyMessage::IDS[index] != id {
-        index += 1;
-    }
-    index
-}
+use crate::judge::time::{MS, SILENCE_NS};
 
 /// Shorter and longer periods than these are not believed.
 const PERIOD_NS: std::ops::RangeInclusive<i64> = 1_000_000..=250_000_000;
@@ -46,17 +27,17 @@ const fn longest(period: i64) -> i64 {
 }
 
 /// One message on the bus.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Slot {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Slot {
     /// What the edition says of the message; `None` if it has no such message, and for the remote control.
-    pub(super) def: Option<&'static MessageDef>,
+    pub(crate) def: Option<&'static MessageDef>,
     /// The data of the last frame, as far as a word holds it.
-    pub(super) word: u64,
-    pub(super) len: u8,
+    pub(crate) word: u64,
+    pub(crate) len: u8,
     /// When the last frame came; `None` before the first.
-    pub(super) last: Option<i64>,
+    pub(crate) last: Option<i64>,
     /// The usual time between two frames: a running median.
-    pub(super) period: i64,
+    pub(crate) period: i64,
     /// How many intervals in a row were longer than that; negative: shorter.
     run: i8,
     /// For how many intervals the rate has not changed.
@@ -67,67 +48,40 @@ pub(super) struct Slot {
     /// How far intervals are from the period, the largest of late: the recorder's jitter.
     spread: i64,
     /// The last frame's time as the log has it.
-    pub(super) newest: i64,
+    pub(crate) newest: i64,
     /// The time before a long interval, and how many frames have come behind it.
     suspect: Option<(i64, i64)>,
     /// Until when frames are taken to get lost.
     lossy_until: i64,
     /// Whether the last frame is recent enough to speak for now.
-    pub(super) fresh: bool,
+    pub(crate) fresh: bool,
     /// The signals whose last value was not allowed, one bit each.
-    pub(super) bad: u32,
+    pub(crate) bad: u32,
     /// What the last frame said of the atoms.
-    pub(super) atoms: Option<Atoms>,
-    pub(super) length_noted: bool,
-    pub(super) too_short: bool,
+    pub(crate) atoms: Option<Atoms>,
+    pub(crate) length_noted: bool,
+    pub(crate) too_short: bool,
     /// Whether no frame can be missing.
-    pub(super) complete: bool,
+    pub(crate) complete: bool,
     /// The last time between two frames that was longer than usual.
     gap: Option<(i64, i64)>,
 }
 
 impl Slot {
-    const fn new(def: Option<&'static MessageDef>) -> Self {
-        Self {
-            def,
-            word: 0,
-            len: 0,
-            last: None,
-            period: 0,
-            run: 0,
-            steady: 0,
-            shortest: i64::MAX,
-            learnt: 0,
-            spread: 0,
-            newest: i64::MIN,
-            suspect: None,
-            lossy_until: i64::MIN,
-            fresh: false,
-            bad: 0,
-            atoms: None,
-            length_noted: false,
-            too_short: false,
-            complete: false,
-            gap: None,
-        }
+    pub(super) fn new(def: Option<&'static MessageDef>, complete: bool) -> Self {
+        let (shortest, newest, lossy_until) = (i64::MAX, i64::MIN, i64::MIN);
+        Self { def, shortest, newest, lossy_until, complete, ..Self::default() }
     }
 
     /// Whether this node sends the message.
-    pub(super) fn is_from(&self, node: Node) -> bool {
+    pub(crate) fn is_from(&self, node: Node) -> bool {
         self.def.is_some_and(|def| def.sender == node)
     }
 
-    pub(super) fn all(bus: &Bus, complete: bool) -> [Self; COUNT] {
-        std::array::from_fn(|index| {
-            let def = AnyMessage::IDS.get(index).and_then(|&id| bus.message(id));
-            Self { complete, ..Self::new(def) }
-        })
-    }
-
     /// The usual time between two frames; as long as only one has come, that of the edition.
-    pub(super) fn usual(&self) -> i64 {
+    pub(crate) fn usual(&self) -> i64 {
         match (self.period, self.last, self.def) {
-            (0, Some(_), Some(def)) => i64::from(def.cycle_ms) * super::MS,
+            (0, Some(_), Some(def)) => i64::from(def.cycle_ms) * MS,
             (period, ..) => period,
         }
     }
@@ -137,7 +91,7 @@ impl Slot {
     /// One that is missing between two frames makes the interval twice as long, give or take what the recorder's jitter is. Where
     /// nothing is known to be missing, long intervals are taken for jitter as far as that can be; where frames do get lost, no
     /// interval counts as whole into which one more would fit.
-    pub(super) fn stale_at(&self) -> i64 {
+    pub(crate) fn stale_at(&self) -> i64 {
         let Some(last) = self.last else { return i64::MAX };
         if self.complete {
             return last + SILENCE_NS;
@@ -154,34 +108,35 @@ impl Slot {
     }
 
     /// The last time that was longer than usual between two frames, or since the last.
-    pub(super) fn longest_gap(&self, now: i64) -> Option<(i64, i64)> {
+    pub(crate) fn longest_gap(&self, now: i64) -> Option<(i64, i64)> {
         let last = self.last?;
         if now - last > longest(self.period) { Some((last, now)) } else { self.gap }
     }
 
     /// When the last time between two frames ended that was longer than usual, if that was after `since`, and one may be missing.
-    pub(super) fn gap_since(&self, since: i64) -> Option<i64> {
+    pub(crate) fn gap_since(&self, since: i64) -> Option<i64> {
         self.gap.map(|(_, end)| end).filter(|&end| end > since && !self.complete)
     }
 
     /// Whether frames are taken to get lost.
-    pub(super) fn is_lossy(&self) -> bool {
+    pub(crate) fn is_lossy(&self) -> bool {
         self.last.is_some_and(|last| last < self.lossy_until)
     }
 
     /// Frames get lost, at least for a while.
-    pub(super) fn becomes_lossy(&mut self, now: i64) {
+    pub(crate) fn becomes_lossy(&mut self, now: i64) {
         if !self.complete {
             self.lossy_until = now + LOSSY_NS;
         }
     }
 
     /// A frame came. Tells whether one before it is clearly missing.
-    pub(super) fn seen(&mut self, now: i64) -> bool {
+    pub(crate) fn seen(&mut self, now: i64) -> bool {
         let mut missing = false;
         if let Some(last) = self.last {
             let interval = now - last;
-            if interval > longest(self.period) || self.gap.is_none() {
+            let is_long = interval > longest(self.period);
+            if is_long || self.gap.is_none() {
                 self.gap = Some((last, now));
             }
             if self.learnt < LEARNING {
@@ -189,7 +144,7 @@ impl Slot {
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
             }
             missing = self.was_missing(last, now);
-            if interval <= longest(self.period) {
+            if !is_long {
                 self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
             }
             self.period = match self.period {
@@ -217,7 +172,9 @@ impl Slot {
         // Jitter alone does not make it that long, and a longer silence is somebody who does not send.
         let interval = now - last;
         let is_long = interval > longest(usual) + self.spread && interval < usual * 4;
-        self.suspect = (is_long && self.learnt == LEARNING).then_some((last, 0));
+        if is_long && self.learnt == LEARNING {
+            self.suspect = Some((last, 0));
+        }
         false
     }
 
@@ -225,46 +182,20 @@ impl Slot {
     /// change of rate.
     fn median(&mut self, period: i64, interval: i64) -> i64 {
         let side = if interval > period { 1 } else { -1 };
-        self.run = if self.run.signum() == side { self.run.saturating_add(side) } else { side };
+        // One side is as the sign of the run, which is the upper one where there is none.
+        self.run = if (self.run ^ side) >= 0 { self.run.saturating_add(side) } else { side };
         self.steady = if self.run.unsigned_abs() < RUN { self.steady.saturating_add(1) } else { 0 };
         period + i64::from(side) * (period >> (4 + self.steady / 16).min(8))
     }
 }
 
-/// Which slot an identifier has.
-#[derive(Debug)]
-pub(super) struct SlotOf(Box<[u8; 0x800]>);
-
-impl SlotOf {
-    pub(super) fn new(bus: &Bus) -> Self {
-        let mut slots = Box::new([u8::MAX; 0x800]);
-        let messages = AnyMessage::IDS.into_iter().zip(0..).filter(|(id, _)| bus.message(*id).is_some());
-        let remote = Remote::of(bus).map(|remote| remote.message().id).zip(u8::try_from(REMOTE).ok());
-        for (id, index) in messages.chain(remote) {
-            if let Some(slot) = slots.get_mut(usize::from(id)) {
-                *slot = index;
-            }
-        }
-        Self(slots)
-    }
-
-    pub(super) fn get(&self, id: u32) -> Option<usize> {
-        match self.0.get(id as usize) {
-            Some(&slot) if slot != u8::MAX => Some(usize::from(slot)),
-            _ => None,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{CONFIRMING, LEARNING, PERIOD_NS, Slot, longest};
-
-    const MS: i64 = 1_000_000;
+    use super::*;
 
     /// A message every 10 ms, give or take 1 ms, of which enough has been seen.
     fn usual() -> Slot {
-        Slot { period: 10 * MS, spread: MS, learnt: LEARNING, last: Some(0), ..Slot::new(None) }
+        Slot { period: 10 * MS, spread: MS, learnt: LEARNING, last: Some(0), ..Slot::new(None, false) }
     }
 
     /// Neither jitter nor somebody who does not send looks like a frame that is missing.
@@ -307,7 +238,7 @@ mod tests {
     /// Frames that come faster than any period that is believed are a run of short intervals that does not end.
     #[test]
     fn a_run_longer_than_can_be_counted_is_still_a_change_of_rate() {
-        let mut slot = Slot::new(None);
+        let mut slot = Slot::new(None, false);
         for frame in 0..300 {
             slot.seen(frame * 500_000);
         }

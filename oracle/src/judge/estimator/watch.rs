@@ -1,4 +1,7 @@
 //! Watching the handshake of section 2.4 from the bus.
+//!
+//! By hand, and not by what may be of [`Handshakes`](adsdv_spec::belief::Handshakes): within a window each side changes its bit
+//! several times, so that nothing is known of the bits throughout; which frame came after which tells all the same.
 
 use adsdv_spec::Truth;
 
@@ -7,7 +10,7 @@ const STUCK: u32 = 20;
 
 /// What the bus shows of the handshake.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Watch {
+pub(crate) struct Watch {
     /// The VCU's bit.
     vcu: Option<bool>,
     /// When it changed to that; `None` if that was before the first frame seen.
@@ -22,42 +25,39 @@ pub(super) struct Watch {
     last_response: i64,
     /// Whether frames that could have answered this edge may be missing from the log.
     blind: bool,
-    reported_ai: bool,
-    reported_vcu: bool,
+    /// Whether the AI Computer's fault at this edge was reported, and the VCU's.
+    pub(crate) reported_ai: bool,
+    pub(crate) reported_vcu: bool,
 }
 
 /// An edge of the VCU's bit that came, as far as is seen yet, without an answer to the one before.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Suspect {
+pub(crate) struct Suspect {
     /// The bit that should have been answered.
-    pub(super) bit: bool,
+    pub(crate) bit: bool,
     /// When it came.
-    pub(super) since: i64,
+    pub(crate) since: i64,
 }
 
 impl Watch {
     /// The VCU's bit was seen.
-    pub(super) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
+    pub(crate) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
         let before = self.vcu.replace(bit);
         if before == Some(bit) {
             return None;
         }
         let unanswered = !self.answered && !self.blind && self.ai.is_some();
-        let suspect = match (before, self.edge_at) {
-            (Some(bit), Some(since)) if unanswered => Some(Suspect { bit, since }),
-            _ => None,
-        };
+        let suspect = before.zip(self.edge_at).filter(|_| unanswered);
         self.edge_at = before.map(|_| now);
         self.answered = false;
         self.blind = self.ai.is_none();
-        self.reported_ai = false;
-        self.reported_vcu = false;
-        suspect
+        (self.reported_ai, self.reported_vcu) = (false, false);
+        suspect.map(|(bit, since)| Suspect { bit, since })
     }
 
     /// The AI Computer's bit was seen. Tells whether this changes what is known: it answers the edge, or shows that
     /// one is missing from the log.
-    pub(super) fn ai(&mut self, now: i64, bit: bool) -> bool {
+    pub(crate) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
         if self.answered && self.vcu != Some(bit) {
@@ -69,65 +69,59 @@ impl Watch {
             return false;
         }
         self.answered = true;
-        if let Some(edge) = self.edge_at {
-            self.last_response = now - edge;
-        }
+        self.last_response = self.edge_at.map_or(self.last_response, |edge| now - edge);
         true
     }
 
     /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so
     /// only a bit that has been stuck for many frames proves that there was none.
-    pub(super) fn clears(&self, suspect: Suspect) -> bool {
+    pub(crate) fn clears(&self, suspect: Suspect) -> bool {
         self.ai != Some(!suspect.bit) || self.ai_run < STUCK
     }
 
     /// The handshake may have begun anew, because the tractive system was switched on or off.
-    pub(super) fn restart(&mut self) {
-        self.edge_at = None;
-        self.answered = false;
-        self.blind = true;
+    pub(crate) fn restart(&mut self) {
+        (self.edge_at, self.answered, self.blind) = (None, false, true);
     }
 
     /// The AI Computer's frames stopped, or cannot be read.
-    pub(super) fn ai_gone(&mut self) {
-        self.ai = None;
-        self.ai_run = 0;
-        self.blind = true;
+    pub(crate) fn ai_gone(&mut self) {
+        (self.ai, self.ai_run, self.blind) = (None, 0, true);
     }
 
     /// The VCU's frames stopped: nothing is known of its edge.
-    pub(super) fn vcu_gone(&mut self) {
+    pub(crate) fn vcu_gone(&mut self) {
         self.vcu = None;
         self.restart();
     }
 
     /// Whether the edge was answered.
-    pub(super) fn is_answered(&self) -> bool {
+    pub(crate) const fn is_answered(&self) -> bool {
         self.answered
     }
 
     /// How long the answer to this edge took, if it is certain that no earlier one is missing from the log.
-    pub(super) fn response(&self) -> Option<i64> {
+    pub(crate) fn response(&self) -> Option<i64> {
         (self.answered && !self.blind && self.edge_at.is_some()).then_some(self.last_response)
     }
 
     /// When the VCU's bit changed last.
-    pub(super) fn edge_at(&self) -> Option<i64> {
+    pub(crate) const fn edge_at(&self) -> Option<i64> {
         self.edge_at
     }
 
     /// For how long the edge has been unanswered, as far as the log shows.
-    pub(super) fn unanswered(&self, now: i64) -> Option<i64> {
+    pub(crate) fn unanswered(&self, now: i64) -> Option<i64> {
         if self.answered { None } else { self.edge_at.map(|edge| now - edge) }
     }
 
     /// Whether the AI Computer can be seen not to answer: its frames come, with the other bit.
-    pub(super) fn ai_is_wrong(&self) -> bool {
+    pub(crate) fn ai_is_wrong(&self) -> bool {
         !self.blind && !self.answered && self.ai.is_some() && self.ai != self.vcu
     }
 
     /// Whether the communication is lost: unanswered for `limit`, give or take `window`.
-    pub(super) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
+    pub(crate) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
         let quick = self.last_response + window < limit;
         match self.unanswered(now) {
             // While the AI Computer is not heard, two edges may be missing from the log: the bit looks the same.
@@ -138,18 +132,10 @@ impl Watch {
         }
     }
 
-    /// Marks the AI Computer's fault at this edge as reported; false if it was already.
-    pub(super) fn report_ai(&mut self) -> bool {
-        !std::mem::replace(&mut self.reported_ai, true)
-    }
-
-    /// Whether the AI Computer's fault at this edge was reported.
-    pub(super) fn is_reported(&self) -> bool {
-        self.reported_ai
-    }
-
-    /// Marks the VCU's fault at this edge as reported; false if it was already.
-    pub(super) fn report_vcu(&mut self) -> bool {
-        !std::mem::replace(&mut self.reported_vcu, true)
+    /// When an unanswered edge changes what is known: when communication may be lost, and when it must be.
+    pub(crate) fn next(&self, after: i64, limit: i64, window: i64) -> i64 {
+        let Some(edge) = self.edge_at.filter(|_| !self.answered) else { return i64::MAX };
+        let times = [edge + limit - window, edge + limit + window];
+        times.into_iter().find(|&at| after < at).unwrap_or(i64::MAX)
     }
 }

@@ -1,0 +1,458 @@
+//! The walk of a frame: time goes on to it, the sampler takes it, the estimator learns from it, and the rules look at that.
+
+use adsdv_spec::messages::{AnyMessage, MessageDef};
+use adsdv_spec::{AsState, Edition, Knowledge};
+
+use super::book::Book;
+use super::estimator::base::Estimator;
+use super::finding::{Finding, Party, Rule};
+use super::options::JudgeOptions;
+use super::report::{Report, Transition};
+use super::response::ResponseTimes;
+use super::rules::{Rules, values};
+use super::sampler::loss::Loss;
+use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS, slot_of};
+use super::sampler::slot::Slot;
+use super::sampler::{Came, Says};
+use super::seen::Seen;
+use super::senders::Senders;
+use super::time::{FAR_NS, MS, milliseconds};
+use crate::why::Stay;
+
+/// The judge of one log, or of one live bus.
+#[derive(Debug)]
+pub struct Judge {
+    est: Estimator,
+    rules: Rules,
+    book: Book,
+    loss: Loss,
+    senders: Senders,
+    /// No shorter time without a frame is a silence.
+    pause: i64,
+    /// When the last frame came, if time has been told to pass since.
+    quiet_since: Option<i64>,
+    started: bool,
+    /// Whether it was said that frames do not come in the order of time.
+    shuffled: bool,
+    /// Added to the time of frames, so that time goes on after it was set back.
+    offset: i64,
+    /// Nothing is to be done before this time; the least of all when something is to be done at the next frame anyway.
+    next_event: i64,
+    frames: u64,
+    /// What became known or unknown between frames, if somebody asks for it.
+    seen: Option<Vec<Seen>>,
+}
+
+impl Judge {
+    /// A judge that has seen nothing yet.
+    pub fn new(options: JudgeOptions) -> Self {
+        let est = Estimator::new(options);
+        Self {
+            rules: Rules::default(),
+            book: Book::new(&est.edition),
+            loss: Loss::default(),
+            senders: Senders::default(),
+            // Most messages come once a cycle, all at once: one frame may be missing.
+            pause: est.window.max(est.cycle() * 2),
+            est,
+            quiet_since: None,
+            started: false,
+            shuffled: false,
+            offset: 0,
+            next_event: i64::MIN,
+            frames: 0,
+            seen: None,
+        }
+    }
+
+    /// Judges a classic CAN data frame with an 11-bit identifier, at a time in nanoseconds since the first frame.
+    ///
+    /// Frames of no message of the document are left alone. Data of any length is fine, and time may jump.
+    #[inline]
+    pub fn frame(&mut self, t_ns: i64, id: u32, data: &[u8]) {
+        self.frames += 1;
+        let t = self.tick(t_ns);
+        let Some(index) = self.est.sampler.index(id) else {
+            return values::other_id(&self.est.edition, &mut self.book, t, id);
+        };
+        let Some(came) = self.est.sampler.frame(index, t_ns, t, data) else { return };
+        self.next_event = self.next_event.min(came.stale_at);
+        if let Some(before) = came.before.filter(|&before| t - before > self.book.margins.longest_gap(index))
+        {
+            let missed = self.rules.is_missed(index);
+            self.book.longer_gap(&self.est, missed, index, before, t);
+        }
+        if came.same {
+            self.repeated(index, t);
+        } else if let Some(says) = self.est.sampler.read(index) {
+            self.changed(&came, &says);
+        }
+        if let Some(place) = self.est.ends_silence(index, t) {
+            self.rules.heard(place);
+        }
+        self.next_event = self.next_event.min(self.est.comms_at);
+        if !came.same || self.est.changed {
+            self.rules.reconsider(&mut self.est, &mut self.book, t);
+            self.next_event = self.next_event.min(self.est.next()).min(self.rules.next(&self.est));
+        }
+        if index == STATUS && self.est.vcu_is_seen() && !self.senders.several() {
+            self.rules.status(&mut self.est, &mut self.book, t);
+        }
+    }
+
+    /// A frame came with the same content as the one before.
+    fn repeated(&mut self, index: usize, t: i64) {
+        match index {
+            AI_STATUS => {
+                if let Some(status) = self.est.ai {
+                    self.rules.answered(&mut self.est, &mut self.book, t, status.handshake);
+                }
+            }
+            LOG_STATUS => {
+                self.est.sampled(t);
+                self.rules.assi(&self.est, &mut self.book, t, None);
+            }
+            REMOTE => self.est.remote_lasts(t),
+            _ => {}
+        }
+    }
+
+    /// A frame came with another content than the one before, or after a silence.
+    fn changed(&mut self, came: &Came, says: &Says) {
+        let Self { est, book, rules, .. } = self;
+        let t = came.t;
+        rules.came(est, book, came, says);
+        match says {
+            Says::TooShort { .. } | Says::Remote(None) => est.says_nothing(came.index, t),
+            Says::Remote(Some(shown)) => {
+                if est.remote_shows(t, *shown) {
+                    rules.go_shown_on(est, t);
+                }
+            }
+            Says::This { said, .. } => match said.message {
+                AnyMessage::Vcu2AiStatus(status) => {
+                    let from =
+                        est.vcu.state.filter(|&from| from != status.as_state && !said.is_bad("as_state"));
+                    if self.senders.several()
+                        || from.is_some_and(|from| self.is_of_another(t, from, status.as_state))
+                    {
+                        return;
+                    }
+                    let Self { est, book, rules, .. } = self;
+                    let shown = est.shows(came, said, status);
+                    rules.shown(est, book, t, &shown);
+                }
+                AnyMessage::Ai2VcuStatus(status) if said.bad == 0 => {
+                    let previous = est.ai_says(came, status);
+                    rules.ai_says(est, book, t, status, previous);
+                    rules.answered(est, book, t, status.handshake);
+                }
+                _ => {
+                    est.learns(came, said);
+                    if came.index == LOG_STATUS {
+                        est.sampled(t);
+                        rules.assi(est, book, t, Some(said));
+                    }
+                }
+            },
+        }
+    }
+
+    /// 520h shows another state than before. Tells whether that is of another VCU.
+    fn is_of_another(&mut self, t: i64, from: AsState, to: AsState) -> bool {
+        let cycle = self.est.sampler.def(STATUS).map_or(0, |def| def.cycle_ms);
+        let Some(finding) = self.senders.changed(t, (from, to), i64::from(cycle) * MS, self.est.now) else {
+            return false;
+        };
+        // What waited to be judged is of both.
+        self.rules.forget_pending();
+        self.forget_everything();
+        self.book.found(finding.shown_by(self.est.sampler.last_frames(&[STATUS])));
+        true
+    }
+
+    /// The edition of the interface that is judged by.
+    pub const fn edition(&self) -> &Edition {
+        &self.est.edition
+    }
+
+    /// What the edition says of the message with this identifier, if it is one that is judged.
+    pub(crate) fn message(&self, id: u32) -> Option<&'static MessageDef> {
+        self.est.sampler.def(self.est.sampler.index(id)?)
+    }
+
+    /// Counts a frame that is not judged, and lets time pass. Returns the time that the judge gives it.
+    pub fn other_frame(&mut self, t_ns: i64) -> i64 {
+        self.frames += 1;
+        self.tick(t_ns)
+    }
+
+    /// The log says that the AI Computer itself sent a frame with this identifier, which is not for it to send. It says
+    /// nothing about the VCU.
+    pub fn sent_by_ai(&mut self, t_ns: i64, id: u32) {
+        let t = self.other_frame(t_ns);
+        values::sent_by_ai(&self.est.edition, &mut self.book, t, id);
+    }
+
+    /// No frame has come up to this time, in nanoseconds since the first frame: what waited for it is judged.
+    ///
+    /// A time before that of the last frame changes nothing.
+    pub fn time_passes(&mut self, t_ns: i64) {
+        let t = t_ns.clamp(-FAR_NS, FAR_NS) + self.offset;
+        let last = self.quiet_since.unwrap_or(self.est.now);
+        // Before that it is not known yet whether this will be a silence: the next frame tells.
+        if !self.started || t <= self.est.now || t <= self.silence_begins(last) {
+            return;
+        }
+        self.go_on(t, true);
+        self.quiet_since = Some(last);
+        self.next_event = i64::MIN;
+    }
+
+    /// So many frames were lost before the next one: what they said is unknown, and nothing is known any more.
+    ///
+    /// Losses that follow one another within a window are reported as one.
+    pub fn lost(&mut self, count: u64) {
+        self.loss.comes(count);
+        self.next_event = i64::MIN;
+    }
+
+    /// There is no further frame: settles what is still open. What is reported from now on has the time of the last one,
+    /// whatever time has been told to pass since.
+    pub(crate) fn end(&mut self) {
+        let end = self.quiet_since.take().unwrap_or(self.est.now);
+        self.est.now = end;
+        self.lose(end, end);
+        self.rules.settle_all(&self.est, &mut self.book);
+        self.book.found(self.loss.tell());
+        let missed: [bool; COUNT] = std::array::from_fn(|index| self.rules.is_missed(index));
+        self.book.notice_end(&self.est, &missed, end);
+    }
+
+    /// Adds what was found, by the judge itself, by the reader of the log, or by somebody who follows rules of his own. The
+    /// requirements are those that the edition has for the ones that are named.
+    pub fn found(&mut self, finding: Finding) {
+        self.book.found(finding);
+    }
+
+    /// A note about the log itself, at this time.
+    pub(crate) fn note_log(&mut self, rule: Rule, seen: String) {
+        self.found(Finding::note(Party::Log, "2", rule, self.est.now).seen(seen));
+    }
+
+    /// The end of the log: settles what is still open.
+    pub fn finish(mut self) -> Report {
+        self.end();
+        let now = self.est.now;
+        self.book.found(values::one_sided(&self.est.sampler, now));
+        let (margins, exercised) = (self.book.margins(&self.est), self.book.exercised(&self.est));
+        let (stays, go_presses) = self.est.why.end(now);
+        Report { stays, go_presses, margins, exercised, ..self.book.out.report(self.frames, now) }
+    }
+
+    /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to
+    /// settle may be told after what happened later.
+    ///
+    /// Of the findings of one rule that the report only counts, because there are too many to be listed, one in a second is
+    /// among it; the first of them comes behind a finding of [`Rule::Repeated`] that says so. These the report does not have.
+    pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.book.out.news()
+    }
+
+    /// What has been found so far and not been taken yet, in order. The report does not have it any more.
+    pub fn take_news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
+        self.book.out.take()
+    }
+
+    /// How fast the AI Computer has answered the handshake so far.
+    pub fn responses(&self) -> &ResponseTimes {
+        &self.book.out.responses
+    }
+
+    /// The AS state that the VCU showed last, while its frames are fresh.
+    pub fn state(&self) -> Option<AsState> {
+        self.est.state_seen()
+    }
+
+    /// When the last frame came, by the time that the judge gives it.
+    pub(crate) fn now_ns(&self) -> i64 {
+        self.est.now
+    }
+
+    /// How long after its cause an effect may be seen.
+    pub(crate) const fn window_ns(&self) -> i64 {
+        self.est.window
+    }
+
+    /// What is known now.
+    pub fn known(&self) -> Knowledge {
+        self.est.known
+    }
+
+    /// The state that lasts now, with what blocks its arrows, and the time up to which that is so; `None` while no state is known.
+    pub fn waits(&self) -> Option<(i64, &Stay)> {
+        Some((self.est.now, self.est.why.now()?))
+    }
+
+    /// From now on, what becomes known or unknown between frames is kept until it is [taken](Self::take_seen).
+    pub(crate) fn keep_seen(&mut self) {
+        self.seen = Some(Vec::new());
+    }
+
+    /// What became known or unknown between frames since this was last asked, in order.
+    pub(crate) fn take_seen(&mut self) -> Vec<Seen> {
+        self.seen.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// What the last frame with this identifier said, and how long it was; `None` if it is too old to count.
+    pub(crate) fn shown(&self, id: u16) -> Option<([u8; 8], usize)> {
+        let slot = self.est.sampler.slot(slot_of(id)).filter(|slot| slot.fresh && slot.def.is_some())?;
+        Some((slot.word.to_le_bytes(), usize::from(slot.len)))
+    }
+
+    /// Something may have become known or unknown.
+    fn note_seen(&mut self) {
+        let Some(seen) = &mut self.seen else { return };
+        let est = &self.est;
+        seen.push(Seen::new(est.now, est.known, est.sampler.slots.iter().map(|slot| slot.fresh)));
+    }
+
+    /// Time goes on to that of a frame. Returns the time that the judge gives it.
+    #[inline]
+    fn tick(&mut self, t_ns: i64) -> i64 {
+        let t = t_ns.clamp(-FAR_NS, FAR_NS) + self.offset;
+        // Neither a silence nor a step back, which is a very long silence as an unsigned number.
+        if t < self.next_event && (t - self.est.now).cast_unsigned() <= self.pause.cast_unsigned() {
+            self.est.now = t;
+            return t;
+        }
+        self.tick_with_events(t)
+    }
+
+    #[cold]
+    fn tick_with_events(&mut self, t: i64) -> i64 {
+        let last = self.quiet_since.take().unwrap_or(self.est.now);
+        let heard = t.max(last);
+        let t = if !self.started || t < last {
+            self.set_back(t, last)
+        } else {
+            let silent = t > self.silence_begins(last);
+            if !silent {
+                self.lose(last, t);
+            }
+            self.go_on(t.max(self.est.now), silent);
+            self.est.now
+        };
+        if self.started && (t - heard).is_positive() {
+            // A frame that was on its way while time was told to pass comes late, but in order; so may the next.
+            self.quiet_since = Some(heard);
+            self.next_event = i64::MIN;
+        }
+        self.lose(last, t);
+        t
+    }
+
+    /// When it becomes a silence that no frame has come since `last`: longer than usual, also where only 520h was recorded, and
+    /// that rarely.
+    fn silence_begins(&self, last: i64) -> i64 {
+        let status = self.est.sampler.slot(STATUS).filter(|slot| slot.last.is_some());
+        (last + self.pause).max(status.map_or(i64::MIN, Slot::stale_at))
+    }
+
+    /// Time goes on to `t`, and everything is done whose time has come, in order; `silent`: all of it, since the last frame, is a
+    /// silence.
+    fn go_on(&mut self, t: i64, silent: bool) {
+        // Each event is settled when it comes up; the bound only guards against a mistake that would loop.
+        for _ in 0..10_000 {
+            let est = &self.est;
+            let told_at = self.loss.told_at(self.pause);
+            self.next_event = est.sampler.next().min(est.next()).min(self.rules.next(est)).min(told_at);
+            if self.next_event > t {
+                break;
+            }
+            let next = self.next_event;
+            self.pass(self.est.now.max(next), silent);
+            self.event(next);
+            self.rules.reconsider(&mut self.est, &mut self.book, next);
+            self.note_seen();
+        }
+        self.pass(t, silent);
+    }
+
+    fn pass(&mut self, t: i64, silent: bool) {
+        if silent {
+            self.est.postpone(t - self.est.now);
+            self.book.margins.silent_until(t);
+        }
+        self.est.now = t;
+    }
+
+    fn event(&mut self, t: i64) {
+        let (est, book, rules) = (&mut self.est, &mut self.book, &mut self.rules);
+        if let Some(index) = est.sampler.too_old(t) {
+            return est.becomes_stale(index, t);
+        }
+        if est.time_comes(t) || rules.settle_next(est, book, t) {
+            return;
+        }
+        if est.comms_at <= t {
+            return rules.comms_time(est, book, t);
+        }
+        if rules.held(est, book, t) {
+            return;
+        }
+        if self.loss.told_at(self.pause) <= t {
+            return book.found(self.loss.tell());
+        }
+        est.go_settles(t);
+    }
+
+    /// `last` is when the last frame came.
+    #[cold]
+    fn set_back(&mut self, t: i64, last: i64) -> i64 {
+        if !std::mem::replace(&mut self.started, true) {
+            self.offset = -t;
+            return self.est.now;
+        }
+        let back = last - t;
+        let by = milliseconds(back);
+        // A recorder shuffles frames by no more than the window; beyond that, its clock was set back.
+        if back <= self.est.window {
+            if !std::mem::replace(&mut self.shuffled, true) {
+                let seen = format!("the log's time goes back by {by:.3} ms here, and maybe again");
+                self.note_log(Rule::TimeBackwards, seen);
+            }
+            return self.est.now;
+        }
+        self.rules.settle_all(&self.est, &mut self.book);
+        self.est.now = last;
+        let seen = format!("the log's time goes back by {by:.3} ms; judged as a new recording from here on");
+        self.note_log(Rule::TimeBackwards, seen);
+        self.offset = (self.offset + back).min(FAR_NS);
+        self.forget_everything();
+        self.senders = Senders::default();
+        self.est.sampler.forget_values();
+        self.est.now
+    }
+
+    /// The next frame comes at `until`, the last one came at `since`: what was lost in between makes everything unknown.
+    fn lose(&mut self, since: i64, until: i64) {
+        if !self.loss.is_coming() {
+            return;
+        }
+        self.rules.settle_all(&self.est, &mut self.book);
+        self.forget_everything();
+        if self.loss.ends(since, until) {
+            self.est.sampler.forget_values();
+        }
+        self.next_event = self.next_event.min(self.loss.told_at(self.pause));
+    }
+
+    /// Nothing is known any more.
+    fn forget_everything(&mut self) {
+        self.book.exercise_forgotten(&self.est);
+        self.est.forget();
+        self.rules.forget();
+        self.note_seen();
+    }
+}

@@ -1,0 +1,224 @@
+//! Communication (section 2.4): answers of the AI Computer that are late, messages of it that are missed, edges of the VCU's bit that
+//! come too early, and `AI_COMMS_LOST`.
+
+use adsdv_spec::{AsState, Atom, Truth};
+
+use crate::judge::book::Book;
+use crate::judge::estimator::base::Estimator;
+use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
+use crate::judge::estimator::watch::Suspect;
+use crate::judge::exercised::{ANSWERS, HOLDS, MISSED, UNANSWERED};
+use crate::judge::finding::{Finding, Party, Rule, Severity};
+use crate::judge::response::Meter;
+use crate::judge::sampler::places::{AI_STATUS, STATUS};
+use crate::judge::time::{MS, milliseconds};
+
+/// What is kept of it.
+#[derive(Debug, Default)]
+pub(super) struct Comms {
+    pub(super) meter: Meter,
+    /// Whether the silence of each message that is watched was reported.
+    reported: [bool; WATCHED.len()],
+    /// Whether it was reported that the VCU does not tell of it, and when the VCU last told of it.
+    reported_vcu: bool,
+    told_at: Option<i64>,
+}
+
+impl Comms {
+    /// Nothing is known any more.
+    pub(super) fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// A message that is watched came.
+    pub(super) fn heard(&mut self, place: usize) {
+        if let Some(reported) = self.reported.get_mut(place) {
+            *reported = false;
+        }
+    }
+
+    /// Whether it was reported that this message is missing.
+    pub(super) fn is_missed(&self, index: usize) -> bool {
+        place_of(index).and_then(|place| self.reported.get(place)).is_some_and(|reported| *reported)
+    }
+
+    /// Whether it was reported of any.
+    pub(super) fn any_missed(&self) -> bool {
+        self.reported.contains(&true)
+    }
+
+    /// The AI Computer's handshake bit was seen; `changes`: that tells more of the handshake.
+    pub(super) fn answered(
+        &mut self,
+        est: &mut Estimator,
+        book: &mut Book,
+        (t, bit): (i64, bool),
+        changes: bool,
+    ) {
+        let limit = est.handshake_limit();
+        if let Some(response) = self.meter.ai(t, bit) {
+            book.answered(t, response, limit);
+        }
+        if let Some(late) = est.handshake.response().filter(|&response| changes && response > limit) {
+            // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
+            let told = est.shows_comms_lost();
+            ai_is_late(est, book, t, if told { Severity::Violation } else { Severity::Warning });
+            book.margins.answered(t, late);
+        }
+    }
+
+    /// The VCU says that communication is lost, and it is; or time has passed. Before it is up, nobody can tell.
+    pub(super) fn may_be_lost(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
+        let limit = est.handshake_limit();
+        let waited = est.handshake.unanswered(t).unwrap_or_default();
+        let wrong = est.handshake.ai_is_wrong() && est.known.of(Atom::Tsms) == Truth::True;
+        if waited >= limit + est.window && wrong {
+            ai_is_late(est, book, t, Severity::Violation);
+        }
+        let told = est.shows_comms_lost() && est.sampler.last(AI_STATUS).is_some();
+        if waited >= limit && told {
+            ai_is_late(est, book, t, by_state(est));
+        }
+        self.judge_missed(est, book, t);
+    }
+
+    /// Is the AI Computer at fault, because a message of it has been silent?
+    fn judge_missed(&mut self, est: &Estimator, book: &mut Book, t: i64) {
+        let Some(limit) = est.silences.limit else { return };
+        let watching = est.silences.is_watching(t, est.known.of(Atom::Tsms));
+        if est.silences.silent == Truth::False || watching != Truth::True {
+            return;
+        }
+        for (place, reported) in self.reported.iter_mut().enumerate() {
+            let Some(last) = Silences::heard_at(place, &est.sampler) else { continue };
+            let told = est.shows_comms_lost() && est.silences.others_come(place, t, &est.sampler);
+            let silent =
+                t - last >= limit && told || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
+            if silent && !std::mem::replace(reported, true) {
+                report_missed(est, book, place, (t, last, limit));
+            }
+        }
+    }
+
+    /// 520h shows this: has it been so for too long?
+    pub(super) fn due(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
+        book.found(edge_due(est, t));
+        book.found(self.missed_due(est, t));
+    }
+
+    /// 520h still says that communication is present: has a message been silent for too long?
+    fn missed_due(&mut self, est: &Estimator, t: i64) -> Option<Finding> {
+        let limit = est.silences.limit?;
+        let told = est.shows_comms_lost();
+        if told {
+            self.told_at = Some(t);
+        }
+        if est.silences.silent == Truth::False || told || !est.vcu_is_seen() {
+            self.reported_vcu = false;
+            return None;
+        }
+        // It told of it a moment ago: the frame that ended the silence may be recorded behind the 520h that says so.
+        let late = t - est.deadline;
+        let just_told = self.told_at.is_some_and(|told_at| t - told_at <= est.window);
+        let watching = est.silences.is_watching(late, est.known.of(Atom::Tsms));
+        if just_told || self.reported_vcu || watching != Truth::True || !est.sampler.is_fresh(AI_STATUS) {
+            return None;
+        }
+        // Where 510h is silent itself, the handshake tells.
+        let others = (0..WATCHED.len()).filter(|&place| WATCHED.get(place) != Some(&AI_STATUS));
+        let place =
+            { others }.find(|&place| est.silences.is_silent(place, late, &est.sampler) == Truth::True)?;
+        let (index, last) = (*WATCHED.get(place)?, Silences::heard_at(place, &est.sampler)?);
+        let def = est.sampler.def(index)?;
+        self.reported_vcu = true;
+        let silent = milliseconds(t - last);
+        let seen =
+            format!("AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {silent:.0} ms", def.name, def.id);
+        let finding = Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, last + limit + est.deadline)
+            .against(&[MISSED])
+            .seen(seen)
+            .expected(format!("1 after {} ms", limit / MS));
+        Some(finding.shown_by(est.sampler.last_frames(&[index, STATUS])))
+    }
+}
+
+/// Has the same handshake bit been shown for too long?
+fn edge_due(est: &mut Estimator, t: i64) -> Option<Finding> {
+    let (limit, status) = (est.handshake_limit(), est.vcu.status?);
+    let edge = est.handshake.edge_at().filter(|edge| t - edge > limit + est.deadline)?;
+    // In AS_OFF nothing drives yet, and where the AI Computer is still to start every VCU waits for it.
+    let waits = est.sampler.last(AI_STATUS).is_none() && est.vcu.state == Some(AsState::Off);
+    let tells = status.ai_comms_lost || !status.ts_switch_status || !est.vcu_is_seen();
+    if waits || tells || std::mem::replace(&mut est.handshake.reported_vcu, true) {
+        return None;
+    }
+    let at = edge + limit + est.deadline;
+    let finding = if est.handshake.is_answered() {
+        Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, at)
+            .against(&[HOLDS[usize::from(status.handshake)]])
+            .seen("HANDSHAKE did not change though the AI Computer answered it")
+            .expected("it to change")
+    } else {
+        let waited = milliseconds(t - edge);
+        Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, at)
+            .against(UNANSWERED)
+            .seen(format!("AI_COMMS_LOST is 0, but HANDSHAKE has been unanswered for {waited:.0} ms"))
+            .expected(format!("1 after {} ms", limit / MS))
+    };
+    Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
+}
+
+/// In AS_OFF nothing drives yet.
+fn by_state(est: &Estimator) -> Severity {
+    if matches!(est.vcu.state, Some(AsState::Off) | None) { Severity::Warning } else { Severity::Violation }
+}
+
+fn and_told(est: &Estimator) -> &'static str {
+    if est.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
+}
+
+/// The AI Computer has not answered in time; that is told once of an edge.
+fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) {
+    let Some(edge) = est.handshake.edge_at() else { return };
+    if std::mem::replace(&mut est.handshake.reported_ai, true) {
+        return;
+    }
+    let (limit, waited, told) = (est.handshake_limit(), milliseconds(t - edge), and_told(est));
+    let finding = Finding::new(severity, Party::Ai, "2.4", Rule::HandshakeLate, t.min(edge + limit))
+        .against(&[ANSWERS])
+        .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{told}"))
+        .expected(format!("an answer within {} ms", limit / MS))
+        .shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS]));
+    book.found(finding);
+}
+
+fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit): (i64, i64, i64)) {
+    let index = WATCHED.get(place).copied().unwrap_or_default();
+    let Some(def) = est.sampler.def(index) else { return };
+    book.margins.gap(index, t - last, t);
+    let (silent, told) = (milliseconds(t - last), and_told(est));
+    let what = format!("{} ({:03X}h)", def.name, def.id);
+    let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
+        .seen(format!("{what} has not come for {silent:.0} ms while others have{told}"))
+        .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
+        .shown_by(est.sampler.last_frames(&[index]));
+    book.found(finding);
+}
+
+/// The VCU changed its handshake bit, and the window has passed: was the one before answered?
+pub(super) fn judge_edge(est: &Estimator, t: i64, suspect: Suspect) -> Option<Finding> {
+    // Of a bit that was there for a moment, the only answer may be missing.
+    let gap = est.sampler.slot(AI_STATUS).and_then(|slot| slot.gap_since(suspect.since));
+    if est.handshake.clears(suspect) || gap.is_some() {
+        return None;
+    }
+    let bit = u8::from(suspect.bit);
+    let finding = Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, t)
+        .against(&[HOLDS[usize::from(suspect.bit)]])
+        .seen(format!(
+            "HANDSHAKE changed from {bit} to {}, but the AI Computer never answered with {bit}",
+            1 - bit
+        ))
+        .expected("the VCU to wait for the answer");
+    Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
+}

@@ -1,0 +1,248 @@
+//! Fault flags, `FAULT_STATUS` and `SHUTDOWN_CAUSE`: whether 520h tells the truth (section 2.2).
+
+use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
+use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Truth};
+
+use super::conduct::deciding;
+use super::pending::{Lasting, Pending};
+use super::texts::conditions;
+use crate::judge::book::Book;
+use crate::judge::estimator::base::{Estimator, is_active};
+use crate::judge::estimator::readings::of_terms;
+use crate::judge::estimator::status::Shown;
+use crate::judge::finding::{Finding, Party, Rule, Severity};
+use crate::judge::sampler::places::STATUS;
+use crate::judge::time::milliseconds;
+
+/// What `FAULT_STATUS` sums up.
+const FAULT_SUM: &str = "MSG-50"; //= MSG-50
+/// What `WARNING_STATUS` sums up.
+const WARNING_SUM: &str = "MSG-51"; //= MSG-51
+/// What `SHUTDOWN_CAUSE` shows.
+const CAUSE: &str = "MSG-64"; //= MSG-64
+
+/// The faults whose conditions the bus shows.
+const VISIBLE: [Fault; 5] = [
+    Fault::AiComputerRequest,
+    Fault::AiCommsFault,
+    Fault::AutonomousBrakingFault,
+    Fault::MissionStatusFault,
+    Fault::BrakePlausibilityFault,
+];
+
+/// What must follow from what 520h has shown.
+#[derive(Debug, Default)]
+pub(super) struct Flags {
+    cause: Option<CauseWatch>,
+    /// Since when there is an emergency, and whether it is certain that its cause has a number.
+    pub(super) brake: Option<(i64, bool)>,
+    /// `FAULT_STATUS` and `WARNING_STATUS` contradict the flags that they sum up.
+    fault_sum: Lasting,
+    warning_sum: Lasting,
+    /// Since when the AI Computer asks for an emergency stop and the flag is not shown.
+    pub(super) estop_since: Option<i64>,
+}
+
+/// A cause that was named: its flag and the shutdown must be seen as well.
+#[derive(Clone, Copy, Debug)]
+struct CauseWatch {
+    since: i64,
+    cause: ShutdownCause,
+    flag_seen: bool,
+    stop_seen: bool,
+}
+
+/// The VCU shows something wrong in 520h.
+fn shows_wrongly(
+    est: &Estimator,
+    (severity, rule, requirement): (Severity, Rule, &'static str),
+    t_ns: i64,
+    seen: impl Into<String>,
+    expected: &str,
+) -> Finding {
+    let finding = Finding::new(severity, Party::Vcu, "2.2", rule, t_ns).against(&[requirement]);
+    finding.seen(seen).expected(expected).shown_by(est.sampler.last_frames(&[STATUS]))
+}
+
+/// The faults whose flags have been raised, and whose conditions the bus shows.
+pub(super) fn risen(shown: &Shown) -> impl Iterator<Item = Fault> {
+    let new = shown
+        .previous
+        .filter(|_| !shown.gap)
+        .map(|previous| Faults::shown_by(&shown.status).difference(Faults::shown_by(&previous)));
+    VISIBLE.into_iter().filter(move |&fault| new.is_some_and(|new| new.has(fault)))
+}
+
+impl Flags {
+    /// 520h shows something else.
+    pub(super) fn shown(&mut self, est: &Estimator, book: &mut Book, t: i64, shown: &Shown) {
+        let &Shown { status, gap, .. } = shown;
+        if let Some(state) = shown.entered {
+            let from_another = shown.change.is_some();
+            self.brake = (state == AsState::EmergencyBrake && from_another).then_some((t, false));
+        }
+        let flags = Faults::shown_by(&status);
+        if let Some(previous) = shown.previous.filter(|_| !gap) {
+            book.exercise_flags(flags.difference(Faults::shown_by(&previous)));
+            if status.shutdown_cause != previous.shutdown_cause {
+                self.cause_changed(est, book, t, &previous, shown);
+            }
+            if let Some(watch) = &mut self.cause {
+                watch.flag_seen |= Faults::of_cause(watch.cause).is_subset(flags);
+                watch.stop_seen |= !is_active(Some(status.as_state));
+            }
+        }
+        let faults = !flags.without(Fault::AiComputerRequest).is_empty();
+        let warnings = status.warn_batt_temp_high || status.warn_batt_soc_low;
+        self.fault_sum.is(t, faults && !status.fault_status, gap);
+        self.warning_sum.is(t, warnings && !status.warning_status, gap);
+    }
+
+    fn cause_changed(
+        &mut self,
+        est: &Estimator,
+        book: &mut Book,
+        t: i64,
+        previous: &Vcu2AiStatus,
+        shown: &Shown,
+    ) {
+        let (old, new) = (previous.shutdown_cause, shown.status.shutdown_cause);
+        if old == ShutdownCause::NoShutdown {
+            let flag_seen = Faults::of_cause(new).is_subset(Faults::shown_by(previous));
+            let stop_seen = !is_active(shown.old);
+            self.cause = Some(CauseWatch { since: t, cause: new, flag_seen, stop_seen });
+            return;
+        }
+        let seen = format!(
+            "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown",
+            old as u8, new as u8
+        );
+        // That a cause goes when EMERGENCY_BRAKE is left is not excluded by the document's words.
+        let braking = shown.old == Some(AsState::EmergencyBrake) && est.vcu.state == shown.old;
+        let severity = if braking { Severity::Violation } else { Severity::Warning };
+        let expected = "the first cause to stay until a power cycle";
+        book.found(shows_wrongly(est, (severity, Rule::CauseChanged, CAUSE), t, seen, expected));
+    }
+
+    /// What 520h should have shown by now.
+    pub(super) fn over_time(&mut self, est: &Estimator, book: &mut Book, t: i64) {
+        let late = t - est.deadline;
+        let Some(status) = est.vcu.status else { return };
+        let sum = |requirement| (Severity::Violation, Rule::StatusSum, requirement);
+        if self.cause.is_some_and(|watch| watch.since < late) {
+            self.judge_cause(est, book);
+        }
+        if let Some(since) = self.fault_sum.overdue(late) {
+            let flags: Vec<&str> = Faults::shown_by(&status).iter().map(Fault::flag).collect();
+            let seen = format!("FAULT_STATUS is 0, but {} is set", flags.join(", "));
+            book.found(shows_wrongly(est, sum(FAULT_SUM), since, seen, "1"));
+        }
+        if let Some(since) = self.warning_sum.overdue(late) {
+            let seen = "WARNING_STATUS is 0, but a battery warning is set";
+            book.found(shows_wrongly(est, sum(WARNING_SUM), since, seen, "1"));
+        }
+        if let Some((since, certain)) = self.brake.take_if(|(since, _)| *since < late) {
+            let readable = est.sampler.slot(STATUS).is_some_and(|slot| slot.bad == 0);
+            if status.shutdown_cause == ShutdownCause::NoShutdown && readable {
+                let severity = if certain { Severity::Violation } else { Severity::Warning };
+                let seen = "SHUTDOWN_CAUSE is 0 (no shutdown) in EMERGENCY_BRAKE";
+                book.found(shows_wrongly(
+                    est,
+                    (severity, Rule::CauseMissing, CAUSE),
+                    since,
+                    seen,
+                    "the cause",
+                ));
+            }
+        }
+        self.estop_since = self.estop_since.filter(|_| !status.ai_estop_request);
+        let asked = |moment: &crate::judge::estimator::history::Moment| {
+            moment.known.of(Atom::AiEstop) == Truth::True && !moment.filled.has(Atom::AiEstop)
+        };
+        if let Some(since) = self.estop_since.take_if(|since| *since < late)
+            && est.moments(since, t).all(asked)
+        {
+            let seen = format!(
+                "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms",
+                milliseconds(t - since)
+            );
+            let what = (Severity::Violation, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
+            book.found(shows_wrongly(est, what, since + est.deadline, seen, "1"));
+        }
+    }
+
+    fn judge_cause(&mut self, est: &Estimator, book: &mut Book) {
+        let Some(CauseWatch { since, cause, flag_seen, stop_seen }) = self.cause.take() else { return };
+        let number = cause as u8;
+        if let Some(fault) = Fault::of_cause(cause).filter(|_| !flag_seen) {
+            let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but {} is 0", fault.flag());
+            let what = (Severity::Violation, Rule::CauseWithoutFlag, CAUSE);
+            book.found(shows_wrongly(est, what, since, seen, "it to be 1"));
+        }
+        if !stop_seen {
+            let state = est.vcu.state.map_or("its state", AsState::name);
+            let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but the VCU stays in {state}");
+            let what = (Severity::Violation, Rule::CauseWithoutShutdown, CAUSE);
+            book.found(shows_wrongly(est, what, since, seen, AsState::EmergencyBrake.name()));
+        }
+    }
+}
+
+/// A flag was raised, and its window has passed: could its condition have held?
+pub(super) fn judge_flag(
+    est: &Estimator,
+    book: &mut Book,
+    pending: &Pending,
+    fault: Fault,
+    before: Knowledge,
+) {
+    let t = pending.t;
+    let start = t - est.window - est.cycle();
+    // What the flag itself says counts only from the flag on; it may be recorded behind what ended its reason.
+    let lost = est.history.throughout(start, t - 1).meet(before).of(Atom::AiCommsLost);
+    let window = est.throughout(start, t + est.window).set(Atom::AiCommsLost, lost);
+    // Section 2.4 asks for this flag whether an arrow follows from it or not.
+    if fault == Fault::AiCommsFault && lost != Truth::False {
+        return book.exercise_flag(fault, lost);
+    }
+    // An edge may lie before the window; what it needs besides does not.
+    let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
+    let known = edges.into_iter().fold(window, |known, edge| {
+        let excluded = edge.input().is_some_and(|level| window.of(level) == Truth::False);
+        known.set(edge, if excluded { Truth::False } else { Truth::Unknown })
+    });
+    let terms = || est.readings.terms_of(fault);
+    let reason = terms().map(|term| term.truth(known)).find(|&reason| reason != Truth::False);
+    if let Some(reason) = reason {
+        return book.exercise_flag(fault, reason);
+    }
+    // Told in the words of the first alternative, by the section of the last: those of section 3.7, and section 4 where the
+    // reading that it stands for is possible.
+    let section = terms().last().map_or("2.2", |term| term.section);
+    let off = window.of(Atom::Tsms) == Truth::False
+        && est.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
+    let rules = &est.edition.rules;
+    let (section, why) = match (fault, terms().next()) {
+        (Fault::AiCommsFault, _) if off => ("2.4", rules.text(Atom::Tsms, false).to_string()),
+        (Fault::AiCommsFault, _) => {
+            let missed = rules.thresholds.missed_ms.map_or("", |_| ", and none of its messages is missed");
+            ("2.4", format!("the AI Computer answers the handshake in time{missed}"))
+        }
+        (Fault::AiComputerRequest, _) => {
+            ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
+        }
+        (_, Some(term)) => (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on)))),
+        (_, None) => (section, "nothing can be its reason".to_owned()),
+    };
+    let finding = Finding::violation(Party::Vcu, section, Rule::FlagUnfounded, t)
+        .against(&[fault.requirement()])
+        .seen(format!("{fault} was raised, but {why}"))
+        .expected("0")
+        .shown_by(est.sampler.deciding_frames(&pending.frames, of_terms(terms())));
+    book.found(finding);
+}
+
+/// How long to wait until it can be told whether a flag was raised rightly.
+pub(super) fn wait_for(est: &Estimator, fault: Fault) -> i64 {
+    est.sampler.wait_for(deciding(fault))
+}

@@ -1,0 +1,97 @@
+//! What can only be judged once the window behind it has passed, and what must not last.
+
+use adsdv_spec::{Atom, Fault, Knowledge, Truth};
+
+use crate::judge::estimator::status::SeenChange;
+use crate::judge::estimator::watch::Suspect;
+use crate::judge::evidence::Frames;
+
+/// A bound on what waits to be judged, for logs in which everything happens at once.
+const MAX_PENDING: usize = 256;
+
+/// Something that waits to be judged: when it happened, when it can be judged, and the last frames when it happened.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pending {
+    pub(super) t: i64,
+    at: i64,
+    pub(super) frames: Frames,
+    pub(super) what: What,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum What {
+    /// A transition was seen.
+    Change(SeenChange),
+    /// A fault flag was raised; what was known just before.
+    Flag(Fault, Knowledge),
+    /// The VCU's handshake bit changed without an answer.
+    Edge(Suspect),
+    /// The AI Computer did what is a fault; what was known then.
+    Conduct(Fault, Knowledge),
+    /// Something changed, and whether the change counts.
+    Counts(Atom, Truth),
+}
+
+/// All that waits.
+#[derive(Debug, Default)]
+pub(crate) struct Queue(Vec<Pending>);
+
+impl Queue {
+    /// Tells what can wait no longer, where there is far more than any bus does in a window.
+    pub(super) fn wait(&mut self, t: i64, wait: i64, frames: &Frames, what: What) -> Option<Pending> {
+        let oldest = (self.0.len() >= MAX_PENDING).then(|| self.0.swap_remove(0));
+        self.0.push(Pending { t, at: t + wait, frames: *frames, what });
+        oldest
+    }
+
+    /// What can be judged by `t`.
+    pub(crate) fn ready(&mut self, t: i64) -> Option<Pending> {
+        let place = self.0.iter().position(|pending| pending.at <= t)?;
+        Some(self.0.swap_remove(place))
+    }
+
+    /// All of it, in order.
+    pub(crate) fn take(&mut self) -> Vec<Pending> {
+        self.0.sort_by_key(|pending| pending.t);
+        std::mem::take(&mut self.0)
+    }
+
+    /// In which state the AI Computer did something is not known any more.
+    pub(super) fn forget_conduct(&mut self, but: Fault) {
+        self.0.retain(|pending| !matches!(pending.what, What::Conduct(fault, _) if fault != but));
+    }
+
+    pub(super) fn next(&self) -> i64 {
+        self.0.iter().map(|pending| pending.at).min().unwrap_or(i64::MAX)
+    }
+}
+
+/// Something that must not last: since when it does, and whether that was told.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Lasting {
+    pub(super) since: Option<i64>,
+    told: bool,
+}
+
+impl Lasting {
+    /// It is so now, or is not. Behind a gap it may not have been so in between.
+    pub(super) fn is(&mut self, t: i64, so: bool, gap: bool) {
+        if !so {
+            *self = Self::default();
+        } else if self.since.is_none() || gap && !self.told {
+            self.since = Some(t);
+        }
+    }
+
+    /// Whether it is so is not known for a while; what was told is not told again behind that.
+    pub(super) fn pauses(&mut self) {
+        self.since = self.since.filter(|_| self.told);
+    }
+
+    /// Since when it has been so, if that is before `late`; this is told once.
+    pub(super) fn overdue(&mut self, late: i64) -> Option<i64> {
+        let since = self.since.filter(|&since| since < late && !self.told)?;
+        self.told = true;
+        Some(since)
+    }
+}
