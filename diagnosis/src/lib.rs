@@ -45,17 +45,24 @@
 mod candidates;
 mod deviation;
 mod diagnose;
+mod dials;
 mod experiments;
 mod fit;
 mod model;
 mod pilot;
+mod random;
 mod record;
+mod seek;
+mod stays;
 mod subject;
 mod turn;
+mod walk;
+mod ways;
 mod words;
 
-pub use deviation::{Deviation, Wheels};
+pub use deviation::{Deviation, Remembers, Wheels};
 pub use diagnose::{Diagnosis, diagnose, records};
 pub use model::{Model, Running};
 pub use record::Record;
 pub use subject::Subject;
+pub use walk::difference;
