@@ -62,6 +62,18 @@ impl Comparison<'_> {
         asked.iter().all(|record| record.is_explained(&other))
     }
 
+    /// So many different ones, each of which can be observed by itself.
+    fn picked(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+        let mut picked = Vec::new();
+        while picked.len() < count {
+            let one = pick(all, random);
+            if !picked.contains(&one) && !self.same(&[], &[one]) {
+                picked.push(one);
+            }
+        }
+        picked
+    }
+
     /// The deviations without those that cannot be observed beside the others.
     fn observable(&self, deviations: &[Deviation]) -> Vec<Deviation> {
         let mut left = deviations.to_vec();
@@ -116,7 +128,7 @@ fn main() {
         let comparison = Comparison { edition };
         for run in 0..runs {
             let injected: Vec<Deviation> =
-                if every { vec![all[run]] } else { (0..count).map(|_| pick(&all, &mut random)).collect() };
+                if every { vec![all[run]] } else { comparison.picked(&all, count, &mut random) };
             let program = Model::new(edition, &injected).running();
             let mut program = Counted { program, steps: 0 };
             let start = Instant::now();
@@ -124,6 +136,11 @@ fn main() {
             longest = longest.max(start.elapsed());
             most_steps = most_steps.max(program.steps);
             let observable = comparison.observable(&injected);
+            if std::env::var("SHOW").is_ok() {
+                for one in injected.iter().filter(|one| !observable.contains(one)) {
+                    println!("  not observable {one:?}");
+                }
+            }
             add("exact", 0);
             add("missed", 0);
             add("invented", 0);

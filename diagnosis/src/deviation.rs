@@ -136,6 +136,14 @@ impl Deviation {
         all
     }
 
+    /// Whether it changes what is remembered by what is shown. Of outputs only a few tell that.
+    pub(crate) fn tells_what_is_remembered(&self) -> bool {
+        match *self {
+            Self::Shows { key, .. } | Self::Writes { key, .. } => matches!(key, "as_state" | "shutdown_cause"),
+            _ => true,
+        }
+    }
+
     /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
     pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
         let rows = edition.rules.table.rows();

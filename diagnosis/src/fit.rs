@@ -27,6 +27,8 @@ const LOOKED_AT: usize = 120;
 const TRIED: usize = 14;
 /// So many others in the place of one are looked at.
 const ALIKE: usize = 5;
+/// So many ways to cut the stays are kept.
+const CUTS: usize = 3;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
 const PASSES: usize = 3;
 
@@ -44,8 +46,8 @@ pub(crate) struct Fit<'a> {
     edition: &'a Edition,
     records: &'a [Kept],
     candidates: &'a Candidates,
-    /// The stays as they were cut last, and with which deviations.
-    stays: RefCell<Option<Cut<'a>>>,
+    /// The stays as they were cut of late, and with which deviations.
+    stays: RefCell<Vec<Cut<'a>>>,
 }
 
 type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
@@ -79,7 +81,7 @@ impl Node {
 
 impl<'a> Fit<'a> {
     pub(crate) const fn new(edition: &'a Edition, records: &'a [Kept], candidates: &'a Candidates) -> Self {
-        Self { edition, records, candidates, stays: RefCell::new(None) }
+        Self { edition, records, candidates, stays: RefCell::new(Vec::new()) }
     }
 
     /// The deviations that explain the most, from what was found before.
@@ -122,45 +124,42 @@ impl<'a> Fit<'a> {
     /// The stays, cut with those deviations of a set that may make a difference in any state.
     fn stays(&self, set: &[Deviation]) -> Stays<'a> {
         let everywhere = self.everywhere(set);
-        let mut last = self.stays.borrow_mut();
-        match last.as_ref() {
-            Some(cut) if cut.by == everywhere => cut.stays.clone(),
-            _ => {
-                let stays = std::rc::Rc::new(cut(self.records, &Model::new(self.edition, set)));
-                *last = Some(Cut { by: everywhere, stays: stays.clone() });
-                stays
+        let mut known = self.stays.borrow_mut();
+        if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
+            known[place..].rotate_left(1);
+        } else {
+            let stays = std::rc::Rc::new(cut(self.records, &Model::new(self.edition, set)));
+            known.push(Cut { by: everywhere, stays });
+            if known.len() > CUTS {
+                known.remove(0);
             }
         }
+        known.last().map(|cut| cut.stays.clone()).unwrap_or_default()
     }
 
     fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
-        set.iter().copied().filter(|one| one.state(self.edition).is_none()).collect()
+        set.iter().copied().filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered()).collect()
     }
 
     /// A set that explains more of a state, if one is found.
     fn explained(&self, state: AsState, set: Vec<Deviation>) -> Vec<Deviation> {
-        let stays = self.stays(&set);
-        let stays = of(&stays, state);
         let bare: Vec<Deviation> =
             set.iter().copied().filter(|one| one.state(self.edition) != Some(state)).collect();
         let plain = Model::new(self.edition, &bare);
-        let right: Vec<bool> = stays.iter().map(|stay| stay.wrong(&plain) == 0).collect();
-        let usual = self.everywhere(&set);
         let mut beside: HashMap<String, usize> = HashMap::new();
         let mut node = |set: Vec<Deviation>| {
             let model = Model::new(self.edition, &set);
             let (mut wrong, mut spoilt) = (0, 0);
-            for (stay, right) in stays.iter().zip(&right) {
+            let stays = self.stays(&set);
+            for stay in of(&stays, state) {
                 let own = stay.wrong(&model);
                 wrong += own;
-                spoilt += if *right { own } else { 0 };
+                spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
             }
-            let everywhere = self.everywhere(&set);
-            let key = format!("{everywhere:?}");
+            let key = format!("{:?}", set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>());
             wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
             Node { set, wrong, spoilt }
         };
-        let _ = &usual;
         let known = node(set.clone());
         let mut best = known.clone();
         let mut followed = if bare == set { vec![known] } else { vec![known, node(bare)] };
@@ -168,7 +167,8 @@ impl<'a> Fit<'a> {
         for _ in 0..DEEPEST {
             let mut next: Vec<Node> = Vec::new();
             for from in &followed {
-                for set in self.next(state, stays, from) {
+                let stays = self.stays(&from.set);
+                for set in self.next(state, of(&stays, state), from) {
                     if !next.iter().any(|other| same(&other.set, &set)) {
                         next.push(node(set));
                     }

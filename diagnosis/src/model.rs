@@ -48,7 +48,7 @@ pub struct Memory {
     pub control: Control,
     /// For how many steps an arrow that is late has been open.
     waited: u8,
-    /// How long AS_READY has lasted in all, where that counts.
+    /// How long AS_READY has lasted in all, up to the time that counts.
     ready_ms: u16,
 }
 
@@ -67,6 +67,8 @@ struct Found {
     noticed: Noticed,
     taken: Option<(Taken, AsState)>,
     waited: u8,
+    /// How long AS_READY has lasted in all.
+    ready_ms: u16,
     /// The control state before the step, as the deviations leave it.
     before: Control,
 }
@@ -169,10 +171,10 @@ impl Model {
     pub fn step(&self, memory: &Memory, inputs: &Inputs, dt_ms: u32) -> (Memory, Outputs) {
         if self.rest.is_empty() {
             let (control, outputs) = self.machine.step(&memory.control, inputs, dt_ms);
-            return (Memory { control, ..Memory::INITIAL }, outputs);
+            return (Memory { control, waited: 0, ready_ms: self.ready_ms(memory, dt_ms) }, outputs);
         }
         let found = self.find(memory, inputs, dt_ms);
-        let (reaction, after) = self.remember(memory, &found, found.taken);
+        let (reaction, after) = self.remember(&found, found.taken);
         (after, self.machine.outputs(memory.control.state, &reaction, inputs.go))
     }
 
@@ -186,13 +188,13 @@ impl Model {
         answer: &Answer,
     ) -> (Outputs, Memory) {
         let found = self.find(memory, inputs, dt_ms);
-        let (reaction, mut after) = self.remember(memory, &found, found.taken);
+        let (reaction, mut after) = self.remember(&found, found.taken);
         let outputs = self.machine.outputs(memory.control.state, &reaction, inputs.go);
         let (own, from) = (reaction.control.state, memory.control.state);
         if let Some(state) = self.state_behind(answer, own).filter(|state| *state != own) {
             let taken = (state != from).then_some((NO_ROW, state));
             let waited = if state == from { memory.waited } else { 0 };
-            after = self.remember(memory, &Found { waited, ..found }, taken).1;
+            after = self.remember(&Found { waited, ..found }, taken).1;
         }
         self.take_over_the_cause(&mut after, answer);
         (outputs, after)
@@ -246,7 +248,10 @@ impl Model {
         let state_limit = u32::from(rules.timing.in_state_limit(from));
         let stopped = self.remembers(Remembers::TimerWhileAsmsOff) && braking && inputs.asms;
         let passed_ms = if stopped { 0 } else { dt_ms };
-        let lasted = u32::from(control.in_state_ms).saturating_add(passed_ms).min(state_limit);
+        let ready_ms = self.ready_ms(memory, dt_ms);
+        let counted = self.remembers(Remembers::DwellOfAllVisits) && from == AsState::Ready;
+        let lasted_ms = if counted { memory.ready_ms } else { control.in_state_ms };
+        let lasted = u32::from(lasted_ms).saturating_add(passed_ms).min(state_limit);
         let in_state_ms = u16::try_from(lasted).unwrap_or(u16::MAX);
         let watched = active || machine.readings().is(Choice::WatchAlways);
         let comms_lost = handshake.is_lost(limit) || atoms.has(Atom::AiMessagesMissed) && watched;
@@ -260,13 +265,22 @@ impl Model {
         }
         let (taken, waited) = self.first_arrow(from, atoms, inputs, waited);
         let noticed = Noticed { atoms, faults: seen.faults(), in_state_ms, handshake, comms_lost };
-        Found { noticed, taken, waited, before: control }
+        Found { noticed, taken, waited, ready_ms, before: control }
+    }
+
+    /// How long AS_READY has lasted in all after a step, up to the time that counts.
+    fn ready_ms(&self, memory: &Memory, dt_ms: u32) -> u16 {
+        if memory.control.state != AsState::Ready {
+            return memory.ready_ms;
+        }
+        let limit = self.machine.edition().rules.timing.in_state_limit(AsState::Ready);
+        let lasted = u32::from(memory.ready_ms).saturating_add(dt_ms).min(u32::from(limit));
+        u16::try_from(lasted).unwrap_or(limit)
     }
 
     /// The last part of a step, where this arrow is taken.
     fn remember(
         &self,
-        memory: &Memory,
         found: &Found,
         taken: Option<(Taken, AsState)>,
     ) -> (Reaction, Memory) {
@@ -274,18 +288,11 @@ impl Model {
         let mut reaction = self.machine.remember(before, noticed, taken);
         let (from, control) = (before.state, &mut reaction.control);
         let ready = AsState::Ready;
-        let mut ready_ms = 0;
-        if self.remembers(Remembers::DwellOfAllVisits) {
-            ready_ms = if from == ready { noticed.in_state_ms } else { memory.ready_ms };
-            if control.state == ready && from != ready {
-                control.in_state_ms = ready_ms;
-            }
-        }
         if self.remembers(Remembers::GoSeenOff) && from == ready && control.state == ready {
             control.go_seen_low |= before.go_seen_low;
         }
         let control = reaction.control;
-        (reaction, Memory { control, waited: *waited, ready_ms })
+        (reaction, Memory { control, waited: *waited, ready_ms: found.ready_ms })
     }
 
     /// The inputs as the deviations let it see them.

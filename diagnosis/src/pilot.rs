@@ -85,7 +85,8 @@ impl<'a> Pilot<'a> {
         if self.lost {
             return Ok(());
         }
-        let inputs = self.asked(&self.inputs);
+        // What the edition's messages cannot hold no program can be asked for.
+        let inputs = self.answering(&self.inputs).held_by(&self.model.usual().bus);
         let reply = self.subject.step(dt_ms, &inputs)?;
         let (outputs, memory) = self.model.follow(&self.memory, &inputs, dt_ms, &reply);
         (self.memory, self.inputs) = (memory, inputs);
@@ -98,16 +99,16 @@ impl<'a> Pilot<'a> {
         Ok(())
     }
 
-    /// The inputs as they are asked: with the answer to the handshake, and within what the edition's messages can hold.
-    fn asked(&self, inputs: &Inputs) -> Inputs {
-        let mut asked = *inputs;
-        asked.ai.status.handshake = self.bit == self.answers;
-        asked.held_by(&self.model.usual().bus)
+    /// The inputs with the answer to the handshake.
+    const fn answering(&self, inputs: &Inputs) -> Inputs {
+        let mut answering = *inputs;
+        answering.ai.status.handshake = self.bit == self.answers;
+        answering
     }
 
     /// What the model remembers after a step with these inputs.
     fn foreseen(&self, inputs: &Inputs, dt_ms: u32) -> Memory {
-        self.model.step(&self.memory, &self.asked(inputs), dt_ms).0
+        self.model.step(&self.memory, &self.answering(inputs), dt_ms).0
     }
 
     /// Whether the model leads there with the next step, or is on its way where that is late.
@@ -334,7 +335,10 @@ impl<'a> Pilot<'a> {
         }
         self.answers = true;
         match to {
-            AsState::Driving => self.inputs.ai.status.direction_request = DirectionRequest::Forward,
+            AsState::Driving => {
+                self.inputs.ai.status.direction_request = DirectionRequest::Forward;
+                (self.inputs.asms, self.inputs.go) = (true, true);
+            }
             AsState::Finished => self.inputs.ai.status.direction_request = DirectionRequest::Neutral,
             _ => self.calm(),
         }

@@ -1,6 +1,7 @@
 //! What was asked, and what was answered.
 
 use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Arc;
 
 use adsdv_oracle::conform::ProgramError;
@@ -49,6 +50,8 @@ impl Record {
 pub(crate) struct Kept {
     pub(crate) steps: Vec<Step>,
     pub(crate) replies: Vec<Arc<Answer>>,
+    /// For each step a number that stands for it and its answer.
+    pub(crate) marks: Vec<u64>,
 }
 
 impl Kept {
@@ -57,6 +60,12 @@ impl Kept {
         let replies = self.replies.iter().map(|reply| **reply).collect();
         Record { steps: self.steps.clone(), replies }
     }
+}
+
+fn mark(step: &Step, reply: &Arc<Answer>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (step.dt_ms, &step.inputs, Arc::as_ptr(reply)).hash(&mut hasher);
+    hasher.finish()
 }
 
 /// All that was asked and answered, as far as it is kept.
@@ -81,8 +90,9 @@ impl Records {
             self.count += 1;
             let answers = &mut self.answers;
             let kept = |reply: Answer| answers.entry(reply).or_insert_with(|| Arc::new(reply)).clone();
-            let replies = replies.into_iter().map(kept).collect();
-            self.kept.push(Kept { steps, replies });
+            let replies: Vec<Arc<Answer>> = replies.into_iter().map(kept).collect();
+            let marks = steps.iter().zip(&replies).map(|(step, reply)| mark(step, reply)).collect();
+            self.kept.push(Kept { steps, replies, marks });
         }
         let mut old = 0;
         while self.steps > Self::MOST

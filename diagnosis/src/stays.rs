@@ -103,16 +103,10 @@ pub(crate) fn cut<'a>(records: &'a [Kept], model: &Model) -> Vec<(AsState, Vec<S
     for record in records {
         let mut add = |begins: Memory, range: Range<usize>| {
             let state = begins.control.state;
-            let (Some(steps), Some(replies)) =
-                (record.steps.get(range.clone()), record.replies.get(range))
-            else {
-                return;
-            };
+            let of = (record.steps.get(range.clone()), record.replies.get(range.clone()), record.marks.get(range));
+            let (Some(steps), Some(replies), Some(marks)) = of else { return };
             let mut hasher = DefaultHasher::new();
-            begins.hash(&mut hasher);
-            for (step, reply) in steps.iter().zip(replies) {
-                (step.dt_ms, &step.inputs, Arc::as_ptr(reply)).hash(&mut hasher);
-            }
+            (begins, marks).hash(&mut hasher);
             if !steps.is_empty()
                 && known.insert(hasher.finish())
                 && let Some((_, own)) = stays.iter_mut().find(|(own, _)| *own == state)
