@@ -135,6 +135,9 @@ fn main() {
             let Ok(found) = diagnose(&mut program, edition) else { return };
             longest = longest.max(start.elapsed());
             most_steps = most_steps.max(program.steps);
+            if std::env::var("SHOW").is_ok() {
+                println!("  run {run}: {:?}, {} steps, {} experiments", start.elapsed(), program.steps, found.experiments);
+            }
             let observable = comparison.observable(&injected);
             if std::env::var("SHOW").is_ok() {
                 for one in injected.iter().filter(|one| !observable.contains(one)) {

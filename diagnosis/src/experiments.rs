@@ -133,12 +133,23 @@ impl<'a> Experiments<'a> {
         Ok(())
     }
 
-    /// An arrow, and an arrow with each input otherwise in the step that decides.
+    /// An arrow, an arrow with the handshake not answered, and with each input otherwise, in the step that decides.
     fn with_each_dial(&mut self, state: AsState, term: &Term, to: AsState) -> Result<(), ProgramError> {
         self.try_it(state, |pilot| {
             pilot.prepare(term, to, 0)?;
             pilot.take(term, to)
         })?;
+        for tsms in [true, false] {
+            self.try_it(state, |pilot| {
+                pilot.inputs.tsms |= tsms;
+                pilot.wait(pilot.cycle_ms())?;
+                pilot.prepare(term, to, 0)?;
+                pilot.answers = false;
+                pilot.take(term, to)?;
+                pilot.answers = true;
+                Ok(())
+            })?;
+        }
         for (field, raw) in self.changes() {
             self.try_it(state, |pilot| {
                 pilot.prepare(term, to, 0)?;

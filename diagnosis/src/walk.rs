@@ -51,6 +51,7 @@ pub(crate) fn walk(
                 if random.below(3) > 0 {
                     pilot.aim(to, cycle);
                 }
+                pilot.answers &= random.below(6) > 0;
                 pilot.take(&term, to)?;
                 pilot.answers = true;
                 if random.below(2) == 0 {
