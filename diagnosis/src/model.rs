@@ -367,6 +367,15 @@ impl Model {
         shown
     }
 
+    /// The same memory with a state that has lasted for its time.
+    pub(crate) const fn patient(&self, memory: &Memory) -> Memory {
+        let timing = &self.machine.edition().rules.timing;
+        let mut patient = *memory;
+        patient.control.in_state_ms = timing.in_state_limit(memory.control.state);
+        patient.ready_ms = timing.in_state_limit(AsState::Ready);
+        patient
+    }
+
     /// What a step would show if nothing was shown wrongly.
     pub(crate) fn right(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
         self.showing.shown(outputs, inputs)

@@ -111,10 +111,15 @@ impl<'a> Pilot<'a> {
         self.model.step(&self.memory, &self.answering(inputs), dt_ms).0
     }
 
-    /// Whether the model leads there with the next step, or is on its way where that is late.
+    /// Whether the model leads there with the next step, or is on its way where that is late; to another state as if this one had
+    /// lasted for its time.
     fn leads_to(&self, inputs: &Inputs, dt_ms: u32, to: AsState) -> bool {
-        let after = self.foreseen(inputs, dt_ms);
-        after.control.state == to || to != self.state() && after.waits_longer_than(&self.memory)
+        if to == self.state() {
+            return self.foreseen(inputs, dt_ms).control.state == to;
+        }
+        let memory = self.model.patient(&self.memory);
+        let after = self.model.step(&memory, &self.answering(inputs), dt_ms).0;
+        after.control.state == to || after.waits_longer_than(&memory)
     }
 
     /// Whether the model takes an arrow with the next step.
@@ -279,6 +284,9 @@ impl<'a> Pilot<'a> {
             self.inputs.tsms = true;
             self.wait_with(cycle, with)?;
             self.answers = false;
+        }
+        if with.is_none() {
+            self.aim(to, self.last_ms(term));
         }
         Ok(())
     }

@@ -93,7 +93,6 @@ impl Sought<'_> {
         if pilot.to(self.from)? {
             pilot.wait(LONG_MS)?;
             pilot.prepare(term, self.to, 0)?;
-            pilot.aim(self.to, pilot.last_ms(term));
             for &(field, raw) in wanted {
                 let before = pilot.inputs;
                 if (field.get)(&before) == raw {

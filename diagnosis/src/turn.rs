@@ -149,11 +149,13 @@ impl Turn<'_> {
             Number::Time(Time::ReadyDwell) => {
                 pilot.ready(&term, to);
                 pilot.inputs.go = false;
-                pilot.step(ms(value))?;
+                pilot.wait(ms(value))?;
                 pilot.inputs.go = true;
+                pilot.aim(to, last_ms);
             }
             Number::Time(Time::EbsTimer) => {
                 pilot.ready(&term, to);
+                pilot.aim(to, last_ms);
                 last_ms = ms(value);
             }
             Number::Time(Time::Handshake) => {
