@@ -119,7 +119,9 @@ fn main() {
     let (count, runs, seed) = (number(1), number(20), number(1));
     let every = std::env::args().any(|arg| arg == "every");
     let only = std::env::var("EDITION").ok();
-    for edition in Edition::ALL.iter().filter(|edition| only.as_ref().is_none_or(|only| only == edition.version)) {
+    for edition in
+        Edition::ALL.iter().filter(|edition| only.as_ref().is_none_or(|only| only == edition.version))
+    {
         let all = Deviation::every(edition);
         let mut random = Random(seed as u64);
         let (mut tally, mut longest, mut most_steps) = (BTreeMap::new(), Duration::ZERO, 0);
@@ -136,7 +138,12 @@ fn main() {
             longest = longest.max(start.elapsed());
             most_steps = most_steps.max(program.steps);
             if std::env::var("SHOW").is_ok() {
-                println!("  run {run}: {:?}, {} steps, {} experiments", start.elapsed(), program.steps, found.experiments);
+                println!(
+                    "  run {run}: {:?}, {} steps, {} experiments",
+                    start.elapsed(),
+                    program.steps,
+                    found.experiments
+                );
             }
             let observable = comparison.observable(&injected);
             if std::env::var("SHOW").is_ok() {
@@ -163,12 +170,11 @@ fn main() {
             let mut named = vec![false; observable.len()];
             for other in &found.deviations {
                 let own = observable.iter().position(|one| one == other);
-                match own.or_else(|| (0..observable.len()).find(|one| replaces(*one, other))) {
-                    Some(place) => named[place] = true,
-                    None => {
-                        add("invented", 1);
-                        println!("  invented {other:?}");
-                    }
+                if let Some(place) = own.or_else(|| (0..observable.len()).find(|one| replaces(*one, other))) {
+                    named[place] = true;
+                } else {
+                    add("invented", 1);
+                    println!("  invented {other:?}");
                 }
             }
             for (one, named) in observable.iter().zip(&named) {

@@ -51,8 +51,8 @@ fn joined(edition: &Edition, row: usize, of: &Row) -> Vec<Deviation> {
     let choices = edition.readings.choices();
     let there = |term: &usize| of.terms().get(*term).is_some_and(|term| term.readings.is_subset(choices));
     let terms: Vec<usize> = (0..of.terms().len()).filter(there).collect();
-    let pairs = terms.iter().flat_map(|&one| {
-        terms.iter().filter(move |other| one < **other).map(move |&other| (one, other))
-    });
+    let pairs = terms
+        .iter()
+        .flat_map(|&one| terms.iter().filter(move |other| one < **other).map(move |&other| (one, other)));
     pairs.map(|(one, other)| Deviation::Joined { row, one, other }).collect()
 }

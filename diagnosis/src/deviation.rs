@@ -139,7 +139,9 @@ impl Deviation {
     /// Whether it changes what is remembered by what is shown. Of outputs only a few tell that.
     pub(crate) fn tells_what_is_remembered(&self) -> bool {
         match *self {
-            Self::Shows { key, .. } | Self::Writes { key, .. } => matches!(key, "as_state" | "shutdown_cause"),
+            Self::Shows { key, .. } | Self::Writes { key, .. } => {
+                matches!(key, "as_state" | "shutdown_cause")
+            }
             _ => true,
         }
     }
@@ -226,7 +228,11 @@ fn joined(edition: &Edition, row: usize, one: usize, other: usize) -> Edition {
         let terms: Vec<Term> = terms
             .iter()
             .enumerate()
-            .map(|(place, term)| if place == one || place == other { Term { on, off, ..*term } } else { *term })
+            .map(
+                |(place, term)| {
+                    if place == one || place == other { Term { on, off, ..*term } } else { *term }
+                },
+            )
             .collect();
         Row::new(row.from, row.to, row.section, &terms).cites(row.cites)
     };

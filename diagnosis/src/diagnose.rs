@@ -47,8 +47,14 @@ pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, 
 pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosis, ProgramError> {
     let single = candidates::all(edition);
     let candidates = Candidates { single, several: Vec::new() };
-    let mut search =
-        Search { subject, edition, candidates, records: Records::default(), found: Vec::new(), random: Random(1) };
+    let mut search = Search {
+        subject,
+        edition,
+        candidates,
+        records: Records::default(),
+        found: Vec::new(),
+        random: Random(1),
+    };
     for round in 0..ROUNDS {
         let before = search.found.clone();
         if search.is_explained_by_experiments(round)?
@@ -161,7 +167,8 @@ impl Search<'_> {
                 _ => None,
             };
             if let Some((from, to)) = row {
-                let without: Vec<Deviation> = self.found.iter().copied().filter(|other| other != one).collect();
+                let without: Vec<Deviation> =
+                    self.found.iter().copied().filter(|other| other != one).collect();
                 all.push((without, from, to));
             }
         }

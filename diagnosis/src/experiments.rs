@@ -34,7 +34,8 @@ pub(crate) fn all(
     states: &[AsState],
 ) -> Result<Vec<Record>, ProgramError> {
     let ways = Ways::of(model);
-    let mut experiments = Experiments { subject, model, ways: &ways, records: Vec::new(), random: Random(seed) };
+    let mut experiments =
+        Experiments { subject, model, ways: &ways, records: Vec::new(), random: Random(seed) };
     for &state in states {
         experiments.alone(state)?;
         let terms = experiments.terms(state);

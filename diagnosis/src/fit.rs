@@ -91,7 +91,7 @@ impl<'a> Fit<'a> {
             let before = set.clone();
             for state in AsState::ALL {
                 if self.wrong_in(state, &set) > 0 {
-                    set = self.explained(state, set);
+                    set = self.explained(state, &set);
                 }
             }
             if set == before {
@@ -138,11 +138,14 @@ impl<'a> Fit<'a> {
     }
 
     fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
-        set.iter().copied().filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered()).collect()
+        set.iter()
+            .copied()
+            .filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered())
+            .collect()
     }
 
     /// A set that explains more of a state, if one is found.
-    fn explained(&self, state: AsState, set: Vec<Deviation>) -> Vec<Deviation> {
+    fn explained(&self, state: AsState, set: &[Deviation]) -> Vec<Deviation> {
         let bare: Vec<Deviation> =
             set.iter().copied().filter(|one| one.state(self.edition) != Some(state)).collect();
         let plain = Model::new(self.edition, &bare);
@@ -156,11 +159,14 @@ impl<'a> Fit<'a> {
                 wrong += own;
                 spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
             }
-            let key = format!("{:?}", set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>());
+            let key = format!(
+                "{:?}",
+                set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>()
+            );
             wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
             Node { set, wrong, spoilt }
         };
-        let known = node(set.clone());
+        let known = node(set.to_vec());
         let mut best = known.clone();
         let mut followed = if bare == set { vec![known] } else { vec![known, node(bare)] };
         let mut stuck = 0;
@@ -221,8 +227,10 @@ impl<'a> Fit<'a> {
         let sets = sets.into_iter().map(|set| (Model::new(self.edition, &set), set));
         let helps = |model: &Model| conflicts.iter().any(|(stay, was, _)| stay.wrong(model) < *was);
         let helping: Vec<(Model, Vec<Deviation>)> = sets.filter(|(model, _)| helps(model)).collect();
-        let looked_at: Vec<&Stay<'a>> =
-            some(&wrong).map(|(stay, _)| *stay).chain(some(&stays.iter().collect::<Vec<_>>()).copied()).collect();
+        let looked_at: Vec<&Stay<'a>> = some(&wrong)
+            .map(|(stay, _)| *stay)
+            .chain(some(&stays.iter().collect::<Vec<_>>()).copied())
+            .collect();
         let mut ranked: Vec<(usize, Vec<Deviation>)> = helping
             .into_iter()
             .map(|(model, set)| (looked_at.iter().map(|stay| stay.wrong(&model)).sum(), set))
@@ -279,7 +287,9 @@ impl<'a> Fit<'a> {
                 }
                 for other in with(&others, one) {
                     let model = Model::new(self.edition, &other);
-                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was) && self.wrong(&other) <= all {
+                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
+                        && self.wrong(&other) <= all
+                    {
                         alike.push(other);
                         found += 1;
                     }
@@ -297,7 +307,10 @@ impl<'a> Fit<'a> {
             others.remove(place);
             let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
             let stays = self.stays(&set);
-            let spoils = stays.iter().flat_map(|(_, stays)| stays).any(|stay| stay.wrong(&model) > stay.wrong(&without));
+            let spoils = stays
+                .iter()
+                .flat_map(|(_, stays)| stays)
+                .any(|stay| stay.wrong(&model) > stay.wrong(&without));
             if spoils {
                 (set, place) = (others, 0);
             } else {
@@ -329,8 +342,12 @@ fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
 }
 
 fn same(one: &[Deviation], other: &[Deviation]) -> bool {
-    one.len() == other.len() && one.iter().all(|deviation| other.contains(deviation))
-        && one.iter().filter(|one| matches!(one, Deviation::Also { .. })).eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
+    one.len() == other.len()
+        && one.iter().all(|deviation| other.contains(deviation))
+        && one
+            .iter()
+            .filter(|one| matches!(one, Deviation::Also { .. }))
+            .eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
 }
 
 /// Of the stays that are wrong in the same way the shortest, those first that are the most.
@@ -338,7 +355,7 @@ fn kinds<'b, 'a>(wrong: &[(&'b Stay<'a>, usize)], model: &Model) -> Vec<(&'b Sta
     let mut kinds: Vec<(usize, &'b Stay<'a>, usize, Wrong)> = Vec::new();
     for (stay, points) in some(wrong) {
         let Some(first) = stay.first_wrong(model) else { continue };
-        if let Some(known) = kinds.iter_mut().find(|(.., known)| known.kind() == first.kind()) {
+        if let Some(known) = kinds.iter_mut().find(|(.., known)| known.is_like(&first)) {
             known.0 += 1;
             if stay.len() < known.1.len() {
                 (known.1, known.2, known.3) = (stay, *points, first);

@@ -279,11 +279,7 @@ impl Model {
     }
 
     /// The last part of a step, where this arrow is taken.
-    fn remember(
-        &self,
-        found: &Found,
-        taken: Option<(Taken, AsState)>,
-    ) -> (Reaction, Memory) {
+    fn remember(&self, found: &Found, taken: Option<(Taken, AsState)>) -> (Reaction, Memory) {
         let Found { noticed, before, waited, .. } = found;
         let mut reaction = self.machine.remember(before, noticed, taken);
         let (from, control) = (before.state, &mut reaction.control);

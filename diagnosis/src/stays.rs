@@ -58,13 +58,13 @@ impl Stay<'_> {
             let shown = model.shown(&outputs, &step.inputs);
             if !reply.agrees(&shown) {
                 let differences: Vec<_> = reply.differences(&shown).collect();
-                let values = differences.iter().map(|one| (one.key, one.expected.raw, one.found.raw)).collect();
-                let lasted_ms = after.control.in_state_ms;
+                let values =
+                    differences.iter().map(|one| (one.key, one.expected.raw, one.found.raw)).collect();
                 let right = model.right(&outputs, &step.inputs);
                 let rights = differences.iter().map(|one| right.get(one.key).and_then(|value| value.raw));
                 let rights = rights.collect();
-                let expected = outputs.state;
-                return Some(Wrong { from: memory, expected, found: after.control.state, values, rights, lasted_ms });
+                let (expected, found) = (outputs.state, after.control.state);
+                return Some(Wrong { from: memory, expected, found, values, rights });
             }
             memory = after;
         }
@@ -85,14 +85,13 @@ pub(crate) struct Wrong {
     pub(crate) values: Vec<(&'static str, Option<i32>, Option<i32>)>,
     /// What each of them would be if nothing was shown wrongly.
     pub(crate) rights: Vec<Option<i32>>,
-    /// For how long the state has lasted then, where that counts.
-    pub(crate) lasted_ms: u16,
 }
 
 impl Wrong {
-    /// What is the same of those that are wrong in the same way.
-    pub(crate) fn kind(&self) -> (AsState, AsState, AsState, Vec<(&'static str, Option<i32>, Option<i32>)>) {
-        (self.from.control.state, self.expected, self.found, self.values.clone())
+    /// Whether both are wrong in the same way.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let of = |wrong: &Self| (wrong.from.control.state, wrong.expected, wrong.found);
+        of(self) == of(other) && self.values == other.values
     }
 }
 
@@ -103,7 +102,8 @@ pub(crate) fn cut<'a>(records: &'a [Kept], model: &Model) -> Vec<(AsState, Vec<S
     for record in records {
         let mut add = |begins: Memory, range: Range<usize>| {
             let state = begins.control.state;
-            let of = (record.steps.get(range.clone()), record.replies.get(range.clone()), record.marks.get(range));
+            let of =
+                (record.steps.get(range.clone()), record.replies.get(range.clone()), record.marks.get(range));
             let (Some(steps), Some(replies), Some(marks)) = of else { return };
             let mut hasher = DefaultHasher::new();
             (begins, marks).hash(&mut hasher);

@@ -89,13 +89,18 @@ pub(crate) fn all(subject: &mut dyn Subject, ways: &Ways<'_>) -> Result<Vec<Devi
                     let value = turns(1, number.most(), |value| turn.is_taken(subject, number, value))?;
                     // "Moving" is what is above the limit.
                     add(number, value.map(|value| if atom == Atom::Moving { value - 1 } else { value }));
+                    if atom == Atom::DwellElapsed {
+                        // Where "Go" need not be seen off before, the step in which it is on counts as well.
+                        add(number, value.map(|value| value + i32::from(rules.timing.cycle_ms)));
+                    }
                     if value.is_some() {
                         break;
                     }
                 }
             }
         }
-        let lost = |missed| move |subject: &mut dyn Subject, ms| is_lost_after(subject, ways, state, missed, ms);
+        let lost =
+            |missed| move |subject: &mut dyn Subject, ms| is_lost_after(subject, ways, state, missed, ms);
         let handshake = Number::Time(Time::Handshake);
         add(handshake, turns(1, handshake.most(), |ms| lost(false)(subject, ms))?);
         if rules.thresholds.missed_ms.is_some() {

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::InputField;
-use adsdv_spec::messages::AsState;
 use adsdv_spec::Term;
+use adsdv_spec::messages::AsState;
 
 use crate::dials::{Dial, dials};
 use crate::model::Model;
@@ -35,29 +35,29 @@ pub(crate) struct Ways<'a> {
     /// What can be changed.
     pub(crate) dials: Vec<Dial>,
     /// Those that are known, each with its state.
-    ways: Vec<(AsState, Vec<Hop>)>,
+    known: Vec<(AsState, Vec<Hop>)>,
 }
 
 impl<'a> Ways<'a> {
     /// The shortest way to each state to which the model finds one.
     pub(crate) fn of(model: &'a Model) -> Self {
-        let mut known = Self { model, dials: dials(model), ways: vec![(AsState::Off, Vec::new())] };
+        let mut ways = Self { model, dials: dials(model), known: vec![(AsState::Off, Vec::new())] };
         let mut begins = VecDeque::from([AsState::Off]);
         while let Some(from) = begins.pop_front() {
             for hop in model.hops(from) {
-                if known.to(hop.to).is_none() && known.leads(from, &hop) {
-                    let way = known.to(from).unwrap_or_default().iter().copied().chain([hop]).collect();
-                    known.ways.push((hop.to, way));
+                if ways.to(hop.to).is_none() && ways.leads(from, &hop) {
+                    let way = ways.to(from).unwrap_or_default().iter().copied().chain([hop]).collect();
+                    ways.known.push((hop.to, way));
                     begins.push_back(hop.to);
                 }
             }
         }
-        known
+        ways
     }
 
     /// The way to a state.
     pub(crate) fn to(&self, state: AsState) -> Option<&[Hop]> {
-        self.ways.iter().find(|(to, _)| *to == state).map(|(_, way)| way.as_slice())
+        self.known.iter().find(|(to, _)| *to == state).map(|(_, way)| way.as_slice())
     }
 
     /// Whether the model gets there by a hop from a state to which the way is known.
@@ -76,10 +76,7 @@ impl<'a> Ways<'a> {
     }
 
     /// The inputs with the values that tell something in a state besides the table, and with those that do not.
-    pub(crate) fn told_by(
-        &self,
-        state: AsState,
-    ) -> impl Iterator<Item = (&'static InputField, i32)> + '_ {
+    pub(crate) fn told_by(&self, state: AsState) -> impl Iterator<Item = (&'static InputField, i32)> + '_ {
         let told: Vec<&str> = self.model.keys_besides(state).collect();
         self.changes().filter(move |(field, _)| told.contains(&field.key))
     }

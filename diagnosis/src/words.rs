@@ -59,9 +59,8 @@ impl Deviation {
         let rows = edition.rules.table.rows();
         let of_row = |row: Option<&Row>| row.map_or(Vec::new(), |row| row.cites.requirements.to_vec());
         match self {
-            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _)) | Self::Joined { row, .. } => {
-                of_row(rows.get(row))
-            }
+            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _))
+            | Self::Joined { row, .. } => of_row(rows.get(row)),
             Self::Changed(Change::RowFirst(row)) => {
                 rows.get(row).map_or(Vec::new(), |row| [row.cites.requirements, row.cites.order].concat())
             }
