@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use adsdv_diagnosis::{Deviation, Model, Record, Running, Subject, diagnose, difference, records};
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
-use adsdv_spec::mutation::Change;
+use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{Edition, Inputs};
 
 /// So many random walks by either model, to find where two differ.
@@ -62,11 +62,30 @@ impl Comparison<'_> {
         asked.iter().all(|record| record.is_explained(&other))
     }
 
+    /// So many that lead out of one state, each of which can be observed by itself: they are in each other's way.
+    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+        let rows = self.edition.rules.table.rows();
+        let from = rows[random.below(rows.len())].from;
+        let leads = |one: &&Deviation| match one {
+            Deviation::Changed(
+                Change::RowDropped(row) | Change::RowLeadsTo(row, _) | Change::RowFirst(row) | Change::Term(row, ..),
+            )
+            | Deviation::Joined { row, .. } => rows[*row].from == from,
+            Deviation::Needs { from: own, .. }
+            | Deviation::Also { from: own, .. }
+            | Deviation::Late { from: own, .. } => *own == from,
+            Deviation::Shows { .. } | Deviation::Writes { .. } => false,
+            _ => true,
+        };
+        let near: Vec<Deviation> = all.iter().filter(leads).copied().collect();
+        self.picked(&near, count, random)
+    }
+
     /// So many different ones, each of which can be observed by itself.
     fn picked(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
         let mut picked = Vec::new();
         while picked.len() < count {
-            let one = pick(all, random);
+            let Some(one) = pick(self.edition, all, random) else { continue };
             if !picked.contains(&one) && !self.same(&[], &[one]) {
                 picked.push(one);
             }
@@ -91,8 +110,8 @@ impl Comparison<'_> {
     }
 }
 
-/// One of them, each kind as often as another: of some kinds there are many more.
-fn pick(all: &[Deviation], random: &mut Random) -> Deviation {
+/// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
+fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
     let kind = random.below(14);
     let is = |deviation: &&Deviation| match deviation {
         Deviation::Changed(Change::Time(..)) => kind == 0,
@@ -110,7 +129,35 @@ fn pick(all: &[Deviation], random: &mut Random) -> Deviation {
         Deviation::Wheels(_) | Deviation::GoLevel | Deviation::GoNeedsHandshake => kind == 13,
     };
     let these: Vec<&Deviation> = all.iter().filter(is).collect();
-    *these[random.below(these.len())]
+    let one = **these.get(random.below(these.len()))?;
+    Some(match one {
+        Deviation::Changed(Change::Time(time, _)) => {
+            let timing = &edition.rules.timing;
+            let usual = match time {
+                Time::ReadyDwell => timing.ready_dwell_ms,
+                Time::EbsTimer => timing.ebs_timer_ms,
+                Time::Handshake => timing.handshake_ms,
+            };
+            Deviation::Changed(Change::Time(time, other(usual.into(), random)))
+        }
+        Deviation::Changed(Change::Threshold(threshold, _)) => {
+            let thresholds = &edition.rules.thresholds;
+            let usual = match threshold {
+                Threshold::WheelSpeed => thresholds.wheel_speed.raw(),
+                Threshold::Straight => thresholds.straight.raw(),
+                Threshold::Missed => thresholds.missed_ms.unwrap_or_default().into(),
+            };
+            Deviation::Changed(Change::Threshold(threshold, other(usual, random)))
+        }
+        _ => one,
+    })
+}
+
+/// By how much a number is another: at most twice as much as usual, and at least a tenth.
+fn other(usual: i32, random: &mut Random) -> i16 {
+    let span = i16::try_from(usual * 9 / 10).unwrap_or(1).max(1);
+    let by = i16::try_from(1 + random.below(span.unsigned_abs().into())).unwrap_or(1);
+    if random.below(2) == 0 { by } else { -by }
 }
 
 fn main() {
@@ -118,6 +165,7 @@ fn main() {
     let mut number = |usual: usize| args.next().and_then(|text| text.parse().ok()).unwrap_or(usual);
     let (count, runs, seed) = (number(1), number(20), number(1));
     let every = std::env::args().any(|arg| arg == "every");
+    let near = std::env::args().any(|arg| arg == "near");
     let only = std::env::var("EDITION").ok();
     for edition in
         Edition::ALL.iter().filter(|edition| only.as_ref().is_none_or(|only| only == edition.version))
@@ -130,7 +178,13 @@ fn main() {
         let comparison = Comparison { edition };
         for run in 0..runs {
             let injected: Vec<Deviation> =
-                if every { vec![all[run]] } else { comparison.picked(&all, count, &mut random) };
+                if every {
+                    vec![all[run]]
+                } else if near {
+                    comparison.picked_near(&all, count, &mut random)
+                } else {
+                    comparison.picked(&all, count, &mut random)
+                };
             let program = Model::new(edition, &injected).running();
             let mut program = Counted { program, steps: 0 };
             let start = Instant::now();

@@ -146,9 +146,8 @@ impl Deviation {
         }
     }
 
-    /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
-    pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
-        let rows = edition.rules.table.rows();
+    /// The arrow that it is about, of the document or of its own.
+    pub(crate) fn arrow(&self, edition: &Edition) -> Option<(AsState, AsState)> {
         match *self {
             Self::Changed(
                 Change::RowDropped(row)
@@ -156,10 +155,17 @@ impl Deviation {
                 | Change::RowFirst(row)
                 | Change::Term(row, ..),
             )
-            | Self::Joined { row, .. } => rows.get(row).map(|row| row.from),
-            Self::Needs { from, .. } | Self::Also { from, .. } | Self::Late { from, .. } => Some(from),
+            | Self::Joined { row, .. } => edition.rules.table.rows().get(row).map(|row| (row.from, row.to)),
+            Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
+                Some((from, to))
+            }
             _ => None,
         }
+    }
+
+    /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
+    pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
+        self.arrow(edition).map(|(from, _)| from)
     }
 }
 

@@ -181,7 +181,13 @@ impl<'a> Fit<'a> {
                 }
             }
             next.sort_by_key(Node::rank);
-            next.truncate(FOLLOWED);
+            if std::env::var("TRACE").is_ok() {
+                for node in next.iter().take(12) {
+                    eprintln!("  {state} {} {} {:?}", node.wrong, node.spoilt, node.set);
+                }
+                eprintln!();
+            }
+            let next = both(next, FOLLOWED, |node| (node.spoilt, node.wrong, node.set.len()));
             let Some(first) = next.iter().min_by_key(|node| node.worth()) else { break };
             stuck += 1;
             if first.worth() < best.worth() {
@@ -227,16 +233,14 @@ impl<'a> Fit<'a> {
         let sets = sets.into_iter().map(|set| (Model::new(self.edition, &set), set));
         let helps = |model: &Model| conflicts.iter().any(|(stay, was, _)| stay.wrong(model) < *was);
         let helping: Vec<(Model, Vec<Deviation>)> = sets.filter(|(model, _)| helps(model)).collect();
-        let looked_at: Vec<&Stay<'a>> = some(&wrong)
-            .map(|(stay, _)| *stay)
-            .chain(some(&stays.iter().collect::<Vec<_>>()).copied())
-            .collect();
-        let mut ranked: Vec<(usize, Vec<Deviation>)> = helping
-            .into_iter()
-            .map(|(model, set)| (looked_at.iter().map(|stay| stay.wrong(&model)).sum(), set))
-            .collect();
-        ranked.sort_by_key(|(wrong, set)| (*wrong, set.len()));
-        ranked.into_iter().take(TRIED).map(|(_, set)| set).collect()
+        let wrong: Vec<&Stay<'a>> = some(&wrong).map(|(stay, _)| *stay).collect();
+        let all: Vec<&Stay<'a>> = some(stays).collect();
+        let of = |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
+        let mut ranked: Vec<(usize, usize, Vec<Deviation>)> =
+            helping.into_iter().map(|(model, set)| (of(&wrong, &model), of(&all, &model), set)).collect();
+        ranked.sort_by_key(|(wrong, spoilt, set)| (wrong + spoilt, set.len()));
+        let ranked = both(ranked, TRIED, |(wrong, spoilt, set)| (*spoilt, *wrong, set.len()));
+        ranked.into_iter().map(|(_, _, set)| set).collect()
     }
 
     /// The set without what explains nothing that the others do not.
@@ -299,19 +303,26 @@ impl<'a> Fit<'a> {
         alike
     }
 
-    /// The set without what makes any answer wrong that is right without it: that explains something only by chance.
+    /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
+    /// said of an arrow that some answers tell more about than is explained.
     pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
         let mut place = 0;
         while place < set.len() && self.wrong(&set) > 0 {
             let mut others = set.clone();
-            others.remove(place);
+            let one = others.remove(place);
             let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
+            let arrow = one.arrow(self.edition);
             let stays = self.stays(&set);
-            let spoils = stays
-                .iter()
-                .flat_map(|(_, stays)| stays)
-                .any(|stay| stay.wrong(&model) > stay.wrong(&without));
-            if spoils {
+            let doubts = |stay: &Stay<'a>| {
+                let wrong = stay.wrong(&model);
+                wrong > stay.wrong(&without)
+                    || wrong > 0
+                        && stay.first_wrong(&model).is_some_and(|wrong| {
+                            let from = wrong.from.control.state;
+                            arrow.is_some_and(|arrow| arrow == (from, wrong.found) || arrow == (from, wrong.expected))
+                        })
+            };
+            if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
                 (set, place) = (others, 0);
             } else {
                 place += 1;
@@ -381,6 +392,15 @@ fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
             all.push(Deviation::Writes { key, value, raw });
         }
     }
+    all
+}
+
+/// The first half of so many as they are, and the other half of the rest by another order.
+fn both<T, K: Ord>(mut all: Vec<T>, many: usize, key: impl Fn(&T) -> K) -> Vec<T> {
+    let half = (many / 2).min(all.len());
+    let mut rest = all.split_off(half);
+    rest.sort_by_key(key);
+    all.extend(rest.into_iter().take(many - many / 2));
     all
 }
 

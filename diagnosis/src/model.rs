@@ -15,6 +15,9 @@ use crate::ways::{By, Hop};
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
 const NO_ROW: Taken = Taken { row: u8::MAX, term: u8::MAX };
 
+/// No arrow has been open.
+const NOT_WAITED: (u8, AsState) = (0, AsState::Off);
+
 /// A state machine that does what an edition says, but for some deviations.
 #[derive(Clone, Debug)]
 pub struct Model {
@@ -46,19 +49,19 @@ enum Rest {
 pub struct Memory {
     /// What the specification remembers.
     pub control: Control,
-    /// For how many steps an arrow that is late has been open.
-    waited: u8,
+    /// For how many steps an arrow that is late has been open, and where it leads.
+    waited: (u8, AsState),
     /// How long AS_READY has lasted in all, up to the time that counts.
     ready_ms: u16,
 }
 
 impl Memory {
     /// After power-on.
-    pub const INITIAL: Self = Self { control: Control::INITIAL, waited: 0, ready_ms: 0 };
+    pub const INITIAL: Self = Self { control: Control::INITIAL, waited: NOT_WAITED, ready_ms: 0 };
 
     /// Whether an arrow that is late has been open for longer than it was.
     pub(crate) const fn waits_longer_than(&self, before: &Self) -> bool {
-        self.waited > before.waited
+        self.waited.0 > before.waited.0
     }
 }
 
@@ -66,7 +69,7 @@ impl Memory {
 struct Found {
     noticed: Noticed,
     taken: Option<(Taken, AsState)>,
-    waited: u8,
+    waited: (u8, AsState),
     /// How long AS_READY has lasted in all.
     ready_ms: u16,
     /// The control state before the step, as the deviations leave it.
@@ -171,7 +174,7 @@ impl Model {
     pub fn step(&self, memory: &Memory, inputs: &Inputs, dt_ms: u32) -> (Memory, Outputs) {
         if self.rest.is_empty() {
             let (control, outputs) = self.machine.step(&memory.control, inputs, dt_ms);
-            return (Memory { control, waited: 0, ready_ms: self.ready_ms(memory, dt_ms) }, outputs);
+            return (Memory { control, waited: NOT_WAITED, ready_ms: self.ready_ms(memory, dt_ms) }, outputs);
         }
         let found = self.find(memory, inputs, dt_ms);
         let (reaction, after) = self.remember(&found, found.taken);
@@ -193,7 +196,7 @@ impl Model {
         let (own, from) = (reaction.control.state, memory.control.state);
         if let Some(state) = self.state_behind(answer, own).filter(|state| *state != own) {
             let taken = (state != from).then_some((NO_ROW, state));
-            let waited = if state == from { memory.waited } else { 0 };
+            let waited = if state == from { memory.waited } else { NOT_WAITED };
             after = self.remember(&Found { waited, ..found }, taken).1;
         }
         self.take_over_the_cause(&mut after, answer);
@@ -321,8 +324,8 @@ impl Model {
         from: AsState,
         atoms: Atoms,
         inputs: &Inputs,
-        waited: u8,
-    ) -> (Option<(Taken, AsState)>, u8) {
+        waited: (u8, AsState),
+    ) -> (Option<(Taken, AsState)>, (u8, AsState)) {
         let table = &self.machine.edition().rules.table;
         let open = self.machine.arrows(from).find_map(|taken| {
             let (row, term) = (taken.row(table)?, taken.term(table)?);
@@ -335,10 +338,16 @@ impl Model {
             _ => None,
         });
         match (open, also) {
-            (Some((_, to)), _) if waited < self.delay((from, to)) => (None, waited + 1),
-            (Some(open), _) => (Some(open), 0),
-            (None, Some(to)) => (Some((NO_ROW, to)), 0),
-            (None, None) => (None, 0),
+            (Some((taken, to)), _) => {
+                let steps = if waited.1 == to { waited.0 } else { 0 };
+                if steps < self.delay((from, to)) {
+                    (None, (steps + 1, to))
+                } else {
+                    (Some((taken, to)), NOT_WAITED)
+                }
+            }
+            (None, Some(to)) => (Some((NO_ROW, to)), NOT_WAITED),
+            (None, None) => (None, NOT_WAITED),
         }
     }
 

@@ -14,7 +14,7 @@ use crate::walk::LONG_MS;
 use crate::ways::Ways;
 
 /// So many times an arrow is tried with inputs by chance.
-const TRIES: usize = 160;
+const TRIES: usize = 240;
 /// Beyond these an arrow is not late.
 const LATEST: usize = 3;
 
@@ -34,6 +34,16 @@ pub(crate) struct Sight {
     pub(crate) needs: Option<Vec<Vec<Deviation>>>,
 }
 
+/// When a long time passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wait {
+    /// Before anything is done.
+    Before,
+    Not,
+    /// While everything is as the arrow wants it.
+    AtLast,
+}
+
 type Changes = Vec<(&'static InputField, i32)>;
 
 impl Sought<'_> {
@@ -45,10 +55,12 @@ impl Sought<'_> {
         if terms.is_empty() || self.ways.to(self.from).is_none() {
             return Ok(sight);
         }
+        let waits = [Wait::Before, Wait::Not, Wait::AtLast];
         for tried in 0..TRIES {
             let Some(term) = terms.get(random.below(terms.len())) else { break };
-            let wanted = if tried < terms.len() { Vec::new() } else { self.by_chance(random) };
-            let (mut changes, taken) = self.is_taken(subject, term, &wanted, &mut sight.records)?;
+            let Some(&wait) = waits.get(tried % waits.len()) else { break };
+            let wanted = if tried < waits.len() { Vec::new() } else { self.by_chance(random) };
+            let (mut changes, taken) = self.is_taken(subject, term, &wanted, wait, &mut sight.records)?;
             if !taken {
                 continue;
             }
@@ -56,7 +68,7 @@ impl Sought<'_> {
             while place < changes.len() {
                 let mut fewer = changes.clone();
                 fewer.remove(place);
-                let (made, taken) = self.is_taken(subject, term, &fewer, &mut sight.records)?;
+                let (made, taken) = self.is_taken(subject, term, &fewer, wait, &mut sight.records)?;
                 if taken {
                     changes = made;
                 } else {
@@ -86,12 +98,15 @@ impl Sought<'_> {
         subject: &mut dyn Subject,
         term: &Term,
         wanted: &Changes,
+        wait: Wait,
         records: &mut Vec<Record>,
     ) -> Result<(Changes, bool), ProgramError> {
         let mut pilot = Pilot::new(subject, self.ways)?;
         let (mut made, mut taken) = (Vec::new(), false);
         if pilot.to(self.from)? {
-            pilot.wait(LONG_MS)?;
+            if wait == Wait::Before {
+                pilot.wait(LONG_MS)?;
+            }
             pilot.prepare(term, self.to, 0)?;
             for &(field, raw) in wanted {
                 let before = pilot.inputs;
@@ -106,7 +121,11 @@ impl Sought<'_> {
                 }
             }
             if !pilot.is_lost() {
-                pilot.take(term, self.to)?;
+                if wait == Wait::AtLast {
+                    pilot.step(LONG_MS)?;
+                } else {
+                    pilot.take(term, self.to)?;
+                }
                 taken = pilot.state() == self.to;
                 for _ in 0..LATEST {
                     pilot.cycles(1)?;

@@ -168,7 +168,9 @@ impl Turn<'_> {
                 last_ms = ms(value);
             }
             Number::Threshold(threshold) => {
-                pilot.wait(LONGEST_MS.unsigned_abs())?;
+                if term.on.has(Atom::DwellElapsed) {
+                    pilot.wait(LONGEST_MS.unsigned_abs())?;
+                }
                 pilot.prepare(&term, to, 0)?;
                 let (speed, angle) = (WheelSpeed::clamped(value), SteerAngle::clamped(value));
                 let vehicle = &mut pilot.inputs.vehicle;
