@@ -68,7 +68,10 @@ impl Comparison<'_> {
         let from = rows[random.below(rows.len())].from;
         let leads = |one: &&Deviation| match one {
             Deviation::Changed(
-                Change::RowDropped(row) | Change::RowLeadsTo(row, _) | Change::RowFirst(row) | Change::Term(row, ..),
+                Change::RowDropped(row)
+                | Change::RowLeadsTo(row, _)
+                | Change::RowFirst(row)
+                | Change::Term(row, ..),
             )
             | Deviation::Joined { row, .. } => rows[*row].from == from,
             Deviation::Needs { from: own, .. }
@@ -177,14 +180,13 @@ fn main() {
         let runs = if every { all.len() } else { runs };
         let comparison = Comparison { edition };
         for run in 0..runs {
-            let injected: Vec<Deviation> =
-                if every {
-                    vec![all[run]]
-                } else if near {
-                    comparison.picked_near(&all, count, &mut random)
-                } else {
-                    comparison.picked(&all, count, &mut random)
-                };
+            let injected: Vec<Deviation> = if every {
+                vec![all[run]]
+            } else if near {
+                comparison.picked_near(&all, count, &mut random)
+            } else {
+                comparison.picked(&all, count, &mut random)
+            };
             let program = Model::new(edition, &injected).running();
             let mut program = Counted { program, steps: 0 };
             let start = Instant::now();

@@ -163,6 +163,16 @@ impl Deviation {
         }
     }
 
+    /// Whether it only makes that an arrow is taken less often.
+    pub(crate) const fn takes_away(&self) -> bool {
+        matches!(
+            self,
+            Self::Changed(Change::RowDropped(_) | Change::Term(_, _, TermChange::Dropped))
+                | Self::Joined { .. }
+                | Self::Needs { .. }
+        )
+    }
+
     /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
     pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
         self.arrow(edition).map(|(from, _)| from)

@@ -142,9 +142,6 @@ impl Search<'_> {
     fn fit(&mut self) {
         let found = Fit::new(self.edition, self.records.kept(), &self.candidates).run(self.found.clone());
         self.found = found;
-        if std::env::var("TRACE").is_ok() {
-            eprintln!("fit {:?}", self.found);
-        }
     }
 
     /// The numbers that turn a program that has these deviations.

@@ -181,12 +181,6 @@ impl<'a> Fit<'a> {
                 }
             }
             next.sort_by_key(Node::rank);
-            if std::env::var("TRACE").is_ok() {
-                for node in next.iter().take(12) {
-                    eprintln!("  {state} {} {} {:?}", node.wrong, node.spoilt, node.set);
-                }
-                eprintln!();
-            }
             let next = both(next, FOLLOWED, |node| (node.spoilt, node.wrong, node.set.len()));
             let Some(first) = next.iter().min_by_key(|node| node.worth()) else { break };
             stuck += 1;
@@ -235,7 +229,8 @@ impl<'a> Fit<'a> {
         let helping: Vec<(Model, Vec<Deviation>)> = sets.filter(|(model, _)| helps(model)).collect();
         let wrong: Vec<&Stay<'a>> = some(&wrong).map(|(stay, _)| *stay).collect();
         let all: Vec<&Stay<'a>> = some(stays).collect();
-        let of = |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
+        let of =
+            |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
         let mut ranked: Vec<(usize, usize, Vec<Deviation>)> =
             helping.into_iter().map(|(model, set)| (of(&wrong, &model), of(&all, &model), set)).collect();
         ranked.sort_by_key(|(wrong, spoilt, set)| (wrong + spoilt, set.len()));
@@ -311,7 +306,7 @@ impl<'a> Fit<'a> {
             let mut others = set.clone();
             let one = others.remove(place);
             let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
-            let arrow = one.arrow(self.edition);
+            let (arrow, takes_away) = (one.arrow(self.edition), one.takes_away());
             let stays = self.stays(&set);
             let doubts = |stay: &Stay<'a>| {
                 let wrong = stay.wrong(&model);
@@ -319,7 +314,12 @@ impl<'a> Fit<'a> {
                     || wrong > 0
                         && stay.first_wrong(&model).is_some_and(|wrong| {
                             let from = wrong.from.control.state;
-                            arrow.is_some_and(|arrow| arrow == (from, wrong.found) || arrow == (from, wrong.expected))
+                            let leaves = wrong.expected == from && wrong.found != from;
+                            arrow.is_some_and(|arrow| {
+                                arrow == (from, wrong.found)
+                                    || arrow == (from, wrong.expected)
+                                    || arrow.0 == from && leaves && takes_away
+                            })
                         })
             };
             if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
