@@ -1,11 +1,20 @@
 //! How exact a diagnosis is: puts random deviations around the specification, and counts which of them are named.
+//!
+//! What a deviation is called does not matter, only what it does: another one in its place counts as the same where the program
+//! behaves alike with it, and a diagnosis is exact as a whole where its model behaves as the program does. Two models behave alike
+//! if they answer alike to all experiments that either leads to, and on random walks.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use adsdv_diagnosis::{Deviation, Model, Record, diagnose, records};
-use adsdv_spec::Edition;
-use adsdv_spec::mutation::Change;
+use adsdv_diagnosis::{Deviation, Model, Record, Running, Subject, diagnose, difference, records};
+use adsdv_oracle::conform::ProgramError;
+use adsdv_oracle::protocol::Answer;
+use adsdv_spec::mutation::{Change, Threshold, Time};
+use adsdv_spec::{Edition, Inputs};
+
+/// So many random walks by either model, to find where two differ.
+const WALKS: usize = 1500;
 
 /// The next of a row of numbers that look random.
 struct Random(u64);
@@ -17,29 +26,141 @@ impl Random {
     }
 }
 
-/// Whether two sets of deviations do the same in all that was asked.
-fn same(edition: &Edition, one: &[Deviation], other: &[Deviation], asked: &[Record]) -> bool {
-    let other = Model::new(edition, other);
-    let mut program = Model::new(edition, one).running();
-    asked
-        .iter()
-        .all(|record| Record::of(&mut program, &record.steps).is_ok_and(|record| record.is_explained(&other)))
+/// A program that counts what it is asked.
+struct Counted {
+    program: Running,
+    steps: u64,
 }
 
-/// One of them, each kind as often as another: of some kinds there are many more.
-fn pick(all: &[Deviation], random: &mut Random) -> Deviation {
-    let kind = random.below(9);
+impl Subject for Counted {
+    fn reset(&mut self) -> Result<(), ProgramError> {
+        self.program.reset()
+    }
+
+    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+        self.steps += 1;
+        self.program.step(dt_ms, inputs)
+    }
+}
+
+/// What the models do that are compared again and again.
+struct Comparison<'a> {
+    edition: &'a Edition,
+}
+
+impl Comparison<'_> {
+    /// Whether two sets of deviations do the same in all that is tried.
+    fn same(&self, one: &[Deviation], other: &[Deviation]) -> bool {
+        self.asked(one, other) && self.asked(other, one) && {
+            difference(self.edition, one, other, WALKS, 7).is_none()
+        }
+    }
+
+    fn asked(&self, one: &[Deviation], other: &[Deviation]) -> bool {
+        let (one, other) = (Model::new(self.edition, one), Model::new(self.edition, other));
+        let asked: Vec<Record> = records(&mut one.clone().running(), &one).unwrap_or_default();
+        asked.iter().all(|record| record.is_explained(&other))
+    }
+
+    /// So many that lead out of one state, each of which can be observed by itself: they are in each other's way.
+    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+        let rows = self.edition.rules.table.rows();
+        let from = rows[random.below(rows.len())].from;
+        let leads = |one: &&Deviation| match one {
+            Deviation::Changed(
+                Change::RowDropped(row)
+                | Change::RowLeadsTo(row, _)
+                | Change::RowFirst(row)
+                | Change::Term(row, ..),
+            )
+            | Deviation::Joined { row, .. } => rows[*row].from == from,
+            Deviation::Needs { from: own, .. }
+            | Deviation::Also { from: own, .. }
+            | Deviation::Late { from: own, .. } => *own == from,
+            Deviation::Shows { .. } | Deviation::Writes { .. } => false,
+            _ => true,
+        };
+        let near: Vec<Deviation> = all.iter().filter(leads).copied().collect();
+        self.picked(&near, count, random)
+    }
+
+    /// So many different ones, each of which can be observed by itself.
+    fn picked(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+        let mut picked = Vec::new();
+        while picked.len() < count {
+            let Some(one) = pick(self.edition, all, random) else { continue };
+            if !picked.contains(&one) && !self.same(&[], &[one]) {
+                picked.push(one);
+            }
+        }
+        picked
+    }
+
+    /// The deviations without those that cannot be observed beside the others.
+    fn observable(&self, deviations: &[Deviation]) -> Vec<Deviation> {
+        let mut left = deviations.to_vec();
+        let mut place = 0;
+        while place < left.len() {
+            let mut fewer = left.clone();
+            fewer.remove(place);
+            if self.same(&left, &fewer) {
+                left = fewer;
+            } else {
+                place += 1;
+            }
+        }
+        left
+    }
+}
+
+/// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
+fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
+    let kind = random.below(14);
     let is = |deviation: &&Deviation| match deviation {
-        Deviation::Changed(Change::Time(..) | Change::Threshold(..)) => kind == 0,
-        Deviation::Changed(Change::Term(..)) => (1..=2).contains(&kind),
-        Deviation::Changed(_) => (3..=4).contains(&kind),
-        Deviation::Needs { .. } => kind == 5,
-        Deviation::Also { .. } => kind == 6,
-        Deviation::Late { .. } => kind == 7,
-        _ => kind == 8,
+        Deviation::Changed(Change::Time(..)) => kind == 0,
+        Deviation::Changed(Change::Threshold(..)) => kind == 1,
+        Deviation::Changed(Change::Term(..)) => (2..=3).contains(&kind),
+        Deviation::Changed(Change::RowFirst(..)) => kind == 4,
+        Deviation::Changed(_) => kind == 5,
+        Deviation::Joined { .. } => kind == 6,
+        Deviation::Needs { .. } => kind == 7,
+        Deviation::Also { .. } => kind == 8,
+        Deviation::Late { .. } => kind == 9,
+        Deviation::Remembers(_) => kind == 10,
+        Deviation::Shows { .. } => kind == 11,
+        Deviation::Writes { .. } => kind == 12,
+        Deviation::Wheels(_) | Deviation::GoLevel | Deviation::GoNeedsHandshake => kind == 13,
     };
     let these: Vec<&Deviation> = all.iter().filter(is).collect();
-    *these[random.below(these.len())]
+    let one = **these.get(random.below(these.len()))?;
+    Some(match one {
+        Deviation::Changed(Change::Time(time, _)) => {
+            let timing = &edition.rules.timing;
+            let usual = match time {
+                Time::ReadyDwell => timing.ready_dwell_ms,
+                Time::EbsTimer => timing.ebs_timer_ms,
+                Time::Handshake => timing.handshake_ms,
+            };
+            Deviation::Changed(Change::Time(time, other(usual.into(), random)))
+        }
+        Deviation::Changed(Change::Threshold(threshold, _)) => {
+            let thresholds = &edition.rules.thresholds;
+            let usual = match threshold {
+                Threshold::WheelSpeed => thresholds.wheel_speed.raw(),
+                Threshold::Straight => thresholds.straight.raw(),
+                Threshold::Missed => thresholds.missed_ms.unwrap_or_default().into(),
+            };
+            Deviation::Changed(Change::Threshold(threshold, other(usual, random)))
+        }
+        _ => one,
+    })
+}
+
+/// By how much a number is another: at most twice as much as usual, and at least a tenth.
+fn other(usual: i32, random: &mut Random) -> i16 {
+    let span = i16::try_from(usual * 9 / 10).unwrap_or(1).max(1);
+    let by = i16::try_from(1 + random.below(span.unsigned_abs().into())).unwrap_or(1);
+    if random.below(2) == 0 { by } else { -by }
 }
 
 fn main() {
@@ -47,46 +168,83 @@ fn main() {
     let mut number = |usual: usize| args.next().and_then(|text| text.parse().ok()).unwrap_or(usual);
     let (count, runs, seed) = (number(1), number(20), number(1));
     let every = std::env::args().any(|arg| arg == "every");
-    for edition in Edition::ALL {
+    let near = std::env::args().any(|arg| arg == "near");
+    let only = std::env::var("EDITION").ok();
+    for edition in
+        Edition::ALL.iter().filter(|edition| only.as_ref().is_none_or(|only| only == edition.version))
+    {
         let all = Deviation::every(edition);
         let mut random = Random(seed as u64);
-        let (mut tally, mut longest) = (BTreeMap::new(), Duration::ZERO);
-        let mut add = |what| *tally.entry(what).or_insert(0) += 1;
+        let (mut tally, mut longest, mut most_steps) = (BTreeMap::new(), Duration::ZERO, 0);
+        let mut add = |what, many: usize| *tally.entry(what).or_insert(0) += many;
         let runs = if every { all.len() } else { runs };
+        let comparison = Comparison { edition };
         for run in 0..runs {
-            let injected: Vec<Deviation> =
-                if every { vec![all[run]] } else { (0..count).map(|_| pick(&all, &mut random)).collect() };
-            let mut program = Model::new(edition, &injected).running();
+            let injected: Vec<Deviation> = if every {
+                vec![all[run]]
+            } else if near {
+                comparison.picked_near(&all, count, &mut random)
+            } else {
+                comparison.picked(&all, count, &mut random)
+            };
+            let program = Model::new(edition, &injected).running();
+            let mut program = Counted { program, steps: 0 };
             let start = Instant::now();
             let Ok(found) = diagnose(&mut program, edition) else { return };
             longest = longest.max(start.elapsed());
-            let asked = records(&mut program, &Model::new(edition, &injected)).unwrap_or_default();
-            let alike = |one: &Deviation, other: &Deviation| {
-                one == other || same(edition, &[*one], &[*other], &asked)
+            most_steps = most_steps.max(program.steps);
+            if std::env::var("SHOW").is_ok() {
+                println!(
+                    "  run {run}: {:?}, {} steps, {} experiments",
+                    start.elapsed(),
+                    program.steps,
+                    found.experiments
+                );
+            }
+            let observable = comparison.observable(&injected);
+            if std::env::var("SHOW").is_ok() {
+                for one in injected.iter().filter(|one| !observable.contains(one)) {
+                    println!("  not observable {one:?}");
+                }
+            }
+            add("exact", 0);
+            add("missed", 0);
+            add("invented", 0);
+            add("not observable", injected.len() - observable.len());
+            if comparison.same(&observable, &found.deviations) {
+                add("exact", observable.len());
+                continue;
+            }
+            // In the place of one of the program's own, what was found has to do the same.
+            let replaces = |one: usize, other: &Deviation| {
+                observable[one] == *other || {
+                    let mut with = observable.clone();
+                    with[one] = *other;
+                    comparison.same(&observable, &with)
+                }
             };
-            for one in &injected {
-                if found.deviations.iter().any(|other| alike(one, other)) {
-                    add("exact");
-                } else {
-                    let rest: Vec<Deviation> =
-                        injected.iter().copied().filter(|other| other != one).collect();
-                    let observed = !same(edition, &injected, &rest, &asked);
-                    add(if observed { "missed" } else { "not observed" });
-                    if observed {
-                        println!("  missed {one:?}\n    of {injected:?}\n    found {:?}", found.deviations);
-                    }
-                }
-            }
+            let mut named = vec![false; observable.len()];
             for other in &found.deviations {
-                if !injected.iter().any(|one| alike(one, other)) {
-                    add("invented");
-                    println!("  invented {other:?}\n    for {injected:?}");
+                let own = observable.iter().position(|one| one == other);
+                if let Some(place) = own.or_else(|| (0..observable.len()).find(|one| replaces(*one, other))) {
+                    named[place] = true;
+                } else {
+                    add("invented", 1);
+                    println!("  invented {other:?}");
                 }
             }
+            for (one, named) in observable.iter().zip(&named) {
+                add(if *named { "exact" } else { "missed" }, 1);
+                if !named {
+                    println!("  missed {one:?}");
+                }
+            }
+            println!("    run {run}: of {injected:?}\n    found {:?}", found.deviations);
             if !found.unexplained.is_empty() {
-                add("runs with something unexplained");
+                add("runs with something unexplained", 1);
+                println!("    not explained: {}", found.unexplained.len());
             }
         }
-        println!("{} k={count}: {tally:?}, longest {longest:?}", edition.version);
+        println!("{} k={count}: {tally:?}, longest {longest:?}, at most {most_steps} steps", edition.version);
     }
 }

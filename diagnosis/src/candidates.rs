@@ -3,12 +3,11 @@
 use adsdv_oracle::protocol::Domain;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
-use adsdv_spec::{Edition, Inputs, Mutation};
+use adsdv_spec::{Edition, Inputs, Mutation, Row};
 
-use crate::deviation::{Deviation, Wheels};
-use crate::experiments::{Dial, dials};
+use crate::deviation::{Deviation, Remembers, Wheels};
+use crate::dials::{Dial, dials};
 use crate::model::Model;
-use crate::record::Record;
 
 /// How late an arrow may be, in steps.
 const LATEST: u8 = 3;
@@ -20,10 +19,12 @@ pub(crate) fn all(edition: &Edition) -> Vec<Deviation> {
     let mut all: Vec<Deviation> = changes.map(Deviation::Changed).collect();
     all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake, Deviation::Wheels(Wheels::All)]);
     all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
+    all.extend(Remembers::ALL.map(Deviation::Remembers));
     let dials = dials(&Model::new(edition, &[]));
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
-    for row in edition.rules.table.rows() {
+    for (place, row) in edition.rules.table.rows().iter().enumerate() {
+        all.extend(joined(edition, place, row));
         let (from, to) = (row.from, row.to);
         all.extend((1..=LATEST).map(|steps| Deviation::Late { from, to, steps }));
         for Dial { field, values } in &named {
@@ -45,12 +46,13 @@ pub(crate) fn all(edition: &Edition) -> Vec<Deviation> {
     all
 }
 
-/// What would make the first wrong answer right by showing it.
-pub(crate) fn shown(record: &Record, model: &Model) -> Option<Deviation> {
-    let (place, _, shown) = record.wrong(model)?;
-    let differences = record.differences(place, &shown);
-    let [difference] = differences.as_slice() else { return None };
-    let state = AsState::from_raw(record.replies.get(place)?.get("as_state")?.raw?)?;
-    (difference.key != "as_state").then_some(())?;
-    Some(Deviation::Shows { state, key: difference.key, raw: difference.found.raw? })
+/// Each two alternatives of a row that the edition's readings have.
+fn joined(edition: &Edition, row: usize, of: &Row) -> Vec<Deviation> {
+    let choices = edition.readings.choices();
+    let there = |term: &usize| of.terms().get(*term).is_some_and(|term| term.readings.is_subset(choices));
+    let terms: Vec<usize> = (0..of.terms().len()).filter(there).collect();
+    let pairs = terms
+        .iter()
+        .flat_map(|&one| terms.iter().filter(move |other| one < **other).map(move |&other| (one, other)));
+    pairs.map(|(one, other)| Deviation::Joined { row, one, other }).collect()
 }

@@ -1,6 +1,8 @@
 //! What a program may do otherwise than the document says.
 
+use adsdv_oracle::protocol::{Domain, Protocol, ShownField};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
+use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{AsState, Edition};
 
 /// One thing that a program does otherwise.
@@ -8,6 +10,15 @@ use adsdv_spec::{AsState, Edition};
 pub enum Deviation {
     /// Something of Figure 2, of the times or of the thresholds is another.
     Changed(Change),
+    /// Two alternatives of an arrow have to hold at once: all instead of any.
+    Joined {
+        /// The row, as in [`Table::rows`].
+        row: usize,
+        /// The one alternative, as in [`Row::terms`].
+        one: usize,
+        /// The other, which comes behind it.
+        other: usize,
+    },
     /// An arrow is taken only where an input has this value, or only where it has not.
     Needs {
         /// Where the arrow begins.
@@ -47,6 +58,8 @@ pub enum Deviation {
     GoLevel,
     /// An edge of "Go" is lost in a step in which the AI Computer's handshake bit is not the VCU's.
     GoNeedsHandshake,
+    /// Something is remembered otherwise.
+    Remembers(Remembers),
     /// An output has this value in a state, whatever it should be.
     Shows {
         /// The state.
@@ -56,6 +69,45 @@ pub enum Deviation {
         /// Its raw value.
         raw: i32,
     },
+    /// An output has another value in the place of one of its values, in any state: another number in an enumeration, or one
+    /// that is not in it.
+    Writes {
+        /// The key of the output.
+        key: &'static str,
+        /// The raw value that it should have.
+        value: i32,
+        /// The raw value that it has instead.
+        raw: i32,
+    },
+}
+
+/// What is remembered otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remembers {
+    /// The cause of an emergency is forgotten when EMERGENCY_BRAKE is left.
+    CauseUntilLeft,
+    /// The cause of an emergency is that of the latest fault that opens the shutdown circuit, and not of the first.
+    LatestCause,
+    /// The time in AS_READY goes on where it was when AS_READY was left, and does not begin again.
+    DwellOfAllVisits,
+    /// The EBS timer runs only while the AS master switch is off, and begins again when it is switched on.
+    TimerWhileAsmsOff,
+    /// "Go" that was seen off counts as seen off for as long as AS_READY lasts.
+    GoSeenOff,
+    /// AI_COMMS_LOST, once it is raised, stays while the handshake is performed.
+    CommsLost,
+}
+
+impl Remembers {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::CauseUntilLeft,
+        Self::LatestCause,
+        Self::DwellOfAllVisits,
+        Self::TimerWhileAsmsOff,
+        Self::GoSeenOff,
+        Self::CommsLost,
+    ];
 }
 
 /// The wheels that tell whether the vehicle moves.
@@ -79,25 +131,128 @@ impl Deviation {
         all.extend(
             thresholds.flat_map(|one| [-3, 1, 20].map(|by| Self::Changed(Change::Threshold(one, by)))),
         );
+        let protocol = Protocol::of(edition);
+        all.extend(protocol.shown().flat_map(|(field, domain)| wrongly_shown(field, domain)));
         all
     }
+
+    /// Whether it changes what is remembered by what is shown. Of outputs only a few tell that.
+    pub(crate) fn tells_what_is_remembered(&self) -> bool {
+        match *self {
+            Self::Shows { key, .. } | Self::Writes { key, .. } => {
+                matches!(key, "as_state" | "shutdown_cause")
+            }
+            _ => true,
+        }
+    }
+
+    /// The arrow that it is about, of the document or of its own.
+    pub(crate) fn arrow(&self, edition: &Edition) -> Option<(AsState, AsState)> {
+        match *self {
+            Self::Changed(
+                Change::RowDropped(row)
+                | Change::RowLeadsTo(row, _)
+                | Change::RowFirst(row)
+                | Change::Term(row, ..),
+            )
+            | Self::Joined { row, .. } => edition.rules.table.rows().get(row).map(|row| (row.from, row.to)),
+            Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
+                Some((from, to))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether it only makes that an arrow is taken less often.
+    pub(crate) const fn takes_away(&self) -> bool {
+        matches!(
+            self,
+            Self::Changed(Change::RowDropped(_) | Change::Term(_, _, TermChange::Dropped))
+                | Self::Joined { .. }
+                | Self::Needs { .. }
+        )
+    }
+
+    /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
+    pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
+        self.arrow(edition).map(|(from, _)| from)
+    }
+}
+
+/// An output with each value that is wrong: in each state, and in the place of each value. A state that is shown wrongly is one
+/// in the place of another; of numbers a few do.
+fn wrongly_shown(field: &ShownField, domain: Domain) -> Vec<Deviation> {
+    let key = field.key;
+    let values: Vec<i32> = match domain {
+        Domain::Flag => vec![0, 1],
+        Domain::Names(names) => names.iter().map(|(raw, _)| *raw).collect(),
+        Domain::Number { .. } => vec![0, 7],
+    };
+    let outside = match domain {
+        Domain::Names(_) => values.iter().max().map(|most| most + 1),
+        _ => None,
+    };
+    let raws = || values.iter().copied().chain(outside);
+    let in_a_state = AsState::ALL
+        .into_iter()
+        .filter(|_| key != "as_state")
+        .flat_map(|state| raws().map(move |raw| Deviation::Shows { state, key, raw }));
+    let replaced = values.iter().filter(|_| !matches!(domain, Domain::Number { .. })).flat_map(|&value| {
+        raws().filter(move |raw| *raw != value).map(move |raw| Deviation::Writes { key, value, raw })
+    });
+    in_a_state.chain(replaced).collect()
 }
 
 /// The edition with all changes of its rules. A change names rows and terms by their places, so that what moves them comes last.
 pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
-    let mut changes: Vec<Change> = deviations
+    enum OfRules {
+        Change(Change),
+        Joined(usize, usize, usize),
+    }
+    let mut changes: Vec<((u8, usize, usize), OfRules)> = deviations
         .iter()
-        .filter_map(|deviation| match deviation {
-            Deviation::Changed(change) => Some(*change),
+        .filter_map(|deviation| match *deviation {
+            Deviation::Changed(change) => {
+                let order = match change {
+                    Change::RowLeadsTo(..) | Change::Time(..) | Change::Threshold(..) => (0, 0, 0),
+                    Change::Term(row, term, TermChange::Dropped) => (3, row, usize::MAX - term),
+                    Change::Term(row, term, _) => (1, row, term),
+                    Change::RowFirst(row) => (4, row, 0),
+                    Change::RowDropped(row) => (5, usize::MAX - row, 0),
+                };
+                Some((order, OfRules::Change(change)))
+            }
+            Deviation::Joined { row, one, other } => Some(((2, row, one), OfRules::Joined(row, one, other))),
             _ => None,
         })
         .collect();
-    changes.sort_by_key(|change| match *change {
-        Change::RowLeadsTo(..) | Change::Time(..) | Change::Threshold(..) => (0, 0, 0),
-        Change::Term(row, term, TermChange::Dropped) => (2, row, usize::MAX - term),
-        Change::Term(row, term, _) => (1, row, term),
-        Change::RowFirst(row) => (3, row, 0),
-        Change::RowDropped(row) => (4, usize::MAX - row, 0),
-    });
-    { changes }.iter().fold(*edition, |edition, change| change.apply(&edition))
+    changes.sort_by_key(|(order, _)| *order);
+    changes.iter().fold(*edition, |edition, (_, change)| match change {
+        OfRules::Change(change) => change.apply(&edition),
+        OfRules::Joined(row, one, other) => joined(&edition, *row, *one, *other),
+    })
+}
+
+/// The edition with two alternatives of a row that have to hold at once. Both places stay, so that others are named as before: the
+/// one is both, and so is the other.
+fn joined(edition: &Edition, row: usize, one: usize, other: usize) -> Edition {
+    let rows: Vec<Row> = edition.rules.table.rows().to_vec();
+    let join = |row: &Row| {
+        let terms = row.terms();
+        let (Some(first), Some(second)) = (terms.get(one), terms.get(other)) else { return *row };
+        let (on, off) = (first.on.union(second.on), first.off.union(second.off));
+        let terms: Vec<Term> = terms
+            .iter()
+            .enumerate()
+            .map(
+                |(place, term)| {
+                    if place == one || place == other { Term { on, off, ..*term } } else { *term }
+                },
+            )
+            .collect();
+        Row::new(row.from, row.to, row.section, &terms).cites(row.cites)
+    };
+    let rows: Vec<Row> =
+        rows.iter().enumerate().map(|(place, own)| if place == row { join(own) } else { *own }).collect();
+    edition.with_table(Table::new(&rows))
 }

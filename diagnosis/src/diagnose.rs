@@ -2,19 +2,30 @@
 
 use adsdv_oracle::conform::ProgramError;
 use adsdv_spec::Edition;
+use adsdv_spec::messages::AsState;
+use adsdv_spec::mutation::{Change, TermChange};
 
+use crate::candidates;
 use crate::deviation::Deviation;
 use crate::experiments;
-use crate::fit::{alternatives, fit};
+use crate::fit::{Candidates, Fit};
 use crate::model::Model;
-use crate::record::Record;
+use crate::random::Random;
+use crate::record::{Record, Records};
+use crate::seek::Sought;
 use crate::subject::Subject;
 use crate::turn;
+use crate::walk::{difference, walk};
+use crate::ways::Ways;
 
 /// No more rounds of experiments than these: each begins with what the one before has found.
-const ROUNDS: u64 = 8;
-/// So many experiments that tell one explanation from another are made.
-const SEPARATING: usize = 8;
+const ROUNDS: u64 = 12;
+/// So many times what was found leads to what else is measured and looked for, before all is tried again.
+const DEEPER: usize = 3;
+/// So many walks by chance at the end of a round in which all was explained.
+const WALKS: usize = 600;
+/// So many walks by chance of two models, to find where they differ.
+const COMPARED: usize = 60;
 
 /// What a program does otherwise.
 #[derive(Clone, Debug)]
@@ -29,55 +40,163 @@ pub struct Diagnosis {
 
 /// What a program answers to the experiments that a model leads to.
 pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, ProgramError> {
-    experiments::all(subject, model, 0)
+    experiments::all(subject, model, 0, &AsState::ALL)
 }
 
 /// Finds out what a program does otherwise than an edition says.
 pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosis, ProgramError> {
-    let mut deviations: Vec<Deviation> = Vec::new();
-    let mut records: Vec<Record> = Vec::new();
+    let single = candidates::all(edition);
+    let candidates = Candidates { single, several: Vec::new() };
+    let mut search = Search {
+        subject,
+        edition,
+        candidates,
+        records: Records::default(),
+        found: Vec::new(),
+        random: Random(1),
+    };
     for round in 0..ROUNDS {
-        let model = Model::new(edition, &deviations);
-        let before = records.len();
-        records.extend(experiments::all(subject, &model, round)?);
-        let news = |records: &[Record]| records.iter().any(|record| !record.is_explained(&model));
-        let measured = if records.get(before..).is_some_and(news) {
-            turn::all(subject, &model)?
-        } else {
-            records.extend(separating(subject, edition, &records, &deviations)?);
-            if !records.get(before..).is_some_and(news) {
-                break;
-            }
-            Vec::new()
-        };
-        let found = fit(edition, &records, deviations.clone(), &measured);
-        if found == deviations {
+        let before = search.found.clone();
+        if search.is_explained_by_experiments(round)?
+            && search.is_told_from_others()?
+            && search.is_explained_by_walks()?
+        {
             break;
         }
-        deviations = found;
-    }
-    let model = Model::new(edition, &deviations);
-    let experiments = records.len();
-    let unexplained = records.into_iter().filter(|record| !record.is_explained(&model)).collect();
-    Ok(Diagnosis { deviations, unexplained, experiments })
-}
-
-/// What a program answers where deviations that explain as much would do otherwise.
-fn separating(
-    subject: &mut dyn Subject,
-    edition: &Edition,
-    records: &[Record],
-    deviations: &[Deviation],
-) -> Result<Vec<Record>, ProgramError> {
-    let model = Model::new(edition, deviations);
-    let mut asked = Vec::new();
-    for alike in alternatives(edition, records, deviations, &[]) {
-        let other = Model::new(edition, &alike);
-        let told = experiments::all(&mut other.clone().running(), &other, 0)?;
-        let differ = told.iter().filter(|record| !record.is_explained(&model));
-        for record in differ.take(SEPARATING) {
-            asked.push(Record::of(subject, &record.steps)?);
+        search.explain()?;
+        if search.found == before && round > 2 {
+            break;
         }
     }
-    Ok(asked)
+    Ok(search.result())
+}
+
+struct Search<'a> {
+    subject: &'a mut dyn Subject,
+    edition: &'a Edition,
+    candidates: Candidates,
+    records: Records,
+    found: Vec<Deviation>,
+    random: Random,
+}
+
+impl Search<'_> {
+    fn model(&self) -> Model {
+        Model::new(self.edition, &self.found)
+    }
+
+    /// Keeps records, and tells whether all of them are explained.
+    fn keep(&mut self, records: Vec<Record>, model: &Model) -> bool {
+        let all = records.iter().all(|record| record.is_explained(model));
+        self.records.extend(records);
+        all
+    }
+
+    fn is_explained_by_experiments(&mut self, round: u64) -> Result<bool, ProgramError> {
+        let model = self.model();
+        let records = experiments::all(self.subject, &model, round, &AsState::ALL)?;
+        Ok(self.keep(records, &model))
+    }
+
+    /// Whether a program does what these deviations do, and not what others do that explain as much.
+    fn is_told_from_others(&mut self) -> Result<bool, ProgramError> {
+        let model = self.model();
+        let alike = Fit::new(self.edition, self.records.kept(), &self.candidates).alternatives(&self.found);
+        let mut asked = Vec::new();
+        for other in alike {
+            let seed = self.random.below(usize::MAX) as u64;
+            if let Some(steps) = difference(self.edition, &self.found, &other, COMPARED, seed) {
+                asked.push(Record::of(self.subject, &steps)?);
+            }
+        }
+        Ok(self.keep(asked, &model))
+    }
+
+    fn is_explained_by_walks(&mut self) -> Result<bool, ProgramError> {
+        let model = self.model();
+        let ways = Ways::of(&model);
+        let mut records = Vec::new();
+        for _ in 0..WALKS {
+            records.push(walk(self.subject, &ways, &mut self.random)?);
+        }
+        Ok(self.keep(records, &model))
+    }
+
+    /// Explains what was answered, and measures and looks for what the explanation leads to.
+    fn explain(&mut self) -> Result<(), ProgramError> {
+        for _ in 0..DEEPER {
+            let before = self.found.clone();
+            self.measure(&self.found.clone())?;
+            self.fit();
+            for (without, from, to) in self.missing() {
+                self.seek(&without, from, to)?;
+            }
+            self.fit();
+            if self.found == before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn fit(&mut self) {
+        let found = Fit::new(self.edition, self.records.kept(), &self.candidates).run(self.found.clone());
+        self.found = found;
+    }
+
+    /// The numbers that turn a program that has these deviations.
+    fn measure(&mut self, with: &[Deviation]) -> Result<(), ProgramError> {
+        let model = Model::new(self.edition, with);
+        for one in turn::all(self.subject, &Ways::of(&model))? {
+            if !self.candidates.single.contains(&one) {
+                self.candidates.single.push(one);
+            }
+        }
+        Ok(())
+    }
+
+    /// The arrows that the program does not seem to have, each with what is left when it has them.
+    fn missing(&self) -> Vec<(Vec<Deviation>, AsState, AsState)> {
+        let rows = self.edition.rules.table.rows();
+        let mut all = Vec::new();
+        for one in &self.found {
+            let row = match *one {
+                Deviation::Changed(Change::RowDropped(row) | Change::Term(row, _, TermChange::Dropped))
+                | Deviation::Joined { row, .. } => rows.get(row).map(|row| (row.from, row.to)),
+                Deviation::Needs { from, to, .. } => Some((from, to)),
+                _ => None,
+            };
+            if let Some((from, to)) = row {
+                let without: Vec<Deviation> =
+                    self.found.iter().copied().filter(|other| other != one).collect();
+                all.push((without, from, to));
+            }
+        }
+        all
+    }
+
+    /// Looks for an arrow, and for what it needs.
+    fn seek(&mut self, without: &[Deviation], from: AsState, to: AsState) -> Result<(), ProgramError> {
+        let model = Model::new(self.edition, without);
+        let ways = Ways::of(&model);
+        let sight = Sought { ways: &ways, from, to }.look(self.subject, &mut self.random)?;
+        self.records.extend(sight.records);
+        for needs in sight.needs.unwrap_or_default() {
+            let with: Vec<Deviation> = without.iter().copied().chain(needs.iter().copied()).collect();
+            self.measure(&with)?;
+            if !needs.is_empty() && !self.candidates.several.contains(&needs) {
+                self.candidates.several.push(needs);
+            }
+        }
+        Ok(())
+    }
+
+    fn result(self) -> Diagnosis {
+        let Self { edition, candidates, records, found, .. } = self;
+        let deviations = Fit::new(edition, records.kept(), &candidates).certain(found);
+        let model = Model::new(edition, &deviations);
+        let all = records.kept().iter().map(crate::record::Kept::record);
+        let unexplained = all.filter(|record| !record.is_explained(&model)).collect();
+        Diagnosis { deviations, unexplained, experiments: records.count }
+    }
 }

@@ -3,7 +3,7 @@
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::{Answer, Difference, Shown};
 use adsdv_oracle::suite::{self, Scenario, Step};
-use adsdv_spec::Edition;
+use adsdv_spec::{AsState, Edition};
 
 use crate::deviation::Deviation;
 use crate::experiments;
@@ -30,7 +30,7 @@ struct Relative {
 /// For each of the deviations of a program the shortest scenario that was found.
 pub fn examples(edition: &Edition, deviations: &[Deviation]) -> Result<Vec<Option<Example>>, ProgramError> {
     let program = Model::new(edition, deviations);
-    let asked = experiments::all(&mut program.clone().running(), &program, 0)?;
+    let asked = experiments::all(&mut program.clone().running(), &program, 0, &AsState::ALL)?;
     let usual = Model::new(edition, &[]);
     let tests = suite::generate(edition);
     let asked = asked.iter().map(|record| relative(&program, &record.steps));

@@ -1,181 +1,410 @@
 //! The deviations that explain the most answers.
+//!
+//! What a program does in a state is explained by itself, stay by stay: what goes wrong in one does not hide what goes wrong in
+//! another. In each state several sets of deviations are followed at once, each of them from an answer that it does not explain to
+//! those deviations that do: the one that explains the most at first need not be right.
 
-use std::cmp::Reverse;
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 use adsdv_spec::Edition;
+use adsdv_spec::messages::AsState;
 
-use crate::candidates;
 use crate::deviation::Deviation;
 use crate::model::Model;
-use crate::record::Record;
+use crate::record::Kept;
+use crate::stays::{Stay, Wrong, cut};
 
-/// So many answers that are wrong are looked at to find what may explain them, and as many that are right, which it must not spoil.
-const LOOKED_AT: usize = 64;
-/// So many of the best are tried on all answers.
-const TRIED: usize = 16;
-/// No more deviations than these are looked for.
-const MOST: usize = 24;
+/// So many sets of deviations are followed at once.
+const FOLLOWED: usize = 8;
+/// No more deviations than these are looked for in a state at once.
+const DEEPEST: usize = 7;
+/// So many kinds of wrong answers are looked at to find what explains them.
+const KINDS: usize = 4;
+/// So many stays that are wrong are looked at to find what explains the most, and as many that are right.
+const LOOKED_AT: usize = 120;
+/// So many of the best are tried on all stays.
+const TRIED: usize = 14;
 /// So many others in the place of one are looked at.
-const ALIKE: usize = 6;
+const ALIKE: usize = 5;
+/// So many ways to cut the stays are kept.
+const CUTS: usize = 3;
+/// The deviations of all states are looked for so many times: what is found in one may help in another.
+const PASSES: usize = 3;
+
+/// What may explain answers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Candidates {
+    /// Each by itself; those that come first are the more likely ones.
+    pub(crate) single: Vec<Deviation>,
+    /// Several that only explain anything together.
+    pub(crate) several: Vec<Vec<Deviation>>,
+}
 
 /// A search for deviations that explain answers.
 pub(crate) struct Fit<'a> {
     edition: &'a Edition,
-    records: &'a [Record],
-    candidates: Vec<Deviation>,
-    chosen: Vec<Deviation>,
-    /// How many answers the chosen ones explain.
-    explained: usize,
+    records: &'a [Kept],
+    candidates: &'a Candidates,
+    /// The stays as they were cut of late, and with which deviations.
+    stays: RefCell<Vec<Cut<'a>>>,
 }
 
-/// The deviations that were found, as far as they explain anything; `known` is what was found before.
-pub(crate) fn fit(
-    edition: &Edition,
-    records: &[Record],
-    known: Vec<Deviation>,
-    measured: &[Deviation],
-) -> Vec<Deviation> {
-    let mut fit = Fit::new(edition, records, known, measured);
-    loop {
-        while fit.chosen.len() < MOST && fit.explain_more() {}
-        if !fit.exchange() {
-            return fit.chosen;
-        }
+type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
+
+struct Cut<'a> {
+    by: Vec<Deviation>,
+    stays: Stays<'a>,
+}
+
+/// Deviations that are followed.
+#[derive(Clone, Debug)]
+struct Node {
+    set: Vec<Deviation>,
+    /// How much they do not explain of the state, and of all others as far as that changed.
+    wrong: usize,
+    /// How much of that is explained without any deviation of the state.
+    spoilt: usize,
+}
+
+impl Node {
+    /// The smaller, the better it is to go on from.
+    fn rank(&self) -> (usize, usize) {
+        (self.wrong + self.spoilt, self.set.len())
     }
-}
 
-/// Instead of each deviation others that explain as much, a few of them: the deviations with the other in its place.
-pub(crate) fn alternatives(
-    edition: &Edition,
-    records: &[Record],
-    found: &[Deviation],
-    measured: &[Deviation],
-) -> Vec<Vec<Deviation>> {
-    let fit = Fit::new(edition, records, found.to_vec(), measured);
-    let places = 0..found.len();
-    places.flat_map(|place| fit.instead_of(place)).collect()
+    /// The smaller, the better it explains.
+    fn worth(&self) -> (usize, usize) {
+        (self.wrong, self.set.len())
+    }
 }
 
 impl<'a> Fit<'a> {
-    fn new(
-        edition: &'a Edition,
-        records: &'a [Record],
-        chosen: Vec<Deviation>,
-        measured: &[Deviation],
-    ) -> Self {
-        let mut candidates = measured.to_vec();
-        candidates.extend(candidates::all(edition));
-        let mut fit = Self { edition, records, candidates, chosen, explained: 0 };
-        fit.explained = fit.agreement(&fit.chosen);
-        fit
+    pub(crate) const fn new(edition: &'a Edition, records: &'a [Kept], candidates: &'a Candidates) -> Self {
+        Self { edition, records, candidates, stays: RefCell::new(Vec::new()) }
     }
 
-    /// The same with another deviation in this place, where that explains as much.
-    fn instead_of(&self, place: usize) -> Vec<Vec<Deviation>> {
-        let mut others = self.chosen.clone();
-        let known = others.remove(place);
-        let without = Model::new(self.edition, &others);
-        let needed: Vec<&Record> =
-            self.records.iter().filter(|record| !record.is_explained(&without)).take(LOOKED_AT).collect();
-        let with = |candidate: &Deviation| [others.as_slice(), &[*candidate]].concat();
-        let explains = |candidate: &&Deviation| {
-            let model = Model::new(self.edition, &with(candidate));
-            **candidate != known && needed.iter().all(|record| record.is_explained(&model))
+    /// The deviations that explain the most, from what was found before.
+    pub(crate) fn run(&self, known: Vec<Deviation>) -> Vec<Deviation> {
+        let mut set = known;
+        for _ in 0..PASSES {
+            let before = set.clone();
+            for state in AsState::ALL {
+                if self.wrong_in(state, &set) > 0 {
+                    set = self.explained(state, &set);
+                }
+            }
+            if set == before {
+                break;
+            }
+        }
+        self.without_the_needless(set)
+    }
+
+    /// How much is not explained in all.
+    pub(crate) fn wrong(&self, set: &[Deviation]) -> usize {
+        let model = Model::new(self.edition, set);
+        self.stays(set).iter().flat_map(|(_, stays)| stays).map(|stay| stay.wrong(&model)).sum()
+    }
+
+    fn wrong_in(&self, state: AsState, set: &[Deviation]) -> usize {
+        let model = Model::new(self.edition, set);
+        let stays = self.stays(set);
+        of(&stays, state).iter().map(|stay| stay.wrong(&model)).sum()
+    }
+
+    /// How much is not explained in all states but one.
+    fn wrong_beside(&self, state: AsState, set: &[Deviation]) -> usize {
+        let model = Model::new(self.edition, set);
+        let stays = self.stays(set);
+        let others = stays.iter().filter(|(own, _)| *own != state);
+        others.flat_map(|(_, stays)| stays).map(|stay| stay.wrong(&model)).sum()
+    }
+
+    /// The stays, cut with those deviations of a set that may make a difference in any state.
+    fn stays(&self, set: &[Deviation]) -> Stays<'a> {
+        let everywhere = self.everywhere(set);
+        let mut known = self.stays.borrow_mut();
+        if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
+            known[place..].rotate_left(1);
+        } else {
+            let stays = std::rc::Rc::new(cut(self.records, &Model::new(self.edition, set)));
+            known.push(Cut { by: everywhere, stays });
+            if known.len() > CUTS {
+                known.remove(0);
+            }
+        }
+        known.last().map(|cut| cut.stays.clone()).unwrap_or_default()
+    }
+
+    fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
+        set.iter()
+            .copied()
+            .filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered())
+            .collect()
+    }
+
+    /// A set that explains more of a state, if one is found.
+    fn explained(&self, state: AsState, set: &[Deviation]) -> Vec<Deviation> {
+        let bare: Vec<Deviation> =
+            set.iter().copied().filter(|one| one.state(self.edition) != Some(state)).collect();
+        let plain = Model::new(self.edition, &bare);
+        let mut beside: HashMap<String, usize> = HashMap::new();
+        let mut node = |set: Vec<Deviation>| {
+            let model = Model::new(self.edition, &set);
+            let (mut wrong, mut spoilt) = (0, 0);
+            let stays = self.stays(&set);
+            for stay in of(&stays, state) {
+                let own = stay.wrong(&model);
+                wrong += own;
+                spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
+            }
+            let key = format!(
+                "{:?}",
+                set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>()
+            );
+            wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
+            Node { set, wrong, spoilt }
         };
-        let alike = self.candidates.iter().filter(explains).map(with);
-        alike.filter(|deviations| self.agreement(deviations) >= self.explained).take(ALIKE).collect()
-    }
-    /// Adds the deviation that explains the most; false if none explains any more.
-    fn explain_more(&mut self) -> bool {
-        let Some((explained, best)) = self.best(&self.chosen) else { return false };
-        if explained <= self.explained {
-            return false;
+        let known = node(set.to_vec());
+        let mut best = known.clone();
+        let mut followed = if bare == set { vec![known] } else { vec![known, node(bare)] };
+        let mut stuck = 0;
+        for _ in 0..DEEPEST {
+            let mut next: Vec<Node> = Vec::new();
+            for from in &followed {
+                let stays = self.stays(&from.set);
+                for set in self.next(state, of(&stays, state), from) {
+                    if !next.iter().any(|other| same(&other.set, &set)) {
+                        next.push(node(set));
+                    }
+                }
+            }
+            next.sort_by_key(Node::rank);
+            let next = both(next, FOLLOWED, |node| (node.spoilt, node.wrong, node.set.len()));
+            let Some(first) = next.iter().min_by_key(|node| node.worth()) else { break };
+            stuck += 1;
+            if first.worth() < best.worth() {
+                best = first.clone();
+                stuck = 0;
+            }
+            if stuck > 2 || next.iter().any(|node| node.wrong == 0) {
+                break;
+            }
+            followed = next;
         }
-        self.chosen.push(best);
-        self.explained = explained;
-        self.drop_the_needless();
-        true
+        best.set
     }
 
-    /// Puts another deviation in the place of one that explains less; false if there is none.
-    fn exchange(&mut self) -> bool {
-        if self.is_all_explained() {
-            return false;
+    /// Sets that explain a wrong answer that this one does not.
+    fn next(&self, state: AsState, stays: &[Stay<'a>], from: &Node) -> Vec<Vec<Deviation>> {
+        let model = Model::new(self.edition, &from.set);
+        let wrong: Vec<(&Stay<'a>, usize)> =
+            stays.iter().map(|stay| (stay, stay.wrong(&model))).filter(|(_, wrong)| *wrong > 0).collect();
+        let conflicts = kinds(&wrong, &model);
+        if conflicts.is_empty() {
+            return Vec::new();
         }
-        for place in 0..self.chosen.len() {
-            let mut others = self.chosen.clone();
-            others.remove(place);
-            if let Some((explained, best)) =
-                self.best(&others).filter(|(explained, _)| *explained > self.explained)
-            {
-                others.push(best);
-                (self.chosen, self.explained) = (others, explained);
-                self.drop_the_needless();
-                return true;
+        let mut sets: Vec<Vec<Deviation>> = Vec::new();
+        for several in &self.candidates.several {
+            if !several.iter().all(|one| from.set.contains(one)) {
+                let kept = from.set.iter().copied().filter(|one| !several.contains(one));
+                sets.push(kept.chain(several.iter().copied()).collect());
             }
         }
-        false
-    }
-
-    fn is_all_explained(&self) -> bool {
-        let model = Model::new(self.edition, &self.chosen);
-        self.records.iter().all(|record| record.is_explained(&model))
-    }
-
-    /// What explains the most beside others, and how much that is. Of those that explain as much, the first: changes of the table
-    /// come before what is added to it.
-    fn best(&self, beside: &[Deviation]) -> Option<(usize, Deviation)> {
-        let model = Model::new(self.edition, beside);
-        let (right, mut wrong): (Vec<&Record>, Vec<&Record>) =
-            self.records.iter().partition(|record| record.is_explained(&model));
-        wrong.sort_by_key(|record| record.steps.len());
-        // What the deviations so far leave unexplained tells most.
-        let so_far = Model::new(self.edition, &self.chosen);
-        let left: Vec<&Record> =
-            self.records.iter().filter(|record| !record.is_explained(&so_far)).take(LOOKED_AT).collect();
-        let looked_at: Vec<&Record> = some(&wrong).chain(some(&right)).chain(left).collect();
-        let agree = |model: &Model| looked_at.iter().map(|record| record.agrees(model)).sum::<usize>();
-        let before = agree(&model);
-        let shown = some(&wrong).filter_map(|record| candidates::shown(record, &model));
-        let mut gains: Vec<(usize, Deviation)> = Vec::new();
-        for candidate in self.candidates.iter().copied().chain(shown) {
-            if beside.contains(&candidate) || gains.iter().any(|(_, known)| *known == candidate) {
-                continue;
-            }
-            let after = agree(&Model::new(self.edition, &[beside, &[candidate]].concat()));
-            if after > before {
-                gains.push((after, candidate));
-            }
-        }
-        gains.sort_by_key(|(gain, _)| Reverse(*gain));
-        let tried = gains.into_iter().take(TRIED);
-        let on_all = tried.map(|(_, one)| (self.agreement(&[beside, &[one]].concat()), one));
-        on_all.reduce(|best, other| if other.0 > best.0 { other } else { best })
-    }
-
-    /// Takes away what explains nothing that the others do not.
-    fn drop_the_needless(&mut self) {
-        let mut place = 0;
-        while place < self.chosen.len() && self.chosen.len() > 1 {
-            let mut fewer = self.chosen.clone();
+        for place in 0..from.set.len() {
+            let mut fewer = from.set.clone();
             fewer.remove(place);
-            let explained = self.agreement(&fewer);
-            if explained >= self.explained {
-                (self.chosen, self.explained) = (fewer, explained);
+            sets.push(fewer);
+        }
+        let shown = conflicts.iter().flat_map(|(_, _, wrong)| shown_otherwise(wrong));
+        let own = |one: &Deviation| one.state(self.edition).is_none_or(|own| own == state);
+        for one in self.candidates.single.iter().copied().filter(own).chain(shown) {
+            if !from.set.contains(&one) {
+                sets.extend(with(&from.set, one));
+            }
+        }
+        let sets = sets.into_iter().map(|set| (Model::new(self.edition, &set), set));
+        let helps = |model: &Model| conflicts.iter().any(|(stay, was, _)| stay.wrong(model) < *was);
+        let helping: Vec<(Model, Vec<Deviation>)> = sets.filter(|(model, _)| helps(model)).collect();
+        let wrong: Vec<&Stay<'a>> = some(&wrong).map(|(stay, _)| *stay).collect();
+        let all: Vec<&Stay<'a>> = some(stays).collect();
+        let of =
+            |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
+        let mut ranked: Vec<(usize, usize, Vec<Deviation>)> =
+            helping.into_iter().map(|(model, set)| (of(&wrong, &model), of(&all, &model), set)).collect();
+        ranked.sort_by_key(|(wrong, spoilt, set)| (wrong + spoilt, set.len()));
+        let ranked = both(ranked, TRIED, |(wrong, spoilt, set)| (*spoilt, *wrong, set.len()));
+        ranked.into_iter().map(|(_, _, set)| set).collect()
+    }
+
+    /// The set without what explains nothing that the others do not.
+    fn without_the_needless(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let mut wrong = self.wrong(&set);
+        let mut place = set.len();
+        while place > 0 {
+            place -= 1;
+            let mut fewer = set.clone();
+            fewer.remove(place);
+            let left = self.wrong(&fewer);
+            if left <= wrong {
+                (set, wrong) = (fewer, left);
+                place = place.min(set.len());
+            }
+        }
+        set
+    }
+
+    /// Instead of each deviation others that explain as much, a few of them: the set with the other in its place.
+    pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
+        let all = self.wrong(set);
+        let mut alike: Vec<Vec<Deviation>> = Vec::new();
+        for (place, known) in set.iter().enumerate() {
+            let mut others = set.to_vec();
+            others.remove(place);
+            let without = Model::new(self.edition, &others);
+            let stays = self.stays(&others);
+            let mut needed: Vec<(&Stay<'a>, usize)> = Vec::new();
+            let model = Model::new(self.edition, set);
+            for stay in stays.iter().flat_map(|(_, stays)| stays) {
+                if stay.wrong(&without) > stay.wrong(&model) {
+                    needed.push((stay, stay.wrong(&model)));
+                }
+            }
+            needed.sort_by_key(|(stay, _)| stay.len());
+            needed.truncate(LOOKED_AT);
+            let wrongs = needed.iter().take(KINDS).filter_map(|(stay, _)| stay.first_wrong(&without));
+            let shown: Vec<Deviation> = wrongs.flat_map(|wrong| shown_otherwise(&wrong)).collect();
+            let own = known.state(self.edition);
+            let fits = |one: &Deviation| {
+                own.is_none() || one.state(self.edition).is_none_or(|state| Some(state) == own)
+            };
+            let mut found = 0;
+            for one in self.candidates.single.iter().copied().chain(shown).filter(fits) {
+                if found >= ALIKE || one == *known || others.contains(&one) {
+                    continue;
+                }
+                for other in with(&others, one) {
+                    let model = Model::new(self.edition, &other);
+                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
+                        && self.wrong(&other) <= all
+                    {
+                        alike.push(other);
+                        found += 1;
+                    }
+                }
+            }
+        }
+        alike
+    }
+
+    /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
+    /// said of an arrow that some answers tell more about than is explained.
+    pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let mut place = 0;
+        while place < set.len() && self.wrong(&set) > 0 {
+            let mut others = set.clone();
+            let one = others.remove(place);
+            let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
+            let (arrow, takes_away) = (one.arrow(self.edition), one.takes_away());
+            let stays = self.stays(&set);
+            let doubts = |stay: &Stay<'a>| {
+                let wrong = stay.wrong(&model);
+                wrong > stay.wrong(&without)
+                    || wrong > 0
+                        && stay.first_wrong(&model).is_some_and(|wrong| {
+                            let from = wrong.from.control.state;
+                            let leaves = wrong.expected == from && wrong.found != from;
+                            arrow.is_some_and(|arrow| {
+                                arrow == (from, wrong.found)
+                                    || arrow == (from, wrong.expected)
+                                    || arrow.0 == from && leaves && takes_away
+                            })
+                        })
+            };
+            if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
+                (set, place) = (others, 0);
             } else {
                 place += 1;
             }
         }
-    }
-
-    /// How many answers are explained in all, each record up to its first that is not.
-    fn agreement(&self, deviations: &[Deviation]) -> usize {
-        let model = Model::new(self.edition, deviations);
-        self.records.iter().map(|record| record.agrees(&model)).sum()
+        set
     }
 }
 
+/// The stays in a state.
+fn of<'b, 'a>(stays: &'b [(AsState, Vec<Stay<'a>>)], state: AsState) -> &'b [Stay<'a>] {
+    stays.iter().find(|(own, _)| *own == state).map_or(&[], |(_, stays)| stays.as_slice())
+}
+
+/// The set with one more. Of two that lead out of a state as soon as an input has a value, the first counts, so that both orders
+/// differ.
+fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
+    let mut sets = vec![[set, &[one]].concat()];
+    let leads_from = |of: &Deviation| match *of {
+        Deviation::Also { from, .. } => Some(from),
+        _ => None,
+    };
+    let own = leads_from(&one);
+    if own.is_some() && set.iter().any(|other| leads_from(other) == own) {
+        sets.push([&[one], set].concat());
+    }
+    sets
+}
+
+fn same(one: &[Deviation], other: &[Deviation]) -> bool {
+    one.len() == other.len()
+        && one.iter().all(|deviation| other.contains(deviation))
+        && one
+            .iter()
+            .filter(|one| matches!(one, Deviation::Also { .. }))
+            .eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
+}
+
+/// Of the stays that are wrong in the same way the shortest, those first that are the most.
+fn kinds<'b, 'a>(wrong: &[(&'b Stay<'a>, usize)], model: &Model) -> Vec<(&'b Stay<'a>, usize, Wrong)> {
+    let mut kinds: Vec<(usize, &'b Stay<'a>, usize, Wrong)> = Vec::new();
+    for (stay, points) in some(wrong) {
+        let Some(first) = stay.first_wrong(model) else { continue };
+        if let Some(known) = kinds.iter_mut().find(|(.., known)| known.is_like(&first)) {
+            known.0 += 1;
+            if stay.len() < known.1.len() {
+                (known.1, known.2, known.3) = (stay, *points, first);
+            }
+        } else {
+            kinds.push((1, stay, *points, first));
+        }
+    }
+    kinds.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
+    kinds.truncate(KINDS);
+    kinds.into_iter().map(|(_, stay, points, wrong)| (stay, points, wrong)).collect()
+}
+
+/// What would make a wrong answer right by showing it.
+fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
+    let mut all = Vec::new();
+    for ((key, _, found), right) in wrong.values.iter().copied().zip(wrong.rights.iter().copied()) {
+        let Some(raw) = found else { continue };
+        if key != "as_state" {
+            all.push(Deviation::Shows { state: wrong.expected, key, raw });
+        }
+        if let Some(value) = right.filter(|value| *value != raw) {
+            all.push(Deviation::Writes { key, value, raw });
+        }
+    }
+    all
+}
+
+/// The first half of so many as they are, and the other half of the rest by another order.
+fn both<T, K: Ord>(mut all: Vec<T>, many: usize, key: impl Fn(&T) -> K) -> Vec<T> {
+    let half = (many / 2).min(all.len());
+    let mut rest = all.split_off(half);
+    rest.sort_by_key(key);
+    all.extend(rest.into_iter().take(many - many / 2));
+    all
+}
+
 /// Some of them, evenly spread.
-fn some<'a>(records: &[&'a Record]) -> impl Iterator<Item = &'a Record> {
-    records.iter().copied().step_by(records.len().div_ceil(LOOKED_AT).max(1))
+fn some<T>(all: &[T]) -> impl Iterator<Item = &T> {
+    all.iter().step_by(all.len().div_ceil(LOOKED_AT).max(1))
 }

@@ -1,14 +1,22 @@
 //! The specification with deviations: a state machine as good as any.
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, INPUTS, InputField, SHOWN, Shown};
-use adsdv_spec::messages::WheelSpeed;
+use adsdv_oracle::protocol::{Answer, INPUTS, InputField, SHOWN, Showing, Shown};
+use adsdv_spec::messages::{ShutdownCause, WheelSpeed};
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Noticed, Outputs, Reaction, Taken,
+    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
+    Taken, Term,
 };
 
-use crate::deviation::{Deviation, Wheels};
+use crate::deviation::{Deviation, Remembers, Wheels};
 use crate::subject::Subject;
+use crate::ways::{By, Hop};
+
+/// What is taken where no row of the table is: a deviation leads on, or the program itself.
+const NO_ROW: Taken = Taken { row: u8::MAX, term: u8::MAX };
+
+/// No arrow has been open.
+const NOT_WAITED: (u8, AsState) = (0, AsState::Off);
 
 /// A state machine that does what an edition says, but for some deviations.
 #[derive(Clone, Debug)]
@@ -16,7 +24,10 @@ pub struct Model {
     /// What it deviates from.
     usual: Edition,
     machine: Machine,
+    showing: Showing,
     rest: Vec<Rest>,
+    /// A bit for each that is remembered otherwise.
+    remembers: u8,
 }
 
 /// What is no change of the rules, ready to be applied.
@@ -28,29 +39,54 @@ enum Rest {
     Wheels(Wheels),
     GoLevel,
     GoNeedsHandshake,
+    Remembers(Remembers),
     Shows { state: AsState, place: usize, raw: i32 },
+    Writes { place: usize, value: i32, raw: i32 },
 }
 
 /// What such a machine remembers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Memory {
     /// What the specification remembers.
     pub control: Control,
-    /// For how many steps an arrow that is late has been open.
-    waited: u8,
+    /// For how many steps an arrow that is late has been open, and where it leads.
+    waited: (u8, AsState),
+    /// How long AS_READY has lasted in all, up to the time that counts.
+    ready_ms: u16,
 }
 
 impl Memory {
     /// After power-on.
-    pub const INITIAL: Self = Self { control: Control::INITIAL, waited: 0 };
+    pub const INITIAL: Self = Self { control: Control::INITIAL, waited: NOT_WAITED, ready_ms: 0 };
+
+    /// Whether an arrow that is late has been open for longer than it was.
+    pub(crate) const fn waits_longer_than(&self, before: &Self) -> bool {
+        self.waited.0 > before.waited.0
+    }
+}
+
+/// What a step finds before anything is remembered.
+struct Found {
+    noticed: Noticed,
+    taken: Option<(Taken, AsState)>,
+    waited: (u8, AsState),
+    /// How long AS_READY has lasted in all.
+    ready_ms: u16,
+    /// The control state before the step, as the deviations leave it.
+    before: Control,
 }
 
 impl Model {
     /// An edition with these deviations. Of what it does not have, none deviates.
     pub fn new(edition: &Edition, deviations: &[Deviation]) -> Self {
         let changed = crate::deviation::changed(edition, deviations);
-        let rest = deviations.iter().filter_map(Rest::of).collect();
-        Self { usual: *edition, machine: Machine::new(changed, edition.readings), rest }
+        let rest: Vec<Rest> = deviations.iter().filter_map(Rest::of).collect();
+        let remembers = rest.iter().fold(0, |all, rest| match rest {
+            Rest::Remembers(what) => all | 1 << *what as u8,
+            _ => all,
+        });
+        let (machine, showing) = (Machine::new(changed, edition.readings), Showing::of(edition));
+        Self { usual: *edition, machine, showing, rest, remembers }
     }
 
     /// The edition that it deviates from.
@@ -74,6 +110,49 @@ impl Model {
         })
     }
 
+    /// Where a state goes as soon as an input has a value, besides the table.
+    pub(crate) fn also(
+        &self,
+        state: AsState,
+    ) -> impl Iterator<Item = (&'static InputField, i32, AsState)> + '_ {
+        self.rest.iter().filter_map(move |rest| match *rest {
+            Rest::Also { from, to, field, raw } if from == state => Some((field, raw, to)),
+            _ => None,
+        })
+    }
+
+    /// The inputs that tell something in a state besides the table.
+    pub(crate) fn keys_besides(&self, state: AsState) -> impl Iterator<Item = &'static str> + '_ {
+        self.rest.iter().filter_map(move |rest| match rest {
+            Rest::Needs { from, field, .. } | Rest::Also { from, field, .. } if *from == state => {
+                Some(field.key)
+            }
+            _ => None,
+        })
+    }
+
+    /// The alternatives that lead out of a state, in order, each with where it leads.
+    pub(crate) fn terms(&self, state: AsState) -> impl Iterator<Item = (Term, AsState)> + '_ {
+        let table = &self.machine.edition().rules.table;
+        let arrows = self.machine.arrows(state);
+        arrows.filter_map(move |taken| Some((*taken.term(table)?, taken.row(table)?.to)))
+    }
+
+    /// Everything that leads out of a state.
+    pub(crate) fn hops(&self, state: AsState) -> Vec<Hop> {
+        let terms = self.terms(state).map(|(term, to)| Hop { by: By::Term(term), to });
+        let also = self.also(state).map(|(field, raw, to)| Hop { by: By::Also(field, raw), to });
+        terms.chain(also).collect()
+    }
+
+    /// Whether the bit of the handshake that is shown is not the one that is remembered.
+    pub(crate) fn shows_handshake_otherwise(&self) -> bool {
+        self.rest.iter().any(|rest| match rest {
+            Rest::Shows { place, .. } | Rest::Writes { place, .. } => *place == HANDSHAKE,
+            _ => false,
+        })
+    }
+
     /// For how many steps an arrow is open before it is taken.
     pub(crate) fn delay(&self, arrow: (AsState, AsState)) -> u8 {
         let late = self.rest.iter().filter_map(|rest| match *rest {
@@ -83,43 +162,136 @@ impl Model {
         late.max().unwrap_or(0)
     }
 
+    fn remembers(&self, what: Remembers) -> bool {
+        self.remembers & 1 << what as u8 != 0
+    }
+
+    fn has(&self, is: impl Fn(&Rest) -> bool) -> bool {
+        self.rest.iter().any(is)
+    }
+
     /// One step.
     pub fn step(&self, memory: &Memory, inputs: &Inputs, dt_ms: u32) -> (Memory, Outputs) {
         if self.rest.is_empty() {
             let (control, outputs) = self.machine.step(&memory.control, inputs, dt_ms);
-            return (Memory { control, waited: 0 }, outputs);
+            return (Memory { control, waited: NOT_WAITED, ready_ms: self.ready_ms(memory, dt_ms) }, outputs);
         }
-        let (reaction, waited) = self.react(memory, inputs, dt_ms);
-        let outputs = self.machine.outputs(memory.control.state, &reaction, inputs.go);
-        (Memory { control: reaction.control, waited }, outputs)
+        let found = self.find(memory, inputs, dt_ms);
+        let (reaction, after) = self.remember(&found, found.taken);
+        (after, self.machine.outputs(memory.control.state, &reaction, inputs.go))
     }
 
-    /// The same as [`Machine::react`], with the deviations in it.
-    fn react(&self, Memory { control, waited }: &Memory, inputs: &Inputs, dt_ms: u32) -> (Reaction, u8) {
+    /// One step of a program that answered this: what the model shows, and what the program remembers now if it did what its
+    /// answer shows, whatever the model would have done. So one wrong answer does not make those behind it wrong.
+    pub(crate) fn follow(
+        &self,
+        memory: &Memory,
+        inputs: &Inputs,
+        dt_ms: u32,
+        answer: &Answer,
+    ) -> (Outputs, Memory) {
+        let found = self.find(memory, inputs, dt_ms);
+        let (reaction, mut after) = self.remember(&found, found.taken);
+        let outputs = self.machine.outputs(memory.control.state, &reaction, inputs.go);
+        let (own, from) = (reaction.control.state, memory.control.state);
+        if let Some(state) = self.state_behind(answer, own).filter(|state| *state != own) {
+            let taken = (state != from).then_some((NO_ROW, state));
+            let waited = if state == from { memory.waited } else { NOT_WAITED };
+            after = self.remember(&Found { waited, ..found }, taken).1;
+        }
+        self.take_over_the_cause(&mut after, answer);
+        (outputs, after)
+    }
+
+    /// The state that a program is in by its answer, where the model would be in this one; `None` if the answer tells none.
+    fn state_behind(&self, answer: &Answer, own: AsState) -> Option<AsState> {
+        let raw = answer.raw_at(AS_STATE)??;
+        let shown = |state: AsState| self.written(AS_STATE, state.raw()) == raw;
+        if shown(own) { Some(own) } else { AsState::ALL.into_iter().find(|state| shown(*state)) }
+    }
+
+    /// The cause that a program shows is the one that it remembers, unless the model shows another than it remembers.
+    fn take_over_the_cause(&self, memory: &mut Memory, answer: &Answer) {
+        let shown_otherwise = self.rest.iter().any(|rest| match *rest {
+            Rest::Shows { state, place, .. } => state == memory.control.state && place == SHUTDOWN_CAUSE,
+            Rest::Writes { place, .. } => place == SHUTDOWN_CAUSE,
+            _ => false,
+        });
+        let cause = answer.raw_at(SHUTDOWN_CAUSE).flatten().and_then(ShutdownCause::from_raw);
+        if let (false, Some(cause)) = (shown_otherwise, cause) {
+            memory.control.shutdown_cause = cause;
+        }
+    }
+
+    /// The same as the first part of [`Machine::react`], with the deviations in it.
+    fn find(&self, memory: &Memory, inputs: &Inputs, dt_ms: u32) -> Found {
+        let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
         let seen = self.as_seen(inputs).observe(&rules.thresholds);
+        let braking = from == AsState::EmergencyBrake;
+        if self.remembers(Remembers::CauseUntilLeft) && !braking {
+            control.shutdown_cause = ShutdownCause::NoShutdown;
+        }
+        let opening = seen.faults().intersection(Faults::OPENING);
+        if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {
+            control.shutdown_cause = opening.cause();
+        }
+        if self.remembers(Remembers::TimerWhileAsmsOff) && braking && inputs.asms {
+            control.in_state_ms = 0;
+        }
         let atoms = machine.atoms_of(seen);
         let active = machine.readings().is(Choice::HandshakeAlways) || atoms.has(Atom::Tsms);
         let limit = rules.timing.handshake_ms;
         let answer = atoms.has(Atom::AiHandshake);
-        let handshake = control.handshake.step(active, answer, dt_ms, limit);
+        let mut handshake = control.handshake.step(active, answer, dt_ms, limit);
+        if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit) {
+            handshake.unanswered_ms = limit;
+        }
         let state_limit = u32::from(rules.timing.in_state_limit(from));
-        let lasted = u32::from(control.in_state_ms).saturating_add(dt_ms).min(state_limit);
+        let stopped = self.remembers(Remembers::TimerWhileAsmsOff) && braking && inputs.asms;
+        let passed_ms = if stopped { 0 } else { dt_ms };
+        let ready_ms = self.ready_ms(memory, dt_ms);
+        let counted = self.remembers(Remembers::DwellOfAllVisits) && from == AsState::Ready;
+        let lasted_ms = if counted { memory.ready_ms } else { control.in_state_ms };
+        let lasted = u32::from(lasted_ms).saturating_add(passed_ms).min(state_limit);
         let in_state_ms = u16::try_from(lasted).unwrap_or(u16::MAX);
         let watched = active || machine.readings().is(Choice::WatchAlways);
         let comms_lost = handshake.is_lost(limit) || atoms.has(Atom::AiMessagesMissed) && watched;
-        let mut atoms = atoms.union(machine.control_atoms(control, in_state_ms, comms_lost, atoms));
-        if self.rest.iter().any(|rest| matches!(rest, Rest::GoLevel)) && from == AsState::Ready {
+        let mut atoms = atoms.union(machine.control_atoms(&control, in_state_ms, comms_lost, atoms));
+        if self.has(|rest| matches!(rest, Rest::GoLevel)) && from == AsState::Ready {
             atoms = if inputs.go { atoms.with(Atom::GoEdge) } else { atoms };
         }
         let mismatch = active && answer != control.handshake.bit;
-        if mismatch && self.rest.iter().any(|rest| matches!(rest, Rest::GoNeedsHandshake)) {
+        if mismatch && self.has(|rest| matches!(rest, Rest::GoNeedsHandshake)) {
             atoms = atoms.without(Atom::GoEdge);
         }
-        let (taken, waited) = self.first_arrow(from, atoms, inputs, *waited);
+        let (taken, waited) = self.first_arrow(from, atoms, inputs, waited);
         let noticed = Noticed { atoms, faults: seen.faults(), in_state_ms, handshake, comms_lost };
-        (machine.remember(control, &noticed, taken), waited)
+        Found { noticed, taken, waited, ready_ms, before: control }
+    }
+
+    /// How long AS_READY has lasted in all after a step, up to the time that counts.
+    fn ready_ms(&self, memory: &Memory, dt_ms: u32) -> u16 {
+        if memory.control.state != AsState::Ready {
+            return memory.ready_ms;
+        }
+        let limit = self.machine.edition().rules.timing.in_state_limit(AsState::Ready);
+        let lasted = u32::from(memory.ready_ms).saturating_add(dt_ms).min(u32::from(limit));
+        u16::try_from(lasted).unwrap_or(limit)
+    }
+
+    /// The last part of a step, where this arrow is taken.
+    fn remember(&self, found: &Found, taken: Option<(Taken, AsState)>) -> (Reaction, Memory) {
+        let Found { noticed, before, waited, .. } = found;
+        let mut reaction = self.machine.remember(before, noticed, taken);
+        let (from, control) = (before.state, &mut reaction.control);
+        let ready = AsState::Ready;
+        if self.remembers(Remembers::GoSeenOff) && from == ready && control.state == ready {
+            control.go_seen_low |= before.go_seen_low;
+        }
+        let control = reaction.control;
+        (reaction, Memory { control, waited: *waited, ready_ms: found.ready_ms })
     }
 
     /// The inputs as the deviations let it see them.
@@ -152,8 +324,8 @@ impl Model {
         from: AsState,
         atoms: Atoms,
         inputs: &Inputs,
-        waited: u8,
-    ) -> (Option<(Taken, AsState)>, u8) {
+        waited: (u8, AsState),
+    ) -> (Option<(Taken, AsState)>, (u8, AsState)) {
         let table = &self.machine.edition().rules.table;
         let open = self.machine.arrows(from).find_map(|taken| {
             let (row, term) = (taken.row(table)?, taken.term(table)?);
@@ -166,17 +338,30 @@ impl Model {
             _ => None,
         });
         match (open, also) {
-            (Some((_, to)), _) if waited < self.delay((from, to)) => (None, waited + 1),
-            (Some(open), _) => (Some(open), 0),
-            // It has no row: the first of the state stands for it.
-            (None, Some(to)) => (self.machine.arrows(from).next().map(|taken| (taken, to)), 0),
-            (None, None) => (None, 0),
+            (Some((taken, to)), _) => {
+                let steps = if waited.1 == to { waited.0 } else { 0 };
+                if steps < self.delay((from, to)) {
+                    (None, (steps + 1, to))
+                } else {
+                    (Some((taken, to)), NOT_WAITED)
+                }
+            }
+            (None, Some(to)) => (Some((NO_ROW, to)), NOT_WAITED),
+            (None, None) => (None, NOT_WAITED),
         }
     }
 
     /// What a step shows.
     pub fn shown(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
-        let mut shown = Shown::of(self.machine.edition(), outputs, inputs);
+        let right = self.right(outputs, inputs);
+        let mut shown = right;
+        for rest in &self.rest {
+            if let Rest::Writes { place, value, raw } = *rest
+                && right.raw_at(place) == Some(value)
+            {
+                shown = shown.with(place, raw);
+            }
+        }
         for rest in &self.rest {
             if let Rest::Shows { state, place, raw } = *rest
                 && state == outputs.state
@@ -187,17 +372,59 @@ impl Model {
         shown
     }
 
+    /// The same memory with a state that has lasted for its time.
+    pub(crate) const fn patient(&self, memory: &Memory) -> Memory {
+        let timing = &self.machine.edition().rules.timing;
+        let mut patient = *memory;
+        patient.control.in_state_ms = timing.in_state_limit(memory.control.state);
+        patient.ready_ms = timing.in_state_limit(AsState::Ready);
+        patient
+    }
+
+    /// What a step would show if nothing was shown wrongly.
+    pub(crate) fn right(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
+        self.showing.shown(outputs, inputs)
+    }
+
+    /// The number that is written for this value of an output.
+    fn written(&self, place: usize, value: i32) -> i32 {
+        let written = self.rest.iter().rev().find_map(|rest| match *rest {
+            Rest::Writes { place: own, value: of, raw } if (own, of) == (place, value) => Some(raw),
+            _ => None,
+        });
+        written.unwrap_or(value)
+    }
+
     /// A program that runs it, from power-on.
     pub const fn running(self) -> Running {
         Running { model: self, memory: Memory::INITIAL }
     }
 }
 
+/// The place of an output in [`SHOWN`].
+fn place_of(key: &str) -> Option<usize> {
+    SHOWN.iter().position(|field| field.key == key)
+}
+
+/// The places of the outputs that tell what a program remembers.
+const AS_STATE: usize = place("as_state");
+const SHUTDOWN_CAUSE: usize = place("shutdown_cause");
+const HANDSHAKE: usize = place("handshake");
+
+/// The place of an output that there is; another does not compile.
+const fn place(key: &str) -> usize {
+    let mut place = 0;
+    while !SHOWN[place].key.eq_ignore_ascii_case(key) {
+        place += 1;
+    }
+    place
+}
+
 impl Rest {
     fn of(deviation: &Deviation) -> Option<Self> {
         let field = |key: &str| INPUTS.iter().find(|field| field.key == key);
         Some(match *deviation {
-            Deviation::Changed(_) => return None,
+            Deviation::Changed(_) | Deviation::Joined { .. } => return None,
             Deviation::Needs { from, to, key, raw, is } => {
                 Self::Needs { from, to, field: field(key)?, raw, is }
             }
@@ -206,9 +433,9 @@ impl Rest {
             Deviation::Wheels(wheels) => Self::Wheels(wheels),
             Deviation::GoLevel => Self::GoLevel,
             Deviation::GoNeedsHandshake => Self::GoNeedsHandshake,
-            Deviation::Shows { state, key, raw } => {
-                Self::Shows { state, place: SHOWN.iter().position(|field| field.key == key)?, raw }
-            }
+            Deviation::Remembers(what) => Self::Remembers(what),
+            Deviation::Shows { state, key, raw } => Self::Shows { state, place: place_of(key)?, raw },
+            Deviation::Writes { key, value, raw } => Self::Writes { place: place_of(key)?, value, raw },
         })
     }
 }

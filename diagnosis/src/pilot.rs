@@ -1,7 +1,7 @@
 //! Leads a program through its states, by a model of it.
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::InputField;
+use adsdv_oracle::protocol::{Answer, InputField};
 use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
 use adsdv_spec::{Atom, Inputs, Term};
@@ -9,11 +9,14 @@ use adsdv_spec::{Atom, Inputs, Term};
 use crate::model::{Memory, Model};
 use crate::record::Record;
 use crate::subject::Subject;
+use crate::ways::{By, Hop, Ways};
 
 /// Who leads a program. What it does is what the model says that leads on; what the program does is taken down.
 pub(crate) struct Pilot<'a> {
     subject: &'a mut dyn Subject,
+    ways: &'a Ways<'a>,
     model: &'a Model,
+    /// What the program remembers by the model, as far as what it showed agrees.
     memory: Memory,
     /// The inputs as they stand, but for the handshake.
     pub(crate) inputs: Inputs,
@@ -22,16 +25,17 @@ pub(crate) struct Pilot<'a> {
     /// The program's own bit.
     bit: bool,
     record: Record,
-    /// Whether the program has shown something else than the model: what follows tells nothing.
+    /// Whether the program has gone elsewhere than the model: what was meant to follow has no sense there.
     lost: bool,
 }
 
 impl<'a> Pilot<'a> {
     /// At power-on, with everything off.
-    pub(crate) fn new(subject: &'a mut dyn Subject, model: &'a Model) -> Result<Self, ProgramError> {
+    pub(crate) fn new(subject: &'a mut dyn Subject, ways: &'a Ways<'a>) -> Result<Self, ProgramError> {
         subject.reset()?;
         let (memory, inputs, record) = (Memory::INITIAL, Inputs::default(), Record::default());
-        Ok(Self { subject, model, memory, inputs, answers: true, bit: false, record, lost: false })
+        let (model, answers) = (ways.model, true);
+        Ok(Self { subject, ways, model, memory, inputs, answers, bit: false, record, lost: false })
     }
 
     /// What was asked and answered.
@@ -39,18 +43,27 @@ impl<'a> Pilot<'a> {
         self.record
     }
 
-    /// The state that the program showed last.
-    pub(crate) fn shows(&self) -> Option<AsState> {
-        AsState::from_raw(self.record.replies.last()?.get("as_state")?.raw?)
+    /// Whether the program has gone elsewhere than the model.
+    pub(crate) const fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    /// Goes on from where the program is.
+    pub(crate) const fn find_again(&mut self) {
+        self.lost = false;
+    }
+
+    /// What was asked last, and answered.
+    pub(crate) fn last(&self) -> Option<&Answer> {
+        self.record.replies.last()
     }
 
     /// Whether the program showed that communication is lost.
     pub(crate) fn shows_comms_lost(&self) -> bool {
-        let last = self.record.replies.last();
-        last.and_then(|reply| reply.get("ai_comms_lost")?.raw) == Some(1)
+        self.last().and_then(|reply| reply.get("ai_comms_lost")?.raw) == Some(1)
     }
 
-    /// The state of the model.
+    /// The state of the program, by what it shows.
     pub(crate) const fn state(&self) -> AsState {
         self.memory.control.state
     }
@@ -67,22 +80,87 @@ impl<'a> Pilot<'a> {
         self.model.machine().edition().rules.timing.cycle_ms.into()
     }
 
-    /// One step; none any more once the program has done something else than the model.
+    /// One step; none any more once the program has gone elsewhere than the model.
     pub(crate) fn step(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
         if self.lost {
             return Ok(());
         }
-        self.inputs.ai.status.handshake = self.bit == self.answers;
         // What the edition's messages cannot hold no program can be asked for.
-        self.inputs = self.inputs.held_by(&self.model.usual().bus);
-        let reply = self.subject.step(dt_ms, &self.inputs)?;
-        let (memory, outputs) = self.model.step(&self.memory, &self.inputs, dt_ms);
-        self.memory = memory;
-        self.bit =
-            reply.get("handshake").and_then(|value| value.raw).map_or(outputs.handshake, |raw| raw == 1);
-        self.lost = !reply.agrees(&self.model.shown(&outputs, &self.inputs));
-        self.record.steps.push(Step { dt_ms, inputs: self.inputs });
+        let inputs = self.answering(&self.inputs).held_by(&self.model.usual().bus);
+        let reply = self.subject.step(dt_ms, &inputs)?;
+        let (outputs, memory) = self.model.follow(&self.memory, &inputs, dt_ms, &reply);
+        (self.memory, self.inputs) = (memory, inputs);
+        let shown = reply.get("handshake").and_then(|value| value.raw).map(|raw| raw == 1);
+        let tells = !self.model.shows_handshake_otherwise();
+        self.bit = shown.filter(|_| tells).unwrap_or(memory.control.handshake.bit);
+        self.lost = outputs.state != memory.control.state;
+        self.record.steps.push(Step { dt_ms, inputs });
         self.record.replies.push(reply);
+        Ok(())
+    }
+
+    /// The inputs with the answer to the handshake.
+    const fn answering(&self, inputs: &Inputs) -> Inputs {
+        let mut answering = *inputs;
+        answering.ai.status.handshake = self.bit == self.answers;
+        answering
+    }
+
+    /// What the model remembers after a step with these inputs.
+    fn foreseen(&self, inputs: &Inputs, dt_ms: u32) -> Memory {
+        self.model.step(&self.memory, &self.answering(inputs), dt_ms).0
+    }
+
+    /// Whether the model leads there with the next step, or is on its way where that is late; to another state as if this one had
+    /// lasted for its time.
+    fn leads_to(&self, inputs: &Inputs, dt_ms: u32, to: AsState) -> bool {
+        if to == self.state() {
+            return self.foreseen(inputs, dt_ms).control.state == to;
+        }
+        let memory = self.model.patient(&self.memory);
+        let after = self.model.step(&memory, &self.answering(inputs), dt_ms).0;
+        after.control.state == to || after.waits_longer_than(&memory)
+    }
+
+    /// Whether the model takes an arrow with the next step.
+    pub(crate) fn is_led_to(&self, to: AsState, term: &Term) -> bool {
+        self.leads_to(&self.inputs, self.last_ms(term), to)
+    }
+
+    /// Changes as few inputs as it takes for the next step to lead to a state by the model, or to stay in it; false if it does not
+    /// with any.
+    pub(crate) fn aim(&mut self, to: AsState, dt_ms: u32) -> bool {
+        if self.leads_to(&self.inputs, dt_ms, to) {
+            return true;
+        }
+        let ways = self.ways;
+        let mut told = ways.told_by(self.state());
+        for pair in [false, true] {
+            let firsts: Vec<Inputs> = if pair {
+                told.by_ref().filter_map(|(field, raw)| with(&self.inputs, field, raw)).collect()
+            } else {
+                vec![self.inputs]
+            };
+            for first in firsts {
+                for (field, raw) in ways.changes() {
+                    if let Some(inputs) = with(&first, field, raw)
+                        && self.leads_to(&inputs, dt_ms, to)
+                    {
+                        self.inputs = inputs;
+                        return true;
+                    }
+                }
+            }
+        }
+        false
+    }
+
+    /// Time passes, and the state stays: what would end it by the model is otherwise meanwhile.
+    pub(crate) fn wait(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
+        let wanted = self.inputs;
+        self.aim(self.state(), dt_ms);
+        self.step(dt_ms)?;
+        self.inputs = wanted;
         Ok(())
     }
 
@@ -115,11 +193,22 @@ impl<'a> Pilot<'a> {
 
     /// The first alternative of an arrow by the model.
     pub(crate) fn term(&self, to: AsState) -> Option<Term> {
-        let machine = self.model.machine();
-        let table = &machine.edition().rules.table;
-        { machine.arrows(self.state()) }
-            .find_map(|taken| taken.term(table).filter(|_| taken.row(table).is_some_and(|row| row.to == to)))
-            .copied()
+        self.model.terms(self.state()).find(|(_, leads)| *leads == to).map(|(term, _)| term)
+    }
+
+    /// Changes the inputs so that an alternative of an arrow of this state holds, as far as they decide.
+    pub(crate) fn ready(&mut self, term: &Term, to: AsState) {
+        if to != AsState::EmergencyBrake {
+            self.calm();
+        }
+        for (atom, value) in term.literals() {
+            self.show(atom, value);
+        }
+        for (field, raw, is) in self.model.needs((self.state(), to)) {
+            if ((field.get)(&self.inputs) == raw) != is {
+                (field.set)(&mut self.inputs, if is { raw } else { i32::from(raw == 0) });
+            }
+        }
     }
 
     /// Everything but the last step to an alternative of an arrow of this state, as the model has it.
@@ -146,7 +235,7 @@ impl<'a> Pilot<'a> {
         ] {
             if term.on.has(edge) {
                 self.show(before, edge == Atom::MissionFinishedEdge);
-                self.step(cycle)?;
+                self.wait(cycle)?;
             }
         }
         for (atom, value) in term.literals() {
@@ -174,62 +263,104 @@ impl<'a> Pilot<'a> {
         let waits = term.on.has(Atom::DwellElapsed) || term.on.has(Atom::EbsTimerComplete);
         let left = self.left_ms();
         if waits && left > 0 && term.on.has(Atom::GoEdge) {
-            self.step(left.saturating_sub(early_ms))?;
+            self.wait_with(left.saturating_sub(early_ms), with)?;
         } else if waits && left > cycle {
-            // The last cycle is the step that is wanted.
+            // The last cycle is the step that is wanted, unless the timer runs only as it is wanted.
             let (asms, late) = (self.inputs.asms, left - cycle);
             self.inputs.asms = true;
-            self.step(late.saturating_sub(early_ms))?;
+            if self.foreseen(&self.inputs, late).control.in_state_ms == 0 {
+                self.inputs.asms = asms;
+            }
+            self.wait_with(late.saturating_sub(early_ms), with)?;
             self.inputs.asms = asms;
         }
         if term.on.has(Atom::GoEdge) {
             if !self.memory.control.go_seen_low {
-                self.step(cycle)?;
+                self.wait_with(cycle, with)?;
             }
             self.inputs.go = true;
         }
         if term.on.has(Atom::AiCommsLost) {
             self.inputs.tsms = true;
-            self.step(cycle)?;
+            self.wait_with(cycle, with)?;
             self.answers = false;
         }
+        if with.is_none() {
+            self.aim(to, self.last_ms(term));
+        }
         Ok(())
+    }
+
+    /// Waits, with nothing changed where an input is to be otherwise all the time.
+    fn wait_with(&mut self, dt_ms: u32, with: Option<(&InputField, i32)>) -> Result<(), ProgramError> {
+        if with.is_some() { self.step(dt_ms) } else { self.wait(dt_ms) }
+    }
+
+    /// The time of the last step to an alternative.
+    pub(crate) fn last_ms(&self, term: &Term) -> u32 {
+        let timing = &self.model.machine().edition().rules.timing;
+        if term.on.has(Atom::AiCommsLost) { timing.handshake_ms.into() } else { timing.cycle_ms.into() }
     }
 
     /// The last step to an alternative, with as many more as the arrow is late.
     pub(crate) fn take(&mut self, term: &Term, to: AsState) -> Result<(), ProgramError> {
         let delay = self.model.delay((self.state(), to));
-        let handshake = u32::from(self.model.machine().edition().rules.timing.handshake_ms);
-        let dt_ms = if term.on.has(Atom::AiCommsLost) { handshake } else { self.cycle_ms() };
-        self.step(dt_ms)?;
+        self.step(self.last_ms(term))?;
         for _ in 0..delay {
             self.step(self.cycle_ms())?;
         }
         Ok(())
     }
 
-    /// Into a state, with inputs that keep it there. Tells whether the model got there.
+    /// Into a state, with inputs that keep it there. Tells whether the program got there.
     pub(crate) fn to(&mut self, state: AsState) -> Result<bool, ProgramError> {
-        let by = match state {
-            AsState::Off => return Ok(true),
-            AsState::Ready => AsState::Off,
-            AsState::Driving | AsState::EmergencyBrake => AsState::Ready,
-            AsState::Finished => AsState::Driving,
-        };
-        if !self.to(by)? || self.lost {
-            return Ok(false);
+        let Some(way) = self.ways.to(state) else { return Ok(false) };
+        for hop in way {
+            if !self.hop(hop)? {
+                return Ok(false);
+            }
         }
-        let Some(term) = self.term(state) else { return Ok(false) };
-        self.prepare(&term, state, 0)?;
-        if state == AsState::Driving {
-            self.inputs.ai.status.mission_status = MissionStatus::Running;
+        Ok(true)
+    }
+
+    /// From one state to the next, with inputs that keep it there. Tells whether the program got there.
+    pub(crate) fn hop(&mut self, hop: &Hop) -> Result<bool, ProgramError> {
+        let to = hop.to;
+        match &hop.by {
+            By::Term(term) => {
+                self.prepare(term, to, 0)?;
+                if to == AsState::Driving {
+                    self.inputs.ai.status.mission_status = MissionStatus::Running;
+                }
+                self.aim(to, self.last_ms(term));
+                self.take(term, to)?;
+            }
+            By::Also(field, raw) => {
+                (field.set)(&mut self.inputs, *raw);
+                self.aim(to, self.cycle_ms());
+                self.step(self.cycle_ms())?;
+            }
         }
-        self.take(&term, state)?;
-        match state {
-            AsState::Driving => self.inputs.ai.status.direction_request = DirectionRequest::Forward,
+        self.answers = true;
+        match to {
+            AsState::Driving => {
+                self.inputs.ai.status.direction_request = DirectionRequest::Forward;
+                (self.inputs.asms, self.inputs.go) = (true, true);
+            }
             AsState::Finished => self.inputs.ai.status.direction_request = DirectionRequest::Neutral,
             _ => self.calm(),
         }
-        Ok(self.state() == state && !self.lost)
+        if self.state() != to || self.lost {
+            return Ok(false);
+        }
+        // What would end it at once by the model is changed, as far as that helps.
+        self.aim(to, self.cycle_ms());
+        Ok(true)
     }
+}
+
+/// The inputs with one otherwise; `None` if it is as it was.
+fn with(inputs: &Inputs, field: &InputField, raw: i32) -> Option<Inputs> {
+    let mut other = *inputs;
+    ((field.get)(inputs) != raw && (field.set)(&mut other, raw)).then_some(other)
 }

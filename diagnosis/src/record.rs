@@ -1,7 +1,11 @@
 //! What was asked, and what was answered.
 
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::sync::Arc;
+
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, Difference, Shown};
+use adsdv_oracle::protocol::Answer;
 use adsdv_oracle::suite::Step;
 
 use crate::model::{Memory, Model};
@@ -39,23 +43,69 @@ impl Record {
     pub fn is_explained(&self, model: &Model) -> bool {
         self.agrees(model) == self.replies.len()
     }
+}
 
-    /// The first wrong answer by a model: its place, and what is shown there instead.
-    pub fn wrong(&self, model: &Model) -> Option<(usize, Memory, Shown)> {
-        let mut memory = Memory::INITIAL;
-        for (place, (step, reply)) in self.steps.iter().zip(&self.replies).enumerate() {
-            let (after, outputs) = model.step(&memory, &step.inputs, step.dt_ms);
-            let shown = model.shown(&outputs, &step.inputs);
-            if !reply.agrees(&shown) {
-                return Some((place, memory, shown));
-            }
-            memory = after;
+/// A record as it is kept: what is answered again and again is kept once.
+#[derive(Clone, Debug)]
+pub(crate) struct Kept {
+    pub(crate) steps: Vec<Step>,
+    pub(crate) replies: Vec<Arc<Answer>>,
+    /// For each step a number that stands for it and its answer.
+    pub(crate) marks: Vec<u64>,
+}
+
+impl Kept {
+    /// As a record.
+    pub(crate) fn record(&self) -> Record {
+        let replies = self.replies.iter().map(|reply| **reply).collect();
+        Record { steps: self.steps.clone(), replies }
+    }
+}
+
+fn mark(step: &Step, reply: &Arc<Answer>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (step.dt_ms, &step.inputs, Arc::as_ptr(reply)).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// All that was asked and answered, as far as it is kept.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Records {
+    kept: Vec<Kept>,
+    answers: HashMap<Answer, Arc<Answer>>,
+    /// How many steps are kept.
+    steps: usize,
+    /// How many records there were.
+    pub(crate) count: usize,
+}
+
+impl Records {
+    /// No more steps than these are kept: of the records before, those go first that are the oldest.
+    const MOST: usize = 600_000;
+
+    /// Keeps some more.
+    pub(crate) fn extend(&mut self, records: impl IntoIterator<Item = Record>) {
+        for Record { steps, replies } in records {
+            self.steps += steps.len();
+            self.count += 1;
+            let answers = &mut self.answers;
+            let kept = |reply: Answer| answers.entry(reply).or_insert_with(|| Arc::new(reply)).clone();
+            let replies: Vec<Arc<Answer>> = replies.into_iter().map(kept).collect();
+            let marks = steps.iter().zip(&replies).map(|(step, reply)| mark(step, reply)).collect();
+            self.kept.push(Kept { steps, replies, marks });
         }
-        None
+        let mut old = 0;
+        while self.steps > Self::MOST
+            && let Some(record) = self.kept.get(old)
+        {
+            self.steps -= record.steps.len();
+            old += 1;
+        }
+        self.kept.drain(..old);
     }
 
-    /// In which outputs the answer to a step differs from these.
-    pub(crate) fn differences(&self, place: usize, shown: &Shown) -> Vec<Difference> {
-        self.replies.get(place).map_or(Vec::new(), |reply| reply.differences(shown).collect())
+    /// Those that are kept.
+    pub(crate) fn kept(&self) -> &[Kept] {
+        &self.kept
     }
 }

@@ -1,57 +1,129 @@
 //! The time, or the value, at which a program turns: found by halving.
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_spec::messages::{AsState, MissionStatus, SteerAngle, WheelSpeed};
+use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, Threshold, Time};
-use adsdv_spec::{AiSilence, Atom};
+use adsdv_spec::{AiSilence, Atom, Rules, Term};
 
 use crate::deviation::Deviation;
-use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::subject::Subject;
+use crate::ways::Ways;
 
 /// No time longer than this is tried, in milliseconds.
 const LONGEST_MS: i32 = 32_000;
+/// No silence longer than this is tried, in milliseconds.
+const LONGEST_SILENCE_MS: i32 = 2_000;
+/// An arrow is no more steps late than these.
+const LATEST: u8 = 3;
 
-/// The times and thresholds of a program that are not those of the document, as far as it can be led to where they count.
-pub(crate) fn all(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Deviation>, ProgramError> {
-    let mut found = Vec::new();
-    let mut add = |change: fn(i16) -> Change, value: Option<i32>, usual: i32| {
-        let by = value.map(|value| value - usual).filter(|by| *by != 0);
-        if let Some(by) = by.and_then(|by| i16::try_from(by).ok()) {
-            found.push(Deviation::Changed(change(by)));
+/// A number that decides about a condition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Number {
+    Time(Time),
+    Threshold(Threshold),
+}
+
+impl Number {
+    /// The number behind a condition of an arrow.
+    const fn of(atom: Atom) -> Option<Self> {
+        Some(match atom {
+            Atom::DwellElapsed => Self::Time(Time::ReadyDwell),
+            Atom::EbsTimerComplete => Self::Time(Time::EbsTimer),
+            Atom::AiCommsLost => Self::Time(Time::Handshake),
+            Atom::Moving | Atom::AtRest => Self::Threshold(Threshold::WheelSpeed),
+            Atom::SteerStraight => Self::Threshold(Threshold::Straight),
+            _ => return None,
+        })
+    }
+
+    /// The greatest that is tried.
+    const fn most(self) -> i32 {
+        match self {
+            Self::Time(Time::Handshake) | Self::Threshold(Threshold::Missed) => LONGEST_SILENCE_MS,
+            Self::Time(_) => LONGEST_MS,
+            Self::Threshold(Threshold::WheelSpeed) => WheelSpeed::MAX.raw(),
+            Self::Threshold(Threshold::Straight) => SteerAngle::MAX.raw(),
         }
+    }
+
+    /// As the rules have it.
+    fn usual(self, rules: &Rules) -> i32 {
+        let timing = &rules.timing;
+        match self {
+            Self::Time(Time::ReadyDwell) => timing.ready_dwell_ms.into(),
+            Self::Time(Time::EbsTimer) => timing.ebs_timer_ms.into(),
+            Self::Time(Time::Handshake) => timing.handshake_ms.into(),
+            Self::Threshold(Threshold::WheelSpeed) => rules.thresholds.wheel_speed.raw(),
+            Self::Threshold(Threshold::Straight) => rules.thresholds.straight.raw(),
+            Self::Threshold(Threshold::Missed) => rules.thresholds.missed_ms.unwrap_or_default().into(),
+        }
+    }
+
+    /// That it has this value; `None` if that is the usual one.
+    pub(crate) fn deviation(self, value: i32, rules: &Rules) -> Option<Deviation> {
+        let by = i16::try_from(value - self.usual(rules)).ok().filter(|by| *by != 0)?;
+        Some(Deviation::Changed(match self {
+            Self::Time(time) => Change::Time(time, by),
+            Self::Threshold(threshold) => Change::Threshold(threshold, by),
+        }))
+    }
+}
+
+/// The times and thresholds of a program that are not those of the document, as far as it can be led to where they count: by each
+/// arrow that they decide about, and by the flag of communication that is lost.
+pub(crate) fn all(subject: &mut dyn Subject, ways: &Ways<'_>) -> Result<Vec<Deviation>, ProgramError> {
+    let rules = ways.model.usual().rules;
+    let mut found: Vec<Deviation> = Vec::new();
+    let mut add = |number: Number, value: Option<i32>| {
+        let deviation = value.and_then(|value| number.deviation(value, &rules));
+        found.extend(deviation.filter(|deviation| !found.contains(deviation)));
     };
-    let rules = model.usual().rules;
-    let dwell = first(1, LONGEST_MS, |ms| drives_after(subject, model, ms))?;
-    add(|by| Change::Time(Time::ReadyDwell, by), dwell, rules.timing.ready_dwell_ms.into());
-    let brakes = first(1, LONGEST_MS, |ms| is_off_after(subject, model, ms))?;
-    add(|by| Change::Time(Time::EbsTimer, by), brakes, rules.timing.ebs_timer_ms.into());
-    let lost = first(1, LONGEST_MS, |ms| is_lost_after(subject, model, ms))?;
-    add(|by| Change::Time(Time::Handshake, by), lost, rules.timing.handshake_ms.into());
-    let moving = first(1, WheelSpeed::MAX.raw(), |raw| moves_at(subject, model, raw))?;
-    add(|by| Change::Threshold(Threshold::WheelSpeed, by), moving, rules.thresholds.wheel_speed.raw());
-    let straight = first(1, SteerAngle::MAX.raw(), |raw| is_bent_at(subject, model, raw))?;
-    add(|by| Change::Threshold(Threshold::Straight, by), straight, rules.thresholds.straight.raw());
-    if let Some(usual) = rules.thresholds.missed_ms {
-        let missed = first(1, 2000, |ms| is_missed_after(subject, model, ms))?;
-        add(|by| Change::Threshold(Threshold::Missed, by), missed, usual.into());
+    for state in AsState::ALL.into_iter().filter(|state| ways.to(*state).is_some()) {
+        for (term, to) in ways.model.terms(state) {
+            for (atom, _) in term.literals() {
+                let Some(number) = Number::of(atom) else { continue };
+                let delay = ways.model.delay((state, to));
+                for late in (delay..=delay).chain((0..=LATEST).filter(|late| *late != delay)) {
+                    let turn = Turn { ways, state, term, to, late };
+                    let value = turns(1, number.most(), |value| turn.is_taken(subject, number, value))?;
+                    // "Moving" is what is above the limit.
+                    add(number, value.map(|value| if atom == Atom::Moving { value - 1 } else { value }));
+                    if atom == Atom::DwellElapsed {
+                        // Where "Go" need not be seen off before, the step in which it is on counts as well.
+                        add(number, value.map(|value| value + i32::from(rules.timing.cycle_ms)));
+                    }
+                    if value.is_some() {
+                        break;
+                    }
+                }
+            }
+        }
+        let lost =
+            |missed| move |subject: &mut dyn Subject, ms| is_lost_after(subject, ways, state, missed, ms);
+        let handshake = Number::Time(Time::Handshake);
+        add(handshake, turns(1, handshake.most(), |ms| lost(false)(subject, ms))?);
+        if rules.thresholds.missed_ms.is_some() {
+            let missed = Number::Threshold(Threshold::Missed);
+            add(missed, turns(1, missed.most(), |ms| lost(true)(subject, ms))?);
+        }
     }
     Ok(found)
 }
 
-/// The first number for which it is so, where it is not so for the first and so for the last.
-fn first(
+/// The first number for which it is otherwise than for the first of all, where it is otherwise for the last.
+fn turns(
     mut no: i32,
     mut yes: i32,
     mut is: impl FnMut(i32) -> Result<bool, ProgramError>,
 ) -> Result<Option<i32>, ProgramError> {
-    if is(no)? || !is(yes)? {
+    let first = is(no)?;
+    if is(yes)? == first {
         return Ok(None);
     }
     while yes - no > 1 {
         let between = no + (yes - no) / 2;
-        if is(between)? { yes = between } else { no = between }
+        if is(between)? == first { no = between } else { yes = between }
     }
     Ok(Some(yes))
 }
@@ -60,78 +132,86 @@ fn ms(value: i32) -> u32 {
     u32::try_from(value).unwrap_or_default()
 }
 
-/// Whether an edge of "Go" is taken after AS_READY has lasted for this time.
-fn drives_after(subject: &mut dyn Subject, model: &Model, lasts: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
-    if !pilot.to(AsState::Ready)? {
-        return Ok(false);
-    }
-    let Some(term) = pilot.term(AsState::Driving) else { return Ok(false) };
-    for (atom, value) in term.literals() {
-        pilot.show(atom, value);
-    }
-    pilot.inputs.go = false;
-    pilot.step(ms(lasts))?;
-    pilot.inputs.go = true;
-    pilot.cycles(1)?;
-    Ok(pilot.shows() == Some(AsState::Driving))
+/// An alternative of an arrow, that is taken so many steps late.
+struct Turn<'a> {
+    ways: &'a Ways<'a>,
+    state: AsState,
+    term: Term,
+    to: AsState,
+    late: u8,
 }
 
-/// Whether EMERGENCY_BRAKE is left after it has lasted for this time.
-fn is_off_after(subject: &mut dyn Subject, model: &Model, lasts: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
-    if !pilot.to(AsState::EmergencyBrake)? {
-        return Ok(false);
+impl Turn<'_> {
+    /// Whether it is taken with a number as it is given here.
+    fn is_taken(&self, subject: &mut dyn Subject, number: Number, value: i32) -> Result<bool, ProgramError> {
+        let Self { term, to, .. } = *self;
+        let mut pilot = Pilot::new(subject, self.ways)?;
+        if !pilot.to(self.state)? {
+            return Ok(false);
+        }
+        let mut last_ms = pilot.last_ms(&term);
+        match number {
+            Number::Time(Time::ReadyDwell) => {
+                pilot.ready(&term, to);
+                pilot.inputs.go = false;
+                pilot.wait(ms(value))?;
+                pilot.inputs.go = true;
+                pilot.aim(to, last_ms);
+            }
+            Number::Time(Time::EbsTimer) => {
+                pilot.ready(&term, to);
+                pilot.aim(to, last_ms);
+                last_ms = ms(value);
+            }
+            Number::Time(Time::Handshake) => {
+                pilot.prepare(&term, to, 0)?;
+                last_ms = ms(value);
+            }
+            Number::Threshold(threshold) => {
+                if term.on.has(Atom::DwellElapsed) {
+                    pilot.wait(LONGEST_MS.unsigned_abs())?;
+                }
+                pilot.prepare(&term, to, 0)?;
+                let (speed, angle) = (WheelSpeed::clamped(value), SteerAngle::clamped(value));
+                let vehicle = &mut pilot.inputs.vehicle;
+                if threshold == Threshold::WheelSpeed {
+                    let wheels = &mut vehicle.wheel_speeds;
+                    (wheels.fl_wheel_speed, wheels.fr_wheel_speed) = (speed, speed);
+                    (wheels.rl_wheel_speed, wheels.rr_wheel_speed) = (speed, speed);
+                } else {
+                    vehicle.steer_angle = angle;
+                }
+            }
+        }
+        pilot.find_again();
+        pilot.step(last_ms)?;
+        for _ in 0..self.late {
+            pilot.cycles(1)?;
+        }
+        Ok(pilot.state() == to)
     }
-    pilot.inputs.asms = false;
-    pilot.step(ms(lasts))?;
-    Ok(pilot.shows() == Some(AsState::Off))
 }
 
-/// Whether AI_COMMS_LOST is shown once the handshake is unanswered for this time.
-fn is_lost_after(subject: &mut dyn Subject, model: &Model, lasts: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
+/// Whether AI_COMMS_LOST is shown in a state once the handshake is unanswered, or all messages have been missing, for this time.
+fn is_lost_after(
+    subject: &mut dyn Subject,
+    ways: &Ways<'_>,
+    state: AsState,
+    missed: bool,
+    lasts: i32,
+) -> Result<bool, ProgramError> {
+    let mut pilot = Pilot::new(subject, ways)?;
+    if !pilot.to(state)? {
+        return Ok(false);
+    }
     pilot.inputs.tsms = true;
     pilot.cycles(2)?;
-    pilot.answers = false;
-    pilot.step(ms(lasts))?;
-    Ok(pilot.shows_comms_lost())
-}
-
-/// Whether a speed is too high for AS_FINISHED.
-fn moves_at(subject: &mut dyn Subject, model: &Model, raw: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
-    if !pilot.to(AsState::Driving)? {
-        return Ok(false);
+    if missed {
+        pilot.inputs.ai_silence = AiSilence::of(u16::try_from(lasts).unwrap_or(u16::MAX));
+        pilot.cycles(1)?;
+    } else {
+        pilot.answers = false;
+        pilot.step(ms(lasts))?;
     }
-    let speed = WheelSpeed::clamped(raw);
-    let wheels = &mut pilot.inputs.vehicle.wheel_speeds;
-    (wheels.fl_wheel_speed, wheels.fr_wheel_speed) = (speed, speed);
-    (wheels.rl_wheel_speed, wheels.rr_wheel_speed) = (speed, speed);
-    pilot.inputs.ai.status.mission_status = MissionStatus::Finished;
-    pilot.cycles(1)?;
-    Ok(pilot.shows() != Some(AsState::Finished))
-}
-
-/// Whether a steer angle is too large for "Go".
-fn is_bent_at(subject: &mut dyn Subject, model: &Model, raw: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
-    if !pilot.to(AsState::Ready)? {
-        return Ok(false);
-    }
-    let Some(term) = pilot.term(AsState::Driving) else { return Ok(false) };
-    pilot.prepare(&term, AsState::Driving, 0)?;
-    pilot.inputs.vehicle.steer_angle = SteerAngle::clamped(raw);
-    pilot.take(&term, AsState::Driving)?;
-    Ok(pilot.shows() != Some(AsState::Driving))
-}
-
-/// Whether AI_COMMS_LOST is shown once all messages have been missing for this time.
-fn is_missed_after(subject: &mut dyn Subject, model: &Model, lasts: i32) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, model)?;
-    pilot.show(Atom::Tsms, true);
-    pilot.cycles(2)?;
-    pilot.inputs.ai_silence = AiSilence::of(u16::try_from(lasts).unwrap_or(u16::MAX));
-    pilot.cycles(1)?;
     Ok(pilot.shows_comms_lost())
 }

@@ -7,7 +7,7 @@ use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Edition, Row, Term};
 
-use crate::deviation::{Deviation, Wheels};
+use crate::deviation::{Deviation, Remembers, Wheels};
 
 impl Deviation {
     /// In words, with what the edition asks for instead.
@@ -45,7 +45,12 @@ impl Deviation {
             Self::Wheels(Wheels::Only(wheel)) => format!("moving:wheel-{}", wheel + 1),
             Self::GoLevel => "go:level".to_owned(),
             Self::GoNeedsHandshake => "go:needs-handshake".to_owned(),
+            Self::Joined { row: place, one, other } => {
+                format!("{}:{}:and:{}", row(place), one + 1, other + 1)
+            }
+            Self::Remembers(what) => format!("remembers:{}", remembers_id(what)),
             Self::Shows { state, key, raw } => format!("{}:shows:{key}={raw}", short(state)),
+            Self::Writes { key, value, raw } => format!("writes:{key}:{value}={raw}"),
         }
     }
 
@@ -71,6 +76,7 @@ impl Deviation {
             Self::Changed(Change::RowDropped(place) | Change::Term(place, ..)) => {
                 of(place).into_iter().collect()
             }
+            Self::Joined { row, .. } => of(row).into_iter().collect(),
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 vec![(from, to)]
             }
@@ -78,7 +84,9 @@ impl Deviation {
             | Self::Wheels(_)
             | Self::GoLevel
             | Self::GoNeedsHandshake
-            | Self::Shows { .. } => Vec::new(),
+            | Self::Remembers(_)
+            | Self::Shows { .. }
+            | Self::Writes { .. } => Vec::new(),
         }
     }
 
@@ -87,7 +95,8 @@ impl Deviation {
         let rows = edition.rules.table.rows();
         let of_row = |row: Option<&Row>| row.map_or(Vec::new(), |row| row.cites.requirements.to_vec());
         match self {
-            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _)) => of_row(rows.get(row)),
+            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _))
+            | Self::Joined { row, .. } => of_row(rows.get(row)),
             Self::Changed(Change::RowFirst(row)) => {
                 rows.get(row).map_or(Vec::new(), |row| [row.cites.requirements, row.cites.order].concat())
             }
@@ -112,7 +121,7 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Late { from, to, .. } => {
                 of_row(rows.iter().find(|row| (row.from, row.to) == (from, to)))
             }
-            Self::Shows { key, .. } => SHOWN
+            Self::Shows { key, .. } | Self::Writes { key, .. } => SHOWN
                 .iter()
                 .find(|field| field.key == key)
                 .map_or(Vec::new(), |field| field.requirements.to_vec()),
@@ -147,6 +156,50 @@ const fn threshold_id(threshold: Threshold) -> &'static str {
     }
 }
 
+const fn remembers_id(what: Remembers) -> &'static str {
+    match what {
+        Remembers::CauseUntilLeft => "cause-until-left",
+        Remembers::LatestCause => "latest-cause",
+        Remembers::DwellOfAllVisits => "dwell-of-all-visits",
+        Remembers::TimerWhileAsmsOff => "timer-while-asms-off",
+        Remembers::GoSeenOff => "go-seen-off",
+        Remembers::CommsLost => "comms-lost",
+    }
+}
+
+const fn remembers_text(what: Remembers) -> &'static str {
+    match what {
+        Remembers::CauseUntilLeft => {
+            "SHUTDOWN_CAUSE is forgotten when EMERGENCY_BRAKE is left; expected until the power goes off"
+        }
+        Remembers::LatestCause => {
+            "SHUTDOWN_CAUSE follows later faults in EMERGENCY_BRAKE; expected the cause that came first"
+        }
+        Remembers::DwellOfAllVisits => {
+            "the time in AS_READY goes on where it was when AS_READY was left; expected from the beginning"
+        }
+        Remembers::TimerWhileAsmsOff => {
+            "the EBS timer runs only while AS master switch OFF; expected from EMERGENCY_BRAKE on"
+        }
+        Remembers::GoSeenOff => {
+            "\"Go\" seen off once counts until AS_READY is left; expected only if the other conditions hold meanwhile"
+        }
+        Remembers::CommsLost => {
+            "AI_COMMS_LOST stays once it is raised; expected until the handshake is answered"
+        }
+    }
+}
+
+/// A value of an output in the words of the edition.
+fn output(edition: &Edition, key: &str, raw: i32) -> String {
+    let protocol = Protocol::of(edition);
+    let field = protocol.shown().find(|(field, _)| field.key == key);
+    field.map_or_else(
+        || raw.to_string(),
+        |(_, domain)| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }.to_string(),
+    )
+}
+
 fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -> fmt::Result {
     match *deviation {
         Deviation::Changed(change) => changed(f, &change, edition),
@@ -171,15 +224,29 @@ fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -
         Deviation::GoNeedsHandshake => f.write_str(
             "an edge of \"Go\" is lost while the AI Computer's HANDSHAKE is not the VCU's; expected it to count",
         ),
+        Deviation::Joined { row, one, other } => {
+            let row = edition.rules.table.rows().get(row).ok_or(fmt::Error)?;
+            let terms = row.terms();
+            let (one, other) = (terms.get(one).ok_or(fmt::Error)?, terms.get(other).ok_or(fmt::Error)?);
+            let (one, other) = (conditions(edition, one), conditions(edition, other));
+            write!(f, "{} -> {} only by {one} together with {other}; expected by either", row.from, row.to)
+        }
+        Deviation::Remembers(what) => f.write_str(remembers_text(what)),
         Deviation::Shows { state, key, raw } => {
-            let protocol = Protocol::of(edition);
-            let field = protocol.shown().find(|(field, _)| field.key == key);
-            match field.map(|(_, domain)| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }) {
-                Some(value) => write!(f, "{key} is {value} in {state}, whatever it should be"),
-                None => write!(f, "{key} is {raw} in {state}, whatever it should be"),
-            }
+            write!(f, "{key} is {} in {state}, whatever it should be", output(edition, key, raw))
+        }
+        Deviation::Writes { key, value, raw } => {
+            let (found, expected) = (output(edition, key, raw), output(edition, key, value));
+            write!(f, "{key} is {found} where it should be {expected}")
         }
     }
+}
+
+/// The conditions of an alternative.
+fn conditions(edition: &Edition, term: &Term) -> String {
+    let rules = &edition.rules;
+    let each: Vec<String> = term.literals().map(|(atom, on)| rules.text(atom, on).to_string()).collect();
+    each.join(" and ")
 }
 
 fn changed(f: &mut fmt::Formatter<'_>, change: &Change, edition: &Edition) -> fmt::Result {
@@ -241,10 +308,7 @@ fn term_changed(
 ) -> fmt::Result {
     let Row { from, to, .. } = row;
     let rules = &edition.rules;
-    let conditions = || {
-        let each: Vec<String> = term.literals().map(|(atom, on)| rules.text(atom, on).to_string()).collect();
-        each.join(" and ")
-    };
+    let conditions = || conditions(edition, term);
     let needed = |of| term.literals().find(|(atom, _)| *atom == of).is_none_or(|(_, on)| on);
     match change {
         TermChange::Dropped => write!(f, "{from} -> {to} is not taken by {}", conditions()),

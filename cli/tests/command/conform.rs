@@ -342,7 +342,9 @@ fn a_program_that_misbehaves_is_no_verdict() {
         let first = told.stderr.lines().next().unwrap_or_default();
         assert!(first.starts_with("adsdv: ") && first.contains(error), "{first}");
         assert!(
-            ["3.1", "the beginning"].iter().any(|place| told.stderr.contains(&format!("\n  in        {place}")))
+            ["3.1", "the beginning"]
+                .iter()
+                .any(|place| told.stderr.contains(&format!("\n  in        {place}")))
                 && told.stderr.contains("\n  sent      {\"op\":"),
             "{}",
             told.stderr

@@ -58,6 +58,14 @@ impl Answer {
         }
     }
 
+    /// What it says of the field at this place in [`SHOWN`], as a raw value; `None` if it says nothing.
+    pub fn raw_at(&self, place: usize) -> Option<Option<i32>> {
+        match self.given.get(place)? {
+            AnsweredValue::Nothing => None,
+            AnsweredValue::Value(raw) => Some(*raw),
+        }
+    }
+
     /// The keys of the fields of which it says anything.
     pub fn keys(&self) -> impl Iterator<Item = &'static str> {
         let given = self.given;

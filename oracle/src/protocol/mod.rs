@@ -39,5 +39,5 @@ pub use bad_line::BadLine;
 pub use field::{Domain, Value};
 pub use inputs::{INPUTS, InputField};
 pub use request::{InputsAsJson, Request};
-pub use shown::{SHOWN, Shown, ShownField};
+pub use shown::{SHOWN, Showing, Shown, ShownField};
 pub use spoken::{Protocol, UNSAID};

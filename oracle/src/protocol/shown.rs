@@ -231,13 +231,39 @@ pub struct Shown {
     pub(super) words: Words,
 }
 
+/// What steps of an edition show: which fields it has is looked up once, for who asks for millions of steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Showing {
+    has: [bool; SHOWN.len()],
+    words: Words,
+}
+
+impl Showing {
+    /// Of an edition.
+    pub fn of(edition: &Edition) -> Self {
+        Self { has: SHOWN.map(|field| field.is_in(edition)), words: Words(edition.bus) }
+    }
+
+    /// What a step shows.
+    pub fn shown(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
+        let (status, actuation) = (outputs.messages(inputs).status, outputs.actuation(inputs));
+        let mut raw = [None; SHOWN.len()];
+        for (slot, (field, has)) in raw.iter_mut().zip(FIELDS.iter().zip(self.has)) {
+            *slot = if has { (field.get)(&status, &actuation) } else { None };
+        }
+        Shown { raw, words: self.words }
+    }
+}
+
 impl Shown {
     /// What a step of an edition's specification shows.
     pub fn of(edition: &Edition, outputs: &Outputs, inputs: &Inputs) -> Self {
-        let (status, actuation) = (outputs.messages(inputs).status, outputs.actuation(inputs));
-        let raw =
-            |field: ShownField| if field.is_in(edition) { (field.get)(&status, &actuation) } else { None };
-        Self { raw: SHOWN.map(raw), words: Words(edition.bus) }
+        Showing::of(edition).shown(outputs, inputs)
+    }
+
+    /// The raw value of the field at this place in [`SHOWN`].
+    pub fn raw_at(&self, place: usize) -> Option<i32> {
+        *self.raw.get(place)?
     }
 
     /// The value of a field; `None` if there is no such field.

@@ -1,0 +1,148 @@
+//! Looks for what an arrow wants besides that a program does not seem to have.
+
+use adsdv_oracle::conform::ProgramError;
+use adsdv_oracle::protocol::{Domain, InputField};
+use adsdv_spec::Term;
+use adsdv_spec::messages::AsState;
+
+use crate::deviation::Deviation;
+use crate::pilot::Pilot;
+use crate::random::Random;
+use crate::record::Record;
+use crate::subject::Subject;
+use crate::walk::LONG_MS;
+use crate::ways::Ways;
+
+/// So many times an arrow is tried with inputs by chance.
+const TRIES: usize = 240;
+/// Beyond these an arrow is not late.
+const LATEST: usize = 3;
+
+/// An arrow that is looked for: it is taken by a model that has it.
+pub(crate) struct Sought<'a> {
+    pub(crate) ways: &'a Ways<'a>,
+    pub(crate) from: AsState,
+    pub(crate) to: AsState,
+}
+
+/// What was found of an arrow.
+#[derive(Debug, Default)]
+pub(crate) struct Sight {
+    /// What was asked and answered.
+    pub(crate) records: Vec<Record>,
+    /// What the arrow may need, where it is taken at all: nothing if it only has to be waited for.
+    pub(crate) needs: Option<Vec<Vec<Deviation>>>,
+}
+
+/// When a long time passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wait {
+    /// Before anything is done.
+    Before,
+    Not,
+    /// While everything is as the arrow wants it.
+    AtLast,
+}
+
+type Changes = Vec<(&'static InputField, i32)>;
+
+impl Sought<'_> {
+    /// Looks for it.
+    pub(crate) fn look(&self, subject: &mut dyn Subject, random: &mut Random) -> Result<Sight, ProgramError> {
+        let mut sight = Sight::default();
+        let terms: Vec<Term> =
+            self.ways.model.terms(self.from).filter(|(_, to)| *to == self.to).map(|(term, _)| term).collect();
+        if terms.is_empty() || self.ways.to(self.from).is_none() {
+            return Ok(sight);
+        }
+        let waits = [Wait::Before, Wait::Not, Wait::AtLast];
+        for tried in 0..TRIES {
+            let Some(term) = terms.get(random.below(terms.len())) else { break };
+            let Some(&wait) = waits.get(tried % waits.len()) else { break };
+            let wanted = if tried < waits.len() { Vec::new() } else { self.by_chance(random) };
+            let (mut changes, taken) = self.is_taken(subject, term, &wanted, wait, &mut sight.records)?;
+            if !taken {
+                continue;
+            }
+            let mut place = 0;
+            while place < changes.len() {
+                let mut fewer = changes.clone();
+                fewer.remove(place);
+                let (made, taken) = self.is_taken(subject, term, &fewer, wait, &mut sight.records)?;
+                if taken {
+                    changes = made;
+                } else {
+                    place += 1;
+                }
+            }
+            sight.needs = Some(self.may_need(&changes));
+            break;
+        }
+        Ok(sight)
+    }
+
+    /// Some inputs otherwise.
+    fn by_chance(&self, random: &mut Random) -> Changes {
+        let named = self.ways.dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. }));
+        named
+            .filter_map(|dial| {
+                let raw = dial.values.get(random.below(dial.values.len()))?;
+                (random.below(2) == 0).then_some((dial.field, *raw))
+            })
+            .collect()
+    }
+
+    /// Whether the arrow is taken after a long time with some inputs otherwise, as far as the model takes it with them; those inputs.
+    fn is_taken(
+        &self,
+        subject: &mut dyn Subject,
+        term: &Term,
+        wanted: &Changes,
+        wait: Wait,
+        records: &mut Vec<Record>,
+    ) -> Result<(Changes, bool), ProgramError> {
+        let mut pilot = Pilot::new(subject, self.ways)?;
+        let (mut made, mut taken) = (Vec::new(), false);
+        if pilot.to(self.from)? {
+            if wait == Wait::Before {
+                pilot.wait(LONG_MS)?;
+            }
+            pilot.prepare(term, self.to, 0)?;
+            for &(field, raw) in wanted {
+                let before = pilot.inputs;
+                if (field.get)(&before) == raw {
+                    continue;
+                }
+                (field.set)(&mut pilot.inputs, raw);
+                if pilot.is_led_to(self.to, term) {
+                    made.push((field, raw));
+                } else {
+                    pilot.inputs = before;
+                }
+            }
+            if !pilot.is_lost() {
+                if wait == Wait::AtLast {
+                    pilot.step(LONG_MS)?;
+                } else {
+                    pilot.take(term, self.to)?;
+                }
+                taken = pilot.state() == self.to;
+                for _ in 0..LATEST {
+                    pilot.cycles(1)?;
+                    taken = taken || pilot.state() == self.to;
+                }
+            }
+        }
+        records.push(pilot.record());
+        Ok((made, taken))
+    }
+
+    /// What an arrow may need that is taken with these inputs otherwise, and not with one of them less.
+    fn may_need(&self, changes: &Changes) -> Vec<Vec<Deviation>> {
+        let (from, to) = (self.from, self.to);
+        let need = |&(field, raw): &(&'static InputField, i32)| {
+            vec![Deviation::Needs { from, to, key: field.key, raw, is: true }]
+        };
+        vec![changes.iter().flat_map(need).collect()]
+    }
+}

@@ -1,0 +1,129 @@
+//! What a program did while it was in a state, each time by itself: what it does there does not depend on how it got there, but
+//! for what it remembers.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::ops::Range;
+use std::sync::Arc;
+
+use adsdv_oracle::protocol::Answer;
+use adsdv_oracle::suite::Step;
+use adsdv_spec::messages::AsState;
+
+use crate::model::{Memory, Model};
+use crate::record::Kept;
+
+/// A wrong state counts as much as so many wrong outputs.
+const WRONG_STATE: usize = 4;
+
+/// Steps for as long as a state lasts, and the one that ends it.
+#[derive(Clone, Debug)]
+pub(crate) struct Stay<'a> {
+    /// What the program remembers before the first, by the model that it was cut with.
+    begins: Memory,
+    steps: &'a [Step],
+    replies: &'a [Arc<Answer>],
+}
+
+impl Stay<'_> {
+    /// How many steps it has.
+    pub(crate) const fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// How much of it a model does not explain.
+    pub(crate) fn wrong(&self, model: &Model) -> usize {
+        let mut memory = self.begins;
+        let mut wrong = 0;
+        for (step, reply) in self.steps.iter().zip(self.replies) {
+            let (outputs, after) = model.follow(&memory, &step.inputs, step.dt_ms, reply);
+            let shown = model.shown(&outputs, &step.inputs);
+            if !reply.agrees(&shown) {
+                wrong += if outputs.state == after.control.state {
+                    reply.differences(&shown).count().min(WRONG_STATE - 1)
+                } else {
+                    WRONG_STATE
+                };
+            }
+            memory = after;
+        }
+        wrong
+    }
+
+    /// The first wrong answer by a model: what it shows there, and the answer.
+    pub(crate) fn first_wrong(&self, model: &Model) -> Option<Wrong> {
+        let mut memory = self.begins;
+        for (step, reply) in self.steps.iter().zip(self.replies) {
+            let (outputs, after) = model.follow(&memory, &step.inputs, step.dt_ms, reply);
+            let shown = model.shown(&outputs, &step.inputs);
+            if !reply.agrees(&shown) {
+                let differences: Vec<_> = reply.differences(&shown).collect();
+                let values =
+                    differences.iter().map(|one| (one.key, one.expected.raw, one.found.raw)).collect();
+                let right = model.right(&outputs, &step.inputs);
+                let rights = differences.iter().map(|one| right.get(one.key).and_then(|value| value.raw));
+                let rights = rights.collect();
+                let (expected, found) = (outputs.state, after.control.state);
+                return Some(Wrong { from: memory, expected, found, values, rights });
+            }
+            memory = after;
+        }
+        None
+    }
+}
+
+/// A wrong answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Wrong {
+    /// What is remembered before it.
+    pub(crate) from: Memory,
+    /// The state that the model goes to.
+    pub(crate) expected: AsState,
+    /// The state that the program goes to.
+    pub(crate) found: AsState,
+    /// The outputs that differ: the key, what the model shows, and what the answer says.
+    pub(crate) values: Vec<(&'static str, Option<i32>, Option<i32>)>,
+    /// What each of them would be if nothing was shown wrongly.
+    pub(crate) rights: Vec<Option<i32>>,
+}
+
+impl Wrong {
+    /// Whether both are wrong in the same way.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let of = |wrong: &Self| (wrong.from.control.state, wrong.expected, wrong.found);
+        of(self) == of(other) && self.values == other.values
+    }
+}
+
+/// The stays in each state, each only once, cut with a model: it tells what is remembered when a state begins.
+pub(crate) fn cut<'a>(records: &'a [Kept], model: &Model) -> Vec<(AsState, Vec<Stay<'a>>)> {
+    let mut stays: Vec<(AsState, Vec<Stay<'a>>)> = AsState::ALL.map(|state| (state, Vec::new())).to_vec();
+    let mut known: HashSet<u64> = HashSet::new();
+    for record in records {
+        let mut add = |begins: Memory, range: Range<usize>| {
+            let state = begins.control.state;
+            let of =
+                (record.steps.get(range.clone()), record.replies.get(range.clone()), record.marks.get(range));
+            let (Some(steps), Some(replies), Some(marks)) = of else { return };
+            let mut hasher = DefaultHasher::new();
+            (begins, marks).hash(&mut hasher);
+            if !steps.is_empty()
+                && known.insert(hasher.finish())
+                && let Some((_, own)) = stays.iter_mut().find(|(own, _)| *own == state)
+            {
+                own.push(Stay { begins, steps, replies });
+            }
+        };
+        let (mut memory, mut begins, mut start) = (Memory::INITIAL, Memory::INITIAL, 0);
+        for (place, (step, reply)) in record.steps.iter().zip(&record.replies).enumerate() {
+            let after = model.follow(&memory, &step.inputs, step.dt_ms, reply).1;
+            if after.control.state != memory.control.state {
+                add(begins, start..place + 1);
+                (begins, start) = (after, place + 1);
+            }
+            memory = after;
+        }
+        add(begins, start..record.steps.len());
+    }
+    stays
+}
