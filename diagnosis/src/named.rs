@@ -38,6 +38,9 @@ fn with_numbers(id: &str) -> Vec<Deviation> {
         all.extend(arrows().map(|(from, to)| Deviation::Late { from, to, steps }));
     }
     let Some((key, raw)) = last.split_once('=') else { return all };
+    if let (Some(field), Ok(value), Ok(raw)) = (written(id), key.parse(), raw.parse()) {
+        all.push(Deviation::Writes { key: field, value, raw });
+    }
     let (key, is) = key.strip_suffix('!').map_or((key, true), |key| (key, false));
     let Ok(raw) = raw.parse() else { return all };
     if let Some(field) = INPUTS.iter().find(|field| field.key == key) {
@@ -50,6 +53,12 @@ fn with_numbers(id: &str) -> Vec<Deviation> {
         all.extend(AsState::ALL.map(|state| Deviation::Shows { state, key, raw }));
     }
     all
+}
+
+/// The key of the output that is written otherwise, by such an id.
+fn written(id: &str) -> Option<&'static str> {
+    let key = id.strip_prefix("writes:")?.split(':').next()?;
+    SHOWN.iter().map(|field| field.key).find(|known| *known == key)
 }
 
 #[cfg(test)]
@@ -70,9 +79,13 @@ mod tests {
     #[test]
     fn numbers_may_be_any() {
         let edition = Edition::DEFAULT;
-        for id in
-            ["handshake:+451ms", "wheel-speed:-7", "off-ready:late:9", "driving:shows:shutdown_cause=77"]
-        {
+        for id in [
+            "handshake:+451ms",
+            "wheel-speed:-7",
+            "off-ready:late:9",
+            "driving:shows:shutdown_cause=77",
+            "writes:as_state:5=0",
+        ] {
             assert_eq!(Deviation::find(edition, id).map(|found| found.id(edition)).as_deref(), Some(id));
         }
         for id in ["", "handshake", "off-ready:late:-1", "off-ready:needs:gas=1", "off:shows:as_state=x"] {
