@@ -404,7 +404,10 @@ impl Judge {
         if self.loss.told_at(self.pause) <= t {
             return book.found(self.loss.tell());
         }
-        est.go_settles(t);
+        // In a silence a timer may have been put off instead.
+        if est.remote.go_settles.is_some_and(|at| at <= t) {
+            est.go_settles(t);
+        }
     }
 
     /// `last` is when the last frame came.

@@ -1,9 +1,9 @@
 //! The "Go" edge of section 3.2, item 3.
 
-use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
-use adsdv_spec::Choice;
+use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Rule};
 use adsdv_spec::messages::AsState;
-use adsdv_tests::world::World;
+use adsdv_spec::{Atom, Choice, Truth};
+use adsdv_tests::world::{MS, World};
 
 use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned, section_of};
 
@@ -17,6 +17,22 @@ fn go_since_before() -> World {
     world.wait(6000);
     assert_eq!(world.control.state, AsState::Ready);
     world
+}
+
+/// The dwell of AS_READY is put off while nothing is recorded; that settles nothing else.
+#[test]
+fn a_silence_of_the_recorder_says_nothing_of_go() {
+    let mut world = World::reference();
+    world.ready();
+    world.wait(1000);
+    let (mut judge, first) = (Judge::new(JudgeOptions::default()), world.log[0].t);
+    for recorded in &world.log {
+        judge.frame(recorded.t - first, recorded.frame.id.into(), recorded.frame.data());
+    }
+    for ms in [0, 1000, 20_000] {
+        judge.time_passes(world.t - first + ms * MS);
+        assert_eq!(judge.known().of(Atom::GoEdge), Truth::Unknown, "after {ms} ms");
+    }
 }
 
 //= DRV-12
