@@ -7,8 +7,8 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/diagnosis.sh [-k COUNT] [-n RUNS] [-s SEED]
 
-Puts COUNT random deviations around the specification in each of RUNS programs of every edition, diagnoses each program, and
-prints how many of the deviations are named exactly, missed, or cannot be observed beside the others, and what is named that
+Puts COUNT random deviations, each of which can be observed by itself, around the specification in each of RUNS programs of every
+edition, diagnoses each program, and prints how many of the deviations are named exactly, missed, or cannot be observed beside the others, and what is named that
 is none of them. What is missed or invented is printed, too.
 
   -k COUNT    deviations in each program (default: 1, 2, 4 and 8 in turn)

@@ -21,8 +21,9 @@
 //!
 //! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
 //! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id), and `model.rs` the state machine that does so;
-//! - `pilot.rs`: leads a program through its states by a model of it; `experiments.rs`: what is tried there;
-//! - `record.rs`: what was answered;
+//! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them; `dials.rs`: the inputs that can be changed;
+//! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
+//! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, and `words.rs` what they are called;
 //! - `diagnose.rs`: all of it in turn;

@@ -218,7 +218,9 @@ impl Model {
             _ => false,
         });
         let cause = answer.raw_at(SHUTDOWN_CAUSE).flatten().and_then(ShutdownCause::from_raw);
-        if let (false, Some(cause)) = (shown_otherwise, cause) {
+        // In any other state none begins: what is shown there may be shown wrongly.
+        let begins = memory.control.state == AsState::EmergencyBrake;
+        if let (true, false, Some(cause)) = (begins, shown_otherwise, cause) {
             memory.control.shutdown_cause = cause;
         }
     }

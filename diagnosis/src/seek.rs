@@ -14,7 +14,7 @@ use crate::walk::LONG_MS;
 use crate::ways::Ways;
 
 /// So many times an arrow is tried with inputs by chance.
-const TRIES: usize = 240;
+const TRIES: usize = 600;
 /// Beyond these an arrow is not late.
 const LATEST: usize = 3;
 

@@ -2,10 +2,12 @@
 
 use std::collections::HashSet;
 
-use adsdv_diagnosis::{Deviation, Diagnosis, Model, Wheels, diagnose};
-use adsdv_spec::messages::AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
+use adsdv_diagnosis::{Deviation, Diagnosis, Model, Remembers, Running, Subject, Wheels, diagnose};
+use adsdv_oracle::conform::ProgramError;
+use adsdv_oracle::protocol::Answer;
+use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
-use adsdv_spec::{Atom, Edition};
+use adsdv_spec::{Atom, Edition, Inputs};
 
 fn found(edition: &Edition, deviations: &[Deviation]) -> Diagnosis {
     let mut program = Model::new(edition, deviations).running();
@@ -39,10 +41,7 @@ fn one_deviation_does_not_hide_the_others() {
 
 #[test]
 fn what_a_program_needs_besides_is_told_from_an_arrow_that_it_lacks() {
-    let row = |from, to| {
-        let rows = Edition::V3_0.rules.table.rows();
-        rows.iter().position(|row| (row.from, row.to) == (from, to)).expect("there is such an arrow")
-    };
+    let row = |from, to| row(&Edition::V3_0, from, to);
     let dropped = Deviation::Changed(Change::RowDropped(row(EmergencyBrake, Off)));
     let needs = Deviation::Needs { from: EmergencyBrake, to: Off, key: "mission_status", raw: 0, is: true };
     names(&Edition::V3_0, &[dropped]);
@@ -57,6 +56,104 @@ fn times_and_thresholds_are_measured() {
     let missed = Deviation::Changed(Change::Threshold(Threshold::Missed, 57));
     let speed = Deviation::Changed(Change::Threshold(Threshold::WheelSpeed, 9));
     names(&Edition::V2026, &[dwell, missed, speed]);
+}
+
+/// The row of an arrow, by its place.
+fn row(edition: &Edition, from: AsState, to: AsState) -> usize {
+    let rows = edition.rules.table.rows();
+    rows.iter().position(|row| (row.from, row.to) == (from, to)).expect("there is such an arrow")
+}
+
+#[test]
+fn an_arrow_that_needs_something_and_another_time_is_not_taken_for_one_that_is_missing() {
+    let needs = |key, raw| Deviation::Needs { from: Ready, to: Driving, key, raw, is: true };
+    let dwell = Deviation::Changed(Change::Time(Time::ReadyDwell, 2345));
+    names(&Edition::V3_0, &[needs("mission_status", 2), dwell]);
+}
+
+#[test]
+fn an_arrow_that_is_open_only_before_its_timer_and_needs_two_things_is_found() {
+    let edition = &Edition::V3_0;
+    let needs = |key, raw| Deviation::Needs { from: EmergencyBrake, to: Off, key, raw, is: true };
+    let timer = TermChange::LiteralFlipped(Atom::EbsTimerComplete);
+    let before = Deviation::Changed(Change::Term(row(edition, EmergencyBrake, Off), 0, timer));
+    names(edition, &[before, needs("vehicle_estop", 0), needs("ami", 0)]);
+}
+
+#[test]
+fn a_timer_that_runs_otherwise_is_found_behind_an_arrow_that_is_late() {
+    let late = Deviation::Late { from: EmergencyBrake, to: Off, steps: 3 };
+    let timer = Deviation::Remembers(Remembers::TimerWhileAsmsOff);
+    let needs = Deviation::Needs { from: EmergencyBrake, to: Off, key: "mission_status", raw: 2, is: false };
+    names(&Edition::V4_0, &[late, timer, needs]);
+}
+
+#[test]
+fn alternatives_that_have_to_hold_at_once_are_told_apart() {
+    let edition = &Edition::V3_0;
+    let row = row(edition, Ready, EmergencyBrake);
+    let joined = |one, other| Deviation::Joined { row, one, other };
+    names(edition, &[joined(0, 1), joined(1, 2)]);
+}
+
+#[test]
+fn a_state_that_lasts_for_one_step_shows_what_is_wrong_there() {
+    let edition = &Edition::V3_0;
+    let without =
+        Change::Term(row(edition, Driving, EmergencyBrake), 1, TermChange::LiteralDropped(Atom::GoOn));
+    let first = Change::RowFirst(row(edition, Driving, Finished));
+    let speed = Change::Threshold(Threshold::WheelSpeed, -4);
+    names(edition, &[without, first, speed].map(Deviation::Changed));
+}
+
+#[test]
+fn what_is_remembered_and_what_is_shown_are_told_apart() {
+    let written = Deviation::Writes { key: "shutdown_cause", value: 2, raw: 7 };
+    let outside = Deviation::Writes { key: "as_state", value: 5, raw: 6 };
+    let shown = Deviation::Shows { state: Driving, key: "handshake", raw: 0 };
+    let dwell = Deviation::Remembers(Remembers::DwellOfAllVisits);
+    names(&Edition::V3_0, &[written, outside, dwell]);
+    names(&Edition::V2026, &[shown, Deviation::Remembers(Remembers::LatestCause)]);
+}
+
+#[test]
+fn eight_deviations_are_named_one_by_one() {
+    let edition = &Edition::V4_0;
+    let eight = [
+        Deviation::Changed(Change::Threshold(Threshold::WheelSpeed, 20)),
+        Deviation::Changed(Change::Term(row(edition, Off, Ready), 0, TermChange::LiteralFlipped(Atom::Tsms))),
+        Deviation::Shows { state: Driving, key: "autonomous_braking_fault", raw: 1 },
+        Deviation::GoNeedsHandshake,
+        Deviation::Writes { key: "shutdown_cause", value: 3, raw: 11 },
+        Deviation::Joined { row: row(edition, Driving, EmergencyBrake), one: 0, other: 2 },
+        Deviation::Writes { key: "bms_fault", value: 1, raw: 0 },
+        Deviation::Also { from: Off, to: Finished, key: "batt_temp_high", raw: 1 },
+    ];
+    names(edition, &eight);
+}
+
+/// A program that answers 100 000 steps a second is told within five seconds that it conforms.
+#[test]
+fn a_program_that_conforms_is_asked_for_less_than_400_000_steps() {
+    struct Counted {
+        program: Running,
+        steps: u32,
+    }
+    impl Subject for Counted {
+        fn reset(&mut self) -> Result<(), ProgramError> {
+            self.program.reset()
+        }
+        fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+            self.steps += 1;
+            self.program.step(dt_ms, inputs)
+        }
+    }
+    for edition in Edition::ALL {
+        let mut program = Counted { program: Model::new(edition, &[]).running(), steps: 0 };
+        let found = diagnose(&mut program, edition).expect("a model answers everything");
+        assert!(found.deviations.is_empty());
+        assert!((20_000..400_000).contains(&program.steps), "{}", program.steps);
+    }
 }
 
 #[test]
