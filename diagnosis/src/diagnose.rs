@@ -1,5 +1,7 @@
 //! Asks, explains, and asks again with what was learnt.
 
+use std::time::{Duration, Instant};
+
 use adsdv_oracle::conform::ProgramError;
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
@@ -22,6 +24,8 @@ use crate::ways::Ways;
 const ROUNDS: u64 = 12;
 /// So many times what was found leads to what else is measured and looked for, before all is tried again.
 const DEEPER: usize = 3;
+/// Nobody waits longer for a diagnosis.
+const LONGEST: Duration = Duration::from_mins(10);
 /// So many walks by chance at the end of a round in which all was explained.
 const WALKS: usize = 600;
 /// So many walks by chance of two models, to find where they differ.
@@ -36,6 +40,8 @@ pub struct Diagnosis {
     pub unexplained: Vec<Record>,
     /// How many experiments there were.
     pub experiments: usize,
+    /// Whether the time was over before all was tried: there may be more, and what was found may be otherwise.
+    pub cut: bool,
 }
 
 /// What a program answers to the experiments that a model leads to.
@@ -45,6 +51,17 @@ pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, 
 
 /// Finds out what a program does otherwise than an edition says.
 pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosis, ProgramError> {
+    diagnose_within(subject, edition, LONGEST)
+}
+
+/// The same, in this time: one that does what no deviation explains can be looked at for very long.
+pub fn diagnose_within(
+    subject: &mut dyn Subject,
+    edition: &Edition,
+    time: Duration,
+) -> Result<Diagnosis, ProgramError> {
+    let now = Instant::now();
+    let until = now.checked_add(time).unwrap_or(now);
     let single = candidates::all(edition);
     let candidates = Candidates { single, several: Vec::new() };
     let mut search = Search {
@@ -54,8 +71,12 @@ pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosi
         records: Records::default(),
         found: Vec::new(),
         random: Random(1),
+        until,
     };
     for round in 0..ROUNDS {
+        if search.is_over() {
+            break;
+        }
         let before = search.found.clone();
         if search.is_explained_by_experiments(round)?
             && search.is_told_from_others()?
@@ -78,9 +99,14 @@ struct Search<'a> {
     records: Records,
     found: Vec<Deviation>,
     random: Random,
+    until: Instant,
 }
 
 impl Search<'_> {
+    fn is_over(&self) -> bool {
+        Instant::now() >= self.until
+    }
+
     fn model(&self) -> Model {
         Model::new(self.edition, &self.found)
     }
@@ -101,7 +127,7 @@ impl Search<'_> {
     /// Whether a program does what these deviations do, and not what others do that explain as much.
     fn is_told_from_others(&mut self) -> Result<bool, ProgramError> {
         let model = self.model();
-        let alike = Fit::new(self.edition, self.records.kept(), &self.candidates).alternatives(&self.found);
+        let alike = self.a_fit().alternatives(&self.found);
         let mut asked = Vec::new();
         for other in alike {
             let seed = self.random.below(usize::MAX) as u64;
@@ -116,7 +142,7 @@ impl Search<'_> {
         let model = self.model();
         let ways = Ways::of(&model);
         let mut records = Vec::new();
-        for _ in 0..WALKS {
+        for _ in (0..WALKS).take_while(|_| Instant::now() < self.until) {
             records.push(walk(self.subject, &ways, &mut self.random)?);
         }
         Ok(self.keep(records, &model))
@@ -129,10 +155,13 @@ impl Search<'_> {
             self.measure(&self.found.clone())?;
             self.fit();
             for (without, from, to) in self.missing() {
+                if self.is_over() {
+                    break;
+                }
                 self.seek(&without, from, to)?;
             }
             self.fit();
-            if self.found == before {
+            if self.found == before || self.is_over() {
                 break;
             }
         }
@@ -140,8 +169,12 @@ impl Search<'_> {
     }
 
     fn fit(&mut self) {
-        let found = Fit::new(self.edition, self.records.kept(), &self.candidates).run(self.found.clone());
+        let found = self.a_fit().run(self.found.clone());
         self.found = found;
+    }
+
+    fn a_fit(&self) -> Fit<'_> {
+        Fit::new(self.edition, self.records.kept(), &self.candidates, self.until)
     }
 
     /// The numbers that turn a program that has these deviations.
@@ -192,11 +225,12 @@ impl Search<'_> {
     }
 
     fn result(self) -> Diagnosis {
-        let Self { edition, candidates, records, found, .. } = self;
-        let deviations = Fit::new(edition, records.kept(), &candidates).certain(found);
+        let Self { edition, candidates, records, found, until, .. } = self;
+        let cut = Instant::now() >= until;
+        let deviations = Fit::new(edition, records.kept(), &candidates, until).certain(found);
         let model = Model::new(edition, &deviations);
         let all = records.kept().iter().map(crate::record::Kept::record);
         let unexplained = all.filter(|record| !record.is_explained(&model)).collect();
-        Diagnosis { deviations, unexplained, experiments: records.count }
+        Diagnosis { deviations, unexplained, experiments: records.count, cut }
     }
 }

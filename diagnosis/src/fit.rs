@@ -6,6 +6,7 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::time::Instant;
 
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
@@ -46,6 +47,8 @@ pub(crate) struct Fit<'a> {
     edition: &'a Edition,
     records: &'a [Kept],
     candidates: &'a Candidates,
+    /// When the search ends, whatever it has come to.
+    until: Instant,
     /// The stays as they were cut of late, and with which deviations.
     stays: RefCell<Vec<Cut<'a>>>,
 }
@@ -80,8 +83,17 @@ impl Node {
 }
 
 impl<'a> Fit<'a> {
-    pub(crate) const fn new(edition: &'a Edition, records: &'a [Kept], candidates: &'a Candidates) -> Self {
-        Self { edition, records, candidates, stays: RefCell::new(Vec::new()) }
+    pub(crate) const fn new(
+        edition: &'a Edition,
+        records: &'a [Kept],
+        candidates: &'a Candidates,
+        until: Instant,
+    ) -> Self {
+        Self { edition, records, candidates, until, stays: RefCell::new(Vec::new()) }
+    }
+
+    fn is_over(&self) -> bool {
+        Instant::now() >= self.until
     }
 
     /// The deviations that explain the most, from what was found before.
@@ -90,7 +102,7 @@ impl<'a> Fit<'a> {
         for _ in 0..PASSES {
             let before = set.clone();
             for state in AsState::ALL {
-                if self.wrong_in(state, &set) > 0 {
+                if !self.is_over() && self.wrong_in(state, &set) > 0 {
                     set = self.explained(state, &set);
                 }
             }
@@ -175,6 +187,9 @@ impl<'a> Fit<'a> {
             for from in &followed {
                 let stays = self.stays(&from.set);
                 for set in self.next(state, of(&stays, state), from) {
+                    if self.is_over() {
+                        return best.set;
+                    }
                     if !next.iter().any(|other| same(&other.set, &set)) {
                         next.push(node(set));
                     }
@@ -259,7 +274,7 @@ impl<'a> Fit<'a> {
     pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
         let all = self.wrong(set);
         let mut alike: Vec<Vec<Deviation>> = Vec::new();
-        for (place, known) in set.iter().enumerate() {
+        for (place, known) in set.iter().enumerate().take_while(|_| !self.is_over()) {
             let mut others = set.to_vec();
             others.remove(place);
             let without = Model::new(self.edition, &others);

@@ -66,7 +66,7 @@ mod ways;
 mod words;
 
 pub use deviation::{Deviation, Remembers, Wheels};
-pub use diagnose::{Diagnosis, diagnose, records};
+pub use diagnose::{Diagnosis, diagnose, diagnose_within, records};
 pub use example::{Example, examples};
 pub use figure::{Arrow, figure};
 pub use model::{Model, Running};

@@ -1,8 +1,9 @@
 //! What the program does otherwise, each by itself.
 
 use std::fmt::{self, Write as _};
+use std::time::Duration;
 
-use adsdv_diagnosis::{Arrow, Diagnosis, Example, Model, Record, Subject, diagnose, examples, figure};
+use adsdv_diagnosis::{Arrow, Diagnosis, Example, Model, Record, Subject, diagnose_within, examples, figure};
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_oracle::protocol::{Answer, Difference};
 use adsdv_oracle::suite::is_decision;
@@ -17,6 +18,8 @@ use crate::layout::{counted, wrapped};
 use crate::progress::Line;
 use crate::report::style::{self, Styled};
 
+/// A program that does what nothing explains is not looked at for longer.
+const LONGEST: Duration = Duration::from_mins(1);
 /// Progress is shown after so many steps.
 const SHOWN_EVERY: u64 = 500;
 
@@ -76,7 +79,7 @@ fn cost(found: &Diagnosis) -> (usize, usize) {
 }
 
 fn found_by(program: &mut Asked, edition: &Edition) -> Result<(Edition, Diagnosis), ProgramError> {
-    Ok((*edition, diagnose(program, edition)?))
+    Ok((*edition, diagnose_within(program, edition, LONGEST)?))
 }
 
 impl DiagnosedProgram {
@@ -187,6 +190,10 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
         let rest = format!("not explained by that: {many} of {}", found.experiments);
         wrapped(out, rest.split(' '), 2, width);
     }
+    if found.cut {
+        let rest = format!("the search ended after {} s: there may be more", LONGEST.as_secs());
+        writeln!(out, "  {} {rest}", Styled(style::CARE, "note:"))?;
+    }
     for id in program.unused() {
         let text = format!("{id} is accepted, and is not there any more: take it out of the file");
         writeln!(out, "  {} {text}", Styled(style::CARE, "warning:"))?;
@@ -231,6 +238,7 @@ pub(super) struct DiagnosisJson<'a> {
     deviations: Vec<DeviationJson<'a>>,
     figure: Vec<ArrowJson<'a>>,
     unexplained: usize,
+    cut: bool,
     unused: Vec<&'a str>,
 }
 
@@ -293,6 +301,7 @@ impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
             deviations: found.deviations.iter().zip(&program.examples).map(one).collect(),
             figure: program.figure.iter().map(arrow).collect(),
             unexplained: found.unexplained.len(),
+            cut: found.cut,
             unused: program.unused(),
         }
     }

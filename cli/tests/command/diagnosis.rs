@@ -61,7 +61,7 @@ fn an_edge_of_go_that_the_handshake_loses_and_a_wheel_that_alone_counts_are_foun
 fn a_state_and_a_cause_that_there_are_not_are_deviations_and_the_run_goes_on() {
     names(
         &["finished:shows:as_state=0", "brake:shows:shutdown_cause=99"],
-        &["as_state is 0 in AS_FINISHED", "shutdown_cause is 99 in EMERGENCY_BRAKE"],
+        &["as_state is 0 where it should be AS_FINISHED", "shutdown_cause is 99 in EMERGENCY_BRAKE"],
     );
 }
 
