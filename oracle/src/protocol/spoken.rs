@@ -24,9 +24,8 @@ pub const UNSAID: &Edition = &Edition::V3_0;
 /// use adsdv_spec::Edition;
 ///
 /// let protocol = Protocol::of(&Edition::V3_0);
-/// assert!(protocol.answer(r#"{"as_state":"AS_READY","steer":240}"#).is_ok());
-/// let refused = protocol.answer(r#"{"as_state":"AS_READY","steer":241}"#).unwrap_err();
-/// assert_eq!(refused.to_string(), "\"steer\" is 241; expected a whole number from -240 to 240");
+/// let refused = protocol.request(r#"{"op":"step","dt_ms":10,"steer_request":241}"#).unwrap_err();
+/// assert_eq!(refused.to_string(), "\"steer_request\" is 241; expected a whole number from -240 to 240");
 ///
 /// let newer = Protocol::of(&Edition::V4_0);
 /// let step = newer.request(r#"{"op":"step","dt_ms":10,"ami":"TRACK_DRIVE","brake_silence_ms":90}"#).unwrap();
