@@ -140,6 +140,10 @@ pub(crate) struct ConformArgs {
     pub(crate) command: Vec<OsString>,
 
     /// Run the tests of this file instead of those of `adsdv suite`: JSON Lines, as that command writes them.
+    ///
+    /// A test of one's own needs steps and nothing else: {"steps":[{"dt_ms":10,"times":30,"answers":true,"inputs":{"tsms":true}}]}.
+    /// "times" repeats a step, "answers" says whether the AI Computer answers the handshake, and what is expected the edition
+    /// says. Failures and deviations are printed as such lines, too.
     #[arg(long, value_name = "FILE")]
     pub(crate) suite: Option<PathBuf>,
 

@@ -64,8 +64,8 @@ pub(super) fn differs(machine: &Machine, scenario: &Scenario, replies: &[Reply])
     bits.zip(replies).any(|(bit, reply)| handshake(reply).is_some_and(|own| own != bit))
 }
 
-/// The key of the bit.
-const HANDSHAKE: &str = {
+/// The key of the bit, the VCU's and the AI Computer's.
+pub(super) const HANDSHAKE: &str = {
     let mut place = 0;
     while !SHOWN[place].key.eq_ignore_ascii_case("handshake") {
         place += 1;

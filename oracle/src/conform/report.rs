@@ -3,6 +3,7 @@
 use adsdv_spec::{Choice, Inputs, Readings};
 
 use super::broken::Break;
+use super::own_bit::HANDSHAKE;
 use super::requirements::{Outcome, Requirement};
 use super::vcu::Reply;
 use super::verdict::Follows;
@@ -92,9 +93,6 @@ pub struct Failure {
 pub(super) fn is_observation(ids: &[String], found: Option<&Break>) -> bool {
     found.is_some() && !ids.is_empty() && ids.iter().all(|id| is_decision(id))
 }
-
-/// The key of the AI Computer's bit, and of the VCU's.
-const HANDSHAKE: &str = "handshake";
 
 /// Whether the AI Computer answers the handshake, as a value.
 const fn answer(answers: bool) -> Value {

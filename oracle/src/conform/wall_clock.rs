@@ -52,8 +52,8 @@ fn best(tests: &[Test], left: &[usize], checked: &[&str], time: Duration) -> Opt
 
 /// How long a scenario takes.
 pub(super) fn takes(scenario: &Scenario) -> Duration {
-    let step = |dt_ms: u32| Duration::from_millis(dt_ms.into()) + PATIENCE + ANSWER;
-    scenario.steps.iter().map(|step_| step(step_.dt_ms)).sum()
+    let each = scenario.steps.iter().map(|step| Duration::from_millis(step.dt_ms.into()));
+    each.map(|time| time + PATIENCE + ANSWER).sum()
 }
 
 /// Whether a scenario shows the same if its steps take a little longer.

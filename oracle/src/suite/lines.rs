@@ -91,10 +91,6 @@ pub struct ReadSuite {
 }
 
 impl ReadSuite {
-    fn steps(&self) -> usize {
-        self.tests.iter().map(|test| test.scenario.steps.len()).sum()
-    }
-
     fn is_bad(&mut self, line: u64, why: String) {
         if self.bad.len() < MAX_BAD {
             self.bad.push(BadTest { line, why });
@@ -128,7 +124,7 @@ pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite
     let mut suite = ReadSuite::default();
     let requirements = requirements(machine.edition());
     let mut names = HashSet::new();
-    let mut bytes = Vec::new();
+    let (mut bytes, mut steps) = (Vec::new(), 0);
     for line in 1.. {
         match next_line(&mut reader, &mut bytes)? {
             End::Suite => break,
@@ -142,7 +138,7 @@ pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite
             End::Line => {}
         }
         match read_line(line, &bytes, machine, &requirements) {
-            Ok(Some(test)) if suite.steps() + test.scenario.steps.len() > MAX_STEPS => {
+            Ok(Some(test)) if steps + test.scenario.steps.len() > MAX_STEPS => {
                 suite.is_bad(
                     line,
                     format!(
@@ -158,6 +154,7 @@ pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite
                 );
             }
             Ok(Some(test)) => {
+                steps += test.scenario.steps.len();
                 names.insert(test.name.clone());
                 suite.tests.push(test);
             }
