@@ -6,7 +6,7 @@ use std::time::Duration;
 use adsdv_diagnosis::{Arrow, Diagnosis, Example, Model, Record, Subject, diagnose_within, examples, figure};
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_oracle::protocol::{Answer, Difference};
-use adsdv_oracle::suite::is_decision;
+use adsdv_oracle::suite::are_decisions;
 use adsdv_spec::{Choices, Edition, Inputs, Machine, Readings};
 use serde::Serialize;
 
@@ -128,8 +128,7 @@ impl DiagnosedProgram {
     }
 
     fn is_observed(&self, deviation: adsdv_diagnosis::Deviation) -> bool {
-        let requirements = deviation.requirements(&self.edition);
-        !self.strict && !requirements.is_empty() && requirements.iter().all(|id| is_decision(id))
+        !self.strict && are_decisions(&deviation.requirements(&self.edition))
     }
 }
 

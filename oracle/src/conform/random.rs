@@ -15,7 +15,7 @@ use super::shrink::with_tail;
 use super::suite::Suite;
 use super::vcu::Reply;
 use super::walker::Walker;
-use crate::suite::{Scenario, is_decision};
+use crate::suite::{Scenario, are_decisions};
 
 /// So many random scenarios are asked for at once.
 const BATCH: u32 = 64;
@@ -110,7 +110,7 @@ impl Run<'_> {
                 };
                 let wrong = Wrong::find(&machine, scenario, replies, suite.late);
                 let requirements = blame.broken(&[], &wrong);
-                let only_decided = requirements.iter().all(|id| is_decision(id));
+                let only_decided = are_decisions(&requirements);
                 if options.strict || wrong.is_nothing() || !only_decided {
                     *failed += 1;
                 } else {

@@ -8,7 +8,7 @@ use super::requirements::{Outcome, Requirement};
 use super::vcu::Reply;
 use super::verdict::Follows;
 use crate::protocol::{About, Domain, INPUTS, InputField, Shown, Value};
-use crate::suite::{Scenario, Step, is_decision};
+use crate::suite::{Scenario, Step, are_decisions};
 
 /// Whether a program conforms, and all that is known of why and how.
 #[derive(Clone, Debug)]
@@ -91,7 +91,7 @@ pub struct Failure {
 
 /// Whether all that is broken are decisions of ours. What was not wrong when it was asked for again breaks more than that.
 pub(super) fn is_observation(ids: &[String], found: Option<&Break>) -> bool {
-    found.is_some() && !ids.is_empty() && ids.iter().all(|id| is_decision(id))
+    found.is_some() && are_decisions(ids)
 }
 
 /// Whether the AI Computer answers the handshake, as a value.

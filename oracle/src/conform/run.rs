@@ -16,7 +16,7 @@ use super::suite::Suite;
 use super::vcu::{Reply, Vcu};
 use super::{verdict, wall_clock};
 use crate::protocol::{About, INPUTS, InputField, SHOWN};
-use crate::suite::{Scenario, Test, about_the_vcu, is_decision};
+use crate::suite::{Scenario, Test, about_the_vcu, are_decisions};
 
 /// Judges a program by a suite, and then by random scenarios.
 ///
@@ -131,9 +131,8 @@ impl Run<'_> {
 
         let Failures { told, more, wrong, broken } = in_suite;
         let strict = options.strict;
-        let is_observed = |wrong: &Wrong, ids: &[String]| {
-            !strict && !wrong.is_nothing() && ids.iter().all(|id| is_decision(id))
-        };
+        let is_observed =
+            |wrong: &Wrong, ids: &[String]| !strict && !wrong.is_nothing() && are_decisions(ids);
         let repeats = broken.iter().all(|(_, wrong, _)| !wrong.is_nothing());
         if !repeats {
             notes.push(

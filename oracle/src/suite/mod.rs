@@ -31,7 +31,7 @@ use adsdv_spec::Edition;
 
 pub use lines::{BadTest, MAX_BAD, MAX_LINE, MAX_STEPS, ReadSuite, SCHEMA, read};
 pub use prove::{Proof, prove};
-pub use requirements::is_decision;
+pub use requirements::{are_decisions, is_decision};
 pub(crate) use requirements::{is_of_a_reading, of_edition, of_term, order};
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};

@@ -56,6 +56,11 @@ pub fn is_decision(id: &str) -> bool {
     id.starts_with("D-")
 }
 
+/// Whether there are any, and all of them are such decisions: what is against no more than that is no failure.
+pub fn are_decisions(ids: &[impl AsRef<str>]) -> bool {
+    !ids.is_empty() && ids.iter().all(|id| is_decision(id.as_ref()))
+}
+
 /// The place of a requirement in the document: by prefix, and within it by number.
 pub(crate) fn order(id: &str) -> (usize, u32) {
     const PREFIXES: [&str; 14] =
