@@ -1,31 +1,12 @@
-//! The list of theorems and the harnesses in the sources are the same, and every place to be covered is covered.
+//! The list of theorems and the harnesses in the sources are the same.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
+mod sources;
 
-use adsdv_proofs::{readings, seed, theorems};
+use std::collections::BTreeSet;
+
+use adsdv_proofs::{readings, theorems};
 use adsdv_spec::{Choice, Edition};
-
-/// Every source file of the crate, but for the stand-in.
-fn sources() -> Vec<(PathBuf, String)> {
-    fn add(folder: &Path, files: &mut Vec<(PathBuf, String)>) {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                if path.file_name() != Some("kani".as_ref()) {
-                    add(&path, files);
-                }
-            } else {
-                let text = fs::read_to_string(&path).unwrap();
-                files.push((path, text));
-            }
-        }
-    }
-    let mut files = Vec::new();
-    add(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut files);
-    files
-}
+use sources::sources;
 
 /// The names of the functions that Kani proves: written down, or made by the macro of `readings.rs`.
 fn harnesses() -> Vec<String> {
@@ -68,33 +49,4 @@ fn every_choice_but_the_defaults_has_its_theorem() {
     let choices: Vec<(&str, Choice)> =
         readings::CHOICES.iter().map(|&(_, edition, choice)| (edition.version, choice)).collect();
     assert_eq!(choices, expected);
-}
-
-/// The name of a source file within `src`.
-fn in_src(path: &str) -> String {
-    path.rsplit("src/").next().unwrap_or(path).to_owned()
-}
-
-/// A place that no run comes by does not show up in any outcome: so the sources are searched for them.
-#[test]
-fn every_place_to_be_covered_is_covered() {
-    let mut written = BTreeSet::new();
-    for (path, text) in sources() {
-        let name = in_src(&path.to_string_lossy());
-        for (number, line) in (1u32..).zip(text.lines()) {
-            let code = line.split("//").next().unwrap_or_default();
-            if code.contains("kani::cover!(") {
-                written.insert((name.clone(), number));
-            }
-        }
-    }
-    assert!(!written.is_empty());
-    let mut covered: BTreeMap<(String, u32), bool> = BTreeMap::new();
-    for theorem in theorems::all() {
-        for (cover, reached) in theorem.check(seed::USUAL).covers {
-            *covered.entry((in_src(cover.file), cover.line)).or_default() |= reached;
-        }
-    }
-    let missed: Vec<_> = written.iter().filter(|place| covered.get(place) != Some(&true)).collect();
-    assert!(missed.is_empty(), "no run comes by {missed:?}");
 }

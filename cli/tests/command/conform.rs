@@ -103,7 +103,7 @@ fn a_diagnosis_of_a_program_that_conforms_names_nothing_whatever_its_readings() 
 #[test]
 fn mixed_readings_are_reported() {
     let mixing = ["--reading", "fault-trigger=edge", "--mutation", "3.7 term 3: in every reading"];
-    let (status, text) = text(&["--runs", "50"], "mutant", &mixing);
+    let (status, text) = text(&["--runs", "50", "--no-diagnosis"], "mutant", &mixing);
     assert_eq!(status, Some(1), "{text}");
     compare_text("conform-mixed-readings.txt", &text);
 }
@@ -395,7 +395,7 @@ fn arguments_that_are_none() {
 #[test]
 fn a_pin_decides() {
     let edge = ["--reading", "go-edge=edge"];
-    let pinned = |pin: &str| conform(&["--runs", "0", "--reading", pin], "mutant", &edge);
+    let pinned = |pin: &str| conform(&["--runs", "0", "--no-diagnosis", "--reading", pin], "mutant", &edge);
     let (right, wrong) = (pinned("go-edge=edge"), pinned("go-edge=seen-low"));
     assert_eq!((right.status, wrong.status), (Some(0), Some(1)), "{}", wrong.stdout);
     assert!(right.stdout.contains("\nreading go-edge=edge: a rising edge is enough\n"), "{}", right.stdout);

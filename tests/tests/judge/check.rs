@@ -12,7 +12,7 @@ pub(crate) type Blame = (Rule, &'static str);
 /// Frames lost: one in this many.
 const LOSS: u64 = 20;
 /// How many recordings there are of each kind, unless [`RECORDINGS`] says otherwise.
-pub(crate) const USUAL: u64 = 32;
+pub(crate) const USUAL: u64 = 20;
 /// The variable of the environment that sets it: fewer are faster, more find more.
 const RECORDINGS: &str = "ADSDV_RECORDINGS";
 
