@@ -6,7 +6,7 @@ use adsdv_model::Vectors;
 use adsdv_spec::messages::{AsState, ShutdownCause};
 use adsdv_spec::{Atoms, Control, Edition, Fault, Faults, Observation};
 
-use crate::{SHORT, each_choice_alone, machine, reachable};
+use crate::{SHORT, machine, reachable, some_choices_alone};
 
 /// `short-timers`: from the length of the short timers on, what can be remembered beside a running timer does not depend
 /// on how long it has run.
@@ -14,7 +14,7 @@ use crate::{SHORT, each_choice_alone, machine, reachable};
 fn from_80_ms_on_a_running_timer_changes_nothing_else() {
     let timing = Edition::DEFAULT.rules.timing;
     let short = |state| SHORT.in_state_limit(state);
-    for readings in each_choice_alone() {
+    for readings in some_choices_alone() {
         let mut beside: BTreeMap<(AsState, u16), HashSet<Control>> = BTreeMap::new();
         for control in reachable(&machine(timing, readings), Vectors::Few) {
             beside
@@ -41,7 +41,7 @@ fn from_80_ms_on_a_running_timer_changes_nothing_else() {
 /// `which-fault`: faults that open the shutdown circuit differ in the cause that they leave, and in nothing else.
 #[test]
 fn opening_faults_differ_in_their_cause_alone() {
-    for readings in each_choice_alone() {
+    for readings in some_choices_alone() {
         let machine = machine(SHORT, readings);
         for control in reachable(&machine, Vectors::Few) {
             let reads = machine.reads(&control, u32::from(SHORT.cycle_ms));
