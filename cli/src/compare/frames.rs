@@ -5,7 +5,7 @@ use std::fmt::{self, Write as _};
 use adsdv_oracle::compare::{AnswersDiffer, FrameDiffers};
 use adsdv_oracle::judge::ResponseTimes;
 
-use super::text::{heading, more};
+use super::section::{heading, more};
 use crate::layout::{counted, wrapped};
 
 /// So many identifiers tell enough.

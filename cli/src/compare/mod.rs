@@ -7,6 +7,7 @@
 mod frames;
 mod parting;
 mod requests;
+mod section;
 mod text;
 
 use std::fs::File;

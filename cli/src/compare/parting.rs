@@ -7,7 +7,7 @@ use adsdv_oracle::judge::Transition;
 use adsdv_oracle::why::{Blocked, Condition, Mover, Untaken, place_of};
 use adsdv_spec::{AsState, Atom, Edition, Truth};
 
-use super::text::heading;
+use super::section::heading;
 use crate::layout::{Seconds, wrapped};
 use crate::report::by;
 

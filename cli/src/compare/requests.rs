@@ -5,7 +5,7 @@ use std::fmt;
 use adsdv_oracle::compare::{Range, RangeDiffers, Sequence, SequenceDiffers};
 use adsdv_spec::AsState;
 
-use super::text::{heading, more};
+use super::section::{heading, more};
 use crate::layout::wrapped;
 
 /// So many requests tell enough.

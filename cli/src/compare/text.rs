@@ -5,6 +5,7 @@ use std::fmt::{self, Write as _};
 use adsdv_oracle::compare::{Comparison, FoundOnce, LastedDiffers, OnlyTransition, Recording, Which};
 use adsdv_oracle::judge::{Severity, Verdict};
 
+use super::section::{heading, more};
 use super::{frames, parting, requests};
 use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
@@ -168,17 +169,4 @@ fn summary(comparison: &Comparison<'_>) -> Option<String> {
 
 fn number(count: usize, noun: &str) -> Option<String> {
     (count > 0).then(|| counted(count as u64, noun))
-}
-
-/// The heading of a section, unless there is nothing in it.
-pub(super) fn heading(out: &mut String, heading: &str, empty: bool) -> fmt::Result {
-    if empty { Ok(()) } else { writeln!(out, "\n{}", Styled(style::HEADING, heading)) }
-}
-
-/// Says how many there are that were not shown.
-pub(super) fn more(out: &mut String, count: usize, shown: usize) -> fmt::Result {
-    match count.checked_sub(shown).filter(|more| *more > 0) {
-        Some(more) => writeln!(out, "  and {more} more; --json has them"),
-        None => Ok(()),
-    }
 }

@@ -62,7 +62,8 @@
 pub mod action;
 pub mod ai;
 pub mod bus;
-pub mod operator;
+pub mod meaning;
+mod operator;
 mod properties;
 mod real_time;
 mod sequence;

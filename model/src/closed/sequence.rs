@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{AsState, Frame};
 
-use super::words::meaning;
+use super::meaning::meaning;
 use super::{Closed, ClosedAction, ClosedState};
 
 /// Who takes part.

@@ -2,51 +2,16 @@
 
 use std::fmt;
 
-use adsdv_spec::messages::{AmiState, AnyMessage, BrakePressure, Frame, ShutdownCause};
+use adsdv_spec::messages::{AmiState, Frame, ShutdownCause};
 use adsdv_spec::{Atom, Edition, Rules};
 
 use super::action::on_off;
+use super::meaning::meaning;
 use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels};
 
 /// A frame as `candump` writes it, and what it says.
 fn frame(frame: &Frame, edition: &Edition) -> String {
     format!("{frame} ({})", meaning(frame, edition))
-}
-
-/// What a frame of an edition says, as far as it matters here.
-pub(super) fn meaning(frame: &Frame, edition: &Edition) -> String {
-    let pressed = |front: BrakePressure, rear: BrakePressure| format!("brakes {front} front, {rear} rear");
-    let Ok(message) = edition.bus.decode(frame.id, frame.data()) else { return "not a message".to_owned() };
-    match message {
-        AnyMessage::Ai2VcuStatus(status) => format!(
-            "HANDSHAKE {}, {}, {}",
-            u8::from(status.handshake),
-            status.mission_status,
-            status.direction_request
-        ),
-        AnyMessage::Ai2VcuDriveF(drive) => format!("front torque {}", drive.front_axle_trq_request),
-        AnyMessage::Ai2VcuDriveR(drive) => format!("rear torque {}", drive.rear_axle_trq_request),
-        AnyMessage::Ai2VcuSteer(steer) => format!("steer {}", steer.steer_request),
-        AnyMessage::Ai2VcuBrake(brake) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
-        AnyMessage::Vcu2AiStatus(status) => {
-            let mut words =
-                vec![format!("HANDSHAKE {}", u8::from(status.handshake)), status.as_state.to_string()];
-            if status.ami_state != AmiState::NotSelected {
-                words.push(status.ami_state.to_string());
-            }
-            if status.shutdown_cause != ShutdownCause::NoShutdown {
-                words.push(status.shutdown_cause.to_string());
-            }
-            words.join(", ")
-        }
-        AnyMessage::Vcu2AiDriveF(drive) => {
-            format!("front torque request {}", drive.front_axle_trq_request)
-        }
-        AnyMessage::Vcu2AiDriveR(drive) => format!("rear torque request {}", drive.rear_axle_trq_request),
-        AnyMessage::Vcu2AiBrake(brake) => pressed(brake.hyd_press_f_req, brake.hyd_press_r_req),
-        AnyMessage::Vcu2AiWheelSpeeds(speeds) => format!("wheels at {}", speeds.fl_wheel_speed),
-        other => format!("{:03X}h", other.id()),
-    }
 }
 
 /// The names of the lines that a state is told in.
