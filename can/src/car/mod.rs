@@ -80,8 +80,13 @@ impl Cycle {
 impl Car {
     /// A car at rest, just switched on, everything else off.
     pub fn new(machine: Machine) -> Self {
+        Self::with_physics(machine, Physics::DEFAULT)
+    }
+
+    /// The same with another vehicle.
+    pub fn with_physics(machine: Machine, physics: Physics) -> Self {
         let mut inputs = Inputs::default();
-        let vehicle = Vehicle::new(Physics::DEFAULT);
+        let vehicle = Vehicle::new(physics);
         vehicle.measure(&mut inputs.vehicle);
         Self {
             machine,
@@ -167,6 +172,11 @@ impl Car {
     /// The specification that the VCU follows.
     pub fn machine(&self) -> &Machine {
         &self.machine
+    }
+
+    /// What the sensors say, to be falsified: until the next cycle is over, the VCU sees what is written here.
+    pub fn sensors(&mut self) -> &mut adsdv_spec::Vehicle {
+        &mut self.inputs.vehicle
     }
 
     /// What the VCU remembers.

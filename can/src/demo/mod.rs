@@ -5,7 +5,7 @@
 //! SocketCAN before it.
 
 mod local;
-mod wire;
+pub mod wire;
 
 use std::fmt;
 

@@ -4,8 +4,10 @@ use adsdv_spec::messages::Frame;
 
 /// Who sends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Node {
+pub enum Node {
+    /// The VCU, or what is on its side of the bus.
     Vcu,
+    /// The AI Computer.
     Ai,
 }
 
@@ -20,7 +22,7 @@ struct QueuedFrame {
 
 /// The bus.
 #[derive(Debug)]
-pub(super) struct Wire {
+pub struct Wire {
     bit_ns: i64,
     waiting: Vec<QueuedFrame>,
     /// When the bus is free again.
@@ -29,33 +31,37 @@ pub(super) struct Wire {
 
 impl Wire {
     /// A free bus of so many bits per second.
-    pub(super) fn new(bit_rate: i64) -> Self {
+    pub fn new(bit_rate: i64) -> Self {
         let bit_ns = 1_000_000_000_i64.checked_div(bit_rate).unwrap_or_default();
         Self { bit_ns, waiting: Vec::new(), free_at: 0 }
     }
 
     /// Hands frames over to be sent from this time on.
-    pub(super) fn send(&mut self, since: i64, from: Node, frames: Vec<Frame>) {
+    pub fn send(&mut self, since: i64, from: Node, frames: Vec<Frame>) {
         self.waiting.extend(frames.into_iter().map(|frame| QueuedFrame { since, from, frame }));
+    }
+
+    /// How many frames of a node wait for the bus.
+    pub fn waiting(&self, of: Node) -> usize {
+        self.waiting.iter().filter(|waiting| waiting.from == of).count()
     }
 
     /// The next frame that is complete on the bus at `until` at the latest, and when it is.
     ///
     /// Nothing may be sent before `until` afterwards: it might have gone first.
-    pub(super) fn complete(&mut self, until: i64) -> Option<(i64, Node, Frame)> {
+    pub fn complete(&mut self, until: i64) -> Option<(i64, Node, Frame)> {
         let earliest = self.waiting.iter().map(|waiting| waiting.since).min()?;
         let begins = earliest.max(self.free_at);
-        let contends = |waiting: &&QueuedFrame| waiting.since <= begins;
-        // A node that has two frames of one identifier sends the older one first.
-        let next =
-            self.waiting.iter().filter(contends).min_by_key(|waiting| (waiting.frame.id, waiting.since))?;
-        let QueuedFrame { since, from, frame } = *next;
+        let contends = |(_, waiting): &(usize, &QueuedFrame)| waiting.since <= begins;
+        // A node that has several frames of one identifier sends the oldest first.
+        let waiting = self.waiting.iter().enumerate().filter(contends);
+        let (place, next) = waiting.min_by_key(|(_, waiting)| (waiting.frame.id, waiting.since))?;
+        let QueuedFrame { from, frame, .. } = *next;
         let ends = begins.saturating_add(i64::from(bits(&frame)) * self.bit_ns);
         if ends > until {
             return None;
         }
-        self.waiting
-            .retain(|waiting| (waiting.since, waiting.frame.id, waiting.from) != (since, frame.id, from));
+        self.waiting.remove(place);
         self.free_at = ends;
         Some((ends, from, frame))
     }
@@ -106,5 +112,14 @@ mod tests {
         wire.send(10, Node::Vcu, vec![frame(0x520, 2)]);
         let order: Vec<_> = std::iter::from_fn(|| wire.complete(1_000_000)).map(|(_, _, f)| f.len).collect();
         assert_eq!(order, [8, 1, 2]);
+    }
+
+    #[test]
+    fn frames_that_are_handed_over_together_are_all_sent() {
+        let mut wire = Wire::new(500_000);
+        wire.send(0, Node::Ai, vec![frame(0x510, 1), frame(0x510, 2), frame(0x510, 3)]);
+        assert_eq!((wire.waiting(Node::Ai), wire.waiting(Node::Vcu)), (3, 0));
+        let order: Vec<_> = std::iter::from_fn(|| wire.complete(1_000_000)).map(|(_, _, f)| f.len).collect();
+        assert_eq!(order, [1, 2, 3]);
     }
 }

@@ -6,8 +6,9 @@
 //! random --+         and is answered    none explains them: Break, the row of Figure 2, and a shorter scenario
 //! ```
 //!
-//! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`ProgramError`] (`trouble.rs`), never in
-//!   waiting for ever; `lines.rs` reads its lines, `stderr.rs` its last words;
+//! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`ProgramError`] (`program_error.rs`), never in
+//!   waiting for ever; `line_program.rs` is what it shares with every program that speaks in lines, of which `lines.rs` reads
+//!   the lines and `stderr.rs` the last words;
 //! - `vcu.rs`: what is asked, be it that program or a machine in this process;
 //! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
 //!   such combinations;
@@ -45,6 +46,7 @@ mod cycle;
 mod explain;
 mod failures;
 mod keys;
+mod line_program;
 mod lines;
 mod options;
 mod own_bit;
@@ -67,10 +69,11 @@ mod wall_clock;
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]
 pub use child::stop_programs;
+pub use line_program::LineProgram;
 pub use lines::{LineBuffer, TooLong};
 pub use options::{ConformOptions, ConformProgress, Phase};
 pub use program::Program;
-pub use program_error::{Place, ProgramError, ProgramErrorKind, Work};
+pub use program_error::{Place, ProgramError, ProgramErrorKind, Work, excerpt};
 pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
 pub use run::conform;

@@ -167,7 +167,8 @@ impl fmt::Display for ProgramError {
 }
 
 impl ProgramErrorKind {
-    fn line(&self) -> Option<&String> {
+    /// The line of the program that is wrong, or what had come of it; `None` where there is none.
+    pub fn line(&self) -> Option<&String> {
         match self {
             Self::NotText(line)
             | Self::NoAnswer(line, _)
@@ -245,7 +246,7 @@ impl fmt::Display for ProgramErrorKind {
 impl std::error::Error for ProgramError {}
 
 /// As much of the program's own text as an error shows, fit for a terminal.
-pub(super) fn excerpt(bytes: &[u8]) -> String {
+pub fn excerpt(bytes: &[u8]) -> String {
     const SHOWN: usize = 200;
     let text = String::from_utf8_lossy(bytes.get(..SHOWN * 4).unwrap_or(bytes));
     let line = text.trim_end_matches(['\r', '\n']);
