@@ -14,6 +14,10 @@ INTERFACE_VERSION: str
 
 class AdsdvError(ValueError): ...
 class InputError(AdsdvError): ...
+class RulesError(InputError):
+    line: int
+    column: int
+
 class CodecError(AdsdvError): ...
 class LogError(AdsdvError): ...
 
@@ -238,8 +242,27 @@ class _ReportOfAll(TypedDict):
     handshake_response_ms: _Response | None
     verdict: Literal["conforms", "violates"]
 
+class _Breach(TypedDict):
+    t: float
+    seen: str
+
+class _RuleOfAll(TypedDict):
+    name: str
+    line: int
+    rule: str
+    verdict: Literal["holds", "broken", "never decided"]
+    held: int
+    broken: int
+    undecided: int
+    breaches: list[_Breach]
+
+class _Rule(_RuleOfAll, total=False):
+    note: str
+    why: str
+
 class _Report(_ReportOfAll, total=False):
     recognised: _Recognised
+    rules: list[_Rule]
 
 class _InputField(TypedDict):
     key: str
@@ -371,6 +394,7 @@ class Judge:
         window_ms: int | None = None,
         deadline_ms: int | None = None,
         edition: str | None = None,
+        rules: str | None = None,
     ) -> Judge: ...
     @property
     def edition(self) -> str: ...
@@ -398,6 +422,8 @@ class Report:
     @property
     def violations(self) -> list[_Finding]: ...
     @property
+    def rules(self) -> list[_Rule]: ...
+    @property
     def frames(self) -> int: ...
     @property
     def duration_s(self) -> float: ...
@@ -414,6 +440,7 @@ def check(
     deadline_ms: int | None = None,
     interface: str | None = None,
     edition: str | None = None,
+    rules: str | None = None,
 ) -> Report: ...
 def editions() -> list[str]: ...
 def decode(id: int, data: _Data, edition: str | None = None) -> _Message: ...

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 
 use crate::edition;
 use crate::report::Report;
+use crate::rules;
 use crate::source::Source;
 use crate::value;
 
@@ -24,6 +25,8 @@ const LONGEST: u32 = 60_000;
 /// interface: the CAN interface to judge, such as "can0"; None for the first that carries a message of the document.
 /// edition: the edition of the interface to judge by, one of adsdv.editions(); None to recognise it by the frames, and where
 /// they do not tell, adsdv.INTERFACE_VERSION. The report says which one it is.
+/// rules: rules of one's own, which are judged beside the document: the text of a file of rules, of which RULES.md has the
+/// language; None for no rules. What is wrong with them is a RulesError, which has the line and the column.
 ///
 /// Other threads run meanwhile, so that logs can be judged side by side in threads. A line that is no frame is a finding; a
 /// log without a frame is a LogError; a log that cannot be read is an OSError.
@@ -38,7 +41,7 @@ const LONGEST: u32 = 60_000;
 ///     ...
 /// adsdv.LogError: the log is empty; expected lines of candump -L, such as (1.000000) can0 520#0000010000000000
 #[pyfunction]
-#[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None, edition=None))]
+#[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None, edition=None, rules=None))]
 pub(crate) fn check(
     py: Python<'_>,
     log: &Bound<'_, PyAny>,
@@ -47,6 +50,7 @@ pub(crate) fn check(
     deadline_ms: Option<&Bound<'_, PyAny>>,
     interface: Option<String>,
     edition: Option<&Bound<'_, PyAny>>,
+    rules: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Report> {
     let edition = edition.map(edition::named).transpose()?;
     let pins = value::choices(readings)?;
@@ -54,8 +58,12 @@ pub(crate) fn check(
         Some(edition) => (edition, edition::pinned(edition, &pins)?),
         None => (Edition::DEFAULT, edition::pinned_in_some(Edition::DEFAULT, &pins)?),
     };
-    let options =
-        LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules: None };
+    let rules = rules::read(py, rules)?;
+    if let Some(rules) = &rules {
+        let possible = if edition.is_some() { rules.check(by) } else { rules.check_any(by) };
+        possible.map_err(|error| rules::wrong(py, &error))?;
+    }
+    let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules };
     let mut source = Source::open(log)?;
     if edition.is_some() {
         return match py.detach(|| judge_log(&mut source, &options, |_| {})) {
@@ -79,6 +87,7 @@ fn recognising(
             edition::pinned(recognised.edition, pins)?;
             Report::of(py, recognised.edition, Some(&recognised), &report)
         }
+        Err(LogError::Rules(error)) => Err(rules::wrong(py, &error)),
         Err(error) => Err(source.error(py, &error)),
     }
 }

@@ -27,12 +27,19 @@ create_exception!(
     AdsdvError,
     "Data that is no message of the document, or signals that cannot be sent."
 );
+create_exception!(
+    adsdv,
+    RulesError,
+    InputError,
+    "Rules of one's own that are wrong, or name what the edition has not; line and column say where, both from 1."
+);
 create_exception!(adsdv, LogError, AdsdvError, "A log that holds nothing to judge.");
 
 pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("AdsdvError", py.get_type::<AdsdvError>())?;
     module.add("InputError", py.get_type::<InputError>())?;
+    module.add("RulesError", py.get_type::<RulesError>())?;
     module.add("CodecError", py.get_type::<CodecError>())?;
     module.add("LogError", py.get_type::<LogError>())
 }

@@ -8,6 +8,7 @@ use crate::check;
 use crate::edition;
 use crate::error::InputError;
 use crate::report::{self, Report};
+use crate::rules;
 use crate::value;
 
 /// The latest time that a frame may have, in seconds: that of a log, nanoseconds in 63 bits.
@@ -15,7 +16,7 @@ const LATEST_S: f64 = 9_223_372_036.0;
 
 /// Judges frames as they come, in memory that does not grow with their number but for what it finds.
 ///
-/// readings, window_ms, deadline_ms: as of check.
+/// readings, window_ms, deadline_ms, rules: as of check.
 /// edition: the edition of the interface to judge by, one of adsdv.editions(); None for adsdv.INTERFACE_VERSION. It is not
 /// recognised: that would take a second of frames.
 ///
@@ -50,17 +51,22 @@ fn finished() -> PyErr {
 #[pymethods]
 impl Judge {
     #[new]
-    #[pyo3(signature = (*, readings=None, window_ms=None, deadline_ms=None, edition=None))]
+    #[pyo3(signature = (*, readings=None, window_ms=None, deadline_ms=None, edition=None, rules=None))]
     fn new(
+        py: Python<'_>,
         readings: Option<&Bound<'_, PyAny>>,
         window_ms: Option<&Bound<'_, PyAny>>,
         deadline_ms: Option<&Bound<'_, PyAny>>,
         edition: Option<&Bound<'_, PyAny>>,
+        rules: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let edition = edition::or_default(edition)?;
         let readings = edition::pinned(edition, &value::choices(readings)?)?;
         let options = check::options(edition, readings, window_ms, deadline_ms)?;
-        let judge = adsdv_oracle::judge::Judge::new(options);
+        let mut judge = adsdv_oracle::judge::Judge::new(options);
+        if let Some(rules) = rules::read(py, rules)? {
+            judge.follow(&rules).map_err(|error| rules::wrong(py, &error))?;
+        }
         Ok(Self { working: Some(Box::new(judge)), edition, origin: None })
     }
 

@@ -6,6 +6,7 @@
 //! step.rs      Step: what a step did      codec.rs     decode, encode, frames, is_reserved
 //! check.rs     check: judges a log        source.rs    what a log can be read from
 //! judge.rs     Judge: judges a live bus   report.rs    Report: what a judge says
+//! rules.rs     a team's own rules
 //! tables.rs    inputs, outputs, messages, readings as lists of flat dicts
 //! value.rs     Python's values from and to the specification's
 //! error.rs     the exceptions
@@ -22,6 +23,7 @@ mod error;
 mod judge;
 mod machine;
 mod report;
+mod rules;
 mod source;
 mod step;
 mod tables;

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyType};
 
 use crate::error::InputError;
+use crate::rules;
 use crate::value;
 
 /// The number of the form, as `adsdv check --json` has it.
@@ -24,12 +25,14 @@ const KEYS: [&str; 8] = [
     "verdict",
 ];
 
-/// What only the command reports, and is passed over here: what blocked arrows, margins, what was exercised, and
-/// what became of the user's own rules.
-const FURTHER: [&str; 6] = ["stays", "go_presses", "margins", "exercised", "rules", "required"];
+/// What only the command reports, and is passed over here: what blocked arrows, margins, and what was exercised.
+const FURTHER: [&str; 5] = ["stays", "go_presses", "margins", "exercised", "required"];
 
 /// What a report has where the edition was recognised.
 const RECOGNISED: &str = "recognised";
+
+/// What a report has where rules of the user's own were followed.
+const RULES: &str = "rules";
 
 /// What a judge says about a log.
 ///
@@ -71,6 +74,9 @@ impl Report {
         dict.set_item("findings", findings(py, &report.findings)?)?;
         dict.set_item("handshake_response_ms", responses(py, &report.responses)?)?;
         dict.set_item("verdict", report.verdict().name())?;
+        if !report.rules.is_empty() {
+            dict.set_item(RULES, rules::reports(py, &report.rules)?)?;
+        }
         Ok(Self(dict.unbind()))
     }
 
@@ -101,14 +107,14 @@ impl Report {
                 "schema" => given.extract::<u32>().is_ok_and(|schema| schema == SCHEMA),
                 "edition" => value::text(given).is_some(),
                 RECOGNISED => given.is_instance_of::<PyDict>(),
-                "transitions" | "findings" => given.is_instance_of::<PyList>(),
+                "transitions" | "findings" | RULES => given.is_instance_of::<PyList>(),
                 "verdict" => value::text(given).is_some_and(|verdict| {
                     [Verdict::Conforms, Verdict::Violates].iter().any(|one| one.name() == verdict)
                 }),
                 "handshake_response_ms" => given.is_none() || given.is_instance_of::<PyDict>(),
                 "frames" | "duration_s" => given.extract::<f64>().is_ok(),
                 key if FURTHER.contains(&key) => return Ok(()),
-                _ => return Err(value::unknown_key(key, "", KEYS.into_iter().chain([RECOGNISED]))),
+                _ => return Err(value::unknown_key(key, "", KEYS.into_iter().chain([RECOGNISED, RULES]))),
             };
             if right {
                 dict.set_item(key, given)
@@ -159,7 +165,8 @@ impl Report {
     }
 
     /// What was found, in order, as flat dicts: t, severity ("violation", "warning" or "note"), party ("AI", "VCU" or
-    /// "LOG"; of a report of the command also "OWN"), section (of the document), rule (what was checked) and message.
+    /// "LOG"; "OWN" where rules of one's own were broken), section (of the document, or the line of the rules), rule (what was
+    /// checked) and message.
     #[getter]
     fn findings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.get(py, "findings")
@@ -173,6 +180,21 @@ impl Report {
     #[getter]
     fn violations<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         self.of_severity(py, Severity::Violation)
+    }
+
+    /// What became of rules of one's own, in their order, as dicts: name, line, rule, verdict ("holds", "broken" or "never
+    /// decided"), held, broken and undecided (how many times), breaches (when, and what was seen), and note and why where there
+    /// is one. Empty where none were followed.
+    ///
+    /// >>> import adsdv
+    /// >>> log = ["(1.000000) can0 520#0000010000000000", "(1.010000) can0 520#0000020000000000"]
+    /// >>> [rule] = adsdv.check(log, rules="calm: never AS_STATE is AS_READY").rules
+    /// >>> rule["verdict"], rule["breaches"]
+    /// ('broken', [{'t': 0.01, 'seen': 'AS_STATE is AS_READY'}])
+    #[getter]
+    fn rules<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let rules = self.0.bind(py).get_item(RULES)?;
+        Ok(rules.unwrap_or_else(|| PyList::empty(py).into_any()))
     }
 
     /// How many frames could be read.
@@ -287,6 +309,6 @@ pub(crate) fn responses<'py>(py: Python<'py>, times: &ResponseTimes) -> PyResult
 
 /// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
 #[expect(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
-fn seconds(ns: i64) -> f64 {
+pub(crate) fn seconds(ns: i64) -> f64 {
     ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
 }

@@ -105,7 +105,7 @@ def test_keys_and_values_are_those_of_the_tables_of_all_editions(name, table):
 
 
 def test_dicts_have_the_keys_that_the_stub_says(finished):
-    report = adsdv.check(finished)
+    report = adsdv.check(finished, rules="calm: never moving and ASMS off")
     for name, dict in [
         ("_Control", adsdv.Control().to_dict()),
         ("_ControlGiven", adsdv.Control().to_dict()),
@@ -113,6 +113,7 @@ def test_dicts_have_the_keys_that_the_stub_says(finished):
         ("_Finding", report.findings[0]),
         ("_Response", report.handshake_response_ms),
         ("_Recognised", report.recognised),
+        ("_RuleOfAll", report.rules[0]),
         ("_ReportOfAll", adsdv.check(finished, edition=report.edition).to_dict()),
         ("_InputField", adsdv.inputs()[0]),
         ("_OutputField", adsdv.outputs()[0]),

@@ -1,22 +1,23 @@
 //! The walk of a frame: time goes on to it, the sampler takes it, the estimator learns from it, and the rules look at that.
 
-use adsdv_spec::messages::{AnyMessage, MessageDef};
+use adsdv_spec::messages::{AnyMessage, MessageDef, Vcu2AiStatus};
 use adsdv_spec::{AsState, Edition, Knowledge};
 
 use super::book::Book;
 use super::estimator::base::Estimator;
 use super::finding::{Finding, Party, Rule};
 use super::options::JudgeOptions;
+use super::own::Own;
 use super::report::{Report, Transition};
 use super::response::ResponseTimes;
 use super::rules::{Rules, values};
 use super::sampler::loss::Loss;
-use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS, slot_of};
+use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS};
 use super::sampler::slot::Slot;
 use super::sampler::{Came, Says};
-use super::seen::Seen;
 use super::senders::Senders;
-use super::time::{FAR_NS, MS, milliseconds};
+use super::time::{FAR_NS, milliseconds};
+use crate::rules::{RuleError, RuleFile};
 use crate::why::Stay;
 
 /// The judge of one log, or of one live bus.
@@ -39,8 +40,7 @@ pub struct Judge {
     /// Nothing is to be done before this time; the least of all when something is to be done at the next frame anyway.
     next_event: i64,
     frames: u64,
-    /// What became known or unknown between frames, if somebody asks for it.
-    seen: Option<Vec<Seen>>,
+    own: Own,
 }
 
 impl Judge {
@@ -51,7 +51,7 @@ impl Judge {
             rules: Rules::default(),
             book: Book::new(&est.edition),
             loss: Loss::default(),
-            senders: Senders::default(),
+            senders: Senders::new(&est.edition.bus),
             // Most messages come once a cycle, all at once: one frame may be missing.
             pause: est.window.max(est.cycle() * 2),
             est,
@@ -61,7 +61,7 @@ impl Judge {
             offset: 0,
             next_event: i64::MIN,
             frames: 0,
-            seen: None,
+            own: Own::default(),
         }
     }
 
@@ -70,6 +70,12 @@ impl Judge {
     /// Frames of no message of the document are left alone. Data of any length is fine, and time may jump.
     #[inline]
     pub fn frame(&mut self, t_ns: i64, id: u32, data: &[u8]) {
+        self.takes(t_ns, id, data);
+        self.own.judged(&self.est, &mut self.book);
+    }
+
+    #[inline]
+    fn takes(&mut self, t_ns: i64, id: u32, data: &[u8]) {
         self.frames += 1;
         let t = self.tick(t_ns);
         let Some(index) = self.est.sampler.index(id) else {
@@ -96,6 +102,7 @@ impl Judge {
             self.next_event = self.next_event.min(self.est.next()).min(self.rules.next(&self.est));
         }
         if index == STATUS && self.est.vcu_is_seen() && !self.senders.several() {
+            self.book.found(self.senders.came(t));
             self.rules.status(&mut self.est, &mut self.book, t);
         }
     }
@@ -131,10 +138,8 @@ impl Judge {
             }
             Says::This { said, .. } => match said.message {
                 AnyMessage::Vcu2AiStatus(status) => {
-                    let from =
-                        est.vcu.state.filter(|&from| from != status.as_state && !said.is_bad("as_state"));
-                    if self.senders.several()
-                        || from.is_some_and(|from| self.is_of_another(t, from, status.as_state))
+                    let last = est.vcu.status.filter(|_| est.vcu.state.is_some() && !said.is_bad("as_state"));
+                    if self.senders.several() || last.is_some_and(|last| self.is_of_another(t, last, status))
                     {
                         return;
                     }
@@ -158,10 +163,9 @@ impl Judge {
         }
     }
 
-    /// 520h shows another state than before. Tells whether that is of another VCU.
-    fn is_of_another(&mut self, t: i64, from: AsState, to: AsState) -> bool {
-        let cycle = self.est.sampler.def(STATUS).map_or(0, |def| def.cycle_ms);
-        let Some(finding) = self.senders.changed(t, (from, to), i64::from(cycle) * MS, self.est.now) else {
+    /// 520h shows something else than before. Tells whether that is of another VCU.
+    fn is_of_another(&mut self, t: i64, last: Vcu2AiStatus, now: Vcu2AiStatus) -> bool {
+        let Some(finding) = self.senders.changed(t, [last, now], &self.est.edition.bus) else {
             return false;
         };
         // What waited to be judged is of both.
@@ -181,10 +185,35 @@ impl Judge {
         self.est.sampler.def(self.est.sampler.index(id)?)
     }
 
+    /// From now on follows rules of the user's own beside the document: what breaks one is a violation of [`Party::Own`], and the
+    /// report says what became of each.
+    ///
+    /// ```
+    /// use adsdv_oracle::judge::{Judge, JudgeOptions, Party};
+    ///
+    /// let mut judge = Judge::new(JudgeOptions::default());
+    /// judge.follow(&"calm: never AS_STATE is AS_READY".parse()?)?;
+    /// judge.frame(0, 0x520, &[0, 0, 2, 0, 0, 0, 0, 0]);
+    /// let report = judge.finish();
+    /// assert_eq!(report.findings[0].message(), "calm: AS_STATE is AS_READY; expected never AS_STATE is AS_READY, \
+    ///     unless a frame was on the bus that was not recorded");
+    /// assert_eq!((report.findings[0].party, report.rules[0].broken), (Party::Own, 1));
+    /// # Ok::<(), adsdv_oracle::rules::RuleError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails, and changes nothing, if the edition has not all that the rules name.
+    pub fn follow(&mut self, rules: &RuleFile) -> Result<(), RuleError> {
+        self.own.follow(rules, &self.est)
+    }
+
     /// Counts a frame that is not judged, and lets time pass. Returns the time that the judge gives it.
     pub fn other_frame(&mut self, t_ns: i64) -> i64 {
         self.frames += 1;
-        self.tick(t_ns)
+        let t = self.tick(t_ns);
+        self.own.judged(&self.est, &mut self.book);
+        t
     }
 
     /// The log says that the AI Computer itself sent a frame with this identifier, which is not for it to send. It says
@@ -205,6 +234,7 @@ impl Judge {
             return;
         }
         self.go_on(t, true);
+        self.own.passes(&self.est, &mut self.book);
         self.quiet_since = Some(last);
         self.next_event = i64::MIN;
     }
@@ -224,6 +254,7 @@ impl Judge {
         self.est.now = end;
         self.lose(end, end);
         self.rules.settle_all(&self.est, &mut self.book);
+        self.own.end(&self.est, &mut self.book);
         self.book.found(self.loss.tell());
         let missed: [bool; COUNT] = std::array::from_fn(|index| self.rules.is_missed(index));
         self.book.notice_end(&self.est, &missed, end);
@@ -247,7 +278,8 @@ impl Judge {
         self.book.found(values::one_sided(&self.est.sampler, now));
         let (margins, exercised) = (self.book.margins(&self.est), self.book.exercised(&self.est));
         let (stays, go_presses) = self.est.why.end(now);
-        Report { stays, go_presses, margins, exercised, ..self.book.out.report(self.frames, now) }
+        let rules = self.own.reports;
+        Report { stays, go_presses, margins, exercised, rules, ..self.book.out.report(self.frames, now) }
     }
 
     /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to
@@ -292,29 +324,6 @@ impl Judge {
     /// The state that lasts now, with what blocks its arrows, and the time up to which that is so; `None` while no state is known.
     pub fn waits(&self) -> Option<(i64, &Stay)> {
         Some((self.est.now, self.est.why.now()?))
-    }
-
-    /// From now on, what becomes known or unknown between frames is kept until it is [taken](Self::take_seen).
-    pub(crate) fn keep_seen(&mut self) {
-        self.seen = Some(Vec::new());
-    }
-
-    /// What became known or unknown between frames since this was last asked, in order.
-    pub(crate) fn take_seen(&mut self) -> Vec<Seen> {
-        self.seen.as_mut().map(std::mem::take).unwrap_or_default()
-    }
-
-    /// What the last frame with this identifier said, and how long it was; `None` if it is too old to count.
-    pub(crate) fn shown(&self, id: u16) -> Option<([u8; 8], usize)> {
-        let slot = self.est.sampler.slot(slot_of(id)).filter(|slot| slot.fresh && slot.def.is_some())?;
-        Some((slot.word.to_le_bytes(), usize::from(slot.len)))
-    }
-
-    /// Something may have become known or unknown.
-    fn note_seen(&mut self) {
-        let Some(seen) = &mut self.seen else { return };
-        let est = &self.est;
-        seen.push(Seen::new(est.now, est.known, est.sampler.slots.iter().map(|slot| slot.fresh)));
     }
 
     /// Time goes on to that of a frame. Returns the time that the judge gives it.
@@ -374,7 +383,7 @@ impl Judge {
             self.pass(self.est.now.max(next), silent);
             self.event(next);
             self.rules.reconsider(&mut self.est, &mut self.book, next);
-            self.note_seen();
+            self.own.aged(&self.est);
         }
         self.pass(t, silent);
     }
@@ -433,7 +442,7 @@ impl Judge {
         self.note_log(Rule::TimeBackwards, seen);
         self.offset = (self.offset + back).min(FAR_NS);
         self.forget_everything();
-        self.senders = Senders::default();
+        self.senders = Senders::new(&self.est.edition.bus);
         self.est.sampler.forget_values();
         self.est.now
     }
@@ -456,6 +465,6 @@ impl Judge {
         self.book.exercise_forgotten(&self.est);
         self.est.forget();
         self.rules.forget();
-        self.note_seen();
+        self.own.aged(&self.est);
     }
 }

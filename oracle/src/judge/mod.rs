@@ -15,7 +15,8 @@
 //! ```
 //!
 //! No rule knows how recorders behave, and the sampler knows no state machine. `judge.rs` is the walk of a frame through all three;
-//! files depend on those before them only.
+//! files depend on those before them only. Beside the rules of the document, `own.rs` follows [those of the user's own](crate::rules);
+//! `senders.rs` tells when there is no one VCU to judge.
 //!
 //! Everything is online and in bounded memory: one frame after the other, as they come.
 //!
@@ -46,11 +47,11 @@ mod judge;
 mod margins;
 mod options;
 mod output;
+mod own;
 mod report;
 mod response;
 mod rules;
 mod sampler;
-mod seen;
 mod senders;
 mod time;
 
@@ -61,5 +62,4 @@ pub use margins::{Basis, Margin, Measure, Needs};
 pub use options::JudgeOptions;
 pub use report::{Report, Transition, Verdict};
 pub use response::{Meter, ResponseTimes};
-pub(crate) use seen::Seen;
 pub(crate) use time::SILENCE_NS;

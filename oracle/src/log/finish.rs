@@ -23,7 +23,9 @@ impl LogJudge {
             return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
         }
         self.judge.end();
-        let rules = self.rules_end()?;
+        if let Some(error) = self.impossible {
+            return Err(LogError::Rules(*error));
+        }
         for (reason, count) in &self.passed_over {
             self.judge
                 .note_log(Rule::NotJudged, format!("{} {reason}, not judged", counted(*count, "frame")));
@@ -42,6 +44,6 @@ impl LogJudge {
             );
             self.warn(Rule::NotJudged, message);
         }
-        Ok(Report { rules, ..self.judge.finish() })
+        Ok(self.judge.finish())
     }
 }

@@ -39,7 +39,6 @@ impl LogJudge {
             return;
         }
         self.judge.frame(t, record.id, record.data);
-        self.frame_judged();
         if let Some(collector) = &mut self.collector {
             collector.frame(&self.judge, record.id, record.data);
         }
@@ -62,7 +61,6 @@ impl LogJudge {
     #[cold]
     fn pass_over(&mut self, t: i64, record: &Record<'_>, ours: bool) {
         self.judge.other_frame(t);
-        self.frame_judged();
         if !ours && self.is_known(record) && self.neglected.len() < MAX_INTERFACES {
             self.neglected.insert(record.interface.to_owned());
         }
@@ -85,7 +83,6 @@ impl LogJudge {
     #[cold]
     fn cut_off(&mut self, t: i64, record: &Record<'_>) {
         self.judge.other_frame(t);
-        self.frame_judged();
         let message = format!(
             "line {}: the log ends in the middle of frame {:03X}h; expected a line feed at its end",
             record.line, record.id
@@ -104,7 +101,6 @@ impl LogJudge {
             && !self.judge.edition().bus.may_send(Node::Ai, id);
         if forged {
             self.judge.sent_by_ai(t, record.id);
-            self.frame_judged();
         }
         forged
     }

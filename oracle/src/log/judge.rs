@@ -6,11 +6,11 @@ use adsdv_spec::Edition;
 
 use super::LogOptions;
 use super::directions::Directions;
-use super::rules::Followed;
 use crate::candump::Dropped;
 use crate::compare::Collector;
 use crate::judge::{Finding, Judge, Party, Rule, Transition};
 use crate::recognise::{Hearing, Held, Later, Recognised};
+use crate::rules::RuleError;
 use crate::why::Stay;
 
 /// The judge of a log that is told frame by frame; [`judge_log`](super::judge_log) reads one with it.
@@ -58,8 +58,8 @@ pub struct LogJudge {
     pub(super) later: Option<Later>,
     /// Takes down what the frames are like, where that is asked for.
     pub(super) collector: Option<Box<Collector>>,
-    /// Follows the rules of the user's own; or why it cannot.
-    pub(super) rules: Followed,
+    /// What the edition has not of what the rules of the user's own name.
+    pub(super) impossible: Option<Box<RuleError>>,
 }
 
 impl LogJudge {
@@ -85,7 +85,7 @@ impl LogJudge {
             recognised: None,
             later: None,
             collector: None,
-            rules: Followed::Nothing,
+            impossible: None,
         };
         judge.follow();
         judge
@@ -148,7 +148,6 @@ impl LogJudge {
         }
         if let Some(origin) = self.origin {
             self.judge.time_passes(time_ns.saturating_sub(origin));
-            self.time_passed();
         }
     }
 

@@ -4,7 +4,6 @@ use adsdv_spec::{Atom, Knowledge, Truth};
 
 use super::names::Place;
 use super::syntax::Comparison;
-use crate::judge::Seen;
 
 /// A signal or a condition that rules are about, and what is known of it now.
 #[derive(Clone, Copy, Debug)]
@@ -30,10 +29,10 @@ impl Subject {
     }
 
     /// What is left of it when some of the messages have become too old.
-    pub(super) fn aged(&self, seen: &Seen) -> Value {
+    pub(super) fn aged(&self, known: Knowledge, fresh: &impl Fn(u16) -> bool) -> Value {
         match self.what {
-            What::Signal(place) => self.value.filter(|_| seen.is_fresh(place.message.id)),
-            What::Atom(atom) => of(seen.known, atom),
+            What::Signal(place) => self.value.filter(|_| fresh(place.message.id)),
+            What::Atom(atom) => of(known, atom),
         }
     }
 

@@ -11,7 +11,7 @@ use super::report::{Breach, RuleReport};
 use super::syntax::Form;
 use super::track::{Outcome, Track};
 use super::{RuleFile, resolve};
-use crate::judge::{Finding, Party, Rule, Section, Seen};
+use crate::judge::{Finding, Party, Rule, Section};
 
 /// So many values are told of a rule that is broken.
 const VALUES: usize = 8;
@@ -68,9 +68,10 @@ impl Runner {
         Ok(Self { edition: *edition, subjects, rules: rules.collect(), now: i64::MIN, findings: Vec::new() })
     }
 
-    /// Messages have become too old, or time alone has made something else known.
-    pub(crate) fn aged(&mut self, seen: &Seen) {
-        self.step(seen.t, |subject| subject.aged(seen));
+    /// Messages have become too old, or time alone has made something else known. `fresh` tells whether what the message with an
+    /// identifier said last still counts.
+    pub(crate) fn aged(&mut self, t: i64, known: Knowledge, fresh: impl Fn(u16) -> bool) {
+        self.step(t, |subject| subject.aged(known, &fresh));
     }
 
     /// The messages show this now.

@@ -35,6 +35,23 @@ pub(super) fn a_recording_of_two_cars() {
     );
 }
 
+/// Two recordings of the same, the one a few milliseconds behind: nothing that 520h shows is of two cars.
+#[test]
+pub(super) fn a_recording_of_two_cars_that_show_the_same() {
+    let mission = String::from_utf8(file(MISSION)).expect("text");
+    let mut both: Vec<String> =
+        mission.lines().flat_map(|line| [line.to_owned(), later(line, 3_700)]).collect();
+    both.sort_by_key(|line| time(line));
+    let outcome = check((both.join("\n") + "\n").as_bytes());
+    assert_eq!(outcome.status, Some(0), "{}", outcome.stdout);
+    let says = [
+        "warning LOG 2.2 two-senders 520h came",
+        "2.0 times as often as from one VCU",
+        "record each car by itself",
+    ];
+    judged(&outcome, 2 * mission.lines().count(), &says);
+}
+
 #[test]
 pub(super) fn an_ai_computer_that_restarts() {
     let scenario = "0 ebs ARMED, ami SKIDPAD\n6 tsms on, asms on\nAS_READY +6 go on\nAS_DRIVING +1 end\n";

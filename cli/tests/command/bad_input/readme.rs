@@ -113,7 +113,12 @@ const ROWS: &[Row] = &[
         tests![log::a_comparison_with_a_broken_log, log::times_that_go_backwards, log::times_that_are_absent],
         &[],
     ),
-    ("a recording of two cars", "`check`, `watch`", tests![cars::a_recording_of_two_cars], &[]),
+    (
+        "a recording of two cars",
+        "`check`, `watch`",
+        tests![cars::a_recording_of_two_cars, cars::a_recording_of_two_cars_that_show_the_same],
+        &[],
+    ),
     ("an AI Computer that restarts", "`check`, `watch`", tests![cars::an_ai_computer_that_restarts], &[]),
     (
         "a VCU that is switched off and on",

@@ -3,8 +3,8 @@
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState,
-    MissionStatus, Node, Vcu2AiStatus, Vcu2AiSteer, Vcu2LogStatus, WheelSpeed,
+    Ai2VcuBrake, Ai2VcuSteer, AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest,
+    EbsState, MissionStatus, Node, Vcu2AiStatus, Vcu2AiSteer, Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{AiMessages, Atom, Choice, Choices, Edition, Machine};
 use adsdv_tests::bus::def_of;
@@ -51,6 +51,15 @@ fn run(name: &str, edition: &'static Edition, pins: &[Choice], happens: Happens,
     let readings = pins.iter().copied().fold(open.readings, Choices::pin);
     let (name, log) = (name.to_owned(), world.log.clone());
     Run { name, log, world, options: JudgeOptions { readings, ..open }, honest }
+}
+
+/// Another car on the same bus, so many milliseconds behind.
+fn another_car(log: &mut Vec<Recorded>, happens: Happens, behind_ms: i64) {
+    let mut other = World::reference();
+    happens(&mut other);
+    let later = |recorded: &Recorded| Recorded { t: recorded.t + behind_ms * MS + MS / 8, ..*recorded };
+    log.extend(other.log.iter().map(later));
+    log.sort_by_key(|recorded| recorded.t);
 }
 
 /// From AS_OFF to AS_OFF, through AS_FINISHED.
@@ -430,7 +439,7 @@ const NEWER: [(&str, &Edition, Happens, bool); 8] = [
 ];
 
 /// A whole mission, and what a recorder makes of it.
-const RECORDED: [(&str, Recorder); 11] = [
+const RECORDED: [(&str, Recorder); 13] = [
     ("recorded: the AI Computer only", |log| log.retain(|recorded| recorded.sender() == Some(Node::Ai))),
     ("recorded: the VCU only", |log| log.retain(|recorded| recorded.sender() == Some(Node::Vcu))),
     ("recorded: from AS_DRIVING on", |log| log.retain(|recorded| recorded.t >= 9000 * MS)),
@@ -439,14 +448,15 @@ const RECORDED: [(&str, Recorder); 11] = [
         let behind = log.partition_point(|recorded| recorded.t < 8000 * MS);
         log.splice(behind..behind, late);
     }),
-    ("recorded: another car three seconds behind, on the same bus", |log| {
-        let mut other = World::reference();
-        mission(&mut other);
-        log.extend(
-            other.log.iter().map(|recorded| Recorded { t: recorded.t + 3000 * MS + MS / 8, ..*recorded }),
-        );
-        log.sort_by_key(|recorded| recorded.t);
+    ("recorded: another car three seconds behind, on the same bus", |log| another_car(log, mission, 3000)),
+    ("recorded: another car in the same state, with another mission, on the same bus", |log| {
+        let with_another_mission = |world: &mut World| {
+            world.shows = |status| status.ami_state = AmiState::Skidpad;
+            mission(world);
+        };
+        another_car(log, with_another_mission, 0);
     }),
+    ("recorded: another car that shows the same, on the same bus", |log| another_car(log, mission, 0)),
     ("recorded: the VCU is switched off and on in AS_DRIVING", |log| {
         log.retain(|recorded| recorded.t < 9000 * MS || recorded.sender() == Some(Node::Ai));
         let mut again = World::reference();
