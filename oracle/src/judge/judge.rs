@@ -11,7 +11,7 @@ use super::report::{Report, Transition};
 use super::response::ResponseTimes;
 use super::rules::{Rules, values};
 use super::sampler::loss::Loss;
-use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS, slot_of};
+use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS, VCU_STATUS, slot_of};
 use super::sampler::slot::Slot;
 use super::sampler::{Came, Says};
 use super::seen::Seen;
@@ -113,6 +113,9 @@ impl Judge {
                 self.rules.assi(&self.est, &mut self.book, t, None);
             }
             REMOTE => self.est.remote_lasts(t),
+            VCU_STATUS if !self.senders.several() => {
+                self.rules.vcu_status(&mut self.est, &mut self.book, t, None);
+            }
             _ => {}
         }
     }
@@ -152,6 +155,9 @@ impl Judge {
                     if came.index == LOG_STATUS {
                         est.sampled(t);
                         rules.assi(est, book, t, Some(said));
+                    }
+                    if came.index == VCU_STATUS && !self.senders.several() {
+                        rules.vcu_status(est, book, t, Some((said, came)));
                     }
                 }
             },
