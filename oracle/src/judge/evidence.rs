@@ -28,6 +28,11 @@ impl Sampler {
         self.evidence(indexes.iter().map(|&index| (index, &now)))
     }
 
+    /// Of these frames those of these messages, in order of time.
+    pub(super) fn frames_of(&self, frames: &Frames, indexes: &[usize]) -> Vec<Evidence> {
+        self.evidence(indexes.iter().map(|&index| (index, frames)))
+    }
+
     fn evidence<'a>(&self, these: impl Iterator<Item = (usize, &'a Frames)>) -> Vec<Evidence> {
         let one = |(index, Frames(frames)): (usize, &Frames)| {
             Some(Evidence { t_ns: (*frames.get(index)?)?, id: self.id(index)? })

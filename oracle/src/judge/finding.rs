@@ -92,10 +92,11 @@ rules! {
     /// A transition was due and did not happen.
     Due = "transition-due"
         unless "the VCU saw something that no frame shows, or takes longer for a step than the deadline";
-    /// A fault flag was raised though its condition did not hold.
+    /// A fault flag, or a flag of 120h, was raised though its condition did not hold.
     FlagUnfounded = "fault-flag-unfounded"
         unless "the VCU saw a reason that no frame within the window shows";
-    /// `AI_ESTOP_REQUEST` was not raised though the AI Computer asked for an emergency stop.
+    /// A flag was not raised though its reason was there: the AI Computer asked for an emergency stop, or 120h has no timeout for a
+    /// message that is missed or a handshake that is not answered.
     FlagMissing = "fault-flag-missing"
         unless "the VCU did not receive what was recorded, or takes longer for a step than the deadline";
     /// `FAULT_STATUS` or `WARNING_STATUS` contradicts the flags it sums up.
@@ -145,7 +146,7 @@ rules! {
     TooShort = "frame-too-short";
     /// A frame has another length than the CAN database says.
     Length = "frame-length";
-    /// The AI Computer sent a reserved identifier, or somebody unknown did.
+    /// The AI Computer sent a reserved identifier, or somebody unknown did; also one that the VCU had in an earlier edition.
     Reserved = "reserved-identifier"
         unless "the log names another sender than the one there was";
     /// A message came from the wrong side.
@@ -158,6 +159,16 @@ rules! {
         unless "the VCU shows its state in 502h later than the deadline";
     /// 520h shows another stage of the Emergency Braking System than the state in 524h.
     EbsDiffers = "ebs-differs";
+    /// `GO_SIGNAL` of 520h contradicts the switch that the remote control shows.
+    GoDiffers = "go-differs"
+        unless "the VCU did not receive what the remote control sent, or shows \"Go\" later than the deadline";
+    /// `SM_AS` of 120h shows another state than 520h.
+    SmAsDiffers = "sm-as-differs"
+        unless "the VCU shows its state in 120h later than the deadline";
+    /// `SM_SYS` or `SYS_ACTION_STATE` of 120h tell of another mode than the autonomous one while 520h shows `AS_DRIVING`.
+    ModeDiffers = "mode-differs";
+    /// A warning of 120h contradicts the fault flag of 520h that has its name.
+    WarningDiffers = "warning-differs";
     /// A line of the log could not be read.
     BrokenLine = "broken-line";
     /// The log's time went backwards.

@@ -12,7 +12,7 @@ use super::report::{Report, Transition};
 use super::response::ResponseTimes;
 use super::rules::{Rules, values};
 use super::sampler::loss::Loss;
-use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS};
+use super::sampler::places::{AI_STATUS, COUNT, LOG_STATUS, REMOTE, STATUS, VCU_STATUS};
 use super::sampler::slot::Slot;
 use super::sampler::{Came, Says};
 use super::senders::Senders;
@@ -120,6 +120,9 @@ impl Judge {
                 self.rules.assi(&self.est, &mut self.book, t, None);
             }
             REMOTE => self.est.remote_lasts(t),
+            VCU_STATUS if !self.senders.several() => {
+                self.rules.vcu_status(&mut self.est, &mut self.book, t, None);
+            }
             _ => {}
         }
     }
@@ -157,6 +160,9 @@ impl Judge {
                     if came.index == LOG_STATUS {
                         est.sampled(t);
                         rules.assi(est, book, t, Some(said));
+                    }
+                    if came.index == VCU_STATUS && !self.senders.several() {
+                        rules.vcu_status(est, book, t, Some((said, came)));
                     }
                 }
             },

@@ -36,5 +36,6 @@ mod timers;
 mod v2026;
 mod v4_0;
 mod values;
+mod vcu_status;
 mod why;
 mod wrongly_taken;

@@ -4,7 +4,7 @@ use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
     Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure, EbsStage, EbsState, Frame, SteerAngle,
-    Vcu2AiBrake, Vcu2AiStatus, Vcu2LogStatus,
+    Vcu2AiBrake, Vcu2AiStatus, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Choice, Choices, Edition, Machine, Truth};
 use adsdv_tests::world::{MS, Recorded, World, judge};
@@ -239,6 +239,95 @@ fn a_level_that_nothing_explains_blames_nobody() {
         world.finished();
         finds(&world, options(&[]), &[]);
     }
+}
+
+/// By either answer to what `GO_SIGNAL` is, and whatever came before, it is 1 while "Go" makes the vehicle drive.
+//= DRV-14, MSG-46
+#[test]
+fn go_that_is_not_shown_while_driving_violates() {
+    for choice in [Choice::GoAccepted, Choice::GoRaw] {
+        let mut world = world(&[choice]);
+        world.driving();
+        let before = world.clone();
+        world.shows = |status| status.go_signal = false;
+        world.wait(500);
+        finds_by_remote_only(&world, options(&[]), &[vcu(Rule::GoDiffers, "3.2")]);
+        let report = judge(&world.log, options(&[]));
+        let finding = &report.findings[0];
+        let said = "GO_SIGNAL is 0 in AS_DRIVING, but the remote control shows \"Go\" on; expected 1";
+        assert_eq!((finding.message().as_str(), &finding.requirements[..]), (said, &["DRV-14"][..]));
+        let mut evidence: Vec<u16> = finding.evidence.iter().map(|frame| frame.id).collect();
+        evidence.sort_unstable();
+        assert_eq!(evidence, [remote(), Vcu2AiStatus::ID]);
+        // For a moment it may be late.
+        let mut moment = before;
+        moment.shows = |status| status.go_signal = false;
+        moment.wait(50);
+        moment.shows = |_| {};
+        moment.wait(300);
+        finds(&moment, options(&[]), &[]);
+    }
+}
+
+/// Without the switch it is an arrow that is due; with it, only the signal is wrong.
+fn finds_by_remote_only(world: &World, options: JudgeOptions, expected: &[Found]) {
+    finds(world, options, expected);
+    let mut without = world.clone();
+    without.log.retain(|recorded| recorded.frame.id != remote());
+    finds(&without, options, &[vcu(Rule::Due, "3.7")]);
+}
+
+//= MSG-46
+#[test]
+fn go_that_is_shown_while_the_switch_is_off_is_a_note() {
+    let mut world = world(&[]);
+    world.ready();
+    world.shows = |status| status.go_signal = true;
+    world.wait(500);
+    let note = the(Severity::Note, Party::Vcu, Rule::GoDiffers, "2.2");
+    finds_by_remote(&world, options(&[]), &[note]);
+    finds(&world, options(&[Choice::GoAccepted]), &[note]);
+    finds_by_remote(&world, options(&[Choice::GoRaw]), &[vcu(Rule::GoDiffers, "2.2")]);
+}
+
+/// Recordings keep it at 1 behind a run; and it may be the edge, which an AS_READY with "Go" on since before does not show.
+//= D-7
+#[test]
+fn go_that_either_answer_allows_is_no_finding() {
+    let since_before = go_since_before();
+    finds(&since_before, options(&[]), &[]);
+    finds_by_remote(&since_before, options(&[Choice::GoRaw]), &[vcu(Rule::GoDiffers, "2.2")]);
+    for after in [World::finished as fn(&mut World), World::braking] {
+        let mut world = world(&[]);
+        after(&mut world);
+        world.inputs.go = false;
+        world.shows = |status| status.go_signal = true;
+        world.wait(500);
+        finds(&world, options(&[]), &[]);
+        finds_by_remote(&world, options(&[Choice::GoRaw]), &[vcu(Rule::GoDiffers, "2.2")]);
+    }
+}
+
+/// Version 4.0 has 120h, and the database of 2026 dropped it; but the document of 4.0 stays valid, and no frame says who sent it.
+//= MSG-116
+#[test]
+fn a_vcu_status_of_4_0_is_a_note() {
+    let mut world = World::of(&Edition::V4_0);
+    world.wait(300);
+    world.log.retain(|recorded| recorded.frame.id == VcuStatus::ID);
+    let report = judge(&world.log, options(&[]));
+    let finding = report.findings.iter().find(|finding| finding.rule == Rule::Reserved).expect("it is found");
+    let said = "VCU_STATUS (120h) was sent, which the VCU sends in version 4.0 and not in this one; the log does not say by whom; expected no such message";
+    assert_eq!(finding.message(), said);
+    assert_eq!((finding.severity, finding.party, section_of(finding)), (Severity::Note, Party::Vcu, "2.2"));
+    assert_eq!((&finding.requirements[..], finding.evidence.len()), (&["MSG-116"][..], 1));
+    let others = report.findings.iter().filter(|finding| finding.rule != Rule::Reserved);
+    assert_eq!(others.map(|finding| finding.rule).collect::<Vec<_>>(), [Rule::OneSided], "once");
+    // Its neighbours are nobody's.
+    let mut judge = Judge::new(options(&[]));
+    judge.frame(0, 0x121, &[0]);
+    let report = judge.finish();
+    assert!(report.findings[0].message().starts_with("121h is reserved and was sent"), "{report:?}");
 }
 
 #[test]

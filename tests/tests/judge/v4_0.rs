@@ -12,12 +12,12 @@ use crate::check::{by, recordings_of_a_kind, section_of};
 
 static EDITION: &Edition = &Edition::V4_0;
 
-fn options(pins: &[Choice]) -> JudgeOptions {
+pub(crate) fn options(pins: &[Choice]) -> JudgeOptions {
     let open = JudgeOptions::of(EDITION);
     JudgeOptions { readings: pins.iter().copied().fold(open.readings, Choices::pin), ..open }
 }
 
-fn world(pins: &[Choice]) -> World {
+pub(crate) fn world(pins: &[Choice]) -> World {
     let readings = pins.iter().fold(EDITION.readings, |readings, &pin| readings.with(pin));
     World::new(Machine::new(*EDITION, readings))
 }
@@ -40,7 +40,7 @@ pub(crate) fn found(report: &Report) -> Vec<Found> {
 
 /// Exactly this is found in the exact recording, and in no other anything else; but what is certain in the exact one may be excused by
 /// an unseen frame in another.
-fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
+pub(crate) fn finds(world: &World, options: JudgeOptions, expected: &[Found]) {
     for (how, log) in recordings(world) {
         let report = judge(&log, options);
         let found = found(&report);
@@ -193,6 +193,8 @@ fn a_vcu_that_does_not_watch_messages_violates() {
         the(Severity::Violation, Party::Ai, Rule::MessageMissed, "2.4"),
         the(Severity::Violation, Party::Vcu, Rule::CommsLostDue, "2.4"),
         the(Severity::Violation, Party::Vcu, Rule::Due, "3.7"),
+        // The timeout in 120h.
+        the(Severity::Violation, Party::Vcu, Rule::FlagMissing, "2.2"),
     ];
     finds(&world, options(&[]), &expected);
 }
@@ -287,7 +289,9 @@ fn a_brake_plausibility_fault_without_a_reason_is_the_vcus_fault() {
     };
     world.wait(300);
     let unfounded = the(Severity::Violation, Party::Vcu, Rule::FlagUnfounded, "4");
-    finds(&world, options(&[]), &[unfounded]);
+    // 120h does not warn of it.
+    let differs = the(Severity::Note, Party::Vcu, Rule::WarningDiffers, "2.2");
+    finds(&world, options(&[]), &[unfounded, differs]);
 }
 
 #[test]

@@ -38,6 +38,11 @@ impl RemoteSide {
         self.pressed.is_some_and(|(since, until)| since <= end && start <= until)
     }
 
+    /// Whether "Go" changed after this, or was first seen after it.
+    pub(crate) fn go_changed_since(&self, since: i64) -> bool {
+        self.go_changed_at.is_none_or(|at| at > since)
+    }
+
     /// It shows this.
     pub(super) fn shows(&mut self, t: i64, shown: Switches) -> Option<Switches> {
         let before = self.shown.replace(shown);

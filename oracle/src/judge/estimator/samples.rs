@@ -8,7 +8,7 @@ use adsdv_spec::{Atom, Choice, Reading, Truth};
 use super::base::{Estimator, is_active};
 use super::silences::place_of;
 use crate::judge::sampler::Came;
-use crate::judge::sampler::places::{AI_STATUS, REMOTE, STATUS, scope};
+use crate::judge::sampler::places::{AI_STATUS, REMOTE, STATUS, VCU_STATUS, scope};
 use crate::judge::sampler::said::Said;
 use crate::judge::time::SILENCE_NS;
 use crate::remote::Switches;
@@ -18,6 +18,9 @@ impl Estimator {
     pub(crate) fn says_nothing(&mut self, index: usize, t: i64) {
         if index == REMOTE {
             return self.remote_gone(t);
+        }
+        if index == VCU_STATUS {
+            self.silences.vcu_shows(t, None);
         }
         if index == AI_STATUS {
             self.handshake.ai_gone();

@@ -40,6 +40,11 @@ pub(crate) struct Silences {
     always: bool,
     /// When the last frame of each came that nobody can refuse.
     valid_at: [Option<i64>; WATCHED.len()],
+    /// When a silence of each ended that may have been too long, or its first frame came.
+    ended_at: [i64; WATCHED.len()],
+    /// What 120h says of each: whether it is missed, and since when, if that was seen to begin.
+    raised: [bool; WATCHED.len()],
+    raised_at: [Option<i64>; WATCHED.len()],
     /// Until when none of them has been silent for too long, as far as they had come when that was looked at last.
     none_until: i64,
     /// Since when TSMS is known to have been on.
@@ -55,6 +60,9 @@ impl Silences {
             window,
             always,
             valid_at: [None; WATCHED.len()],
+            ended_at: [i64::MIN; WATCHED.len()],
+            raised: [true; WATCHED.len()],
+            raised_at: [None; WATCHED.len()],
             none_until: i64::MIN,
             on_since: None,
             silent: Truth::Unknown,
@@ -80,9 +88,36 @@ impl Silences {
     pub(crate) fn heard(&mut self, place: usize, t: i64, sampler: &Sampler) {
         let Some(slot) = WATCHED.get(place).and_then(|&index| sampler.slot(index)) else { return };
         let valid = slot.fresh && slot.bad == 0 && slot.def.is_some_and(|def| def.len == slot.len);
-        if let (true, Some(at)) = (valid, self.valid_at.get_mut(place)) {
-            *at = Some(t);
+        let enough = self.limit.unwrap_or_default() - self.window;
+        if let (true, Some(at), Some(ended_at)) =
+            (valid, self.valid_at.get_mut(place), self.ended_at.get_mut(place))
+        {
+            if at.replace(t).is_none_or(|before| t - before >= enough) {
+                *ended_at = t;
+            }
         }
+    }
+
+    /// 120h says of each message whether it is missed; `None` if it says nothing any more.
+    pub(crate) fn vcu_shows(&mut self, t: i64, raised: Option<[bool; WATCHED.len()]>) {
+        let before = std::mem::replace(&mut self.raised, raised.unwrap_or([true; WATCHED.len()]));
+        for ((at, is), was) in self.raised_at.iter_mut().zip(self.raised).zip(before) {
+            *at = if is && !was { Some(t) } else { at.filter(|_| is && raised.is_some()) };
+        }
+    }
+
+    /// Whether 120h says that a message is missed, of the silence that lasts now: the flag was raised once it was long enough.
+    pub(crate) fn vcu_tells(&self, place: usize, sampler: &Sampler) -> bool {
+        let raised_at = self.raised_at.get(place).copied().flatten();
+        let long = self.limit.unwrap_or_default() - self.window;
+        raised_at.zip(Self::heard_at(place, sampler)).is_some_and(|(at, last)| at - last >= long)
+    }
+
+    /// Whether valid frames of a message have come from `since` to `t` without a silence that may have been too long.
+    pub(crate) fn has_come(&self, place: usize, since: i64, t: i64) -> bool {
+        let enough = self.limit.unwrap_or_default() - self.window;
+        let now = self.valid_at.get(place).copied().flatten().is_some_and(|at| t - at < enough);
+        now && self.ended_at.get(place).is_some_and(|&ended_at| ended_at < since)
     }
 
     /// When a frame of a message came last, valid or not.

@@ -46,7 +46,7 @@ impl Assi {
 }
 
 /// Whether 520h has shown the same state all the time between `start` and `end`, with no frame missing.
-fn stood(est: &Estimator, start: i64, end: i64) -> bool {
+pub(super) fn stood(est: &Estimator, start: i64, end: i64) -> bool {
     let same = est.moments(start, end).all(|moment| moment.state == est.vcu.state);
     same && est.history.throughout(start, end).of(Atom::Tsms) != Truth::Unknown
 }

@@ -3,6 +3,7 @@
 
 use adsdv_spec::{AsState, Atom, Truth};
 
+use super::vcu_status::{TIMEOUTS, name_of};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
@@ -10,7 +11,7 @@ use crate::judge::estimator::watch::Suspect;
 use crate::judge::exercised::{ANSWERS, HOLDS, MISSED, UNANSWERED};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::response::Meter;
-use crate::judge::sampler::places::{AI_STATUS, STATUS};
+use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
 use crate::judge::time::{MS, milliseconds};
 
 /// What is kept of it.
@@ -83,15 +84,18 @@ impl Comms {
     }
 
     /// Is the AI Computer at fault, because a message of it has been silent?
-    fn judge_missed(&mut self, est: &Estimator, book: &mut Book, t: i64) {
+    pub(super) fn judge_missed(&mut self, est: &Estimator, book: &mut Book, t: i64) {
         let Some(limit) = est.silences.limit else { return };
         let watching = est.silences.is_watching(t, est.known.of(Atom::Tsms));
+        // Whether a VCU that says so watches rightly, or for itself, no document says.
         if est.silences.silent == Truth::False || watching != Truth::True {
             return;
         }
         for (place, reported) in self.reported.iter_mut().enumerate() {
             let Some(last) = Silences::heard_at(place, &est.sampler) else { continue };
-            let told = est.shows_comms_lost() && est.silences.others_come(place, t, &est.sampler);
+            let flagged = est.silences.vcu_tells(place, &est.sampler);
+            let told =
+                (est.shows_comms_lost() || flagged) && est.silences.others_come(place, t, &est.sampler);
             let silent =
                 t - last >= limit && told || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
             if silent && !std::mem::replace(reported, true) {
@@ -177,6 +181,18 @@ fn and_told(est: &Estimator) -> &'static str {
     if est.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
 }
 
+/// The same of one message: 120h may tell of it as well, and is evidence then.
+fn and_told_of(est: &Estimator, place: usize, index: usize) -> (String, Vec<usize>) {
+    let flag = TIMEOUTS.get(place).filter(|_| est.silences.vcu_tells(place, &est.sampler));
+    match (flag, est.shows_comms_lost()) {
+        (Some(field), false) => {
+            (format!(", and the VCU has raised {}", name_of(est, field)), vec![index, VCU_STATUS])
+        }
+        (Some(_), true) => (and_told(est).to_owned(), vec![index, VCU_STATUS]),
+        (None, _) => (and_told(est).to_owned(), vec![index]),
+    }
+}
+
 /// The AI Computer has not answered in time; that is told once of an edge.
 fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) {
     let Some(edge) = est.handshake.edge_at() else { return };
@@ -196,12 +212,12 @@ fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit
     let index = WATCHED.get(place).copied().unwrap_or_default();
     let Some(def) = est.sampler.def(index) else { return };
     book.margins.gap(index, t - last, t);
-    let (silent, told) = (milliseconds(t - last), and_told(est));
+    let (silent, (told, shows)) = (milliseconds(t - last), and_told_of(est, place, index));
     let what = format!("{} ({:03X}h)", def.name, def.id);
     let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
         .seen(format!("{what} has not come for {silent:.0} ms while others have{told}"))
         .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
-        .shown_by(est.sampler.last_frames(&[index]));
+        .shown_by(est.sampler.last_frames(&shows));
     book.found(finding);
 }
 

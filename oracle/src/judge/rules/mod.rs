@@ -8,10 +8,12 @@ mod changes;
 mod comms;
 mod conduct;
 mod flags;
+mod go_signal;
 mod likely;
 mod pending;
 mod texts;
 pub(super) mod values;
+mod vcu_status;
 
 use adsdv_spec::messages::{Ai2VcuStatus, AnyMessage};
 use adsdv_spec::{AsState, Fault};
@@ -21,8 +23,10 @@ use changes::Due;
 use comms::Comms;
 use conduct::Conduct;
 use flags::Flags;
+use go_signal::GoSignal;
 use likely::Likely;
 use pending::{Pending, Queue, What};
+use vcu_status::StatusWatch;
 
 use super::book::Book;
 use super::estimator::base::Estimator;
@@ -43,6 +47,8 @@ pub(super) struct Rules {
     conduct: Conduct,
     assi: Assi,
     ebs: Ebs,
+    go: GoSignal,
+    vcu_status: StatusWatch,
 }
 
 impl Rules {
@@ -71,6 +77,7 @@ impl Rules {
             let seen = format!("no frame of the VCU for {seconds:.3} s; what it did meanwhile is unknown");
             book.found(Finding::note(Party::Log, "2.2", Rule::Gap, t).seen(seen));
             (self.due, self.flags, self.assi) = (None, Flags::default(), Assi::default());
+            self.vcu_status = StatusWatch::default();
             self.comms.meter.restart();
         }
         let (bit, before) = (shown.status.handshake, shown.previous.map(|previous| previous.handshake));
@@ -117,6 +124,7 @@ impl Rules {
         self.comms.due(est, book, t);
         self.flags.over_time(est, book, t);
         book.found(self.ebs.compare(est, t));
+        book.found(self.go.compare(est, t));
     }
 
     /// 510h came with something new; `previous` is the one before, where that is known.
@@ -153,6 +161,27 @@ impl Rules {
     /// Whether it was reported that this message is missing.
     pub(super) fn is_missed(&self, index: usize) -> bool {
         self.comms.is_missed(index)
+    }
+
+    /// 120h came, with something new if there is any.
+    pub(super) fn vcu_status(
+        &mut self,
+        est: &mut Estimator,
+        book: &mut Book,
+        t: i64,
+        new: Option<(&Said, &Came)>,
+    ) {
+        if let Some((said, came)) = new
+            && let AnyMessage::VcuStatus(shown) = said.message
+        {
+            est.silences.vcu_shows(t, Some(vcu_status::timeouts(&shown)));
+            self.comms.judge_missed(est, book, t);
+            let before = came.before.filter(|_| came.was_fresh);
+            for rise in self.vcu_status.shown(said, shown, before) {
+                self.wait(est, book, t, vcu_status::wait_for(est, rise), What::Raised(rise));
+            }
+        }
+        self.vcu_status.over_time(est, book, t);
     }
 
     /// 502h came, with something new if that can be read.
@@ -247,6 +276,7 @@ impl Rules {
                     self.wait(est, book, est.now, wait, what);
                 }
             }
+            What::Raised(rise) => book.found(vcu_status::judge_raised(est, pending, rise)),
             What::Counts(edge, truth) => changes::guard_held(&mut self.due, est, t, edge, truth),
         }
     }
@@ -255,6 +285,7 @@ impl Rules {
     pub(super) fn forget(&mut self) {
         (self.due, self.flags, self.assi, self.ebs) =
             (None, Flags::default(), Assi::default(), Ebs::default());
+        (self.go, self.vcu_status) = (GoSignal::default(), StatusWatch::default());
         self.comms.forget();
     }
 

@@ -2,6 +2,7 @@
 
 use adsdv_spec::{Atom, Fault, Knowledge, Truth};
 
+use super::vcu_status::Rise;
 use crate::judge::estimator::status::SeenChange;
 use crate::judge::estimator::watch::Suspect;
 use crate::judge::evidence::Frames;
@@ -30,6 +31,8 @@ pub(super) enum What {
     Conduct(Fault, Knowledge),
     /// Something changed, and whether the change counts.
     Counts(Atom, Truth),
+    /// A flag of 120h was raised.
+    Raised(Rise),
 }
 
 /// All that waits.

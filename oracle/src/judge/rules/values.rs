@@ -104,13 +104,37 @@ fn echoes_bad_request(sampler: &Sampler, id: u16, signal: &str) -> bool {
     signal.contains("_REQ") && request.and_then(|index| sampler.slot(index)).is_some_and(|slot| slot.bad != 0)
 }
 
+/// That the vehicle of 2026 does not send 120h.
+const DROPPED: &str = "MSG-116"; //= MSG-116
+
+/// The message of the VCU that an edition before this one has under an identifier that means nothing in this one, and the version
+/// of that edition.
+fn dropped(edition: &Edition, id: u16) -> Option<(&'static str, &'static MessageDef)> {
+    let earlier = Edition::ALL.iter().take_while(|earlier| earlier.version != edition.version);
+    let message = |earlier: &&Edition| Some((earlier.version, earlier.bus.message(id)?));
+    { earlier }.filter_map(message).find(|(_, def)| def.sender == Node::Vcu)
+}
+
 /// A frame of no message of the document.
 ///
-/// Those of the vehicle's devices have their senders, and nothing is said of them, whatever they hold.
+/// Those of the vehicle's devices have their senders, and nothing is said of them, whatever they hold. One that the VCU had under an
+/// earlier edition is most likely still the VCU's; but the log does not say so, and no document but the database says that it is gone.
 pub(crate) fn other_id(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     let bus = &edition.bus;
-    let reserved = u16::try_from(id).is_ok_and(|id| bus.is_reserved(id) && bus.device(id).is_none());
-    if reserved && book.out.first_of_id(id) {
+    let other = u16::try_from(id).ok().filter(|&id| bus.device(id).is_none());
+    if let Some((id, (version, def))) = other.and_then(|id| Some((id, dropped(edition, id)?))) {
+        if book.out.first_of_id(id.into()) {
+            let seen = format!(
+                "{} ({id:03X}h) was sent, which the VCU sends in version {version} and not in this one; the log does not say by whom",
+                def.name
+            );
+            let finding = Finding::note(Party::Vcu, def.section, Rule::Reserved, t).against(&[DROPPED]);
+            let finding = finding.seen(seen).expected("no such message");
+            book.found(finding.shown_by(vec![Evidence { t_ns: t, id }]));
+        }
+        return;
+    }
+    if other.is_some_and(|id| bus.is_reserved(id)) && book.out.first_of_id(id) {
         let seen = format!(
             "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
         );

@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AnyMessage, SteerAngle, Vcu2AiBrake,
-    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogStatus,
+    Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Atom, Atoms, Bus};
 
@@ -16,6 +16,7 @@ pub(crate) const REMOTE: usize = MESSAGES;
 pub(crate) const COUNT: usize = MESSAGES + 1;
 
 pub(crate) const STATUS: usize = slot_of(Vcu2AiStatus::ID);
+pub(crate) const VCU_STATUS: usize = slot_of(VcuStatus::ID);
 pub(crate) const LOG_STATUS: usize = slot_of(Vcu2LogStatus::ID);
 pub(crate) const STEER: usize = slot_of(Vcu2AiSteer::ID);
 pub(crate) const BRAKE: usize = slot_of(Vcu2AiBrake::ID);
