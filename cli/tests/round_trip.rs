@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 use std::thread;
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{Evidence, Exercised, Margin, Report, ToldRequirement};
+use adsdv_oracle::judge::{Evidence, Exercised, Margin, Report, RequirementStanding};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log};
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AnyMessage;
@@ -201,8 +201,10 @@ fn margin(margin: &Margin) -> ReadMargin {
 }
 
 fn exercised(exercised: &Exercised) -> ReadExercised {
-    let told =
-        |one: &ToldRequirement| ReadRequirement { id: one.id.to_owned(), told: one.told.name().to_owned() };
+    let told = |one: &RequirementStanding| ReadRequirement {
+        id: one.id.to_owned(),
+        told: one.told.name().to_owned(),
+    };
     ReadExercised {
         ai: exercised.ai,
         vcu: exercised.vcu,

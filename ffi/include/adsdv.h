@@ -4,13 +4,13 @@
  * - Editions: adsdv_edition_find has the edition of a version such as "4.0". Where the name of a function ends in `_in`, it
  *   is about the edition that it is given; the function without that is about the default, 3.0. A VCU is of the edition of
  *   its adsdv_machine, and a judge of that of its options.
- * - Memory: the caller owns every struct, and hands over pointers to them. Nothing is allocated but by adsdv_judge_new
- *   and the judge that it makes, which adsdv_judge_free frees. A pointer must be NULL or point to as much as its type
- *   and comment say; texts end with a NUL.
+ * - Memory: the caller owns every struct, and hands over pointers to them. Nothing is allocated but by adsdv_judge_new,
+ *   adsdv_recogniser_new and what they make, which adsdv_judge_free and adsdv_recogniser_free free. A pointer must be NULL
+ *   or point to as much as its type and comment say; texts end with a NUL.
  * - Errors: a function answers an adsdv_status, 0 for success, and says in an adsdv_error, where one is given, what was
  *   found and what was expected. NULL and fields with any value at all are errors, never undefined behaviour.
- * - Threads: every function may be called from any thread at any time, but a struct or a judge that a call writes must
- *   not be used by another thread meanwhile.
+ * - Threads: every function may be called from any thread at any time, but a struct, a judge or a recogniser that a call
+ *   writes must not be used by another thread meanwhile.
  * - The library never ends the program, prints nothing, and calls nothing back.
  */
 
@@ -195,6 +195,10 @@ typedef enum adsdv_severity {
 
 // A judge of one bus. It is made by adsdv_judge_new and freed by adsdv_judge_free.
 typedef struct adsdv_judge adsdv_judge;
+
+// What takes down of the frames of one bus which edition they are of. It is made by adsdv_recogniser_new and freed by
+// adsdv_recogniser_free.
+typedef struct adsdv_recogniser adsdv_recogniser;
 
 // An edition of the interface by its number, which counts from 0, the oldest first. adsdv_edition_find has it. A number is
 // this library's; what is to be kept for another is the version.
@@ -522,6 +526,17 @@ typedef struct adsdv_signal {
     uint8_t allowed;
 } adsdv_signal;
 
+// Which edition the frames fit best, and why.
+typedef struct adsdv_recognised {
+    // The edition; where the frames do not tell, the one that the recogniser was made with.
+    adsdv_edition edition;
+    // 1 if it fits better than every other, 0 if another fits as well.
+    uint8_t certain;
+    // The edition and what tells it, such as "version 4.0: 511h has 4 bytes (3.0: 8)"; behind "but", what does not fit it. The
+    // text is the recogniser's; it stays until the next call with it.
+    const char *text;
+} adsdv_recognised;
+
 // What the judge may assume. adsdv_judge_options_init sets what it assumes where nothing else is said.
 typedef struct adsdv_judge_options {
     // How long after a cause its effect may be seen, in ms: the cycle of the VCU and the delay of the bus.
@@ -775,6 +790,29 @@ enum adsdv_status adsdv_decode_signal_in(adsdv_edition edition,
                                          const char *name,
                                          struct adsdv_signal *value,
                                          struct adsdv_error *error);
+
+// A new recogniser of a bus, which adsdv_recogniser_free must free; NULL if there is an error. Where the frames do not tell,
+// the edition is `otherwise`.
+struct adsdv_recogniser *adsdv_recogniser_new(adsdv_edition otherwise,
+                                              struct adsdv_error *error);
+
+// Frees a recogniser, whose text is gone then. NULL is left alone.
+void adsdv_recogniser_free(struct adsdv_recogniser *recogniser);
+
+// Takes down a classic CAN data frame with an 11-bit identifier, as adsdv_judge_frame takes it. Identifiers that are not the
+// interface's and any `length` are fine.
+enum adsdv_status adsdv_recogniser_frame(struct adsdv_recogniser *recogniser,
+                                         int64_t t_ns,
+                                         uint32_t id,
+                                         const uint8_t *data,
+                                         size_t length,
+                                         struct adsdv_error *error);
+
+// The edition that fits best what has been taken down so far. A few seconds of a bus tell; more frames may be taken down behind
+// it.
+enum adsdv_status adsdv_recogniser_recognise(struct adsdv_recogniser *recogniser,
+                                             struct adsdv_recognised *recognised,
+                                             struct adsdv_error *error);
 
 // What the judge assumes where nothing else is said; it is of the default edition.
 enum adsdv_status adsdv_judge_options_init(struct adsdv_judge_options *options, struct adsdv_error *error);

@@ -16,10 +16,13 @@ pub type adsdv_edition = u32;
 /// How many there are.
 pub(crate) const COUNT: usize = Edition::ALL.len();
 
+/// The edition of functions that are given none: this library names it here and nowhere else.
+pub(crate) const EDITION: &Edition = Edition::DEFAULT;
+
 /// The number of the default.
 pub(crate) const DEFAULT: adsdv_edition = {
     let (mut place, mut number) = (0, 0);
-    while !same(Edition::ALL[place].version, Edition::DEFAULT.version) {
+    while !same(Edition::ALL[place].version, EDITION.version) {
         place += 1;
         number += 1;
     }

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! All `unsafe` code of the project is in this crate, and nearly all of that in `border.rs`, which says what is
-//! asked of a caller. No panic crosses the border, and only the judge allocates.
+//! asked of a caller. No panic crosses the border, and only the judge and the recogniser allocate.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![deny(unsafe_op_in_unsafe_fn, clippy::undocumented_unsafe_blocks)]
@@ -39,6 +39,8 @@ mod machine;
 mod names;
 mod outputs;
 mod plain;
+#[cfg(feature = "judge")]
+mod recognise;
 mod signal;
 mod step;
 mod text;
@@ -55,6 +57,8 @@ pub use judge::*;
 pub use machine::*;
 pub use names::*;
 pub use outputs::*;
+#[cfg(feature = "judge")]
+pub use recognise::*;
 pub use signal::*;
 pub use step::*;
 pub use version::*;

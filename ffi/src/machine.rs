@@ -24,7 +24,7 @@ unsafe impl Plain for adsdv_machine {}
 
 /// The machine of each edition with all its defaults.
 static DEFAULTS: [Machine; edition::COUNT] = {
-    let mut machines = [Machine::REFERENCE; edition::COUNT];
+    let mut machines = [Machine::new(*edition::EDITION, edition::EDITION.readings); edition::COUNT];
     let mut number = 0;
     while number < edition::COUNT {
         machines[number] = Machine::new(*Edition::ALL[number], Edition::ALL[number].readings);
@@ -47,7 +47,7 @@ const READINGS: [u32; edition::COUNT] = {
 impl adsdv_machine {
     /// The default edition with all its defaults.
     pub(crate) const REFERENCE: Self =
-        Self { edition: edition::DEFAULT, readings: Edition::DEFAULT.readings.choices().bits() };
+        Self { edition: edition::DEFAULT, readings: edition::EDITION.readings.choices().bits() };
 
     /// The edition and the readings; an error where there is no such edition, or the bits are not one choice of each reading
     /// that the edition leaves.

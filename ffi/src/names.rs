@@ -8,7 +8,7 @@ use adsdv_spec::messages::{
 };
 
 use crate::border::{answer, out, slice};
-use crate::edition::{self, adsdv_edition};
+use crate::edition::{self, EDITION, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::plain::Allowed;
 use crate::text;
@@ -171,7 +171,7 @@ pub unsafe extern "C" fn adsdv_value_of_name_in(
         let allowed = enumeration.allowed(edition);
         let of = |allowed: Allowed| allowed.values.iter().find(|(_, name)| *name == given);
         let has = |number: i32| allowed.values.iter().any(|(allowed, _)| *allowed == number);
-        let by_default = || of(enumeration.allowed(Edition::DEFAULT)).filter(|(number, _)| has(*number));
+        let by_default = || of(enumeration.allowed(EDITION)).filter(|(number, _)| has(*number));
         match of(allowed).or_else(by_default) {
             Some(&(number, _)) => value.set(number),
             None => return Err(Refusal::NoSuchValue { given, allowed }),

@@ -25,8 +25,8 @@ const SIGNAL_NAME: usize = {
 /// How many choices the default edition leaves, of all readings together; adsdv_reading_count has those of others.
 pub const ADSDV_CHOICES: usize = 26;
 
-const _: () = assert!(ADSDV_MESSAGES == Edition::DEFAULT.bus.messages.len());
-const _: () = assert!(ADSDV_CHOICES == Edition::DEFAULT.choices.bits().count_ones() as usize);
+const _: () = assert!(ADSDV_MESSAGES == edition::EDITION.bus.messages.len());
+const _: () = assert!(ADSDV_CHOICES == edition::EDITION.choices.bits().count_ones() as usize);
 const _: () = {
     let mut number = 0;
     while number < edition::COUNT {

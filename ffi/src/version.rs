@@ -2,12 +2,11 @@
 
 use core::ffi::c_char;
 
-use adsdv_spec::Edition;
-
+use crate::edition::EDITION;
 use crate::text;
 
 static LIBRARY: [c_char; 16] = text::known(env!("CARGO_PKG_VERSION"));
-static DOCUMENT: [c_char; 16] = text::known(Edition::DEFAULT.version);
+static DOCUMENT: [c_char; 16] = text::known(EDITION.version);
 
 /// The version of the library, such as "0.1.0". The text is the library's, and stays.
 #[unsafe(no_mangle)]

@@ -7,6 +7,9 @@ use std::sync::LazyLock;
 
 use adsdv_spec::{Atoms, Edition, Machine, Timing};
 
+/// The edition where none is asked for: this crate names it here and nowhere else.
+pub(crate) const DEFAULT: &Edition = Edition::DEFAULT;
+
 /// A published edition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Document {
@@ -27,7 +30,7 @@ impl Document {
     /// The published edition of this version; the default for a version that nobody has published.
     pub fn of(edition: &Edition) -> &'static Self {
         let named = |version| DOCUMENTS.iter().find(|document| document.edition.version == version);
-        let document = named(edition.version).or_else(|| named(Edition::DEFAULT.version));
+        let document = named(edition.version).or_else(|| named(DEFAULT.version));
         document.expect("the default is one of all editions")
     }
 
@@ -45,13 +48,13 @@ impl Document {
 /// The default edition.
 impl Default for &'static Document {
     fn default() -> Self {
-        Document::of(Edition::DEFAULT)
+        Document::of(DEFAULT)
     }
 }
 
 /// Whether an edition is of the default version.
 pub(crate) fn is_default(edition: &Edition) -> bool {
-    edition.version == Edition::DEFAULT.version
+    edition.version == DEFAULT.version
 }
 
 /// Whether two editions have the same state machine: under the same answers, whichever are the default in each.

@@ -7,11 +7,11 @@ use adsdv_spec::{
     Actuation, Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction, Timing,
 };
 
-use crate::document::Document;
+use crate::document::{DEFAULT, Document};
 
 /// The VCU's cycle, which is the model's, and the same in every edition. That steps of any length are right is for the proofs.
 pub(crate) const CYCLE_MS: u32 = {
-    let cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms;
+    let cycle_ms = DEFAULT.rules.timing.cycle_ms;
     let mut place = 0;
     while place < Edition::ALL.len() {
         assert!(Edition::ALL[place].rules.timing.cycle_ms == cycle_ms, "the model steps every edition alike");

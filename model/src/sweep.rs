@@ -9,7 +9,7 @@ use adsdv_spec::{AsState, Choice, Choices, Control, Edition, Machine, Reading, R
 
 use crate::action::Action;
 use crate::closed::{Closed, ClosedProperty, Operator};
-use crate::document::is_default;
+use crate::document::{DEFAULT, is_default};
 use crate::property::{Harm, Property};
 use crate::run::Run;
 use crate::vectors::Vectors;
@@ -17,7 +17,7 @@ use crate::verify::{Exploration, Options, explore_quietly, runs_for};
 
 /// Timers with which all combinations are explored: longer than the handshake's by enough that everything that can
 /// happen while the real ones run can happen while these do. The lemma `short-timers` says so.
-pub const SHORT_TIMERS: Timing = short_timers(Edition::DEFAULT);
+pub const SHORT_TIMERS: Timing = short_timers(DEFAULT);
 
 /// The [`SHORT_TIMERS`] of an edition.
 pub const fn short_timers(edition: &Edition) -> Timing {
@@ -95,7 +95,7 @@ pub struct ClosedCost {
 ///
 /// With any operator, answers that the default edition has are left to that edition: these models take longest.
 pub fn closed_models(edition: &Edition) -> impl Iterator<Item = (Choice, Operator)> {
-    let elsewhere = if is_default(edition) { Choices::NONE } else { Edition::DEFAULT.choices };
+    let elsewhere = if is_default(edition) { Choices::NONE } else { DEFAULT.choices };
     let operators = [Operator::WellBehaved, Operator::Any];
     let models =
         edition.alternatives().iter().flat_map(move |choice| operators.map(|operator| (choice, operator)));

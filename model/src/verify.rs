@@ -9,11 +9,11 @@ use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use adsdv_spec::{AsState, Choice, Control, Edition, Machine, Observation, Timing};
+use adsdv_spec::{AsState, Choice, Control, Machine, Observation, Timing};
 use stateright::{Checker, HasDiscoveries, Model, Path};
 
 use crate::action::Action;
-use crate::document::Document;
+use crate::document::{DEFAULT, Document};
 use crate::goals::{Goal, goals};
 use crate::moot::moot;
 use crate::open::{Open, Seen, State};
@@ -39,7 +39,7 @@ impl Default for Options {
         Self {
             vectors: Vectors::Every,
             threads: thread::available_parallelism().map_or(1, usize::from),
-            document: Edition::DEFAULT.rules.timing,
+            document: DEFAULT.rules.timing,
         }
     }
 }

@@ -1,11 +1,12 @@
 //! The messages as an edition lays them out, which is what the theorems on the codec speak of: version 3.0 where they name
 //! no other.
 
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{DecodeError, Frame, Layout, Message, MessageDef};
 
+use crate::document::Layouts;
+
 /// A message that an edition has. These are the functions of its [`Layout`], without a pointer to them.
-pub(crate) trait Coded<E = V3_0>: Message + PartialEq {
+pub(crate) trait Coded<E = Layouts>: Message + PartialEq {
     /// [`Layout::DEF`].
     const DEF: &'static MessageDef;
 

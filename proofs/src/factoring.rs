@@ -4,13 +4,11 @@
 //! only through whether it is full. So the model may enumerate conditions instead of inputs, and leave out what is unread.
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
-use adsdv_spec::{
-    Choice, Control, Edition, Fault, Faults, Inputs, Machine, Observation, Readings, Reads, Timing,
-};
+use adsdv_spec::{Choice, Control, Fault, Faults, Inputs, Machine, Observation, Readings, Reads, Timing};
 
 use crate::prelude::*;
 
-const TIMING: Timing = Edition::DEFAULT.rules.timing;
+const TIMING: Timing = EDITION.rules.timing;
 
 /// Any inputs that are observed as this.
 #[cfg(kani)]
@@ -22,7 +20,7 @@ fn any_inputs_seen_as(seen: Observation) -> Inputs {
 #[cfg(not(kani))]
 fn any_inputs_seen_as(seen: Observation) -> Inputs {
     let all = Reads { atoms: Observation::SCOPE, faults: Observation::FAULTS };
-    let inputs = kani::any::<Inputs>().showing(seen, &all, &Edition::DEFAULT.rules.thresholds);
+    let inputs = kani::any::<Inputs>().showing(seen, &all, &EDITION.rules.thresholds);
     kani::assume(subject().observe(&inputs) == seen);
     inputs
 }
@@ -160,7 +158,7 @@ pub fn a_running_timer_matters_only_when_it_is_full() {
 }
 
 /// The reference, with the raw switch as GO_SIGNAL.
-const RAW_GO_SIGNAL: Machine = Machine::new(*Edition::DEFAULT, Readings::DEFAULT.with(Choice::GoRaw));
+const RAW_GO_SIGNAL: Machine = Machine::new(*EDITION, Readings::DEFAULT.with(Choice::GoRaw));
 
 /// **The reading `go-signal` changes what 520h tells, and no control state** (lemma `go-signal`).
 ///

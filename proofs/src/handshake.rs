@@ -1,10 +1,10 @@
 //! The handshake of section 2.4 and Figure 1: when it is lost, and when it is not.
 
-use adsdv_spec::{Edition, Handshake};
+use adsdv_spec::Handshake;
 
 use crate::prelude::*;
 
-const LIMIT_MS: u16 = Edition::DEFAULT.rules.timing.handshake_ms;
+const LIMIT_MS: u16 = EDITION.rules.timing.handshake_ms;
 
 /// A handshake at some step, with the true time that its edge has been unanswered for, which no timer cuts short.
 ///

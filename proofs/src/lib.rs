@@ -35,6 +35,7 @@
 pub mod belief;
 pub mod codec;
 mod coded;
+mod document;
 pub mod factoring;
 pub mod figure2;
 pub mod handshake;

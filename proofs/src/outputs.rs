@@ -5,7 +5,6 @@
 //!
 //! The bound of the loops is that of a step, which goes along the arrows and the faults; the messages add none to it.
 
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{AsState, DirectionRequest, EbsState, Frame, ServiceBrake, SteerAngle};
 use adsdv_spec::{Actuation, Assi, Readings, VcuMessages};
 
@@ -41,9 +40,9 @@ pub fn each_message_goes_out_in_its_frame() {
     let step = any_end();
     let messages = messages(&step);
     let all = messages.all();
-    let frames = all.map(|message| V3_0::write(&message).unwrap_or_default());
+    let frames = all.map(|message| Layouts::write(&message).unwrap_or_default());
     let [status, drive_f, drive_r, steer, brake, speeds, counts, dynamics, _, log] = frames;
-    assert!(V3_0::write(&all[8]).is_none(), "version 3.0 has no 120h");
+    assert!(Layouts::write(&all[8]).is_none(), "version 3.0 has no 120h");
     kani::cover!(counts.data[7] != 0, "something is in the last byte");
     carries(status, 0x520, 8, &messages.status);
     carries(drive_f, 0x521, 8, &messages.drive_f);

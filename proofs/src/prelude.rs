@@ -1,6 +1,7 @@
 //! What every file of theorems uses.
 
 pub(crate) use crate::coded::Coded;
+pub(crate) use crate::document::{EDITION, Layouts};
 #[cfg(not(kani))]
 pub(crate) use crate::kani;
 pub(crate) use crate::steps::{

@@ -13,8 +13,8 @@ macro_rules! by_the_words {
             $(#[$doc])*
             #[cfg_attr(kani, kani::proof, kani::unwind(14))]
             pub fn $name() {
-                const READINGS: Readings = Edition::$edition.readings.with(Choice::$choice);
-                const MACHINE: Machine = Machine::new(Edition::$edition, READINGS);
+                const READINGS: Readings = $edition.readings.with(Choice::$choice);
+                const MACHINE: Machine = Machine::new(*$edition, READINGS);
                 $step(&MACHINE);
             }
         )+
@@ -24,9 +24,11 @@ macro_rules! by_the_words {
         /// The choice of which a theorem speaks, and its edition.
         #[cfg(not(kani))]
         pub const CHOICES: &[(&str, &Edition, Choice)] =
-            &[$((stringify!($name), &Edition::$edition, Choice::$choice)),+];
+            &[$((stringify!($name), $edition, Choice::$choice)),+];
     };
 }
+
+const V4_0: &Edition = &Edition::V4_0;
 
 fn step_by_the_words(machine: &Machine) {
     let (timing, readings) = (machine.edition().rules.timing, machine.readings());
@@ -59,51 +61,51 @@ by_the_words! {
     /// **`mission-selected=ami`**: AS_READY needs the selection on the AMI, and no MISSION_STATUS.
     ///
     /// Requirements: D-1, RDY-5.
-    read_as_mission_ami = V3_0 MissionAmi by step_by_the_words;
+    read_as_mission_ami = EDITION MissionAmi by step_by_the_words;
     /// **`mission-selected=status`**: AS_READY needs MISSION_STATUS SELECTED, and no selection on the AMI.
     ///
     /// Requirements: D-1, SM-9.
-    read_as_mission_status_only = V3_0 MissionStatusOnly by step_by_the_words;
+    read_as_mission_status_only = EDITION MissionStatusOnly by step_by_the_words;
     /// **`fault-trigger=edge`**: the change to FINISHED or NEUTRAL counts while moving, not the value.
     ///
     /// Requirements: D-2, IMP-2, IMP-3.
-    read_as_fault_edge = V3_0 FaultEdge by step_by_the_words;
+    read_as_fault_edge = EDITION FaultEdge by step_by_the_words;
     /// **`ready-priority=as-off`**: AS_READY goes to AS_OFF with ASMS off, also with a reason to brake.
     ///
     /// Requirements: D-3.
-    read_as_ready_off_first = V3_0 ReadyOffFirst by step_by_the_words;
+    read_as_ready_off_first = EDITION ReadyOffFirst by step_by_the_words;
     /// **`finished-priority=as-off`**: AS_FINISHED goes to AS_OFF with ASMS off, also with a reason to brake.
     ///
     /// Requirements: D-4.
-    read_as_finished_off_first = V3_0 FinishedOffFirst by step_by_the_words;
+    read_as_finished_off_first = EDITION FinishedOffFirst by step_by_the_words;
     /// **`driving-priority=as-finished`**: AS_DRIVING goes to AS_FINISHED when it can, also with a reason to brake.
     ///
     /// Requirements: D-5.
-    read_as_driving_finished_first = V3_0 DrivingFinishedFirst by step_by_the_words;
+    read_as_driving_finished_first = EDITION DrivingFinishedFirst by step_by_the_words;
     /// **`go-edge=edge`**: any rising edge of "Go" is accepted while the other conditions hold.
     ///
     /// Requirements: D-6.
-    read_as_go_edge_enough = V3_0 GoEdgeEnough by step_by_the_words;
+    read_as_go_edge_enough = EDITION GoEdgeEnough by step_by_the_words;
     /// **`go-signal=raw`**: GO_SIGNAL is the switch as it stands.
     ///
     /// Requirements: D-7.
-    read_as_go_raw = V3_0 GoRaw by step_by_the_words;
+    read_as_go_raw = EDITION GoRaw by step_by_the_words;
     /// **`handshake-active=always`**: the handshake runs with TSMS off as well.
     ///
     /// Requirements: D-8.
-    read_as_handshake_always = V3_0 HandshakeAlways by step_by_the_words;
+    read_as_handshake_always = EDITION HandshakeAlways by step_by_the_words;
     /// **`ai-estop=driving`**: ESTOP_REQUEST acts in AS_DRIVING only.
     ///
     /// Requirements: D-9.
-    read_as_estop_driving = V3_0 EstopDriving by step_by_the_words;
+    read_as_estop_driving = EDITION EstopDriving by step_by_the_words;
     /// **`comms-lost=no-arrow`**: a lost handshake raises its flag, and no arrow is taken.
     ///
     /// Requirements: D-10.
-    read_as_comms_no_arrow = V3_0 CommsNoArrow by step_by_the_words;
+    read_as_comms_no_arrow = EDITION CommsNoArrow by step_by_the_words;
     /// **`power-cycle=not-latched`**: AS_READY can come again after EMERGENCY_BRAKE.
     ///
     /// Requirements: D-11.
-    read_as_power_cycle_not_latched = V3_0 PowerCycleNotLatched by step_by_the_words;
+    read_as_power_cycle_not_latched = EDITION PowerCycleNotLatched by step_by_the_words;
     /// **`ai-estop=every-state` in 4.0**: ESTOP_REQUEST acts in every active state, as it does in 3.0.
     ///
     /// Requirements: D-62.

@@ -52,7 +52,7 @@ impl Step {
 
 /// Whether a control state keeps the invariant of the reference.
 pub const fn keeps_invariant(control: &Control) -> bool {
-    control.is_consistent(&Edition::DEFAULT.rules.timing, Readings::DEFAULT)
+    control.is_consistent(&EDITION.rules.timing, Readings::DEFAULT)
 }
 
 /// Any control state that keeps the invariant.

@@ -5,19 +5,19 @@
 use adsdv_spec::belief::{
     Belief, Causes, Glimpse, Handshakes, KnownFaults, Look, Memory, Now, Possible, Span,
 };
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{AsState, Frame, Node, SignalDef};
 use adsdv_spec::{
     Actuation, AiMessages, Atom, Atoms, Control, Edition, Handshake, Inputs, Knowledge, Machine, Observation,
     Outputs, Reaction, Readings, Reads, Taken, Term, Truth, VcuMessages,
 };
 
+use crate::document::{Layouts, MACHINE};
+
 /// The functions that theorems speak of. What is not written otherwise is the specification.
 pub trait Subject {
     /// Figure 2, the times, the thresholds and the readings.
     fn machine(&self) -> &Machine {
-        const REFERENCE: &Machine = &Machine::REFERENCE;
-        REFERENCE
+        MACHINE
     }
 
     /// The same of version 4.0, with its default readings.
@@ -110,7 +110,7 @@ pub trait Subject {
 
     /// [`AiMessages::receive_with`], of version 3.0.
     fn receive(&self, ai: &mut AiMessages, id: u16, data: &[u8]) -> bool {
-        matches!(ai.receive_with(V3_0::read, id, data), Ok(true))
+        matches!(ai.receive_with(Layouts::read, id, data), Ok(true))
     }
 
     /// [`Bus::is_reserved`](adsdv_spec::Bus::is_reserved).

@@ -5,11 +5,11 @@
 //! handshake is answered or begun.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Outputs, Readings, Timing};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Inputs, Machine, Outputs, Readings, Timing};
 
 use crate::prelude::*;
 
-const TIMING: Timing = Edition::DEFAULT.rules.timing;
+const TIMING: Timing = EDITION.rules.timing;
 
 /// Whether a handshake that was running still waits for the answer to the same edge, or rests as it did.
 fn handshake_goes_on(before: &Control, after: &Control) -> bool {
@@ -52,7 +52,7 @@ pub fn two_steps_are_one() {
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn two_steps_are_one_where_an_edge_is_enough() {
     const READINGS: Readings = Readings::DEFAULT.with(Choice::GoEdgeEnough);
-    const MACHINE: Machine = Machine::new(*Edition::DEFAULT, READINGS);
+    const MACHINE: Machine = Machine::new(*EDITION, READINGS);
     let keeps =
         |control: &Control| control.state == AsState::Ready && control.is_consistent(&TIMING, READINGS);
     // "Go" may have been seen off at any time in that state.

@@ -5,7 +5,6 @@
 //! little more: that what comes out is something that there is. That no frame makes a decoder panic is in
 //! [`codec`](crate::codec).
 
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::messages::{Frame, Vcu2AiSteer};
 use adsdv_spec::{Control, Faults, Inputs, Observation, Outputs, Taken, VcuMessages};
@@ -228,7 +227,7 @@ pub fn frames_are_total() {
     };
     kani::cover!(messages.wheel_speeds.fl_wheel_speed.raw() == 1250, "a wheel turns as fast as it can");
     for message in messages.all() {
-        let Some(frame) = V3_0::write(&message) else { continue };
+        let Some(frame) = Layouts::write(&message) else { continue };
         let frame = subject().sent(frame);
         assert!(0x500 <= frame.id && frame.id <= 0x526, "an identifier of the VCU");
         assert!(frame.len <= 8, "as long as a frame can be");

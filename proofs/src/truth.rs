@@ -3,13 +3,13 @@
 //! A judge knows some conditions and not others, and of a window of time only that on which all of its moments agree. What
 //! it calls true or false then is so in every case that it allows; so no violation is reported that did not happen.
 
-use adsdv_spec::{Atom, Atoms, Choices, Edition, Knowledge, Readings, Row, Term, Truth};
+use adsdv_spec::{Atom, Atoms, Choices, Knowledge, Readings, Row, Term, Truth};
 
 use crate::prelude::*;
 
 /// A term of these conditions. What else a term says does not matter here.
 fn term(on: Atoms, off: Atoms) -> Term {
-    const ANY: Term = Edition::DEFAULT.rules.table.rows()[0].terms()[0];
+    const ANY: Term = EDITION.rules.table.rows()[0].terms()[0];
     Term { on, off, readings: Choices::NONE, ..ANY }
 }
 
@@ -184,7 +184,7 @@ pub fn a_true_step_is_never_blamed() {
     let seen: Atoms = kani::any();
     let known = Knowledge::exact(outputs.atoms).forget(Atoms::ALL.difference(seen));
     let mut over = false;
-    for (place, row) in (0u8..).zip(Edition::DEFAULT.rules.table.rows()) {
+    for (place, row) in (0u8..).zip(EDITION.rules.table.rows()) {
         if row.from != before.state || over {
             continue;
         }

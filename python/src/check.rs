@@ -56,7 +56,7 @@ pub(crate) fn check(
     let pins = value::choices(readings)?;
     let (by, readings) = match edition {
         Some(edition) => (edition, edition::pinned(edition, &pins)?),
-        None => (Edition::DEFAULT, edition::pinned_in_some(Edition::DEFAULT, &pins)?),
+        None => (edition::DEFAULT, edition::pinned_in_some(edition::DEFAULT, &pins)?),
     };
     let rules = rules::read(py, rules)?;
     if let Some(rules) = &rules {

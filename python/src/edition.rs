@@ -9,8 +9,11 @@ use pyo3::prelude::*;
 use crate::error::InputError;
 use crate::value;
 
+/// The edition where none is named: this module names it here and nowhere else.
+pub(crate) const DEFAULT: &Edition = Edition::DEFAULT;
+
 pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("INTERFACE_VERSION", Edition::DEFAULT.version)?;
+    module.add("INTERFACE_VERSION", DEFAULT.version)?;
     module.add_function(wrap_pyfunction!(editions, module)?)
 }
 
@@ -33,7 +36,7 @@ fn editions() -> Vec<&'static str> {
 
 /// The edition of this version; the default for `None`.
 pub(crate) fn or_default(given: Option<&Bound<'_, PyAny>>) -> PyResult<&'static Edition> {
-    given.map_or(Ok(Edition::DEFAULT), named)
+    given.map_or(Ok(DEFAULT), named)
 }
 
 /// The edition of this version.
@@ -53,11 +56,11 @@ pub(crate) fn protocol(edition: &Edition) -> &'static Protocol {
         Edition::ALL.iter().map(|edition| (edition.version, Protocol::of(edition))).collect()
     });
     /// For an edition that is not in the list, which nobody can name.
-    static DEFAULT: Protocol = Protocol::of(Edition::DEFAULT);
+    static OTHER: Protocol = Protocol::of(DEFAULT);
     PROTOCOLS
         .iter()
         .find(|(version, _)| *version == edition.version)
-        .map_or(&DEFAULT, |(_, protocol)| protocol)
+        .map_or(&OTHER, |(_, protocol)| protocol)
 }
 
 /// Sets an input to what was given, if the edition has that.

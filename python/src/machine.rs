@@ -158,7 +158,7 @@ impl Machine {
         if !other.is_empty() {
             given.push(format!("{{{}}}", other.join(", ")));
         }
-        if self.edition != Edition::DEFAULT {
+        if self.edition != edition::DEFAULT {
             given.push(format!("edition='{}'", self.edition.version));
         }
         format!("Machine({})", given.join(", "))

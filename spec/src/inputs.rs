@@ -1,20 +1,13 @@
-//! What the VCU sees at a step, and how it becomes atoms and faults.
-//!
-//! Each source of conditions (a message of the AI Computer, a switch, a sensor) turns into atoms in one function,
-//! so that a judge who sees only some of the messages observes with the very same code.
+//! What the VCU sees at a step, and which faults that is.
 #![expect(clippy::inline_always, reason = "for speed, as in machine.rs")]
 
-use crate::atoms::{Atom, Atoms};
 use crate::bus::Bus;
-use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AnyMessage, AxleTorque,
-    AxleTorqueRequest, BrakePressure, DecodeError, DirectionRequest, EbsState, Frame, MissionStatus,
-    SpeedKmh, SteerAngle, SteerAngleMax, Vcu2AiStatus, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds, Vcu2LogStatus,
-    WheelSpeed,
+    AxleTorqueRequest, BrakePressure, DecodeError, EbsState, Frame, SpeedKmh, SteerAngle, SteerAngleMax,
+    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
 };
-use crate::observation::Observation;
 use crate::silence::AiSilence;
 
 /// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
@@ -230,23 +223,6 @@ impl Inputs {
         self
     }
 
-    /// Reduces the inputs to atoms and faults.
-    #[inline(always)]
-    pub const fn observe(&self, thresholds: &Thresholds) -> Observation {
-        let atoms = switch_atoms(self.asms, self.tsms, self.ami)
-            .union(ebs_atoms(self.ebs))
-            .union(Atoms::when(Atom::GoOn, self.go))
-            .union(self.ai.status.atoms())
-            .union(self.ai.drive_f.atoms())
-            .union(self.ai.drive_r.atoms())
-            .union(self.ai.steer.atoms())
-            .union(self.ai.brake.atoms())
-            .union(self.ai_silence.atoms(thresholds))
-            .union(self.vehicle.steer_angle.atoms(thresholds))
-            .union(self.vehicle.wheel_speeds.atoms(thresholds));
-        Observation::new(atoms, self.faults())
-    }
-
     /// The faults that the inputs alone decide.
     #[inline(always)]
     pub const fn faults(&self) -> Faults {
@@ -270,144 +246,5 @@ impl Inputs {
             .union(Faults::when(Fault::OffboardChargerFault, reports.offboard_charger_fault))
             .union(Faults::when(Fault::ChargeProcedureFault, reports.charging && (self.asms || self.tsms)))
             .union(Faults::when(Fault::BmsFault, sdc.bms_fault))
-    }
-}
-
-const fn switch_atoms(asms: bool, tsms: bool, ami: AmiState) -> Atoms {
-    Atoms::when(Atom::Asms, asms)
-        .union(Atoms::when(Atom::Tsms, tsms))
-        .union(Atoms::when(Atom::AmiSelected, !matches!(ami, AmiState::NotSelected)))
-}
-
-const fn ebs_atoms(ebs: EbsState) -> Atoms {
-    Atoms::when(Atom::EbsArmed, matches!(ebs, EbsState::Armed))
-        .union(Atoms::when(Atom::EbsUnavailable, matches!(ebs, EbsState::Unavailable)))
-}
-
-impl Ai2VcuStatus {
-    /// The atoms that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[
-        Atom::AiHandshake,
-        Atom::AiEstop,
-        Atom::MissionSelected,
-        Atom::MissionRunning,
-        Atom::MissionFinished,
-        Atom::DirectionNeutral,
-    ]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        //= MSG-9
-        let mission = match self.mission_status {
-            MissionStatus::NotSelected => Atoms::NONE,
-            MissionStatus::Selected => Atoms::NONE.with(Atom::MissionSelected),
-            MissionStatus::Running => Atoms::NONE.with(Atom::MissionRunning),
-            MissionStatus::Finished => Atoms::NONE.with(Atom::MissionFinished),
-        };
-        let neutral = matches!(self.direction_request, DirectionRequest::Neutral);
-        mission
-            .union(Atoms::when(Atom::AiHandshake, self.handshake))
-            .union(Atoms::when(Atom::AiEstop, self.estop_request))
-            .union(Atoms::when(Atom::DirectionNeutral, neutral))
-    }
-}
-
-impl Ai2VcuDriveF {
-    /// The atom that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::FrontTorqueZero]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        //= DRV-5
-        Atoms::when(Atom::FrontTorqueZero, self.front_axle_trq_request.raw() == 0)
-    }
-}
-
-impl Ai2VcuDriveR {
-    /// The atom that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::RearTorqueZero]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        //= DRV-6
-        Atoms::when(Atom::RearTorqueZero, self.rear_axle_trq_request.raw() == 0)
-    }
-}
-
-impl Ai2VcuSteer {
-    /// The atom that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::SteerRequestZero]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        //= DRV-7
-        Atoms::when(Atom::SteerRequestZero, self.steer_request.raw() == 0)
-    }
-}
-
-impl Ai2VcuBrake {
-    /// The atom that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::BrakeRequestZero]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        //= IMP-8
-        let zero = self.hyd_press_f_req.raw() == 0 && self.hyd_press_r_req.raw() == 0;
-        Atoms::when(Atom::BrakeRequestZero, zero)
-    }
-}
-
-impl Vcu2AiStatus {
-    /// The input atoms that this message shows.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::AmiSelected]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        switch_atoms(self.as_switch_status, self.ts_switch_status, self.ami_state)
-    }
-}
-
-impl Vcu2LogStatus {
-    /// The input atoms that this message shows, and, in version 3.0, no other does.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::EbsArmed, Atom::EbsUnavailable]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self) -> Atoms {
-        ebs_atoms(self.state_ebs)
-    }
-}
-
-impl SteerAngle {
-    /// The atom that the actual steer angle decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::SteerStraight]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(self, thresholds: &Thresholds) -> Atoms {
-        //= DRV-9, D-25
-        Atoms::when(Atom::SteerStraight, self.raw().abs() < thresholds.straight.raw())
-    }
-}
-
-impl Vcu2AiWheelSpeeds {
-    /// The atoms that this message decides.
-    pub const SCOPE: Atoms = Atoms::of(&[Atom::Moving, Atom::AtRest]);
-
-    /// Those of [`SCOPE`](Self::SCOPE) that hold.
-    pub const fn atoms(&self, thresholds: &Thresholds) -> Atoms {
-        let limit = thresholds.wheel_speed.raw();
-        let fastest = self.fastest().raw();
-        //= IMP-4, D-24
-        Atoms::when(Atom::Moving, fastest > limit).union(Atoms::when(Atom::AtRest, fastest < limit))
-    }
-
-    /// The speed of the fastest wheel: one is faster than a limit if that is, and all are slower if that is.
-    pub const fn fastest(self) -> WheelSpeed {
-        const fn faster(a: WheelSpeed, b: WheelSpeed) -> WheelSpeed {
-            if a.raw() > b.raw() { a } else { b }
-        }
-        faster(
-            faster(self.fl_wheel_speed, self.fr_wheel_speed),
-            faster(self.rl_wheel_speed, self.rr_wheel_speed),
-        )
     }
 }

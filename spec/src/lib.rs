@@ -54,6 +54,7 @@ mod assi;
 mod atoms;
 pub mod belief;
 mod bus;
+mod conditions;
 mod control;
 mod edition;
 pub mod editions;

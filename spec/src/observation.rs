@@ -83,20 +83,6 @@ impl Observation {
     pub const fn faults(self) -> Faults {
         self.faults
     }
-
-    /// Whether some inputs look like this: `MISSION_STATUS` and the Emergency Braking System have one value, a vehicle that
-    /// moves is not at rest, and charging is a fault only while a master switch is on.
-    pub const fn is_possible(self) -> bool {
-        let atoms = self.atoms;
-        let missions = atoms.has(Atom::MissionSelected) as u8
-            + atoms.has(Atom::MissionRunning) as u8
-            + atoms.has(Atom::MissionFinished) as u8;
-        let switched_on = atoms.has(Atom::Asms) || atoms.has(Atom::Tsms);
-        missions <= 1
-            && !(atoms.has(Atom::EbsArmed) && atoms.has(Atom::EbsUnavailable))
-            && !(atoms.has(Atom::Moving) && atoms.has(Atom::AtRest))
-            && (switched_on || !self.faults.has(Fault::ChargeProcedureFault))
-    }
 }
 
 #[cfg(kani)]

@@ -1,105 +1,16 @@
-//! The way back from conditions to inputs: making an atom or a fault be seen.
+//! The way back from an observation to inputs: making a fault be seen, or all that a step reads.
 //!
 //! [`Inputs::observe`] reduces inputs to atoms and faults. Here inputs are changed so that they are reduced to the ones
-//! that are wanted: by as little as that takes, and where a threshold decides, to the value next to it.
+//! that are wanted, by as little as that takes; [`Inputs::show`] does so for a single atom.
 
 use crate::atoms::Atom;
 use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::inputs::{Inputs, ShutdownCircuit};
-use crate::messages::{
-    AmiState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle,
-    Vcu2AiWheelSpeeds, WheelSpeed,
-};
 use crate::observation::Observation;
 use crate::reads::Reads;
-use crate::silence::AiSilence;
 
 impl Inputs {
-    /// Changes the inputs so that an atom of [`Observation::SCOPE`] holds, or does not.
-    ///
-    /// An atom that has this value already changes nothing. Where a threshold decides, the new value is the one next to
-    /// it: for all four wheels, and for a steer angle to the left. An open shutdown circuit is an open circuit that is
-    /// reported, and to close it takes away every fault that opens it.
-    ///
-    /// Some atoms exclude each other. `MISSION_STATUS` has one value: making one of its atoms hold ends the other two,
-    /// and making one not hold leaves NOT SELECTED. The Emergency Braking System that is made not armed is unavailable,
-    /// and one that is made not unavailable is triggered. Likewise one of [`Atom::Moving`] and [`Atom::AtRest`] ends the
-    /// other, and making it not hold leaves the limit itself, which is neither. A master switch that is turned on while
-    /// the battery is being charged is a fault that opens the shutdown circuit.
-    ///
-    /// Atoms that the VCU's memory decides are none of the inputs' making: nothing changes.
-    ///
-    /// ```
-    /// use adsdv_spec::{Atom, Inputs, Edition};
-    /// let thresholds = Edition::V3_0.rules.thresholds;
-    /// let mut inputs = Inputs::default();
-    /// inputs.show(Atom::Moving, true, &thresholds);
-    /// assert_eq!(inputs.vehicle.wheel_speeds.fl_wheel_speed.raw(), 11); // the slowest that is moving
-    /// assert!(inputs.observe(&thresholds).atoms().has(Atom::Moving));
-    /// ```
-    pub const fn show(&mut self, atom: Atom, value: bool, thresholds: &Thresholds) {
-        if self.observe(thresholds).atoms().has(atom) == value {
-            return;
-        }
-        let limit = thresholds.wheel_speed.raw();
-        let ai = &mut self.ai;
-        match atom {
-            Atom::SdcOpen if value => self.reports.hvil_open = true,
-            Atom::SdcOpen => self.close_circuit(),
-            Atom::Asms => self.asms = value,
-            Atom::Tsms => self.tsms = value,
-            Atom::AmiSelected => self.ami = if value { AmiState::TrackDrive } else { AmiState::NotSelected },
-            Atom::MissionSelected => ai.status.mission_status = mission(MissionStatus::Selected, value),
-            Atom::MissionRunning => ai.status.mission_status = mission(MissionStatus::Running, value),
-            Atom::MissionFinished => ai.status.mission_status = mission(MissionStatus::Finished, value),
-            Atom::EbsArmed => self.ebs = if value { EbsState::Armed } else { EbsState::Unavailable },
-            Atom::FrontTorqueZero => {
-                ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(least(value));
-            }
-            Atom::RearTorqueZero => {
-                ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::clamped(least(value));
-            }
-            Atom::SteerRequestZero => ai.steer.steer_request = SteerAngle::clamped(least(value)),
-            Atom::SteerStraight => {
-                let straight = thresholds.straight.raw() - value as i32;
-                self.vehicle.steer_angle = SteerAngle::clamped(straight);
-            }
-            Atom::DirectionNeutral => {
-                ai.status.direction_request =
-                    if value { DirectionRequest::Neutral } else { DirectionRequest::Forward };
-            }
-            Atom::GoOn => self.go = value,
-            Atom::Moving => self.vehicle.wheel_speeds = all_wheels(limit + value as i32),
-            Atom::AtRest => self.vehicle.wheel_speeds = all_wheels(limit - value as i32),
-            Atom::BrakeRequestZero => {
-                ai.brake.hyd_press_f_req = BrakePressure::clamped(least(value));
-                ai.brake.hyd_press_r_req = BrakePressure::clamped(0);
-            }
-            Atom::EbsUnavailable => {
-                self.ebs = if value { EbsState::Unavailable } else { EbsState::Triggered }
-            }
-            Atom::AiMessagesMissed => {
-                let silence_ms = match thresholds.missed_ms {
-                    Some(limit_ms) if value => limit_ms,
-                    Some(limit_ms) => limit_ms.saturating_sub(1),
-                    None => 0,
-                };
-                self.ai_silence = AiSilence::of(silence_ms);
-            }
-            Atom::BmsFault => self.show_fault(Fault::BmsFault, value),
-            Atom::AiHandshake => ai.status.handshake = value,
-            Atom::AiEstop => ai.status.estop_request = value,
-            Atom::EbsTimerComplete
-            | Atom::MissionFinishedEdge
-            | Atom::DwellElapsed
-            | Atom::DirectionNeutralEdge
-            | Atom::GoEdge
-            | Atom::AiCommsLost
-            | Atom::PowerCycleNeeded => {}
-        }
-    }
-
     /// Changes the inputs so that a fault of [`Observation::FAULTS`] is present, or is not.
     ///
     /// A fault that is so already changes nothing. [`Fault::HvilOpenFault`] comes as an open circuit that is reported,
@@ -132,7 +43,7 @@ impl Inputs {
     }
 
     /// Takes away every fault that opens the shutdown circuit.
-    const fn close_circuit(&mut self) {
+    pub(crate) const fn close_circuit(&mut self) {
         let mut i = 0;
         while i < Fault::ALL.len() {
             if Faults::OPENING.has(Fault::ALL[i]) {
@@ -189,22 +100,3 @@ const CLOSED: ShutdownCircuit = ShutdownCircuit {
     bms_fault: false,
     mpp_dongle_removed: false,
 };
-
-const fn mission(status: MissionStatus, value: bool) -> MissionStatus {
-    if value { status } else { MissionStatus::NotSelected }
-}
-
-/// The raw request that is zero, or the smallest that is not.
-const fn least(zero: bool) -> i32 {
-    !zero as i32
-}
-
-const fn all_wheels(rpm: i32) -> Vcu2AiWheelSpeeds {
-    let speed = WheelSpeed::clamped(rpm);
-    Vcu2AiWheelSpeeds {
-        fl_wheel_speed: speed,
-        fr_wheel_speed: speed,
-        rl_wheel_speed: speed,
-        rr_wheel_speed: speed,
-    }
-}

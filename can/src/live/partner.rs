@@ -14,14 +14,14 @@ pub(super) struct Partner {
     node: Node,
     /// What this node follows; `None` if that is none of the editions that there are.
     own: Option<&'static Edition>,
-    heard: Option<Heard>,
+    heard: Option<Listening>,
     /// The edition that was told last.
     told: Option<&'static str>,
 }
 
 /// What was heard, and since when.
 #[derive(Debug)]
-struct Heard {
+struct Listening {
     recogniser: Recogniser,
     since_ns: i64,
 }
@@ -45,7 +45,7 @@ impl Partner {
             return None;
         }
         let news = self.heard.take_if(|heard| now_ns.saturating_sub(heard.since_ns) >= LISTEN_NS);
-        let begin = || Heard { recogniser: Recogniser::new(own), since_ns: now_ns };
+        let begin = || Listening { recogniser: Recogniser::new(own), since_ns: now_ns };
         self.heard.get_or_insert_with(begin).recogniser.frame(now_ns, frame.id.into(), frame.data());
         let other = news?.recogniser.fits_better()?;
         let before = self.told.replace(other.edition.version);

@@ -9,6 +9,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::error::Error;
 
+/// The edition where nobody chooses one: this program names it here and nowhere else.
+const DEFAULT: &Edition = Edition::DEFAULT;
+
 /// The variable that has a user's own default.
 pub(crate) const VARIABLE: &str = "ADSDV_EDITION";
 
@@ -21,7 +24,7 @@ pub(crate) struct EditionArgs {
 }
 
 fn help() -> String {
-    format!("The edition of the interface [default: what {VARIABLE} says, or {}]", Edition::DEFAULT.version)
+    format!("The edition of the interface [default: what {VARIABLE} says, or {}]", DEFAULT.version)
 }
 
 /// Reads the version of an edition; an unknown one is refused with those that there are.
@@ -43,7 +46,7 @@ impl EditionArgs {
 /// The edition that the environment asks for. A variable that is empty is not set, as with `NO_COLOR`.
 fn of_environment(value: Option<&OsStr>) -> Result<ChosenEdition, Error> {
     let Some(value) = value.filter(|value| !value.is_empty()) else {
-        return Ok(ChosenEdition { edition: Edition::DEFAULT, by_default: true });
+        return Ok(ChosenEdition { edition: DEFAULT, by_default: true });
     };
     match value.to_str().and_then(Edition::find) {
         Some(edition) => Ok(ChosenEdition { edition, by_default: false }),

@@ -1,6 +1,6 @@
 //! The parts of a report that say how close the run came, and what it exercised.
 
-use adsdv_oracle::judge::{Exercised, Margin, Report, Required, ToldRequirement};
+use adsdv_oracle::judge::{Exercised, Margin, Report, Required, RequirementStanding};
 use serde::Serialize;
 
 use super::seconds;
@@ -69,8 +69,8 @@ impl From<&Exercised> for ExercisedJson {
     }
 }
 
-impl From<&ToldRequirement> for RequirementJson {
-    fn from(ToldRequirement { id, told }: &ToldRequirement) -> Self {
+impl From<&RequirementStanding> for RequirementJson {
+    fn from(RequirementStanding { id, told }: &RequirementStanding) -> Self {
         Self { id, told: told.name() }
     }
 }

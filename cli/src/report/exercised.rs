@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::{Exercised, Report, Required, Told};
+use adsdv_oracle::judge::{Exercised, Report, Required, Standing};
 
 use super::style::{self, Styled};
 use crate::layout::wrapped;
@@ -13,7 +13,7 @@ const MISSING: &str = "required and missing";
 /// The line with the numbers of requirements.
 pub(super) fn write(out: &mut String, exercised: &Exercised) -> fmt::Result {
     let counts: Vec<String> =
-        Told::ALL.iter().map(|&told| format!("{} {}", exercised.count(told), told.name())).collect();
+        Standing::ALL.iter().map(|&told| format!("{} {}", exercised.count(told), told.name())).collect();
     writeln!(out, "requirements that a log can show: {}", counts.join(", "))
 }
 

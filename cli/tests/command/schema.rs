@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use adsdv_oracle::judge::{Basis, Measure, Rule, Told};
+use adsdv_oracle::judge::{Basis, Measure, Rule, Standing};
 use adsdv_spec::AsState;
 use jsonschema::Validator;
 use serde_json::{Value, json};
@@ -168,7 +168,7 @@ fn the_schema_names_every_rule_and_state() {
 fn the_schemas_name_every_measure_and_all_that_is_told() {
     let measures: Vec<_> = Measure::ALL.iter().map(|measure| measure.id()).collect();
     let bases = [Basis::Document, Basis::Deadline, Basis::Cycle].map(Basis::name);
-    let told = Told::ALL.map(Told::name);
+    let told = Standing::ALL.map(Standing::name);
     for schema in ["check", "watch"].map(schema) {
         let margin = &schema["$defs"]["margin"]["properties"];
         assert_eq!((&margin["what"]["enum"], &margin["basis"]["enum"]), (&json!(measures), &json!(bases)));

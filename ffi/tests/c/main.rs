@@ -13,10 +13,12 @@ use std::process::{Child, ChildStdin, Command, Output, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
+use adsdv_oracle::candump::{Entry, Reader};
 use adsdv_oracle::conform::{ConformOptions, Program, conform};
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogOptions, judge_log};
 use adsdv_oracle::protocol::{Protocol, Request, Shown, UNSAID};
+use adsdv_oracle::recognise::Recogniser;
 use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::Node;
 use adsdv_spec::{Control, Edition, Machine};
@@ -277,6 +279,29 @@ fn the_online_judge_agrees_with_the_judge() {
         said.starts_with("online_judge: there is no edition \"2.9\"; expected one of 3.0, 4.0"),
         "{said}"
     );
+}
+
+/// The recogniser in C tells of a log what the recogniser in Rust tells.
+#[test]
+fn the_edition_of_a_log_is_recognised_in_c() {
+    let Some(cc) = compiler(C) else { return };
+    let program = built(&cc, C, &folder().join("examples/recognise.c"), Linked::Statically);
+    for log in ["finished-while-moving.log", "mission.log"] {
+        let path = folder().join("../tests/logs").join(log);
+        let Output { status, stdout, stderr } =
+            Command::new(&program).stdin(std::fs::File::open(&path).unwrap()).output().unwrap();
+        assert!(status.success() && stderr.is_empty(), "{log}: {}", String::from_utf8_lossy(&stderr));
+        let mut recogniser = Recogniser::new(Edition::DEFAULT);
+        let mut reader = Reader::new(BufReader::new(std::fs::File::open(&path).unwrap()));
+        while let Some(entry) = reader.next_record().unwrap() {
+            if let Entry::Frame(record) = entry {
+                recogniser.frame(record.time_ns, record.id, record.data);
+            }
+        }
+        let expected = recogniser.recognise();
+        assert_eq!(expected.edition.version, "4.0");
+        assert_eq!(String::from_utf8(stdout).unwrap(), format!("{expected}\n"));
+    }
 }
 
 fn adapter() -> std::path::PathBuf {

@@ -110,6 +110,7 @@ pub(crate) fn body(bytes: &[u8]) {
             4 => frame(&mut bytes, &mut inputs),
             5 => names(&mut bytes),
             6 if bytes.one_in(4) => judge(&mut bytes),
+            6 if bytes.one_in(4) => recognise(&mut bytes),
             8 => {
                 let (edition, readings) =
                     (edition(&mut bytes), text(&mut bytes, &["", "fault-trigger=edge", "go-edge=edge"]));
@@ -305,6 +306,40 @@ fn judge(bytes: &mut Bytes<'_>) {
         adsdv_judge_free(judge);
     }
 }
+
+/// A recogniser of any frames.
+#[cfg(feature = "judge")]
+fn recognise(bytes: &mut Bytes<'_>) {
+    let edition = edition(bytes);
+    let mut t_ns: i64 = 0;
+    // SAFETY: the pointers are to what they are said to be; the recogniser is freed at the end.
+    unsafe {
+        let mut error = adsdv_error::default();
+        let recogniser = adsdv_recogniser_new(edition, &raw mut error);
+        if recogniser.is_null() {
+            assert_eq!(error.status, ADSDV_UNKNOWN_EDITION as i32, "nothing else can be wrong");
+            return;
+        }
+        let mut recognised: adsdv_recognised = std::mem::zeroed();
+        for _ in 0..bytes.below(100) {
+            t_ns = t_ns.saturating_add(bytes.any());
+            let id =
+                if bytes.one_in(4) { bytes.any() } else { bytes.pick(&[0x120, 0x181, 0x500, 0x511, 0x520]) };
+            let data = bytes.some(9);
+            call(|error| adsdv_recogniser_frame(recogniser, t_ns, id, data.as_ptr(), data.len(), error));
+            if bytes.one_in(8) {
+                call(|error| adsdv_recogniser_recognise(recogniser, &raw mut recognised, error));
+                assert!(recognised.edition < adsdv_edition_count() && recognised.certain < 2);
+                let text = CStr::from_ptr(recognised.text).to_str().expect("UTF-8");
+                assert!(text.starts_with("version "), "{text}");
+            }
+        }
+        adsdv_recogniser_free(recogniser);
+    }
+}
+
+#[cfg(not(feature = "judge"))]
+fn recognise(_: &mut Bytes<'_>) {}
 
 #[cfg(not(feature = "judge"))]
 fn judge(_: &mut Bytes<'_>) {}

@@ -55,7 +55,7 @@ mod sampler;
 mod senders;
 mod time;
 
-pub use exercised::{Exercised, Lack, Required, RequiredError, Told, ToldRequirement};
+pub use exercised::{Exercised, Lack, Required, RequiredError, RequirementStanding, Standing};
 pub use finding::{Evidence, Finding, Party, Rule, Section, Severity};
 pub use judge::Judge;
 pub use margins::{Basis, Margin, Measure, Needs};

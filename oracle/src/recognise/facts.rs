@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{MessageDef, Node};
 
 use super::devices::Devices;
-use super::seen::{LONGEST, Said, Seen};
+use super::seen::{EditionFit, LONGEST, Seen};
 
 /// Milliseconds as nanoseconds.
 pub(super) const MS: i64 = 1_000_000;
@@ -85,7 +85,7 @@ fn sender(seen: &Seen) -> Option<Node> {
 }
 
 fn present(id: u16, seen: &Seen) -> Fact {
-    let no = |said: &Said| said.message.is_none().then(|| "no such message".to_owned());
+    let no = |said: &EditionFit| said.message.is_none().then(|| "no such message".to_owned());
     let instead = seen.editions.iter().map(no).collect();
     Fact { text: format!("{id:03X}h is there"), instead, weight: weight::PRESENT }
 }
@@ -158,12 +158,12 @@ const fn mask(start: u8, width: u8) -> u64 {
 /// A value that some editions allow and others do not.
 fn values(id: u16, seen: &Seen) -> Option<Fact> {
     let (signal, raw) = seen.editions.iter().find_map(|said| said.refused)?;
-    let refused = |said: &Said| {
+    let refused = |said: &EditionFit| {
         let same = said.message?.signal_of(signal.field)?;
         (!same.allows(raw)).then(|| format!("{} to {}", same.min, same.max))
     };
     let instead: Vec<Option<String>> = seen.editions.iter().map(refused).collect();
-    let allows = |said: &Said| {
+    let allows = |said: &EditionFit| {
         said.message.and_then(|message| message.signal_of(signal.field)).is_some_and(|same| same.allows(raw))
     };
     let text = format!("{} of {id:03X}h is {raw}", signal.name);

@@ -24,12 +24,12 @@ pub(super) struct Seen {
     /// What the last frame said.
     word: Option<(u64, usize)>,
     /// For each edition, what it says of such frames.
-    pub(super) editions: Vec<Said>,
+    pub(super) editions: Vec<EditionFit>,
 }
 
 /// What an edition says of the frames of one identifier.
 #[derive(Debug)]
-pub(super) struct Said {
+pub(super) struct EditionFit {
     /// The message, if it is one of the edition.
     pub(super) message: Option<&'static MessageDef>,
     /// A value that was seen and that the edition does not allow.
@@ -38,8 +38,10 @@ pub(super) struct Said {
 
 impl Seen {
     pub(super) fn new(editions: &[&Edition], id: u16) -> Self {
-        let editions =
-            editions.iter().map(|edition| Said { message: edition.bus.message(id), refused: None }).collect();
+        let editions = editions
+            .iter()
+            .map(|edition| EditionFit { message: edition.bus.message(id), refused: None })
+            .collect();
         Self { lens: [0; LONGEST + 1], first: i64::MAX, last: i64::MIN, bits: 0, word: None, editions }
     }
 
@@ -55,7 +57,7 @@ impl Seen {
             return;
         }
         self.bits |= word;
-        for Said { message, refused } in &mut self.editions {
+        for EditionFit { message, refused } in &mut self.editions {
             let signals = message.filter(|_| refused.is_none()).map_or(&[][..], |message| message.signals);
             *refused = refused.or_else(|| {
                 signals

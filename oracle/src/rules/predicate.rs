@@ -8,14 +8,14 @@ use super::syntax::Comparison;
 /// A signal or a condition that rules are about, and what is known of it now.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Subject {
-    pub(super) what: What,
+    pub(super) what: SubjectKind,
     pub(super) value: Value,
     /// Whether anything was ever known of it.
     pub(super) came: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum What {
+pub(super) enum SubjectKind {
     Signal(Place),
     Atom(Atom),
 }
@@ -24,26 +24,26 @@ pub(super) enum What {
 pub(super) type Value = Option<i32>;
 
 impl Subject {
-    pub(super) const fn new(what: What) -> Self {
+    pub(super) const fn new(what: SubjectKind) -> Self {
         Self { what, value: None, came: false }
     }
 
     /// What is left of it when some of the messages have become too old.
     pub(super) fn aged(&self, known: Knowledge, fresh: &impl Fn(u16) -> bool) -> Value {
         match self.what {
-            What::Signal(place) => self.value.filter(|_| fresh(place.message.id)),
-            What::Atom(atom) => of(known, atom),
+            SubjectKind::Signal(place) => self.value.filter(|_| fresh(place.message.id)),
+            SubjectKind::Atom(atom) => of(known, atom),
         }
     }
 
     /// What is known of it when messages show this.
     pub(super) fn shown(&self, known: Knowledge, data: &impl Fn(u16) -> Option<([u8; 8], usize)>) -> Value {
         match self.what {
-            What::Signal(Place { message, signal }) => {
+            SubjectKind::Signal(Place { message, signal }) => {
                 let (data, len) = data(message.id)?;
                 signal.raw(data.get(..len).unwrap_or(&data))
             }
-            What::Atom(atom) => of(known, atom),
+            SubjectKind::Atom(atom) => of(known, atom),
         }
     }
 }
@@ -97,12 +97,12 @@ impl Predicate {
 }
 
 impl Check {
-    fn holds(self, what: What, raw: i32) -> bool {
+    fn holds(self, what: SubjectKind, raw: i32) -> bool {
         match self {
             Self::Is { raw: wanted, equal } => {
                 let meaning = match what {
-                    What::Signal(place) => place.signal.meaning(raw),
-                    What::Atom(_) => raw,
+                    SubjectKind::Signal(place) => place.signal.meaning(raw),
+                    SubjectKind::Atom(_) => raw,
                 };
                 (raw == wanted || meaning == wanted) == equal
             }

@@ -6,7 +6,7 @@ use adsdv_spec::messages::SignalDef;
 use super::error::{RuleError, Wrong};
 use super::names::{self, Place};
 use super::number;
-use super::predicate::{Check, Predicate, Subject, What};
+use super::predicate::{Check, Predicate, Subject, SubjectKind};
 use super::syntax::{Comparison, Expression, Form, Line, Spanned, Term, Test};
 
 /// All rules under an edition, and what they are about.
@@ -47,7 +47,7 @@ impl Resolver<'_> {
         let atom = names::atom(&term.name.value).filter(|_| message.is_none());
         if let Some(atom) = atom {
             let check = switched(term, &format!("{:?} is a condition", term.name.value))?;
-            return Ok(Predicate::Test(self.subject(What::Atom(atom)), check));
+            return Ok(Predicate::Test(self.subject(SubjectKind::Atom(atom)), check));
         }
         let span = match &term.message {
             Some(message) => message.span.to(term.name.span),
@@ -56,10 +56,10 @@ impl Resolver<'_> {
         let place = names::signal(self.edition, message, &term.name.value);
         let place = place.map_err(|why| Wrong::new(span, why))?;
         let check = check(self.edition, place, term)?;
-        Ok(Predicate::Test(self.subject(What::Signal(place)), check))
+        Ok(Predicate::Test(self.subject(SubjectKind::Signal(place)), check))
     }
 
-    fn subject(&mut self, what: What) -> usize {
+    fn subject(&mut self, what: SubjectKind) -> usize {
         let known = self.subjects.iter().position(|subject| subject.what == what);
         known.unwrap_or_else(|| {
             self.subjects.push(Subject::new(what));

@@ -6,7 +6,7 @@ use adsdv_spec::{Edition, Knowledge, Truth};
 
 use super::error::RuleError;
 use super::limits::BREACHES;
-use super::predicate::{Predicate, Subject, What};
+use super::predicate::{Predicate, Subject, SubjectKind};
 use super::report::{Breach, RuleReport};
 use super::syntax::Form;
 use super::track::{Outcome, Track};
@@ -181,12 +181,12 @@ fn values(edition: &Edition, subjects: &[Subject], about: &[usize]) -> String {
         }
         // Writing to a string does not fail.
         let _ = match (subject.what, subject.value) {
-            (What::Signal(place), Some(raw)) => {
+            (SubjectKind::Signal(place), Some(raw)) => {
                 write!(text, "{} is {}", place.signal.name, place.signal.display(raw))
             }
-            (What::Signal(place), None) => write!(text, "{} is unknown", place.signal.name),
-            (What::Atom(atom), Some(raw)) => write!(text, "{}", edition.rules.text(atom, raw == 1)),
-            (What::Atom(atom), None) => write!(text, "{atom} is unknown"),
+            (SubjectKind::Signal(place), None) => write!(text, "{} is unknown", place.signal.name),
+            (SubjectKind::Atom(atom), Some(raw)) => write!(text, "{}", edition.rules.text(atom, raw == 1)),
+            (SubjectKind::Atom(atom), None) => write!(text, "{atom} is unknown"),
         };
     }
     text
@@ -196,13 +196,13 @@ fn values(edition: &Edition, subjects: &[Subject], about: &[usize]) -> String {
 fn why(edition: &Edition, subjects: &[Subject], running: &Running) -> String {
     let missing = running.subjects.iter().filter_map(|place| subjects.get(*place)).find(|one| !one.came);
     match missing.map(|subject| subject.what) {
-        Some(What::Signal(place)) => {
+        Some(SubjectKind::Signal(place)) => {
             return format!(
                 "{} ({:03X}h) never showed {}",
                 place.message.name, place.message.id, place.signal.name
             );
         }
-        Some(What::Atom(atom)) => {
+        Some(SubjectKind::Atom(atom)) => {
             return format!("it was never known whether {} ({atom})", edition.rules.text(atom, true));
         }
         None => {}

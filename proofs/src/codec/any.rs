@@ -3,7 +3,6 @@
 //! The bounds of the loops are those of [`vcu`](super::vcu).
 
 use adsdv_spec::AiMessages;
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AnyMessage,
     DecodeError, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
@@ -36,7 +35,7 @@ fn read_as<M: Coded + Into<AnyMessage>>(read: Result<AnyMessage, DecodeError>, d
 #[cfg_attr(kani, kani::proof, kani::unwind(24))]
 pub fn a_frame_is_read_as_the_message_of_its_identifier() {
     let (id, data) = Data::any_with_id();
-    let read = V3_0::read(id, data.received(id).given());
+    let read = Layouts::read(id, data.received(id).given());
     kani::cover!(read.is_ok(), "it is a message");
     kani::cover!(matches!(read, Err(DecodeError::Value(_))), "a value is refused");
     kani::cover!(matches!(read, Err(DecodeError::UnknownId { .. })), "no message has the identifier");
@@ -69,8 +68,8 @@ pub fn a_frame_is_read_as_the_message_of_its_identifier() {
 #[cfg_attr(kani, kani::proof, kani::unwind(24))]
 pub fn a_message_is_sent_under_its_identifier() {
     let message: AnyMessage = kani::any();
-    kani::assume(V3_0::holds(&message));
-    let frame = subject().sent(V3_0::write(&message).unwrap_or_default());
+    kani::assume(Layouts::holds(&message));
+    let frame = subject().sent(Layouts::write(&message).unwrap_or_default());
     let id = match message {
         // Version 3.0 cannot say it.
         AnyMessage::VcuStatus(_) => 0x120,
@@ -93,7 +92,7 @@ pub fn a_message_is_sent_under_its_identifier() {
     kani::cover!(id == 0x526, "the last of them");
     assert!(frame.id == id, "the identifier");
     let data = Data::of(&frame).received(frame.id);
-    assert!(V3_0::read(frame.id, data.given()).ok() == Some(message), "read as the same message");
+    assert!(Layouts::read(frame.id, data.given()).ok() == Some(message), "read as the same message");
 }
 
 /// **The VCU takes what it can read of the AI Computer, and nothing else.** A frame of 510h to 514h that is a message

@@ -1,6 +1,5 @@
 //! Data of a frame: drawn, cut by hand, read, and written again.
 
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::Frame;
 #[cfg(not(kani))]
 use adsdv_spec::{editions::V2026, messages::AnyMessage};
@@ -41,7 +40,7 @@ impl Layout {
 impl Data {
     /// Any data.
     pub(super) fn any<M: Coded + kani::Arbitrary>() -> Self {
-        Self::any_in::<V3_0, M>()
+        Self::any_in::<Layouts, M>()
     }
 
     /// Any data, for a message of an edition.
@@ -60,7 +59,7 @@ impl Data {
         #[cfg(not(kani))]
         if kani::any() {
             let message = kani::any::<AnyMessage>();
-            let frame = if kani::any() { V3_0::write(&message) } else { V2026::write(&message) };
+            let frame = if kani::any() { Layouts::write(&message) } else { V2026::write(&message) };
             let frame = frame.unwrap_or_default();
             return (frame.id, data.nearly(&frame));
         }
@@ -141,7 +140,7 @@ impl Data {
     /// Asserts that there is one if and only if every signal is there and every value allowed; and that it is written
     /// again as the bits of these signals and no others.
     pub(super) fn read<M: Coded>(&self, layout: &Layout, allowed: bool) -> Option<M> {
-        self.read_in::<V3_0, M>(layout, allowed)
+        self.read_in::<Layouts, M>(layout, allowed)
     }
 
     /// The same of a message of an edition.
@@ -179,7 +178,7 @@ fn written<E, M: Coded<E>>(message: M, layout: &Layout) -> Data {
 
 /// Any message that the edition can say is written as one that is read as the same.
 pub(super) fn any_is_written<M: Coded + kani::Arbitrary>(layout: &Layout) {
-    any_is_written_in::<V3_0, M>(layout);
+    any_is_written_in::<Layouts, M>(layout);
 }
 
 /// The same of a message of an edition.

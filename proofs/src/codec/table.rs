@@ -3,7 +3,6 @@
 //! The bounds of the loops: there are 15 messages, 520h has 23 signals and `SHUTDOWN_CAUSE` 11 names, no other message has
 //! more than 9 and no other signal more than 8; 8 bytes are put together to a word, and section 2.3 lists 17 identifiers.
 
-use adsdv_spec::editions::V3_0;
 use adsdv_spec::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Frame, MessageDef,
     Node, SignalDef, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
@@ -30,7 +29,7 @@ fn sent(message: &MessageDef, signal: &SignalDef, data: [u8; 8], raw: i32) -> u6
 /// Requirements: D-30, D-34.
 #[cfg_attr(kani, kani::proof, kani::unwind(24))]
 pub fn no_two_signals_of_a_message_share_a_bit() {
-    for message in V3_0::MESSAGES {
+    for message in Layouts::MESSAGES {
         let mut before = 0;
         for signal in message.signals {
             let bits = sent(message, signal, [0; 8], -1);
@@ -51,7 +50,7 @@ pub fn what_is_put_into_a_signal_is_what_it_holds() {
     let data: [u8; 8] = kani::any();
     let any: i32 = kani::any();
     kani::cover!(any < 0 && u64::from_le_bytes(data) != 0, "a negative number, and something beside it");
-    for message in V3_0::MESSAGES {
+    for message in Layouts::MESSAGES {
         for signal in message.signals {
             let raw = cut(any, signal.width, signal.signed);
             let word = sent(message, signal, data, raw);
@@ -149,14 +148,14 @@ pub fn each_identifier_is_of_one_message() {
     let id =
         |message: &MessageDef| subject().sent(Frame { id: message.id, len: message.len, data: [0; 8] }).id;
     assert!(
-        (id(V3_0::MESSAGES[one]) == id(V3_0::MESSAGES[other])) == (one == other),
+        (id(Layouts::MESSAGES[one]) == id(Layouts::MESSAGES[other])) == (one == other),
         "an identifier for each"
     );
-    let (sender, receiver) = match V3_0::MESSAGES[one].sender {
+    let (sender, receiver) = match Layouts::MESSAGES[one].sender {
         Node::Ai => (Node::Ai, Node::Vcu),
         Node::Vcu => (Node::Vcu, Node::Ai),
     };
-    let id = id(V3_0::MESSAGES[one]);
+    let id = id(Layouts::MESSAGES[one]);
     assert!(id <= 0x7FF, "11 bits");
     assert!(!subject().is_reserved(id), "not reserved");
     assert!(subject().may_send(sender, id) && !subject().may_send(receiver, id), "the sender's alone");

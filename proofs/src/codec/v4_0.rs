@@ -6,7 +6,7 @@
 //! The bounds of the loops: 520h has 25 signals, 120h has 15, no other message more than 9; 8 bytes are put together to a
 //! word, 9 are drawn; there are 16 messages, and 15 entries of section 2.3.
 
-use adsdv_spec::editions::{V3_0, V4_0};
+use adsdv_spec::editions::V4_0;
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Node, Vcu2AiBrake, Vcu2AiDriveF,
     Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
@@ -281,7 +281,7 @@ pub(super) fn alike<Old, New, M: Coded<Old> + Coded<New> + kani::Arbitrary>(id: 
 /// Requirements: MSG-29 to MSG-33, MSG-97.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2log_dynamics1_500h_in_4_0() {
-    alike::<V3_0, V4_0, Vcu2LogDynamics1>(0x500, 8);
+    alike::<Layouts, V4_0, Vcu2LogDynamics1>(0x500, 8);
 }
 
 /// **502h in 4.0, VCU2LOG_Status, is read and written as in 3.0**, but for a name.
@@ -289,7 +289,7 @@ pub fn vcu2log_dynamics1_500h_in_4_0() {
 /// Requirements: MSG-34 to MSG-40, MSG-97.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2log_status_502h_in_4_0() {
-    alike::<V3_0, V4_0, Vcu2LogStatus>(0x502, 5);
+    alike::<Layouts, V4_0, Vcu2LogStatus>(0x502, 5);
 }
 
 /// **510h in 4.0, AI2VCU_Status, is read and written as in 3.0**, but for two names.
@@ -297,7 +297,7 @@ pub fn vcu2log_status_502h_in_4_0() {
 /// Requirements: MSG-5 to MSG-8, MSG-10 to MSG-15, MSG-97, HS-2.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn ai2vcu_status_510h_in_4_0() {
-    alike::<V3_0, V4_0, Ai2VcuStatus>(0x510, 8);
+    alike::<Layouts, V4_0, Ai2VcuStatus>(0x510, 8);
 }
 
 /// **525h in 4.0, VCU2AI_Speeds, is read and written as VCU2AI_Wheel_speeds in 3.0.**
@@ -305,7 +305,7 @@ pub fn ai2vcu_status_510h_in_4_0() {
 /// Requirements: MSG-81, MSG-97, MSG-101.
 #[cfg_attr(kani, kani::proof, kani::unwind(10))]
 pub fn vcu2ai_speeds_525h_in_4_0() {
-    alike::<V3_0, V4_0, Vcu2AiWheelSpeeds>(0x525, 8);
+    alike::<Layouts, V4_0, Vcu2AiWheelSpeeds>(0x525, 8);
 }
 
 /// **The lengths and cycles of 4.0.** Its sixteen messages are sent every 10 ms, 502h every 100 ms; 120h, 500h, 510h, 520h,

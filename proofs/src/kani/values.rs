@@ -10,11 +10,12 @@ use adsdv_spec::messages::{
     Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus, WheelSpeed,
 };
 use adsdv_spec::{
-    AiMessages, Atom, Atoms, Control, Edition, Fault, Faults, Handshake, Inputs, Knowledge, Observation,
-    Readings, Reports, Rules, ShutdownCircuit, Truth, Vehicle,
+    AiMessages, Atom, Atoms, Control, Fault, Faults, Handshake, Inputs, Knowledge, Observation, Readings,
+    Reports, Rules, ShutdownCircuit, Truth, Vehicle,
 };
 
 use super::Source;
+use crate::document::EDITION;
 
 /// What [`any`](super::any) can draw: the types of Kani's trait of this name that harnesses use.
 pub trait Arbitrary: Sized + fmt::Debug {
@@ -33,7 +34,7 @@ const fn small(raw: i32) -> u16 {
 
 /// The numbers at which the document's behaviour changes.
 const LIMITS: [u16; 5] = {
-    let Rules { timing, thresholds, .. } = Edition::DEFAULT.rules;
+    let Rules { timing, thresholds, .. } = EDITION.rules;
     [
         timing.ready_dwell_ms,
         timing.ebs_timer_ms,
@@ -259,7 +260,7 @@ impl Arbitrary for Handshake {
 }
 
 const fn handshake_ms() -> u16 {
-    Edition::DEFAULT.rules.timing.handshake_ms
+    EDITION.rules.timing.handshake_ms
 }
 
 /// Mostly a control state that keeps the invariant under the default readings: few others would.
@@ -278,7 +279,7 @@ impl Arbitrary for Control {
         if source.below(8) == 0 {
             return drawn;
         }
-        let limit = Edition::DEFAULT.rules.timing.in_state_limit(drawn.state);
+        let limit = EDITION.rules.timing.in_state_limit(drawn.state);
         drawn.in_state_ms = drawn.in_state_ms.min(limit);
         source.note_timers(Some(drawn.in_state_ms), drawn.handshake.unanswered_ms);
         drawn.go_seen_low &= drawn.state == AsState::Ready && drawn.in_state_ms == limit;
@@ -338,9 +339,9 @@ impl Arbitrary for Inputs {
         let mostly = if kind % 2 == 1 { 2 } else { 16 };
         for atom in Observation::SCOPE.difference(SPREAD).iter() {
             match source.below(mostly) {
-                0 => drawn.show(atom, false, &Edition::DEFAULT.rules.thresholds),
+                0 => drawn.show(atom, false, &EDITION.rules.thresholds),
                 1 => {}
-                _ => drawn.show(atom, true, &Edition::DEFAULT.rules.thresholds),
+                _ => drawn.show(atom, true, &EDITION.rules.thresholds),
             }
         }
         // What is shown is to the left; half of them have it to the right.

@@ -9,7 +9,7 @@ use super::base::{Estimator, is_active};
 use super::silences::place_of;
 use crate::judge::sampler::Came;
 use crate::judge::sampler::places::{AI_STATUS, REMOTE, STATUS, VCU_STATUS, scope};
-use crate::judge::sampler::said::Said;
+use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::SILENCE_NS;
 use crate::remote::Switches;
 
@@ -44,7 +44,7 @@ impl Estimator {
     }
 
     /// A message of requests, or of what the VCU measures, says something else than before.
-    pub(crate) fn learns(&mut self, came: &Came, said: &Said) {
+    pub(crate) fn learns(&mut self, came: &Came, said: &FrameContent) {
         let &Came { index, t, before, was_fresh, .. } = came;
         let atoms = said.atoms(&self.edition.rules.thresholds);
         let scope = self.sampler.scope(index);

@@ -7,7 +7,7 @@ use super::base::{Estimator, Left, Vcu, is_active};
 use super::watch::Suspect;
 use crate::judge::sampler::Came;
 use crate::judge::sampler::places::STATUS;
-use crate::judge::sampler::said::Said;
+use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::{MS, SILENCE_NS};
 
 /// The changes that only count in `AS_DRIVING`.
@@ -51,7 +51,7 @@ pub(crate) struct SeenChange {
 
 impl Estimator {
     /// 520h came with something new.
-    pub(crate) fn shows(&mut self, came: &Came, said: &Said, mut status: Vcu2AiStatus) -> Shown {
+    pub(crate) fn shows(&mut self, came: &Came, said: &FrameContent, mut status: Vcu2AiStatus) -> Shown {
         let t = came.t;
         if said.is_bad("shutdown_cause") {
             // A cause that cannot be read says nothing about the one before.

@@ -2,7 +2,7 @@
 //!
 //! `cited.rs` lists the requirements that a log can show, from what cites them: the rows and alternatives of Figure 2, the faults,
 //! the handshake, and what reaches the actuators. `tally.rs` marks them while the bus goes on, and `notice.rs` is where the judge
-//! tells it what it has seen. `told.rs` is what comes of it, and `required.rs` what somebody wants a recording to show.
+//! tells it what it has seen. `standing.rs` is what comes of it, and `required.rs` what somebody wants a recording to show.
 //!
 //! The requirements of an arrow count when the arrow was seen, those of a fault when its flag was, those of the handshake when an
 //! edge was answered or lost. One arrow that is right says that its requirements held, whatever else is not certain; one that is
@@ -11,13 +11,13 @@
 pub(super) mod cited;
 mod notice;
 mod required;
+mod standing;
 mod tally;
-mod told;
 
 pub(super) use cited::{
     ANSWERS, FINISHES_AT_REST, HOLDS, MISSED, ONLY_ARROWS, UNANSWERED, of_edition, of_term,
 };
 pub(super) use notice::broken_by;
 pub use required::{Required, RequiredError};
+pub use standing::{Exercised, Lack, RequirementStanding, Standing};
 pub(super) use tally::Tally;
-pub use told::{Exercised, Lack, Told, ToldRequirement};

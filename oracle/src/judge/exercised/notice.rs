@@ -4,7 +4,7 @@ use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Fault, Faults, Knowledge, Term, Truth};
 
 use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
-use super::told::{Exercised, Told};
+use super::standing::{Exercised, Standing};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
@@ -21,12 +21,12 @@ impl Book {
         window: Knowledge,
     ) {
         let Some(row) = row_of(&est.edition, from, to).copied() else {
-            return self.tally.mark(&[ONLY_ARROWS], Told::NotCertain);
+            return self.tally.mark(&[ONLY_ARROWS], Standing::NotCertain);
         };
-        self.tally.mark(&[ONLY_ARROWS], Told::Held);
+        self.tally.mark(&[ONLY_ARROWS], Standing::Held);
         let told = match justified {
-            Truth::True => Told::Held,
-            Truth::Unknown => Told::NotCertain,
+            Truth::True => Standing::Held,
+            Truth::Unknown => Standing::NotCertain,
             // What it broke stands in the finding.
             Truth::False => return,
         };
@@ -35,7 +35,7 @@ impl Book {
             for (atom, needed) in term.literals() {
                 // What was known of a single condition does not depend on the others.
                 let holds = known.of(atom) == Truth::from(needed) || window.of(atom) == Truth::from(needed);
-                let told = if holds { Told::Held } else { Told::NotCertain };
+                let told = if holds { Standing::Held } else { Standing::NotCertain };
                 self.tally.mark(term.requirements_of(atom).unwrap_or_default(), told);
             }
         }
@@ -44,7 +44,7 @@ impl Book {
     /// Flags of faults were raised. Whether rightly, is judged later, if the bus shows the reason at all.
     pub(in crate::judge) fn exercise_flags(&mut self, raised: Faults) {
         for fault in raised.iter() {
-            self.tally.mark(&[fault.requirement()], Told::NotCertain);
+            self.tally.mark(&[fault.requirement()], Standing::NotCertain);
         }
     }
 
@@ -55,12 +55,12 @@ impl Book {
         let waited = est.handshake.unanswered(t).unwrap_or_default();
         let edge = match waited {
             _ if waited < limit - est.window => None,
-            _ if waited >= limit - est.cycle() && est.handshake.ai_is_wrong() => Some(Told::Held),
-            _ => Some(Told::NotCertain),
+            _ if waited >= limit - est.cycle() && est.handshake.ai_is_wrong() => Some(Standing::Held),
+            _ => Some(Standing::NotCertain),
         };
         let missed = match est.edition.rules.thresholds.missed_ms {
-            Some(_) if reported => Some(Told::Held),
-            Some(_) if est.silences.silent != Truth::False => Some(Told::NotCertain),
+            Some(_) if reported => Some(Standing::Held),
+            Some(_) if est.silences.silent != Truth::False => Some(Standing::NotCertain),
             _ => None,
         };
         if let Some(told) = edge {
@@ -77,16 +77,16 @@ impl Book {
     /// A flag was raised: could its reason have been there?
     pub(in crate::judge) fn exercise_flag(&mut self, fault: Fault, reason: Truth) {
         let told = match reason {
-            Truth::True => Told::Held,
+            Truth::True => Standing::Held,
             // Which is a finding.
-            _ => Told::NotCertain,
+            _ => Standing::NotCertain,
         };
         self.tally.mark(&[fault.requirement()], told);
     }
 
     /// The AI Computer declared FINISHED in AS_DRIVING, at rest as far as is known.
     pub(in crate::judge) fn exercise_finished(&mut self) {
-        self.tally.mark(&[FINISHES_AT_REST], Told::Held);
+        self.tally.mark(&[FINISHES_AT_REST], Standing::Held);
     }
 
     /// What is known of the messages is forgotten; that they came is not.

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use adsdv_spec::{Actuation, AsState, Edition};
 
 use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
-use super::told::{Told, ToldRequirement};
+use super::standing::{RequirementStanding, Standing};
 use crate::judge::finding::Severity;
 
 /// Marks of requirements. There are no more than are cited anywhere, so that they stay few.
 #[derive(Debug, Default)]
 pub(in crate::judge) struct Tally {
     /// By the identifiers that are cited, which an edition may have others for.
-    marks: BTreeMap<&'static str, Told>,
+    marks: BTreeMap<&'static str, Standing>,
     /// The AS states that were shown, by number.
     states: [bool; AsState::ALL.len()],
     /// Whether the VCU changed its bit, from 0 and from 1, once it was answered.
@@ -23,7 +23,7 @@ pub(in crate::judge) struct Tally {
 
 impl Tally {
     /// This is told of these; what weighs more than what was told before counts.
-    pub(super) fn mark<'a>(&mut self, ids: impl IntoIterator<Item = &'a &'static str>, told: Told) {
+    pub(super) fn mark<'a>(&mut self, ids: impl IntoIterator<Item = &'a &'static str>, told: Standing) {
         for id in ids {
             let mark = self.marks.entry(id).or_insert(told);
             *mark = told.max(*mark);
@@ -32,7 +32,10 @@ impl Tally {
 
     /// Something was found that is against these.
     pub(in crate::judge) fn found(&mut self, severity: Severity, ids: &[&'static str]) {
-        self.mark(ids, if severity == Severity::Violation { Told::Violated } else { Told::NotCertain });
+        self.mark(
+            ids,
+            if severity == Severity::Violation { Standing::Violated } else { Standing::NotCertain },
+        );
     }
 
     /// 520h shows another state.
@@ -57,24 +60,24 @@ impl Tally {
     }
 
     /// What is told of each requirement of an edition.
-    pub(super) fn requirements(mut self, edition: &Edition, answers: bool) -> Vec<ToldRequirement> {
+    pub(super) fn requirements(mut self, edition: &Edition, answers: bool) -> Vec<RequirementStanding> {
         for (id, _) in HOLDS.iter().zip(self.turned).filter(|(_, turned)| *turned) {
-            self.mark(&[*id, ALTERNATES], Told::Held);
+            self.mark(&[*id, ALTERNATES], Standing::Held);
         }
         if answers {
-            self.mark(&[ANSWERS], Told::Held);
+            self.mark(&[ANSWERS], Standing::Held);
         }
         for state in self.states() {
-            self.mark(Actuation::requirements(state), Told::NotCertain);
+            self.mark(Actuation::requirements(state), Standing::NotCertain);
         }
-        let mut told: BTreeMap<&str, Told> = BTreeMap::new();
+        let mut told: BTreeMap<&str, Standing> = BTreeMap::new();
         for (id, mark) in &self.marks {
             for id in cited::of_edition(edition, &[*id]) {
                 let one = told.entry(id).or_insert(*mark);
                 *one = (*one).max(*mark);
             }
         }
-        let of = |id| told.get(id).copied().unwrap_or(Told::NotExercised);
-        cited::all(edition).into_iter().map(|id| ToldRequirement { id, told: of(id) }).collect()
+        let of = |id| told.get(id).copied().unwrap_or(Standing::NotExercised);
+        cited::all(edition).into_iter().map(|id| RequirementStanding { id, told: of(id) }).collect()
     }
 }

@@ -6,7 +6,7 @@
 use adsdv_spec::messages::{Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Vcu2AiWheelSpeeds};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Knowledge, Truth};
 
-use super::pending::{Pending, What};
+use super::pending::{Awaited, Pending};
 use super::texts::conditions;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
@@ -46,7 +46,7 @@ pub(super) struct Conduct {
 impl Conduct {
     /// Something has changed: does the AI Computer begin what it must not do, or hold the vehicle? Tells what is to be looked at
     /// when the window has passed, and how long that takes.
-    pub(super) fn reconsider(&mut self, est: &Estimator, book: &mut Book, t: i64) -> Vec<(i64, What)> {
+    pub(super) fn reconsider(&mut self, est: &Estimator, book: &mut Book, t: i64) -> Vec<(i64, Awaited)> {
         let mut begins = Vec::new();
         let state = est.state_seen();
         for (fault, does) in
@@ -58,7 +58,8 @@ impl Conduct {
             if now == Truth::True && !*does {
                 book.notice_forbidden(est, t, fault);
                 let more = if fault == BOTH { est.cycle() } else { 0 };
-                begins.push((est.sampler.wait_for(deciding(fault)) + more, What::Conduct(fault, est.known)));
+                begins
+                    .push((est.sampler.wait_for(deciding(fault)) + more, Awaited::Conduct(fault, est.known)));
             }
             // It has not ended only because a frame is missing.
             *does = now == Truth::True || now == Truth::Unknown && *does;

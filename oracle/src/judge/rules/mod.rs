@@ -25,14 +25,14 @@ use conduct::Conduct;
 use flags::Flags;
 use go_signal::GoSignal;
 use likely::Likely;
-use pending::{Pending, Queue, What};
+use pending::{Awaited, Pending, Queue};
 use vcu_status::StatusWatch;
 
 use super::book::Book;
 use super::estimator::base::Estimator;
 use super::estimator::status::Shown;
 use super::finding::{Finding, Party, Rule};
-use super::sampler::said::Said;
+use super::sampler::said::FrameContent;
 use super::sampler::{Came, Says};
 use super::time::milliseconds;
 
@@ -84,12 +84,12 @@ impl Rules {
         book.tally.handshake(before, bit, shown.answered);
         self.comms.meter.vcu(t, bit);
         if let Some(suspect) = shown.suspect {
-            self.wait(est, book, t, est.window, What::Edge(suspect));
+            self.wait(est, book, t, est.window, Awaited::Edge(suspect));
         }
         if let Some(change) = shown.change {
             book.notice_change(est, t, &change);
             let wait = est.sampler.wait_for(est.readings.deciding(change.from));
-            self.wait(est, book, t, wait, What::Change(change));
+            self.wait(est, book, t, wait, Awaited::Change(change));
         }
         if let Some(state) = shown.entered {
             self.enters(book, state, shown.change.is_none());
@@ -97,7 +97,7 @@ impl Rules {
             self.due = None;
         }
         for fault in flags::risen(shown) {
-            self.wait(est, book, t, flags::wait_for(est, fault), What::Flag(fault, shown.before));
+            self.wait(est, book, t, flags::wait_for(est, fault), Awaited::Flag(fault, shown.before));
             if fault == Fault::AiCommsFault {
                 self.comms.may_be_lost(est, book, t);
                 book.exercise_lost(est, t, self.comms.any_missed());
@@ -169,7 +169,7 @@ impl Rules {
         est: &mut Estimator,
         book: &mut Book,
         t: i64,
-        new: Option<(&Said, &Came)>,
+        new: Option<(&FrameContent, &Came)>,
     ) {
         if let Some((said, came)) = new
             && let AnyMessage::VcuStatus(shown) = said.message
@@ -178,14 +178,14 @@ impl Rules {
             self.comms.judge_missed(est, book, t);
             let before = came.before.filter(|_| came.was_fresh);
             for rise in self.vcu_status.shown(said, shown, before) {
-                self.wait(est, book, t, vcu_status::wait_for(est, rise), What::Raised(rise));
+                self.wait(est, book, t, vcu_status::wait_for(est, rise), Awaited::Raised(rise));
             }
         }
         self.vcu_status.over_time(est, book, t);
     }
 
     /// 502h came, with something new if that can be read.
-    pub(super) fn assi(&mut self, est: &Estimator, book: &mut Book, t: i64, said: Option<&Said>) {
+    pub(super) fn assi(&mut self, est: &Estimator, book: &mut Book, t: i64, said: Option<&FrameContent>) {
         let shown = match said.map(|said| (said.message, said.is_bad("state_assi"))) {
             Some((AnyMessage::Vcu2LogStatus(message), false)) => Some(message.state_assi),
             Some(_) => return,
@@ -203,7 +203,7 @@ impl Rules {
     pub(super) fn reconsider(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         for (edge, truth) in std::mem::take(&mut est.edges) {
             let wait = est.vcu.state.map_or(0, |state| est.sampler.wait_for(est.readings.deciding(state)));
-            self.wait(est, book, t, wait, What::Counts(edge, truth));
+            self.wait(est, book, t, wait, Awaited::Counts(edge, truth));
         }
         if std::mem::take(&mut est.changed) {
             likely::reconsider_shown(&mut self.likely, est, t);
@@ -232,9 +232,9 @@ impl Rules {
         time
     }
 
-    fn wait(&mut self, est: &Estimator, book: &mut Book, t: i64, wait: i64, what: What) {
+    fn wait(&mut self, est: &Estimator, book: &mut Book, t: i64, wait: i64, what: Awaited) {
         if let Some(oldest) = self.queue.wait(t, wait, &est.sampler.frames(), what)
-            && let What::Change(_) = oldest.what
+            && let Awaited::Change(_) = oldest.what
         {
             // What comes too early to be judged is left open.
             self.settle(est, book, &oldest);
@@ -260,24 +260,24 @@ impl Rules {
     fn settle(&mut self, est: &Estimator, book: &mut Book, pending: &Pending) {
         let t = pending.t;
         match pending.what {
-            What::Change(seen) => {
+            Awaited::Change(seen) => {
                 let certain = changes::judge_seen(est, book, pending, &seen);
                 self.flags.brake = self.flags.brake.map(|(since, was)| (since, was || certain && since == t));
             }
-            What::Flag(fault, before) => flags::judge_flag(est, book, pending, fault, before),
-            What::Edge(suspect) => {
+            Awaited::Flag(fault, before) => flags::judge_flag(est, book, pending, fault, before),
+            Awaited::Edge(suspect) => {
                 book.found(comms::judge_edge(est, t, suspect));
             }
-            What::Conduct(fault, before) => {
+            Awaited::Conduct(fault, before) => {
                 if let Some(wait) = self.conduct.judge(est, book, pending, (fault, before)) {
-                    self.wait(est, book, t, wait, What::Conduct(fault, before));
+                    self.wait(est, book, t, wait, Awaited::Conduct(fault, before));
                 }
                 for (wait, what) in self.conduct.reconsider(est, book, est.now) {
                     self.wait(est, book, est.now, wait, what);
                 }
             }
-            What::Raised(rise) => book.found(vcu_status::judge_raised(est, pending, rise)),
-            What::Counts(edge, truth) => changes::guard_held(&mut self.due, est, t, edge, truth),
+            Awaited::Raised(rise) => book.found(vcu_status::judge_raised(est, pending, rise)),
+            Awaited::Counts(edge, truth) => changes::guard_held(&mut self.due, est, t, edge, truth),
         }
     }
 

@@ -16,11 +16,11 @@ pub(crate) struct Pending {
     pub(super) t: i64,
     at: i64,
     pub(super) frames: Frames,
-    pub(super) what: What,
+    pub(super) what: Awaited,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum What {
+pub(super) enum Awaited {
     /// A transition was seen.
     Change(SeenChange),
     /// A fault flag was raised; what was known just before.
@@ -41,7 +41,7 @@ pub(crate) struct Queue(Vec<Pending>);
 
 impl Queue {
     /// Tells what can wait no longer, where there is far more than any bus does in a window.
-    pub(super) fn wait(&mut self, t: i64, wait: i64, frames: &Frames, what: What) -> Option<Pending> {
+    pub(super) fn wait(&mut self, t: i64, wait: i64, frames: &Frames, what: Awaited) -> Option<Pending> {
         let oldest = (self.0.len() >= MAX_PENDING).then(|| self.0.swap_remove(0));
         self.0.push(Pending { t, at: t + wait, frames: *frames, what });
         oldest
@@ -61,7 +61,7 @@ impl Queue {
 
     /// In which state the AI Computer did something is not known any more.
     pub(super) fn forget_conduct(&mut self, but: Fault) {
-        self.0.retain(|pending| !matches!(pending.what, What::Conduct(fault, _) if fault != but));
+        self.0.retain(|pending| !matches!(pending.what, Awaited::Conduct(fault, _) if fault != but));
     }
 
     pub(super) fn next(&self) -> i64 {

@@ -15,7 +15,7 @@ use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::WATCHED;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
-use crate::judge::sampler::said::Said;
+use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::MS;
 
 /// The state of the Autonomous System.
@@ -109,7 +109,7 @@ fn wrong(
 impl StatusWatch {
     /// 120h came with something new, the one before having come at `before`, where no frame may be missing in between. Tells which
     /// flags were raised.
-    pub(super) fn shown(&mut self, said: &Said, shown: VcuStatus, before: Option<i64>) -> Vec<Rise> {
+    pub(super) fn shown(&mut self, said: &FrameContent, shown: VcuStatus, before: Option<i64>) -> Vec<Rise> {
         self.sm_as = Some(shown.sm_as).filter(|_| !said.is_bad("sm_as"));
         self.sm_sys = Some(shown.sm_sys).filter(|_| !said.is_bad("sm_sys"));
         self.action = Some(shown.sys_action_state).filter(|_| !said.is_bad("sys_action_state"));

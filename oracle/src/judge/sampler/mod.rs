@@ -14,7 +14,7 @@ use adsdv_spec::{Atom, Atoms, Bus, Edition};
 
 use crate::remote::{Remote, Switches};
 use places::{AI_BRAKE, BRAKE, COUNT, LOG_STATUS, REMOTE, STATUS, SlotOf, scope};
-use said::Said;
+use said::FrameContent;
 use slot::Slot;
 
 /// The last frame of every message.
@@ -53,7 +53,7 @@ pub(crate) enum Says {
     /// It is too short; the first such, or another.
     TooShort { first: bool },
     /// This, with these signals wrong that were not wrong before; and whether its length is another for the first time.
-    This { said: Said, newly_bad: u32, other_length: bool },
+    This { said: FrameContent, newly_bad: u32, other_length: bool },
     /// The remote control's switches, if it can be read.
     Remote(Option<Switches>),
 }
@@ -153,7 +153,7 @@ impl Sampler {
             return Some(Says::TooShort { first: !was_too_short });
         }
         let other_length = len != def.len && !std::mem::replace(&mut slot.length_noted, true);
-        let said = Said::of(&self.bus, def, data)?;
+        let said = FrameContent::of(&self.bus, def, data)?;
         let newly_bad = said.bad & !std::mem::replace(&mut slot.bad, said.bad);
         Some(Says::This { said, newly_bad, other_length })
     }

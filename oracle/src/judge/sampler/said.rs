@@ -5,7 +5,7 @@ use adsdv_spec::{Atoms, Bus, Thresholds};
 
 /// What a frame says.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Said {
+pub(crate) struct FrameContent {
     /// The message, with an allowed value in place of each that was not.
     pub(crate) message: AnyMessage,
     def: &'static MessageDef,
@@ -13,7 +13,7 @@ pub(crate) struct Said {
     pub(crate) bad: u32,
 }
 
-impl Said {
+impl FrameContent {
     /// Reads data that is long enough for every signal.
     pub(super) fn of(bus: &Bus, def: &'static MessageDef, data: [u8; 8]) -> Option<Self> {
         match bus.decode(def.id, &data) {

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use adsdv_spec::{Edition, Mutation};
 
 use drive::{Run, missions};
-use profile::{PROFILES, Profile, Said};
+use profile::{Detection, PROFILES, Profile};
 
 /// Where the recordings are kept in which the specification is blamed.
 const KEPT: &str = "target/sensitivity";
@@ -55,20 +55,20 @@ fn sensitivity(edition: &'static Edition) {
         let runs: Vec<Run> = missions(edition, &mutation.apply(edition));
         // What shows in no recording at all, with nothing late and nothing lost, nobody can tell from the bus.
         let told = |profile: &Profile| {
-            runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Said::Nothing)
+            runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Detection::Nothing)
         };
-        if !matches!(told(&Profile::PERFECT), Said::Violation { .. }) {
+        if !matches!(told(&Profile::PERFECT), Detection::Violation { .. }) {
             unseen += 1;
             continue;
         }
         for (profile, tally) in PROFILES.iter().zip(&mut tallies) {
             match told(profile) {
-                Said::Violation { delay_ms } => {
+                Detection::Violation { delay_ms } => {
                     tally.violations += 1;
                     tally.delays_ms.push(delay_ms);
                 }
-                Said::Warning => tally.warnings += 1,
-                Said::Nothing => tally.nothing.push(mutation.to_string()),
+                Detection::Warning => tally.warnings += 1,
+                Detection::Nothing => tally.nothing.push(mutation.to_string()),
             }
         }
     }
@@ -107,7 +107,7 @@ fn soundness(edition: &'static Edition, runs: u64) -> bool {
         for seed in 0..runs / PROFILES.len() as u64 {
             let run = drive::any_run(edition, seed);
             match profile.judge(edition, &run) {
-                Said::Violation { .. } => {
+                Detection::Violation { .. } => {
                     counts[0] += 1;
                     let blame = profile.blame(edition, &run).join("\n  ");
                     let kept = match profile.keep(Path::new(KEPT), &run) {
@@ -119,8 +119,8 @@ fn soundness(edition: &'static Edition, runs: u64) -> bool {
                         run.world.vcu.readings()
                     );
                 }
-                Said::Warning => counts[1] += 1,
-                Said::Nothing => counts[2] += 1,
+                Detection::Warning => counts[1] += 1,
+                Detection::Nothing => counts[2] += 1,
             }
         }
         blamed += counts[0];

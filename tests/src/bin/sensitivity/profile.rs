@@ -36,7 +36,7 @@ pub(crate) const PROFILES: [Profile; 9] = [
 
 /// What is said of the VCU, the most serious last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Said {
+pub(crate) enum Detection {
     Nothing,
     Warning,
     Violation {
@@ -87,18 +87,20 @@ impl Profile {
     }
 
     /// What the judge says of the VCU. Notes and warnings that no frame could excuse do not count.
-    pub(crate) fn judge(&self, edition: &'static Edition, run: &Run) -> Said {
+    pub(crate) fn judge(&self, edition: &'static Edition, run: &Run) -> Detection {
         let (report, origin) = self.report(edition, run);
         let about_vcu = report.findings.iter().filter(|finding| finding.party == Party::Vcu);
         let said = about_vcu.filter_map(|finding| match finding.severity {
             Severity::Violation => {
                 let since = run.differs_at.map_or(0, |at| finding.t_ns + origin - at);
-                Some(Said::Violation { delay_ms: since / MS })
+                Some(Detection::Violation { delay_ms: since / MS })
             }
-            Severity::Warning if matches!(finding.rule, Rule::Due | Rule::Unjustified) => Some(Said::Warning),
+            Severity::Warning if matches!(finding.rule, Rule::Due | Rule::Unjustified) => {
+                Some(Detection::Warning)
+            }
             _ => None,
         });
-        said.max().unwrap_or(Said::Nothing)
+        said.max().unwrap_or(Detection::Nothing)
     }
 }
 

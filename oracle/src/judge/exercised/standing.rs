@@ -6,7 +6,7 @@ use super::required::Required;
 
 /// What a recording tells of a requirement. What weighs more stands behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Told {
+pub enum Standing {
     /// Nothing: what it is about never happened.
     NotExercised,
     /// What it is about happened, and whether it was kept cannot be told.
@@ -17,7 +17,7 @@ pub enum Told {
     Violated,
 }
 
-impl Told {
+impl Standing {
     /// Each of them, what matters most to a reader first.
     pub const ALL: [Self; 4] = [Self::Violated, Self::Held, Self::NotCertain, Self::NotExercised];
 
@@ -34,11 +34,11 @@ impl Told {
 
 /// A requirement that a log can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ToldRequirement {
+pub struct RequirementStanding {
     /// As `spec/REQUIREMENTS.md` numbers it, such as `RDY-5`.
     pub id: &'static str,
     /// What the recording tells of it.
-    pub told: Told,
+    pub told: Standing,
 }
 
 /// Something without which a recording tells little.
@@ -76,12 +76,12 @@ pub struct Exercised {
     /// The AS states that 520h showed, in the order of their numbers.
     pub states: Vec<AsState>,
     /// The requirements of the edition that a log can show, in the order of the document.
-    pub requirements: Vec<ToldRequirement>,
+    pub requirements: Vec<RequirementStanding>,
 }
 
 impl Exercised {
     /// Of how many requirements this is told.
-    pub fn count(&self, told: Told) -> usize {
+    pub fn count(&self, told: Standing) -> usize {
         self.requirements.iter().filter(|requirement| requirement.told == told).count()
     }
 
@@ -104,7 +104,7 @@ impl Exercised {
             Required::Vcu => self.vcu,
             Required::State(state) => self.states.contains(&state),
             Required::Requirement(id) => {
-                self.requirements.iter().any(|one| one.id == id && one.told != Told::NotExercised)
+                self.requirements.iter().any(|one| one.id == id && one.told != Standing::NotExercised)
             }
         }
     }
