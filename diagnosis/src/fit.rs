@@ -10,12 +10,15 @@ use std::time::Instant;
 
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
+use adsdv_spec::mutation::Change;
 
 use crate::deviation::Deviation;
 use crate::model::Model;
 use crate::record::Kept;
 use crate::stays::{Stay, Wrong, cut};
 
+/// The output that tells in which state a program is.
+const AS_STATE: &str = "as_state";
 /// So many sets of deviations are followed at once.
 const FOLLOWED: usize = 8;
 /// No more deviations than these are looked for in a state at once.
@@ -24,8 +27,12 @@ const DEEPEST: usize = 7;
 const KINDS: usize = 4;
 /// So many stays that are wrong are looked at to find what explains the most, and as many that are right.
 const LOOKED_AT: usize = 120;
+/// So many stays that what is known does not explain are always looked at: few answers may tell one explanation from another.
+const HARD: usize = 24;
 /// So many of the best are tried on all stays.
 const TRIED: usize = 14;
+/// So many of those that explain the most of what is not explained yet are tried beside them.
+const TELLING: usize = 4;
 /// So many others in the place of one are looked at.
 const ALIKE: usize = 5;
 /// So many ways to cut the stays are kept.
@@ -70,6 +77,16 @@ struct Node {
     spoilt: usize,
 }
 
+/// A set that helps, with how much it does not explain of some stays that were wrong, of some of all, and of those that what is known
+/// does not explain.
+#[derive(Clone, Debug)]
+struct Ranked {
+    set: Vec<Deviation>,
+    wrong: usize,
+    spoilt: usize,
+    hard: usize,
+}
+
 impl Node {
     /// The smaller, the better it is to go on from.
     fn rank(&self) -> (usize, usize) {
@@ -98,6 +115,55 @@ impl<'a> Fit<'a> {
 
     /// The deviations that explain the most, from what was found before.
     pub(crate) fn run(&self, known: Vec<Deviation>) -> Vec<Deviation> {
+        let mut best = self.run_from(known);
+        let mut wrong = self.wrong(&best);
+        for start in self.with_states_shown_otherwise(&best) {
+            if wrong == 0 || self.is_over() {
+                break;
+            }
+            let set = self.run_from(start);
+            let left = self.wrong(&set);
+            if (left, set.len()) < (wrong, best.len()) {
+                (best, wrong) = (set, left);
+            }
+        }
+        best
+    }
+
+    /// An arrow that leads to another state and a state that is shown as another look alike, until that state is left: each set
+    /// with the one in the place of the other.
+    fn with_states_shown_otherwise(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
+        let rows = self.edition.rules.table.rows();
+        let without =
+            |one: &Deviation| set.iter().copied().filter(|other| other != one).collect::<Vec<Deviation>>();
+        let instead = |one: &Deviation| match *one {
+            Deviation::Changed(Change::RowLeadsTo(row, to)) if self.wrong_in(to, set) > 0 => {
+                let value = rows.get(row)?.to.raw();
+                let shown = Deviation::Writes { key: AS_STATE, value, raw: to.raw() };
+                // Of several such arrows that lead to the same state all would be shown so.
+                let others = without(one).into_iter().filter(|other| match *other {
+                    Deviation::Changed(Change::RowLeadsTo(other, leads)) => {
+                        leads != to || rows.get(other).is_none_or(|row| row.to.raw() != value)
+                    }
+                    _ => true,
+                });
+                Some(others.chain([shown]).collect())
+            }
+            Deviation::Writes { key: AS_STATE, value, raw } => {
+                let to = AsState::from_raw(raw)?;
+                AsState::from_raw(value).filter(|state| self.wrong_in(*state, set) > 0)?;
+                let leads =
+                    (0..rows.len()).filter(|row| rows.get(*row).is_some_and(|row| row.to.raw() == value));
+                let leads = leads.map(|row| Deviation::Changed(Change::RowLeadsTo(row, to)));
+                Some(without(one).into_iter().chain(leads).collect())
+            }
+            _ => None,
+        };
+        set.iter().filter_map(instead).collect()
+    }
+
+    /// The same, from one set alone.
+    fn run_from(&self, known: Vec<Deviation>) -> Vec<Deviation> {
         let mut set = known;
         for _ in 0..PASSES {
             let before = set.clone();
@@ -149,11 +215,19 @@ impl<'a> Fit<'a> {
         known.last().map(|cut| cut.stays.clone()).unwrap_or_default()
     }
 
+    /// Those of a set that decide where stays begin and end: where two states are shown alike, also what leads to one of them.
     fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
-        set.iter()
-            .copied()
-            .filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered())
-            .collect()
+        let alike = set.iter().any(|one| match *one {
+            Deviation::Writes { key: AS_STATE, raw, .. } => AsState::from_raw(raw).is_some(),
+            _ => false,
+        });
+        let leads = |one: &Deviation| {
+            matches!(one, Deviation::Changed(Change::RowLeadsTo(..)) | Deviation::Also { .. })
+        };
+        let counts = |one: &Deviation| {
+            one.state(self.edition).is_none() && one.tells_what_is_remembered() || alike && leads(one)
+        };
+        set.iter().copied().filter(counts).collect()
     }
 
     /// A set that explains more of a state, if one is found.
@@ -171,14 +245,16 @@ impl<'a> Fit<'a> {
                 wrong += own;
                 spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
             }
-            let key = format!(
-                "{:?}",
-                set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>()
-            );
+            let cut = self.everywhere(&set);
+            let counts = |one: &&Deviation| one.state(self.edition).is_none() || cut.contains(one);
+            let key = format!("{:?}", set.iter().filter(counts).collect::<Vec<_>>());
             wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
             Node { set, wrong, spoilt }
         };
         let known = node(set.to_vec());
+        let (stays, model) = (self.stays(set), Model::new(self.edition, set));
+        let hard = of(&stays, state).iter().filter(|stay| stay.wrong(&model) > 0);
+        let hard: Vec<&Stay<'a>> = hard.take(HARD).collect();
         let mut best = known.clone();
         let mut followed = if bare == set { vec![known] } else { vec![known, node(bare)] };
         let mut stuck = 0;
@@ -186,7 +262,7 @@ impl<'a> Fit<'a> {
             let mut next: Vec<Node> = Vec::new();
             for from in &followed {
                 let stays = self.stays(&from.set);
-                for set in self.next(state, of(&stays, state), from) {
+                for set in self.next(state, of(&stays, state), &hard, from) {
                     if self.is_over() {
                         return best.set;
                     }
@@ -212,7 +288,13 @@ impl<'a> Fit<'a> {
     }
 
     /// Sets that explain a wrong answer that this one does not.
-    fn next(&self, state: AsState, stays: &[Stay<'a>], from: &Node) -> Vec<Vec<Deviation>> {
+    fn next(
+        &self,
+        state: AsState,
+        stays: &[Stay<'a>],
+        hard: &[&Stay<'a>],
+        from: &Node,
+    ) -> Vec<Vec<Deviation>> {
         let model = Model::new(self.edition, &from.set);
         let wrong: Vec<(&Stay<'a>, usize)> =
             stays.iter().map(|stay| (stay, stay.wrong(&model))).filter(|(_, wrong)| *wrong > 0).collect();
@@ -246,11 +328,22 @@ impl<'a> Fit<'a> {
         let all: Vec<&Stay<'a>> = some(stays).collect();
         let of =
             |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
-        let mut ranked: Vec<(usize, usize, Vec<Deviation>)> =
-            helping.into_iter().map(|(model, set)| (of(&wrong, &model), of(&all, &model), set)).collect();
-        ranked.sort_by_key(|(wrong, spoilt, set)| (wrong + spoilt, set.len()));
-        let ranked = both(ranked, TRIED, |(wrong, spoilt, set)| (*spoilt, *wrong, set.len()));
-        ranked.into_iter().map(|(_, _, set)| set).collect()
+        let mut ranked: Vec<Ranked> = helping
+            .into_iter()
+            .map(|(model, set)| Ranked {
+                wrong: of(&wrong, &model),
+                spoilt: of(&all, &model),
+                hard: of(hard, &model),
+                set,
+            })
+            .collect();
+        ranked.sort_by_key(|one| (one.wrong + one.spoilt, one.set.len()));
+        // Where many explain the most, few answers may tell one of them from the others.
+        let mut telling = ranked.clone();
+        telling.sort_by_key(|one| one.hard);
+        telling.truncate(TELLING);
+        let ranked = both(ranked, TRIED, |one| (one.spoilt, one.wrong, one.set.len()));
+        ranked.into_iter().chain(telling).map(|one| one.set).collect()
     }
 
     /// The set without what explains nothing that the others do not.
@@ -352,9 +445,11 @@ fn of<'b, 'a>(stays: &'b [(AsState, Vec<Stay<'a>>)], state: AsState) -> &'b [Sta
     stays.iter().find(|(own, _)| *own == state).map_or(&[], |(_, stays)| stays.as_slice())
 }
 
-/// The set with one more. Of two that lead out of a state as soon as an input has a value, the first counts, so that both orders
-/// differ.
+/// The set with one more, in the place of those that cannot be beside it. Of two that lead out of a state as soon as an input has
+/// a value, the first counts, so that both orders differ.
 fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
+    let set: Vec<Deviation> = set.iter().copied().filter(|other| !other.is_instead_of(&one)).collect();
+    let set = set.as_slice();
     let mut sets = vec![[set, &[one]].concat()];
     let leads_from = |of: &Deviation| match *of {
         Deviation::Also { from, .. } => Some(from),

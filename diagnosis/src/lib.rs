@@ -25,7 +25,7 @@
 //! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
 //! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
-//! - `fit.rs`: those that do, and `words.rs` what they are called;
+//! - `fit.rs`: those that do; `words.rs`: what they are called, and `against.rs`: the requirements that they are against;
 //! - `diagnose.rs`: all of it in turn;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
@@ -44,6 +44,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod against;
 mod candidates;
 mod deviation;
 mod diagnose;

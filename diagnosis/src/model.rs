@@ -36,6 +36,7 @@ enum Rest {
     Needs { from: AsState, to: AsState, field: &'static InputField, raw: i32, is: bool },
     Also { from: AsState, to: AsState, field: &'static InputField, raw: i32 },
     Late { from: AsState, to: AsState, steps: u8 },
+    Ignores { field: &'static InputField },
     Wheels(Wheels),
     GoLevel,
     GoNeedsHandshake,
@@ -300,6 +301,9 @@ impl Model {
     fn as_seen(&self, inputs: &Inputs) -> Inputs {
         let mut seen = *inputs;
         for rest in &self.rest {
+            if let Rest::Ignores { field } = rest {
+                (field.set)(&mut seen, (field.get)(&Inputs::default()));
+            }
             if let Rest::Wheels(wheels) = rest {
                 let speeds = &mut seen.vehicle.wheel_speeds;
                 let each = [
@@ -432,6 +436,7 @@ impl Rest {
             }
             Deviation::Also { from, to, key, raw } => Self::Also { from, to, field: field(key)?, raw },
             Deviation::Late { from, to, steps } => Self::Late { from, to, steps },
+            Deviation::Ignores { key } => Self::Ignores { field: field(key)? },
             Deviation::Wheels(wheels) => Self::Wheels(wheels),
             Deviation::GoLevel => Self::GoLevel,
             Deviation::GoNeedsHandshake => Self::GoNeedsHandshake,

@@ -117,9 +117,11 @@ impl<'a> Pilot<'a> {
         if to == self.state() {
             return self.foreseen(inputs, dt_ms).control.state == to;
         }
-        let memory = self.model.patient(&self.memory);
-        let after = self.model.step(&memory, &self.answering(inputs), dt_ms).0;
-        after.control.state == to || after.waits_longer_than(&memory)
+        // What has to come before the time is over is led to at once.
+        [self.memory, self.model.patient(&self.memory)].iter().any(|memory| {
+            let after = self.model.step(memory, &self.answering(inputs), dt_ms).0;
+            after.control.state == to || after.waits_longer_than(memory)
+        })
     }
 
     /// Whether the model takes an arrow with the next step.
