@@ -15,6 +15,7 @@ use adsdv_spec::mutation::Change;
 use crate::deviation::Deviation;
 use crate::model::Model;
 use crate::record::Kept;
+use crate::sets::{same, shown_otherwise, with};
 use crate::stays::{Stay, Wrong, cut};
 
 /// The output that tells in which state a program is.
@@ -24,17 +25,15 @@ const FOLLOWED: usize = 8;
 /// No more deviations than these are looked for in a state at once.
 const DEEPEST: usize = 7;
 /// So many kinds of wrong answers are looked at to find what explains them.
-const KINDS: usize = 4;
+pub(crate) const KINDS: usize = 4;
 /// So many stays that are wrong are looked at to find what explains the most, and as many that are right.
-const LOOKED_AT: usize = 120;
+pub(crate) const LOOKED_AT: usize = 120;
 /// So many stays that what is known does not explain are always looked at: few answers may tell one explanation from another.
 const HARD: usize = 24;
 /// So many of the best are tried on all stays.
 const TRIED: usize = 14;
 /// So many of those that explain the most of what is not explained yet are tried beside them.
 const TELLING: usize = 4;
-/// So many others in the place of one are looked at.
-const ALIKE: usize = 5;
 /// So many ways to cut the stays are kept.
 const CUTS: usize = 3;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
@@ -51,16 +50,16 @@ pub(crate) struct Candidates {
 
 /// A search for deviations that explain answers.
 pub(crate) struct Fit<'a> {
-    edition: &'a Edition,
+    pub(crate) edition: &'a Edition,
     records: &'a [Kept],
-    candidates: &'a Candidates,
+    pub(crate) candidates: &'a Candidates,
     /// When the search ends, whatever it has come to.
     until: Instant,
     /// The stays as they were cut of late, and with which deviations.
     stays: RefCell<Vec<Cut<'a>>>,
 }
 
-type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
+pub(crate) type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
 
 struct Cut<'a> {
     by: Vec<Deviation>,
@@ -109,7 +108,7 @@ impl<'a> Fit<'a> {
         Self { edition, records, candidates, until, stays: RefCell::new(Vec::new()) }
     }
 
-    fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         Instant::now() >= self.until
     }
 
@@ -200,7 +199,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The stays, cut with those deviations of a set that may make a difference in any state.
-    fn stays(&self, set: &[Deviation]) -> Stays<'a> {
+    pub(crate) fn stays(&self, set: &[Deviation]) -> Stays<'a> {
         let everywhere = self.everywhere(set);
         let mut known = self.stays.borrow_mut();
         if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
@@ -345,130 +344,11 @@ impl<'a> Fit<'a> {
         let ranked = both(ranked, TRIED, |one| (one.spoilt, one.wrong, one.set.len()));
         ranked.into_iter().chain(telling).map(|one| one.set).collect()
     }
-
-    /// The set without what explains nothing that the others do not.
-    fn without_the_needless(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
-        let mut wrong = self.wrong(&set);
-        let mut place = set.len();
-        while place > 0 {
-            place -= 1;
-            let mut fewer = set.clone();
-            fewer.remove(place);
-            let left = self.wrong(&fewer);
-            if left <= wrong {
-                (set, wrong) = (fewer, left);
-                place = place.min(set.len());
-            }
-        }
-        set
-    }
-
-    /// Instead of each deviation others that explain as much, a few of them: the set with the other in its place.
-    pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
-        let all = self.wrong(set);
-        let mut alike: Vec<Vec<Deviation>> = Vec::new();
-        for (place, known) in set.iter().enumerate().take_while(|_| !self.is_over()) {
-            let mut others = set.to_vec();
-            others.remove(place);
-            let without = Model::new(self.edition, &others);
-            let stays = self.stays(&others);
-            let mut needed: Vec<(&Stay<'a>, usize)> = Vec::new();
-            let model = Model::new(self.edition, set);
-            for stay in stays.iter().flat_map(|(_, stays)| stays) {
-                if stay.wrong(&without) > stay.wrong(&model) {
-                    needed.push((stay, stay.wrong(&model)));
-                }
-            }
-            needed.sort_by_key(|(stay, _)| stay.len());
-            needed.truncate(LOOKED_AT);
-            let wrongs = needed.iter().take(KINDS).filter_map(|(stay, _)| stay.first_wrong(&without));
-            let shown: Vec<Deviation> = wrongs.flat_map(|wrong| shown_otherwise(&wrong)).collect();
-            let own = known.state(self.edition);
-            let fits = |one: &Deviation| {
-                own.is_none() || one.state(self.edition).is_none_or(|state| Some(state) == own)
-            };
-            let mut found = 0;
-            for one in self.candidates.single.iter().copied().chain(shown).filter(fits) {
-                if found >= ALIKE || one == *known || others.contains(&one) {
-                    continue;
-                }
-                for other in with(&others, one) {
-                    let model = Model::new(self.edition, &other);
-                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
-                        && self.wrong(&other) <= all
-                    {
-                        alike.push(other);
-                        found += 1;
-                    }
-                }
-            }
-        }
-        alike
-    }
-
-    /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
-    /// said of an arrow that some answers tell more about than is explained.
-    pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
-        let mut place = 0;
-        while place < set.len() && self.wrong(&set) > 0 {
-            let mut others = set.clone();
-            let one = others.remove(place);
-            let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
-            let (arrow, takes_away) = (one.arrow(self.edition), one.takes_away());
-            let stays = self.stays(&set);
-            let doubts = |stay: &Stay<'a>| {
-                let wrong = stay.wrong(&model);
-                wrong > stay.wrong(&without)
-                    || wrong > 0
-                        && stay.first_wrong(&model).is_some_and(|wrong| {
-                            let from = wrong.from.control.state;
-                            let leaves = wrong.expected == from && wrong.found != from;
-                            arrow.is_some_and(|arrow| {
-                                arrow == (from, wrong.found)
-                                    || arrow == (from, wrong.expected)
-                                    || arrow.0 == from && leaves && takes_away
-                            })
-                        })
-            };
-            if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
-                (set, place) = (others, 0);
-            } else {
-                place += 1;
-            }
-        }
-        set
-    }
 }
 
 /// The stays in a state.
 fn of<'b, 'a>(stays: &'b [(AsState, Vec<Stay<'a>>)], state: AsState) -> &'b [Stay<'a>] {
     stays.iter().find(|(own, _)| *own == state).map_or(&[], |(_, stays)| stays.as_slice())
-}
-
-/// The set with one more, in the place of those that cannot be beside it. Of two that lead out of a state as soon as an input has
-/// a value, the first counts, so that both orders differ.
-fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
-    let set: Vec<Deviation> = set.iter().copied().filter(|other| !other.is_instead_of(&one)).collect();
-    let set = set.as_slice();
-    let mut sets = vec![[set, &[one]].concat()];
-    let leads_from = |of: &Deviation| match *of {
-        Deviation::Also { from, .. } => Some(from),
-        _ => None,
-    };
-    let own = leads_from(&one);
-    if own.is_some() && set.iter().any(|other| leads_from(other) == own) {
-        sets.push([&[one], set].concat());
-    }
-    sets
-}
-
-fn same(one: &[Deviation], other: &[Deviation]) -> bool {
-    one.len() == other.len()
-        && one.iter().all(|deviation| other.contains(deviation))
-        && one
-            .iter()
-            .filter(|one| matches!(one, Deviation::Also { .. }))
-            .eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
 }
 
 /// Of the stays that are wrong in the same way the shortest, those first that are the most.
@@ -488,21 +368,6 @@ fn kinds<'b, 'a>(wrong: &[(&'b Stay<'a>, usize)], model: &Model) -> Vec<(&'b Sta
     kinds.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
     kinds.truncate(KINDS);
     kinds.into_iter().map(|(_, stay, points, wrong)| (stay, points, wrong)).collect()
-}
-
-/// What would make a wrong answer right by showing it.
-fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
-    let mut all = Vec::new();
-    for ((key, _, found), right) in wrong.values.iter().copied().zip(wrong.rights.iter().copied()) {
-        let Some(raw) = found else { continue };
-        if key != "as_state" {
-            all.push(Deviation::Shows { state: wrong.expected, key, raw });
-        }
-        if let Some(value) = right.filter(|value| *value != raw) {
-            all.push(Deviation::Writes { key, value, raw });
-        }
-    }
-    all
 }
 
 /// The first half of so many as they are, and the other half of the rest by another order.
