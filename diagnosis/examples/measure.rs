@@ -3,6 +3,13 @@
 //! What a deviation is called does not matter, only what it does: another one in its place counts as the same where the program
 //! behaves alike with it, and a diagnosis is exact as a whole where its model behaves as the program does. Two models behave alike
 //! if they answer alike to all experiments that either leads to, and on random walks.
+//!
+//! ```text
+//! measure 8 12 21                             # eight deviations in each of twelve programs, by this seed
+//! measure ready-driving:missing go:level      # one program that has these
+//! ```
+//!
+//! `EDITION` names the one edition to take; with `SHOW` each run tells what it took.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -115,7 +122,7 @@ impl Comparison<'_> {
 
 /// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
 fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
-    let kind = random.below(14);
+    let kind = random.below(15);
     let is = |deviation: &&Deviation| match deviation {
         Deviation::Changed(Change::Time(..)) => kind == 0,
         Deviation::Changed(Change::Threshold(..)) => kind == 1,
@@ -130,6 +137,7 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Dev
         Deviation::Shows { .. } => kind == 11,
         Deviation::Writes { .. } => kind == 12,
         Deviation::Wheels(_) | Deviation::GoLevel | Deviation::GoNeedsHandshake => kind == 13,
+        Deviation::Ignores { .. } => kind == 14,
     };
     let these: Vec<&Deviation> = all.iter().filter(is).collect();
     let one = **these.get(random.below(these.len()))?;
@@ -163,88 +171,115 @@ fn other(usual: i32, random: &mut Random) -> i16 {
     if random.below(2) == 0 { by } else { -by }
 }
 
-fn main() {
-    let mut args = std::env::args().skip(1);
-    let mut number = |usual: usize| args.next().and_then(|text| text.parse().ok()).unwrap_or(usual);
-    let (count, runs, seed) = (number(1), number(20), number(1));
-    let every = std::env::args().any(|arg| arg == "every");
-    let near = std::env::args().any(|arg| arg == "near");
-    let only = std::env::var("EDITION").ok();
-    for edition in
-        Edition::ALL.iter().filter(|edition| only.as_ref().is_none_or(|only| only == edition.version))
-    {
-        let all = Deviation::every(edition);
-        let mut random = Random(seed as u64);
-        let (mut tally, mut longest, mut most_steps) = (BTreeMap::new(), Duration::ZERO, 0);
-        let mut add = |what, many: usize| *tally.entry(what).or_insert(0) += many;
-        let runs = if every { all.len() } else { runs };
-        let comparison = Comparison { edition };
-        for run in 0..runs {
-            let injected: Vec<Deviation> = if every {
-                vec![all[run]]
-            } else if near {
-                comparison.picked_near(&all, count, &mut random)
+/// The ids of deviations.
+fn ids(edition: &Edition, deviations: &[Deviation]) -> String {
+    deviations.iter().map(|one| one.id(edition)).collect::<Vec<_>>().join(" ")
+}
+
+/// What was counted of an edition.
+#[derive(Default)]
+struct Tally {
+    counts: BTreeMap<&'static str, usize>,
+    longest: Duration,
+    most_steps: u64,
+    shows: bool,
+}
+
+impl Tally {
+    fn add(&mut self, what: &'static str, many: usize) {
+        *self.counts.entry(what).or_insert(0) += many;
+    }
+
+    /// Diagnoses a program that has these deviations, and compares what is named with what is there.
+    fn run(&mut self, comparison: &Comparison<'_>, run: usize, injected: &[Deviation]) {
+        let edition = comparison.edition;
+        let program = Model::new(edition, injected).running();
+        let mut program = Counted { program, steps: 0 };
+        let start = Instant::now();
+        let Ok(found) = diagnose(&mut program, edition) else { return };
+        self.longest = self.longest.max(start.elapsed());
+        self.most_steps = self.most_steps.max(program.steps);
+        let observable = comparison.observable(injected);
+        if self.shows {
+            let (took, steps, asked) = (start.elapsed(), program.steps, found.experiments);
+            println!("  run {run}: {took:?}, {steps} steps, {asked} experiments");
+            let hidden = injected.iter().filter(|one| !observable.contains(one));
+            hidden.for_each(|one| println!("  not observable {}", one.id(edition)));
+        }
+        for what in ["exact", "missed", "invented"] {
+            self.add(what, 0);
+        }
+        self.add("not observable", injected.len() - observable.len());
+        if comparison.same(&observable, &found.deviations) {
+            self.add("exact", observable.len());
+            return;
+        }
+        // In the place of one of the program's own, what was found has to do the same.
+        let replaces = |one: usize, other: &Deviation| {
+            observable[one] == *other || {
+                let mut with = observable.clone();
+                with[one] = *other;
+                comparison.same(&observable, &with)
+            }
+        };
+        let mut named = vec![false; observable.len()];
+        for other in &found.deviations {
+            let own = observable.iter().position(|one| one == other);
+            if let Some(place) = own.or_else(|| (0..observable.len()).find(|one| replaces(*one, other))) {
+                named[place] = true;
             } else {
-                comparison.picked(&all, count, &mut random)
-            };
-            let program = Model::new(edition, &injected).running();
-            let mut program = Counted { program, steps: 0 };
-            let start = Instant::now();
-            let Ok(found) = diagnose(&mut program, edition) else { return };
-            longest = longest.max(start.elapsed());
-            most_steps = most_steps.max(program.steps);
-            if std::env::var("SHOW").is_ok() {
-                println!(
-                    "  run {run}: {:?}, {} steps, {} experiments",
-                    start.elapsed(),
-                    program.steps,
-                    found.experiments
-                );
-            }
-            let observable = comparison.observable(&injected);
-            if std::env::var("SHOW").is_ok() {
-                for one in injected.iter().filter(|one| !observable.contains(one)) {
-                    println!("  not observable {one:?}");
-                }
-            }
-            add("exact", 0);
-            add("missed", 0);
-            add("invented", 0);
-            add("not observable", injected.len() - observable.len());
-            if comparison.same(&observable, &found.deviations) {
-                add("exact", observable.len());
-                continue;
-            }
-            // In the place of one of the program's own, what was found has to do the same.
-            let replaces = |one: usize, other: &Deviation| {
-                observable[one] == *other || {
-                    let mut with = observable.clone();
-                    with[one] = *other;
-                    comparison.same(&observable, &with)
-                }
-            };
-            let mut named = vec![false; observable.len()];
-            for other in &found.deviations {
-                let own = observable.iter().position(|one| one == other);
-                if let Some(place) = own.or_else(|| (0..observable.len()).find(|one| replaces(*one, other))) {
-                    named[place] = true;
-                } else {
-                    add("invented", 1);
-                    println!("  invented {other:?}");
-                }
-            }
-            for (one, named) in observable.iter().zip(&named) {
-                add(if *named { "exact" } else { "missed" }, 1);
-                if !named {
-                    println!("  missed {one:?}");
-                }
-            }
-            println!("    run {run}: of {injected:?}\n    found {:?}", found.deviations);
-            if !found.unexplained.is_empty() {
-                add("runs with something unexplained", 1);
-                println!("    not explained: {}", found.unexplained.len());
+                self.add("invented", 1);
+                println!("  invented {}", other.id(edition));
             }
         }
-        println!("{} k={count}: {tally:?}, longest {longest:?}, at most {most_steps} steps", edition.version);
+        for (one, named) in observable.iter().zip(&named) {
+            self.add(if *named { "exact" } else { "missed" }, 1);
+            if !named {
+                println!("  missed {}", one.id(edition));
+            }
+        }
+        println!("    run {run}: of {}", ids(edition, injected));
+        println!("    found {}", ids(edition, &found.deviations));
+        if !found.unexplained.is_empty() {
+            self.add("runs with something unexplained", 1);
+            println!("    not explained: {}", found.unexplained.len());
+        }
+    }
+}
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let number =
+        |place: usize, usual: usize| args.get(place).and_then(|text| text.parse().ok()).unwrap_or(usual);
+    let (count, runs, seed) = (number(0, 1), number(1, 20), number(2, 1));
+    let has = |what: &str| args.iter().any(|arg| arg == what);
+    let only = std::env::var("EDITION").ok();
+    let shows = std::env::var("SHOW").is_ok();
+    let wanted = |edition: &&&Edition| only.as_ref().is_none_or(|only| only == edition.version);
+    for edition in Edition::ALL.iter().filter(wanted) {
+        let all = Deviation::every(edition);
+        let mut random = Random(seed as u64);
+        let mut tally = Tally { shows, ..Tally::default() };
+        let comparison = Comparison { edition };
+        let given: Vec<Deviation> = args.iter().filter_map(|id| Deviation::find(edition, id)).collect();
+        if !given.is_empty() {
+            tally.run(&comparison, 0, &given);
+        } else if has("every") {
+            all.iter().enumerate().for_each(|(run, one)| tally.run(&comparison, run, &[*one]));
+        } else {
+            for run in 0..runs {
+                let injected = if has("near") {
+                    comparison.picked_near(&all, count, &mut random)
+                } else {
+                    comparison.picked(&all, count, &mut random)
+                };
+                tally.run(&comparison, run, &injected);
+            }
+        }
+        let Tally { counts, longest, most_steps, .. } = tally;
+        println!(
+            "{} k={count}: {counts:?}, longest {longest:?}, at most {most_steps} steps",
+            edition.version
+        );
     }
 }

@@ -21,6 +21,7 @@ pub(crate) fn all(edition: &Edition) -> Vec<Deviation> {
     all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
     all.extend(Remembers::ALL.map(Deviation::Remembers));
     let dials = dials(&Model::new(edition, &[]));
+    all.extend(dials.iter().map(|dial| Deviation::Ignores { key: dial.field.key }));
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
     for (place, row) in edition.rules.table.rows().iter().enumerate() {

@@ -52,6 +52,11 @@ pub enum Deviation {
         /// How many steps.
         steps: u8,
     },
+    /// The state machine does not see an input: for it, the input is always at its default.
+    Ignores {
+        /// The key of the input.
+        key: &'static str,
+    },
     /// Whether the vehicle moves is told by other wheels.
     Wheels(Wheels),
     /// "Go" counts while it is on, and not only when it is switched on.
@@ -163,6 +168,30 @@ impl Deviation {
         }
     }
 
+    /// Whether both are about the same number, value, or way of an arrow, so that only one of them can be.
+    pub(crate) fn is_instead_of(&self, other: &Self) -> bool {
+        match (*self, *other) {
+            (Self::Changed(Change::Time(one, _)), Self::Changed(Change::Time(other, _))) => one == other,
+            (Self::Changed(Change::Threshold(one, _)), Self::Changed(Change::Threshold(other, _))) => {
+                one == other
+            }
+            (Self::Changed(Change::RowLeadsTo(one, _)), Self::Changed(Change::RowLeadsTo(other, _))) => {
+                one == other
+            }
+            (Self::Late { from, to, .. }, Self::Late { from: other, to: leads, .. }) => {
+                (from, to) == (other, leads)
+            }
+            (Self::Shows { state, key, .. }, Self::Shows { state: other, key: field, .. }) => {
+                (state, key) == (other, field)
+            }
+            (Self::Writes { key, value, .. }, Self::Writes { key: field, value: other, .. }) => {
+                (key, value) == (field, other)
+            }
+            (Self::Wheels(_), Self::Wheels(_)) => true,
+            _ => false,
+        }
+    }
+
     /// Whether it only makes that an arrow is taken less often.
     pub(crate) const fn takes_away(&self) -> bool {
         matches!(
@@ -203,7 +232,8 @@ fn wrongly_shown(field: &ShownField, domain: Domain) -> Vec<Deviation> {
     in_a_state.chain(replaced).collect()
 }
 
-/// The edition with all changes of its rules. A change names rows and terms by their places, so that what moves them comes last.
+/// The edition with all changes of its rules. A change names rows and terms by their places in the document, so that what moves
+/// them comes last.
 pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
     enum OfRules {
         Change(Change),
@@ -217,8 +247,7 @@ pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
                     Change::RowLeadsTo(..) | Change::Time(..) | Change::Threshold(..) => (0, 0, 0),
                     Change::Term(row, term, TermChange::Dropped) => (3, row, usize::MAX - term),
                     Change::Term(row, term, _) => (1, row, term),
-                    Change::RowFirst(row) => (4, row, 0),
-                    Change::RowDropped(row) => (5, usize::MAX - row, 0),
+                    Change::RowFirst(_) | Change::RowDropped(_) => return None,
                 };
                 Some((order, OfRules::Change(change)))
             }
@@ -227,10 +256,30 @@ pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
         })
         .collect();
     changes.sort_by_key(|(order, _)| *order);
-    changes.iter().fold(*edition, |edition, (_, change)| match change {
+    let changed = changes.iter().fold(*edition, |edition, (_, change)| match change {
         OfRules::Change(change) => change.apply(&edition),
         OfRules::Joined(row, one, other) => joined(&edition, *row, *one, *other),
-    })
+    });
+    in_order(&changed, deviations)
+}
+
+/// The edition with the rows that come first before those that they stand behind in the document, and without those that are
+/// dropped.
+fn in_order(edition: &Edition, deviations: &[Deviation]) -> Edition {
+    let rows = edition.rules.table.rows();
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    let firsts = |place: &usize| deviations.contains(&Deviation::Changed(Change::RowFirst(*place)));
+    for row in (1..rows.len()).filter(firsts) {
+        order.retain(|own| *own != row);
+        let before = order.iter().position(|own| *own + 1 == row).unwrap_or(order.len());
+        order.insert(before, row);
+    }
+    order.retain(|row| !deviations.contains(&Deviation::Changed(Change::RowDropped(*row))));
+    if order.iter().copied().eq(0..rows.len()) {
+        return *edition;
+    }
+    let rows: Vec<Row> = order.iter().filter_map(|row| rows.get(*row).copied()).collect();
+    edition.with_table(Table::new(&rows))
 }
 
 /// The edition with two alternatives of a row that have to hold at once. Both places stay, so that others are named as before: the
@@ -255,4 +304,23 @@ fn joined(edition: &Edition, row: usize, one: usize, other: usize) -> Edition {
     let rows: Vec<Row> =
         rows.iter().enumerate().map(|(place, own)| if place == row { join(own) } else { *own }).collect();
     edition.with_table(Table::new(&rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A deviation names a row by its place in the document, whatever the others do with the rows.
+    #[test]
+    fn rows_are_named_by_their_places_in_the_document() {
+        let edition = &Edition::V3_0;
+        let first = |row| Deviation::Changed(Change::RowFirst(row));
+        let rows = |deviations: &[Deviation]| changed(edition, deviations).rules.table.rows().to_vec();
+        let usual = edition.rules.table.rows();
+        let without: Vec<Row> = usual.iter().copied().filter(|row| *row != usual[3]).collect();
+        assert_eq!(rows(&[first(3), Deviation::Changed(Change::RowDropped(3))]), without);
+        let both = [&usual[..1], &[usual[3], usual[2], usual[1]], &usual[4..]].concat();
+        assert_eq!(rows(&[first(3), first(2)]), both);
+        assert_eq!(rows(&[first(2), first(3)]), both);
+    }
 }

@@ -14,7 +14,7 @@ use crate::fit::{Candidates, Fit};
 use crate::model::Model;
 use crate::random::Random;
 use crate::record::{Record, Records};
-use crate::seek::Sought;
+use crate::seek::{self, Sought};
 use crate::subject::Subject;
 use crate::turn;
 use crate::walk::{difference, walk};
@@ -71,6 +71,7 @@ pub fn diagnose_within(
         records: Records::default(),
         found: Vec::new(),
         random: Random(1),
+        sought: Vec::new(),
         until,
     };
     for round in 0..ROUNDS {
@@ -99,6 +100,8 @@ struct Search<'a> {
     records: Records,
     found: Vec<Deviation>,
     random: Random,
+    /// The arrows that were looked for with conditions the other way round, each with what the program was thought to do.
+    sought: Vec<(Vec<Deviation>, AsState, AsState)>,
     until: Instant,
 }
 
@@ -180,11 +183,9 @@ impl Search<'_> {
     /// The numbers that turn a program that has these deviations.
     fn measure(&mut self, with: &[Deviation]) -> Result<(), ProgramError> {
         let model = Model::new(self.edition, with);
-        for one in turn::all(self.subject, &Ways::of(&model))? {
-            if !self.candidates.single.contains(&one) {
-                self.candidates.single.push(one);
-            }
-        }
+        let mut measured = turn::all(self.subject, &Ways::of(&model))?;
+        measured.retain(|one| !self.candidates.single.contains(one));
+        self.candidates.single.extend(measured);
         Ok(())
     }
 
@@ -214,7 +215,11 @@ impl Search<'_> {
         let ways = Ways::of(&model);
         let sight = Sought { ways: &ways, from, to }.look(self.subject, &mut self.random)?;
         self.records.extend(sight.records);
-        for needs in sight.needs.unwrap_or_default() {
+        let found = match sight.needs {
+            Some(needs) => Some(needs),
+            None => self.seek_with_opposites(without, from, to)?,
+        };
+        if let Some(needs) = found {
             let with: Vec<Deviation> = without.iter().copied().chain(needs.iter().copied()).collect();
             self.measure(&with)?;
             if !needs.is_empty() && !self.candidates.several.contains(&needs) {
@@ -222,6 +227,34 @@ impl Search<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Looks for an arrow some of whose conditions have to be the other way round, once for each set of deviations.
+    fn seek_with_opposites(
+        &mut self,
+        without: &[Deviation],
+        from: AsState,
+        to: AsState,
+    ) -> Result<Option<Vec<Deviation>>, ProgramError> {
+        let sought = (without.to_vec(), from, to);
+        if self.sought.contains(&sought) {
+            return Ok(None);
+        }
+        self.sought.push(sought);
+        let mut tried = seek::opposites(self.edition, from, to);
+        tried.retain(|opposite| opposite.iter().all(|one| !without.contains(one)));
+        for opposites in tried {
+            if self.is_over() {
+                break;
+            }
+            let model = Model::new(self.edition, &[without, &opposites].concat());
+            let sight = Sought { ways: &Ways::of(&model), from, to }.look_once(self.subject)?;
+            self.records.extend(sight.records);
+            if sight.needs.is_some() {
+                return Ok(Some(opposites));
+            }
+        }
+        Ok(None)
     }
 
     fn result(self) -> Diagnosis {

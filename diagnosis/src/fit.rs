@@ -10,24 +10,30 @@ use std::time::Instant;
 
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
+use adsdv_spec::mutation::Change;
 
 use crate::deviation::Deviation;
 use crate::model::Model;
 use crate::record::Kept;
+use crate::sets::{same, shown_otherwise, with};
 use crate::stays::{Stay, Wrong, cut};
 
+/// The output that tells in which state a program is.
+const AS_STATE: &str = "as_state";
 /// So many sets of deviations are followed at once.
 const FOLLOWED: usize = 8;
 /// No more deviations than these are looked for in a state at once.
 const DEEPEST: usize = 7;
 /// So many kinds of wrong answers are looked at to find what explains them.
-const KINDS: usize = 4;
+pub(crate) const KINDS: usize = 4;
 /// So many stays that are wrong are looked at to find what explains the most, and as many that are right.
-const LOOKED_AT: usize = 120;
+pub(crate) const LOOKED_AT: usize = 120;
+/// So many stays that what is known does not explain are always looked at: few answers may tell one explanation from another.
+const HARD: usize = 24;
 /// So many of the best are tried on all stays.
 const TRIED: usize = 14;
-/// So many others in the place of one are looked at.
-const ALIKE: usize = 5;
+/// So many of those that explain the most of what is not explained yet are tried beside them.
+const TELLING: usize = 4;
 /// So many ways to cut the stays are kept.
 const CUTS: usize = 3;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
@@ -44,16 +50,16 @@ pub(crate) struct Candidates {
 
 /// A search for deviations that explain answers.
 pub(crate) struct Fit<'a> {
-    edition: &'a Edition,
+    pub(crate) edition: &'a Edition,
     records: &'a [Kept],
-    candidates: &'a Candidates,
+    pub(crate) candidates: &'a Candidates,
     /// When the search ends, whatever it has come to.
     until: Instant,
     /// The stays as they were cut of late, and with which deviations.
     stays: RefCell<Vec<Cut<'a>>>,
 }
 
-type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
+pub(crate) type Stays<'a> = std::rc::Rc<Vec<(AsState, Vec<Stay<'a>>)>>;
 
 struct Cut<'a> {
     by: Vec<Deviation>,
@@ -68,6 +74,16 @@ struct Node {
     wrong: usize,
     /// How much of that is explained without any deviation of the state.
     spoilt: usize,
+}
+
+/// A set that helps, with how much it does not explain of some stays that were wrong, of some of all, and of those that what is known
+/// does not explain.
+#[derive(Clone, Debug)]
+struct Ranked {
+    set: Vec<Deviation>,
+    wrong: usize,
+    spoilt: usize,
+    hard: usize,
 }
 
 impl Node {
@@ -92,12 +108,61 @@ impl<'a> Fit<'a> {
         Self { edition, records, candidates, until, stays: RefCell::new(Vec::new()) }
     }
 
-    fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         Instant::now() >= self.until
     }
 
     /// The deviations that explain the most, from what was found before.
     pub(crate) fn run(&self, known: Vec<Deviation>) -> Vec<Deviation> {
+        let mut best = self.run_from(known);
+        let mut wrong = self.wrong(&best);
+        for start in self.with_states_shown_otherwise(&best) {
+            if wrong == 0 || self.is_over() {
+                break;
+            }
+            let set = self.run_from(start);
+            let left = self.wrong(&set);
+            if (left, set.len()) < (wrong, best.len()) {
+                (best, wrong) = (set, left);
+            }
+        }
+        best
+    }
+
+    /// An arrow that leads to another state and a state that is shown as another look alike, until that state is left: each set
+    /// with the one in the place of the other.
+    fn with_states_shown_otherwise(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
+        let rows = self.edition.rules.table.rows();
+        let without =
+            |one: &Deviation| set.iter().copied().filter(|other| other != one).collect::<Vec<Deviation>>();
+        let instead = |one: &Deviation| match *one {
+            Deviation::Changed(Change::RowLeadsTo(row, to)) if self.wrong_in(to, set) > 0 => {
+                let value = rows.get(row)?.to.raw();
+                let shown = Deviation::Writes { key: AS_STATE, value, raw: to.raw() };
+                // Of several such arrows that lead to the same state all would be shown so.
+                let others = without(one).into_iter().filter(|other| match *other {
+                    Deviation::Changed(Change::RowLeadsTo(other, leads)) => {
+                        leads != to || rows.get(other).is_none_or(|row| row.to.raw() != value)
+                    }
+                    _ => true,
+                });
+                Some(others.chain([shown]).collect())
+            }
+            Deviation::Writes { key: AS_STATE, value, raw } => {
+                let to = AsState::from_raw(raw)?;
+                AsState::from_raw(value).filter(|state| self.wrong_in(*state, set) > 0)?;
+                let leads =
+                    (0..rows.len()).filter(|row| rows.get(*row).is_some_and(|row| row.to.raw() == value));
+                let leads = leads.map(|row| Deviation::Changed(Change::RowLeadsTo(row, to)));
+                Some(without(one).into_iter().chain(leads).collect())
+            }
+            _ => None,
+        };
+        set.iter().filter_map(instead).collect()
+    }
+
+    /// The same, from one set alone.
+    fn run_from(&self, known: Vec<Deviation>) -> Vec<Deviation> {
         let mut set = known;
         for _ in 0..PASSES {
             let before = set.clone();
@@ -134,7 +199,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The stays, cut with those deviations of a set that may make a difference in any state.
-    fn stays(&self, set: &[Deviation]) -> Stays<'a> {
+    pub(crate) fn stays(&self, set: &[Deviation]) -> Stays<'a> {
         let everywhere = self.everywhere(set);
         let mut known = self.stays.borrow_mut();
         if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
@@ -149,11 +214,19 @@ impl<'a> Fit<'a> {
         known.last().map(|cut| cut.stays.clone()).unwrap_or_default()
     }
 
+    /// Those of a set that decide where stays begin and end: where two states are shown alike, also what leads to one of them.
     fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
-        set.iter()
-            .copied()
-            .filter(|one| one.state(self.edition).is_none() && one.tells_what_is_remembered())
-            .collect()
+        let alike = set.iter().any(|one| match *one {
+            Deviation::Writes { key: AS_STATE, raw, .. } => AsState::from_raw(raw).is_some(),
+            _ => false,
+        });
+        let leads = |one: &Deviation| {
+            matches!(one, Deviation::Changed(Change::RowLeadsTo(..)) | Deviation::Also { .. })
+        };
+        let counts = |one: &Deviation| {
+            one.state(self.edition).is_none() && one.tells_what_is_remembered() || alike && leads(one)
+        };
+        set.iter().copied().filter(counts).collect()
     }
 
     /// A set that explains more of a state, if one is found.
@@ -171,14 +244,16 @@ impl<'a> Fit<'a> {
                 wrong += own;
                 spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
             }
-            let key = format!(
-                "{:?}",
-                set.iter().filter(|one| one.state(self.edition).is_none()).collect::<Vec<_>>()
-            );
+            let cut = self.everywhere(&set);
+            let counts = |one: &&Deviation| one.state(self.edition).is_none() || cut.contains(one);
+            let key = format!("{:?}", set.iter().filter(counts).collect::<Vec<_>>());
             wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
             Node { set, wrong, spoilt }
         };
         let known = node(set.to_vec());
+        let (stays, model) = (self.stays(set), Model::new(self.edition, set));
+        let hard = of(&stays, state).iter().filter(|stay| stay.wrong(&model) > 0);
+        let hard: Vec<&Stay<'a>> = hard.take(HARD).collect();
         let mut best = known.clone();
         let mut followed = if bare == set { vec![known] } else { vec![known, node(bare)] };
         let mut stuck = 0;
@@ -186,7 +261,7 @@ impl<'a> Fit<'a> {
             let mut next: Vec<Node> = Vec::new();
             for from in &followed {
                 let stays = self.stays(&from.set);
-                for set in self.next(state, of(&stays, state), from) {
+                for set in self.next(state, of(&stays, state), &hard, from) {
                     if self.is_over() {
                         return best.set;
                     }
@@ -212,7 +287,13 @@ impl<'a> Fit<'a> {
     }
 
     /// Sets that explain a wrong answer that this one does not.
-    fn next(&self, state: AsState, stays: &[Stay<'a>], from: &Node) -> Vec<Vec<Deviation>> {
+    fn next(
+        &self,
+        state: AsState,
+        stays: &[Stay<'a>],
+        hard: &[&Stay<'a>],
+        from: &Node,
+    ) -> Vec<Vec<Deviation>> {
         let model = Model::new(self.edition, &from.set);
         let wrong: Vec<(&Stay<'a>, usize)> =
             stays.iter().map(|stay| (stay, stay.wrong(&model))).filter(|(_, wrong)| *wrong > 0).collect();
@@ -246,134 +327,28 @@ impl<'a> Fit<'a> {
         let all: Vec<&Stay<'a>> = some(stays).collect();
         let of =
             |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
-        let mut ranked: Vec<(usize, usize, Vec<Deviation>)> =
-            helping.into_iter().map(|(model, set)| (of(&wrong, &model), of(&all, &model), set)).collect();
-        ranked.sort_by_key(|(wrong, spoilt, set)| (wrong + spoilt, set.len()));
-        let ranked = both(ranked, TRIED, |(wrong, spoilt, set)| (*spoilt, *wrong, set.len()));
-        ranked.into_iter().map(|(_, _, set)| set).collect()
-    }
-
-    /// The set without what explains nothing that the others do not.
-    fn without_the_needless(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
-        let mut wrong = self.wrong(&set);
-        let mut place = set.len();
-        while place > 0 {
-            place -= 1;
-            let mut fewer = set.clone();
-            fewer.remove(place);
-            let left = self.wrong(&fewer);
-            if left <= wrong {
-                (set, wrong) = (fewer, left);
-                place = place.min(set.len());
-            }
-        }
-        set
-    }
-
-    /// Instead of each deviation others that explain as much, a few of them: the set with the other in its place.
-    pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
-        let all = self.wrong(set);
-        let mut alike: Vec<Vec<Deviation>> = Vec::new();
-        for (place, known) in set.iter().enumerate().take_while(|_| !self.is_over()) {
-            let mut others = set.to_vec();
-            others.remove(place);
-            let without = Model::new(self.edition, &others);
-            let stays = self.stays(&others);
-            let mut needed: Vec<(&Stay<'a>, usize)> = Vec::new();
-            let model = Model::new(self.edition, set);
-            for stay in stays.iter().flat_map(|(_, stays)| stays) {
-                if stay.wrong(&without) > stay.wrong(&model) {
-                    needed.push((stay, stay.wrong(&model)));
-                }
-            }
-            needed.sort_by_key(|(stay, _)| stay.len());
-            needed.truncate(LOOKED_AT);
-            let wrongs = needed.iter().take(KINDS).filter_map(|(stay, _)| stay.first_wrong(&without));
-            let shown: Vec<Deviation> = wrongs.flat_map(|wrong| shown_otherwise(&wrong)).collect();
-            let own = known.state(self.edition);
-            let fits = |one: &Deviation| {
-                own.is_none() || one.state(self.edition).is_none_or(|state| Some(state) == own)
-            };
-            let mut found = 0;
-            for one in self.candidates.single.iter().copied().chain(shown).filter(fits) {
-                if found >= ALIKE || one == *known || others.contains(&one) {
-                    continue;
-                }
-                for other in with(&others, one) {
-                    let model = Model::new(self.edition, &other);
-                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
-                        && self.wrong(&other) <= all
-                    {
-                        alike.push(other);
-                        found += 1;
-                    }
-                }
-            }
-        }
-        alike
-    }
-
-    /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
-    /// said of an arrow that some answers tell more about than is explained.
-    pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
-        let mut place = 0;
-        while place < set.len() && self.wrong(&set) > 0 {
-            let mut others = set.clone();
-            let one = others.remove(place);
-            let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
-            let (arrow, takes_away) = (one.arrow(self.edition), one.takes_away());
-            let stays = self.stays(&set);
-            let doubts = |stay: &Stay<'a>| {
-                let wrong = stay.wrong(&model);
-                wrong > stay.wrong(&without)
-                    || wrong > 0
-                        && stay.first_wrong(&model).is_some_and(|wrong| {
-                            let from = wrong.from.control.state;
-                            let leaves = wrong.expected == from && wrong.found != from;
-                            arrow.is_some_and(|arrow| {
-                                arrow == (from, wrong.found)
-                                    || arrow == (from, wrong.expected)
-                                    || arrow.0 == from && leaves && takes_away
-                            })
-                        })
-            };
-            if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
-                (set, place) = (others, 0);
-            } else {
-                place += 1;
-            }
-        }
-        set
+        let mut ranked: Vec<Ranked> = helping
+            .into_iter()
+            .map(|(model, set)| Ranked {
+                wrong: of(&wrong, &model),
+                spoilt: of(&all, &model),
+                hard: of(hard, &model),
+                set,
+            })
+            .collect();
+        ranked.sort_by_key(|one| (one.wrong + one.spoilt, one.set.len()));
+        // Where many explain the most, few answers may tell one of them from the others.
+        let mut telling = ranked.clone();
+        telling.sort_by_key(|one| one.hard);
+        telling.truncate(TELLING);
+        let ranked = both(ranked, TRIED, |one| (one.spoilt, one.wrong, one.set.len()));
+        ranked.into_iter().chain(telling).map(|one| one.set).collect()
     }
 }
 
 /// The stays in a state.
 fn of<'b, 'a>(stays: &'b [(AsState, Vec<Stay<'a>>)], state: AsState) -> &'b [Stay<'a>] {
     stays.iter().find(|(own, _)| *own == state).map_or(&[], |(_, stays)| stays.as_slice())
-}
-
-/// The set with one more. Of two that lead out of a state as soon as an input has a value, the first counts, so that both orders
-/// differ.
-fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
-    let mut sets = vec![[set, &[one]].concat()];
-    let leads_from = |of: &Deviation| match *of {
-        Deviation::Also { from, .. } => Some(from),
-        _ => None,
-    };
-    let own = leads_from(&one);
-    if own.is_some() && set.iter().any(|other| leads_from(other) == own) {
-        sets.push([&[one], set].concat());
-    }
-    sets
-}
-
-fn same(one: &[Deviation], other: &[Deviation]) -> bool {
-    one.len() == other.len()
-        && one.iter().all(|deviation| other.contains(deviation))
-        && one
-            .iter()
-            .filter(|one| matches!(one, Deviation::Also { .. }))
-            .eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
 }
 
 /// Of the stays that are wrong in the same way the shortest, those first that are the most.
@@ -393,21 +368,6 @@ fn kinds<'b, 'a>(wrong: &[(&'b Stay<'a>, usize)], model: &Model) -> Vec<(&'b Sta
     kinds.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
     kinds.truncate(KINDS);
     kinds.into_iter().map(|(_, stay, points, wrong)| (stay, points, wrong)).collect()
-}
-
-/// What would make a wrong answer right by showing it.
-fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
-    let mut all = Vec::new();
-    for ((key, _, found), right) in wrong.values.iter().copied().zip(wrong.rights.iter().copied()) {
-        let Some(raw) = found else { continue };
-        if key != "as_state" {
-            all.push(Deviation::Shows { state: wrong.expected, key, raw });
-        }
-        if let Some(value) = right.filter(|value| *value != raw) {
-            all.push(Deviation::Writes { key, value, raw });
-        }
-    }
-    all
 }
 
 /// The first half of so many as they are, and the other half of the rest by another order.

@@ -20,12 +20,15 @@
 //! A deviation is named only if taking it away explains less. What other deviation explains as much is told beside it.
 //!
 //! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
-//! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id), and `model.rs` the state machine that does so;
-//! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them; `dials.rs`: the inputs that can be changed;
+//! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id); `words.rs`: what that is called, and `against.rs`: the
+//!   requirements that it is against;
+//! - `model.rs`: the state machine that does so, `rest.rs` with what is no change of Figure 2; `running.rs`: as a program;
+//! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow; `dials.rs`: the
+//!   inputs that can be changed;
 //! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
 //! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
-//! - `fit.rs`: those that do, and `words.rs` what they are called;
+//! - `fit.rs`: those that do, `sets.rs` several of them at once, and `certain.rs` whether they are sure;
 //! - `diagnose.rs`: all of it in turn;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
@@ -44,7 +47,9 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod against;
 mod candidates;
+mod certain;
 mod deviation;
 mod diagnose;
 mod dials;
@@ -55,9 +60,13 @@ mod fit;
 mod model;
 mod named;
 mod pilot;
+mod prepare;
 mod random;
 mod record;
+mod rest;
+mod running;
 mod seek;
+mod sets;
 mod stays;
 mod subject;
 mod turn;
@@ -69,7 +78,8 @@ pub use deviation::{Deviation, Remembers, Wheels};
 pub use diagnose::{Diagnosis, diagnose, diagnose_within, records};
 pub use example::{Example, examples};
 pub use figure::{Arrow, figure};
-pub use model::{Model, Running};
+pub use model::Model;
 pub use record::Record;
+pub use running::Running;
 pub use subject::Subject;
 pub use walk::difference;

@@ -1,7 +1,6 @@
 //! The specification with deviations: a state machine as good as any.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, INPUTS, InputField, SHOWN, Showing, Shown};
+use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
 use adsdv_spec::messages::{ShutdownCause, WheelSpeed};
 use adsdv_spec::{
     AsState, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
@@ -9,7 +8,7 @@ use adsdv_spec::{
 };
 
 use crate::deviation::{Deviation, Remembers, Wheels};
-use crate::subject::Subject;
+use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
 use crate::ways::{By, Hop};
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
@@ -28,20 +27,6 @@ pub struct Model {
     rest: Vec<Rest>,
     /// A bit for each that is remembered otherwise.
     remembers: u8,
-}
-
-/// What is no change of the rules, ready to be applied.
-#[derive(Clone, Copy, Debug)]
-enum Rest {
-    Needs { from: AsState, to: AsState, field: &'static InputField, raw: i32, is: bool },
-    Also { from: AsState, to: AsState, field: &'static InputField, raw: i32 },
-    Late { from: AsState, to: AsState, steps: u8 },
-    Wheels(Wheels),
-    GoLevel,
-    GoNeedsHandshake,
-    Remembers(Remembers),
-    Shows { state: AsState, place: usize, raw: i32 },
-    Writes { place: usize, value: i32, raw: i32 },
 }
 
 /// What such a machine remembers.
@@ -300,6 +285,9 @@ impl Model {
     fn as_seen(&self, inputs: &Inputs) -> Inputs {
         let mut seen = *inputs;
         for rest in &self.rest {
+            if let Rest::Ignores { field } = rest {
+                (field.set)(&mut seen, (field.get)(&Inputs::default()));
+            }
             if let Rest::Wheels(wheels) = rest {
                 let speeds = &mut seen.vehicle.wheel_speeds;
                 let each = [
@@ -395,77 +383,6 @@ impl Model {
             _ => None,
         });
         written.unwrap_or(value)
-    }
-
-    /// A program that runs it, from power-on.
-    pub const fn running(self) -> Running {
-        Running { model: self, memory: Memory::INITIAL }
-    }
-}
-
-/// The place of an output in [`SHOWN`].
-fn place_of(key: &str) -> Option<usize> {
-    SHOWN.iter().position(|field| field.key == key)
-}
-
-/// The places of the outputs that tell what a program remembers.
-const AS_STATE: usize = place("as_state");
-const SHUTDOWN_CAUSE: usize = place("shutdown_cause");
-const HANDSHAKE: usize = place("handshake");
-
-/// The place of an output that there is; another does not compile.
-const fn place(key: &str) -> usize {
-    let mut place = 0;
-    while !SHOWN[place].key.eq_ignore_ascii_case(key) {
-        place += 1;
-    }
-    place
-}
-
-impl Rest {
-    fn of(deviation: &Deviation) -> Option<Self> {
-        let field = |key: &str| INPUTS.iter().find(|field| field.key == key);
-        Some(match *deviation {
-            Deviation::Changed(_) | Deviation::Joined { .. } => return None,
-            Deviation::Needs { from, to, key, raw, is } => {
-                Self::Needs { from, to, field: field(key)?, raw, is }
-            }
-            Deviation::Also { from, to, key, raw } => Self::Also { from, to, field: field(key)?, raw },
-            Deviation::Late { from, to, steps } => Self::Late { from, to, steps },
-            Deviation::Wheels(wheels) => Self::Wheels(wheels),
-            Deviation::GoLevel => Self::GoLevel,
-            Deviation::GoNeedsHandshake => Self::GoNeedsHandshake,
-            Deviation::Remembers(what) => Self::Remembers(what),
-            Deviation::Shows { state, key, raw } => Self::Shows { state, place: place_of(key)?, raw },
-            Deviation::Writes { key, value, raw } => Self::Writes { place: place_of(key)?, value, raw },
-        })
-    }
-}
-
-/// A model that runs in this process, as a program under test would.
-#[derive(Clone, Debug)]
-pub struct Running {
-    model: Model,
-    memory: Memory,
-}
-
-impl Running {
-    /// One step, and what it shows.
-    pub fn shown(&mut self, dt_ms: u32, inputs: &Inputs) -> Shown {
-        let (memory, outputs) = self.model.step(&self.memory, inputs, dt_ms);
-        self.memory = memory;
-        self.model.shown(&outputs, inputs)
-    }
-}
-
-impl Subject for Running {
-    fn reset(&mut self) -> Result<(), ProgramError> {
-        self.memory = Memory::INITIAL;
-        Ok(())
-    }
-
-    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
-        Ok(self.shown(dt_ms, inputs).into())
     }
 }
 

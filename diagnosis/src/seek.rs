@@ -2,8 +2,9 @@
 
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::{Domain, InputField};
-use adsdv_spec::Term;
 use adsdv_spec::messages::AsState;
+use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::{Edition, Term};
 
 use crate::deviation::Deviation;
 use crate::pilot::Pilot;
@@ -15,6 +16,8 @@ use crate::ways::Ways;
 
 /// So many times an arrow is tried with inputs by chance.
 const TRIES: usize = 600;
+/// No more conditions of an alternative than these are looked for the other way round at once.
+const AT_ONCE: usize = 3;
 /// Beyond these an arrow is not late.
 const LATEST: usize = 3;
 
@@ -31,7 +34,7 @@ pub(crate) struct Sight {
     /// What was asked and answered.
     pub(crate) records: Vec<Record>,
     /// What the arrow may need, where it is taken at all: nothing if it only has to be waited for.
-    pub(crate) needs: Option<Vec<Vec<Deviation>>>,
+    pub(crate) needs: Option<Vec<Deviation>>,
 }
 
 /// When a long time passes.
@@ -44,6 +47,8 @@ enum Wait {
     AtLast,
 }
 
+const WAITS: [Wait; 3] = [Wait::Before, Wait::Not, Wait::AtLast];
+
 type Changes = Vec<(&'static InputField, i32)>;
 
 impl Sought<'_> {
@@ -55,11 +60,10 @@ impl Sought<'_> {
         if terms.is_empty() || self.ways.to(self.from).is_none() {
             return Ok(sight);
         }
-        let waits = [Wait::Before, Wait::Not, Wait::AtLast];
         for tried in 0..TRIES {
             let Some(term) = terms.get(random.below(terms.len())) else { break };
-            let Some(&wait) = waits.get(tried % waits.len()) else { break };
-            let wanted = if tried < waits.len() { Vec::new() } else { self.by_chance(random) };
+            let Some(&wait) = WAITS.get(tried % WAITS.len()) else { break };
+            let wanted = if tried < WAITS.len() { Vec::new() } else { self.by_chance(random) };
             let (mut changes, taken) = self.is_taken(subject, term, &wanted, wait, &mut sight.records)?;
             if !taken {
                 continue;
@@ -138,11 +142,57 @@ impl Sought<'_> {
     }
 
     /// What an arrow may need that is taken with these inputs otherwise, and not with one of them less.
-    fn may_need(&self, changes: &Changes) -> Vec<Vec<Deviation>> {
+    fn may_need(&self, changes: &Changes) -> Vec<Deviation> {
         let (from, to) = (self.from, self.to);
-        let need = |&(field, raw): &(&'static InputField, i32)| {
-            vec![Deviation::Needs { from, to, key: field.key, raw, is: true }]
+        let need = |&(field, raw): &(&'static InputField, i32)| Deviation::Needs {
+            from,
+            to,
+            key: field.key,
+            raw,
+            is: true,
         };
-        vec![changes.iter().flat_map(need).collect()]
+        changes.iter().map(need).collect()
     }
+
+    /// Whether it is taken as the model has it, by any of its alternatives and after any of the times.
+    pub(crate) fn look_once(&self, subject: &mut dyn Subject) -> Result<Sight, ProgramError> {
+        let mut sight = Sight::default();
+        if self.ways.to(self.from).is_none() {
+            return Ok(sight);
+        }
+        for (term, _) in self.ways.model.terms(self.from).filter(|(_, to)| *to == self.to) {
+            for wait in WAITS {
+                let (_, taken) = self.is_taken(subject, &term, &Vec::new(), wait, &mut sight.records)?;
+                if taken {
+                    sight.needs = Some(Vec::new());
+                    return Ok(sight);
+                }
+            }
+        }
+        Ok(sight)
+    }
+}
+
+/// The conditions of an arrow the other way round: one, two, or three of an alternative at once, the fewest first.
+pub(crate) fn opposites(edition: &Edition, from: AsState, to: AsState) -> Vec<Vec<Deviation>> {
+    let mut all: Vec<Vec<Deviation>> = Vec::new();
+    let rows = edition.rules.table.rows().iter().enumerate();
+    for (row, of) in rows.filter(|(_, row)| (row.from, row.to) == (from, to)) {
+        for (place, term) in of.terms().iter().enumerate() {
+            if !term.readings.is_subset(edition.readings.choices()) {
+                continue;
+            }
+            let opposite =
+                |(atom, _)| Deviation::Changed(Change::Term(row, place, TermChange::LiteralFlipped(atom)));
+            let each: Vec<Deviation> = term.literals().map(opposite).collect();
+            let mut sets: Vec<Vec<Deviation>> = vec![Vec::new()];
+            for one in each {
+                let more = sets.iter().filter(|set| set.len() < AT_ONCE);
+                sets.extend(more.map(|set| [set.as_slice(), &[one]].concat()).collect::<Vec<_>>());
+            }
+            all.extend(sets.into_iter().filter(|set| !set.is_empty()));
+        }
+    }
+    all.sort_by_key(Vec::len);
+    all
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use adsdv_oracle::protocol::{INPUTS, Protocol, SHOWN};
+use adsdv_oracle::protocol::{Domain, INPUTS, Protocol};
 use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Edition, Row, Term};
@@ -41,6 +41,7 @@ impl Deviation {
             }
             Self::Also { from, to, key, raw } => format!("{}:also:{key}={raw}", arrow(from, to)),
             Self::Late { from, to, steps } => format!("{}:late:{steps}", arrow(from, to)),
+            Self::Ignores { key } => format!("ignores:{key}"),
             Self::Wheels(Wheels::All) => "moving:all-wheels".to_owned(),
             Self::Wheels(Wheels::Only(wheel)) => format!("moving:wheel-{}", wheel + 1),
             Self::GoLevel => "go:level".to_owned(),
@@ -49,8 +50,10 @@ impl Deviation {
                 format!("{}:{}:and:{}", row(place), one + 1, other + 1)
             }
             Self::Remembers(what) => format!("remembers:{}", remembers_id(what)),
-            Self::Shows { state, key, raw } => format!("{}:shows:{key}={raw}", short(state)),
-            Self::Writes { key, value, raw } => format!("writes:{key}:{value}={raw}"),
+            Self::Shows { state, key, raw } => {
+                format!("{}:shows:{key}={}", short(state), number_or_name(raw))
+            }
+            Self::Writes { key, value, raw } => format!("writes:{key}:{value}={}", number_or_name(raw)),
         }
     }
 
@@ -81,51 +84,13 @@ impl Deviation {
                 vec![(from, to)]
             }
             Self::Changed(Change::Time(..) | Change::Threshold(..))
+            | Self::Ignores { .. }
             | Self::Wheels(_)
             | Self::GoLevel
             | Self::GoNeedsHandshake
             | Self::Remembers(_)
             | Self::Shows { .. }
             | Self::Writes { .. } => Vec::new(),
-        }
-    }
-
-    /// The requirements of the edition that it is against, as far as single ones are.
-    pub fn requirements(self, edition: &Edition) -> Vec<&'static str> {
-        let rows = edition.rules.table.rows();
-        let of_row = |row: Option<&Row>| row.map_or(Vec::new(), |row| row.cites.requirements.to_vec());
-        match self {
-            Self::Changed(Change::RowDropped(row) | Change::RowLeadsTo(row, _))
-            | Self::Joined { row, .. } => of_row(rows.get(row)),
-            Self::Changed(Change::RowFirst(row)) => {
-                rows.get(row).map_or(Vec::new(), |row| [row.cites.requirements, row.cites.order].concat())
-            }
-            Self::Changed(Change::Term(row, term, change)) => {
-                let Some((row, term)) = rows.get(row).and_then(|row| Some((row, row.terms().get(term)?)))
-                else {
-                    return Vec::new();
-                };
-                let own = match change {
-                    TermChange::LiteralDropped(atom) | TermChange::LiteralFlipped(atom) => {
-                        term.requirements_of(atom)
-                    }
-                    _ => None,
-                };
-                own.unwrap_or(if term.cites.requirements.is_empty() {
-                    row.cites.requirements
-                } else {
-                    term.cites.requirements
-                })
-                .to_vec()
-            }
-            Self::Needs { from, to, .. } | Self::Late { from, to, .. } => {
-                of_row(rows.iter().find(|row| (row.from, row.to) == (from, to)))
-            }
-            Self::Shows { key, .. } | Self::Writes { key, .. } => SHOWN
-                .iter()
-                .find(|field| field.key == key)
-                .map_or(Vec::new(), |field| field.requirements.to_vec()),
-            _ => Vec::new(),
         }
     }
 }
@@ -190,6 +155,11 @@ const fn remembers_text(what: Remembers) -> &'static str {
     }
 }
 
+/// A number, or the name that stands behind it: a name that no enumeration has is another number in each run of a process.
+fn number_or_name(raw: i32) -> impl fmt::Display {
+    adsdv_oracle::protocol::Value { domain: Domain::Names(&[]), raw: Some(raw) }
+}
+
 /// A value of an output in the words of the edition.
 fn output(edition: &Edition, key: &str, raw: i32) -> String {
     let protocol = Protocol::of(edition);
@@ -212,6 +182,9 @@ fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -
         }
         Deviation::Late { from, to, steps: 1 } => write!(f, "{from} -> {to} one step late"),
         Deviation::Late { from, to, steps } => write!(f, "{from} -> {to} {steps} steps late"),
+        Deviation::Ignores { key } => {
+            write!(f, "{key} makes no difference to the state machine; expected as in Figure 2")
+        }
         Deviation::Wheels(Wheels::All) => f.write_str("the vehicle moves only if all wheels turn; expected any"),
         Deviation::Wheels(Wheels::Only(wheel)) => {
             const NAMES: [&str; 4] = ["front left", "front right", "rear left", "rear right"];

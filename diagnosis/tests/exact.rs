@@ -183,3 +183,45 @@ fn each_deviation_has_a_name_of_its_own_words_and_requirements_that_there_are() 
     );
     assert_eq!(text(Deviation::Late { from: Off, to: Ready, steps: 1 }), "AS_OFF -> AS_READY one step late");
 }
+
+#[test]
+fn an_arrow_that_wants_two_conditions_the_other_way_round_is_not_taken_for_one_that_is_missing() {
+    let edition = &Edition::V4_0;
+    let opposite = |atom| {
+        let change = Change::Term(row(edition, Ready, Driving), 0, TermChange::LiteralFlipped(atom));
+        Deviation::Changed(change)
+    };
+    names(edition, &[opposite(Atom::DwellElapsed), opposite(Atom::SteerStraight)]);
+}
+
+#[test]
+fn a_time_is_named_where_an_arrow_also_comes_first_and_a_state_is_left_where_it_should_stay() {
+    let edition = &Edition::V4_0;
+    let dropped = Deviation::Changed(Change::RowDropped(row(edition, Finished, Off)));
+    let first = Deviation::Changed(Change::RowFirst(row(edition, Ready, Driving)));
+    let dwell = Deviation::Changed(Change::Time(Time::ReadyDwell, 2402));
+    let also = Deviation::Also { from: EmergencyBrake, to: Driving, key: "estop_request", raw: 1 };
+    let selected = TermChange::LiteralDropped(Atom::AmiSelected);
+    let selected = Deviation::Changed(Change::Term(row(edition, Off, Ready), 0, selected));
+    let speed = Deviation::Shows { state: Ready, key: "front_motor_speed_max", raw: 7 };
+    let warning = Deviation::Shows { state: Finished, key: "warning_status", raw: 0 };
+    names(edition, &[speed, selected, dropped, first, warning, dwell, also]);
+}
+
+#[test]
+fn a_program_that_drives_only_before_the_time_is_over_is_followed_into_as_driving() {
+    let edition = &Edition::V2026;
+    let timer = TermChange::LiteralFlipped(Atom::DwellElapsed);
+    let before = Deviation::Changed(Change::Term(row(edition, Ready, Driving), 0, timer));
+    let late = Deviation::Late { from: Ready, to: Off, steps: 3 };
+    let leads = Deviation::Changed(Change::RowLeadsTo(row(edition, EmergencyBrake, Off), Ready));
+    let joined = Deviation::Joined { row: row(edition, Driving, EmergencyBrake), one: 2, other: 7 };
+    names(edition, &[before, late, leads, joined]);
+}
+
+#[test]
+fn an_input_that_is_forgotten_is_named_once_and_not_by_each_arrow() {
+    let ignores = |key| Deviation::Ignores { key };
+    names(&Edition::V3_0, &[ignores("charging")]);
+    names(&Edition::V4_0, &[ignores("offboard_charger_fault"), ignores("asms")]);
+}

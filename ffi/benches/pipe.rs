@@ -16,6 +16,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use adsdv_oracle::conform::{ConformOptions, Program, Vcu, conform};
+use adsdv_oracle::protocol::UNSAID;
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::Edition;
 use divan::Bencher;
@@ -70,5 +71,8 @@ fn adapter() -> Program {
         let cc = compiler(C).expect("a C compiler");
         built(&cc, C, &folder().join("../oracle/examples/adapter.c"), Linked::Statically)
     });
-    Program::start(&path.clone().into_os_string(), &[], Duration::from_secs(5), false).expect("it starts")
+    let program = Program::start(&path.clone().into_os_string(), &[], Duration::from_secs(5), false);
+    let mut program = program.expect("it starts");
+    program.hello(UNSAID).expect("it says something of itself, and is reset");
+    program
 }

@@ -13,7 +13,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use adsdv_oracle::conform::{ConformOptions, InProcess, Program, Reply, Vcu, conform};
-use adsdv_oracle::protocol::Shown;
+use adsdv_oracle::protocol::{Shown, UNSAID};
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::{Control, Edition, Machine, Outputs};
 use divan::Bencher;
@@ -121,5 +121,8 @@ fn program() -> Program {
         assert!(built.is_ok_and(|status| status.success()), "the adapter can be built");
         profile.join("examples/adapter")
     });
-    Program::start(&path.clone().into_os_string(), &[], Duration::from_secs(5), false).expect("it starts")
+    let program = Program::start(&path.clone().into_os_string(), &[], Duration::from_secs(5), false);
+    let mut program = program.expect("it starts");
+    program.hello(UNSAID).expect("it says something of itself, and is reset");
+    program
 }

@@ -81,14 +81,12 @@ static void step(const char *line) {
     adsdv_outputs outputs;
     const char *at = after(line, "\"dt_ms\":");
     uint32_t dt_ms = at ? (uint32_t)strtoul(at, NULL, 10) : 0;
-
     check(adsdv_inputs_init(&inputs, &error)); /* what is not in the line is at its default */
 #define FLAG(key) inputs.key = strstr(line, "\"" #key "\":true") != NULL;
 #define NUMBER(key) if ((at = after(line, "\"" #key "\":"))) inputs.key = atoi(at);
 #define NAME(key, of) if ((at = after(line, "\"" #key "\":\""))) inputs.key = value_of(of, at);
     FLAGS(FLAG) NUMBERS(NUMBER) NAMES(NAME)
     check(adsdv_step(&machine, &control, &inputs, dt_ms, &outputs, NULL, &error));
-
     /* Names may be given as their numbers, and flags as 1 and 0. */
 #define FORMAT(key) "\"" #key "\":%d,"
 #define VALUE(key) outputs.key,
@@ -108,6 +106,8 @@ int main(void) {
     adsdv_edition first;
     check(adsdv_edition_find("3.0", &first, &error)); /* what all is about without a hello */
     become(first);
+#define QUOTED(key) "\"" #key "\","
+    printf("{\"outputs\":[" OUTPUTS(QUOTED) "\"steer\"]}\n"); /* with a fixed cycle also: "cycle_ms":10 */
     /* Whoever asks waits for what has been answered so far: it is flushed before every wait for more. */
     while (fflush(stdout) == 0 && (got = read(STDIN_FILENO, buffer + filled, sizeof buffer - 1 - filled)) > 0) {
         char *line = buffer, *end;

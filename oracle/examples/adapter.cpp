@@ -87,6 +87,8 @@ class Vcu {
 
 int main() try {
     std::ios::sync_with_stdio(false);
+    // What it says of itself: of a fixed cycle it would add "cycle_ms":10, and of a clock "clock":"wall".
+    std::cout << R"({"outputs":["as_state","handshake","go_signal","shutdown_cause"]})" << std::endl;
     adsdv_edition edition;
     adsdv_error error;
     check(adsdv_edition_find("3.0", &edition, &error), error); // what all is about without a hello

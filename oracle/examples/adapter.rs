@@ -19,6 +19,9 @@ fn main() -> io::Result<()> {
     let mut protocol = Protocol::of(vcu.edition());
     let mut control = Control::INITIAL;
     let mut line = String::new();
+    // What it says of itself. A program that steps at a fixed cycle adds "cycle_ms", one that goes by a clock "clock":"wall".
+    let outputs: Vec<&str> = protocol.shown().map(|(field, _)| field.key).collect();
+    writeln!(answers, "{{\"outputs\":{outputs:?}}}")?;
     loop {
         // Whoever asks waits for what has been answered so far, unless there is more to do.
         if requests.buffer().is_empty() {

@@ -17,7 +17,10 @@ def adapter(root):
 
 def start(adapter, *arguments):
     command = [sys.executable, adapter, *arguments]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    program = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    # What it says of itself comes before its first answer.
+    assert json.loads(program.stdout.readline())["outputs"] == list(adsdv.Vcu().step({}, 0).outputs)
+    return program
 
 
 def scenario(seed, steps, edition=None):

@@ -223,7 +223,8 @@ fn the_adapter_reports_what_is_wrong() {
         drop(running.questions.take());
         let Output { status, stdout, stderr } = running.child.wait_with_output().unwrap();
         let said = String::from_utf8(stderr).unwrap();
-        assert!(!status.success() && stdout.is_empty(), "{line}");
+        let answers = String::from_utf8(stdout).unwrap();
+        assert!(!status.success() && answers.starts_with(ABOUT) && answers.lines().count() == 1, "{line}");
         assert!(said.starts_with(expected), "{said}");
     }
 }
@@ -366,6 +367,9 @@ fn suite(edition: &'static Edition) -> impl Iterator<Item = (String, Expected)> 
     })
 }
 
+/// What an adapter says of itself begins so.
+const ABOUT: &str = r#"{"outputs":["as_state","handshake","#;
+
 /// A program that is asked and answers.
 struct Running {
     child: Child,
@@ -408,6 +412,8 @@ impl Running {
             std::thread::spawn(move || {
                 answers.lines().map_while(Result::ok).try_for_each(|line| sender.send(line))
             });
+            let about: String = receiver.recv_timeout(LIMIT).expect("what it says of itself");
+            assert!(about.starts_with(ABOUT), "{about}");
             receiver
         });
         let line = lines.recv_timeout(LIMIT).expect("an answer in time");

@@ -54,7 +54,7 @@ impl Domain {
         let number = match (self, read) {
             (Self::Flag, Given::Flag(flag)) => Some(i64::from(*flag)),
             (Self::Names(names), Given::Text(text)) => {
-                names.iter().find(|(_, name)| name == text).map(|&(raw, _)| raw.into())
+                names.iter().find(|(_, name)| is_spelt(name, text)).map(|&(raw, _)| raw.into())
             }
             (_, Given::Number(number)) => Some(*number),
             _ => None,
@@ -84,6 +84,12 @@ impl Domain {
             Self::Number { min, max } => (min..=max).contains(&raw),
         }
     }
+}
+
+/// Whether a name is this one: the documents write some names with spaces and some with underscores, and some with both.
+fn is_spelt(name: &str, text: &str) -> bool {
+    let plain = |byte: u8| if byte == b' ' { b'_' } else { byte };
+    name.len() == text.len() && name.bytes().map(plain).eq(text.bytes().map(plain))
 }
 
 /// The bus in whose words values are told. It is no part of what they are: what is equal in numbers is equal.
@@ -167,6 +173,15 @@ mod tests {
         fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
             self.0.write_json(f)
         }
+    }
+
+    #[test]
+    fn a_name_is_read_with_spaces_and_with_underscores() {
+        let names = Domain::Names(&[(0, "NO SHUTDOWN"), (1, "EBS_FAULT")]);
+        let read = |text: &str| names.raw(&Given::Text(text.into()));
+        assert_eq!(["NO SHUTDOWN", "NO_SHUTDOWN"].map(read), [Some(0); 2]);
+        assert_eq!(["EBS_FAULT", "EBS FAULT"].map(read), [Some(1); 2]);
+        assert_eq!(["NO-SHUTDOWN", "NO SHUTDOW", "EBS  FAULT", ""].map(read), [None; 4]);
     }
 
     #[test]

@@ -17,7 +17,8 @@ pub const UNSAID: &Edition = &Edition::V3_0;
 /// The protocol as an edition has it: reads and writes the lines that say something in it. A line that is parsed or displayed
 /// by itself says it of [`UNSAID`].
 ///
-/// Names are written as the edition spells them, and read as that or as [`UNSAID`] does.
+/// Names are written as the edition spells them, and read as that or as [`UNSAID`] does, with a space or an underscore between two
+/// words.
 ///
 /// ```
 /// use adsdv_oracle::protocol::Protocol;

@@ -39,8 +39,16 @@ const INSTEAD: &[(&[&str], &str, &[&str])] = &[
     (SINCE_2026, "D-53", &["D-67"]),
 ];
 
-/// What an edition asks for where an earlier one asks for this.
-pub(crate) fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
+/// What an edition asks for where an earlier one asks for this: the identifiers of `spec/REQUIREMENTS.md`.
+///
+/// ```
+/// use adsdv_oracle::suite::of_edition;
+/// use adsdv_spec::Edition;
+///
+/// assert_eq!(of_edition(&Edition::V3_0, "HS-9"), ["HS-9"]);
+/// assert_eq!(of_edition(&Edition::V4_0, "HS-9"), ["HS-17"]);
+/// ```
+pub fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
     let instead = INSTEAD.iter().find(|(editions, old, _)| *old == id && editions.contains(&edition.version));
     instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
 }

@@ -1,0 +1,105 @@
+//! What is certain of the deviations that were found: none is needless, others explain less, and no answer speaks against them.
+
+use crate::deviation::Deviation;
+use crate::fit::{Fit, KINDS, LOOKED_AT};
+use crate::model::Model;
+use crate::sets::{shown_otherwise, with};
+use crate::stays::Stay;
+
+/// So many others in the place of one are looked at.
+const ALIKE: usize = 5;
+
+impl<'a> Fit<'a> {
+    /// The set without what explains nothing that the others do not.
+    pub(crate) fn without_the_needless(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let mut wrong = self.wrong(&set);
+        let mut place = set.len();
+        while place > 0 {
+            place -= 1;
+            let mut fewer = set.clone();
+            fewer.remove(place);
+            let left = self.wrong(&fewer);
+            if left <= wrong {
+                (set, wrong) = (fewer, left);
+                place = place.min(set.len());
+            }
+        }
+        set
+    }
+
+    /// Instead of each deviation others that explain as much, a few of them: the set with the other in its place.
+    pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
+        let all = self.wrong(set);
+        let mut alike: Vec<Vec<Deviation>> = Vec::new();
+        for (place, known) in set.iter().enumerate().take_while(|_| !self.is_over()) {
+            let mut others = set.to_vec();
+            others.remove(place);
+            let without = Model::new(self.edition, &others);
+            let stays = self.stays(&others);
+            let mut needed: Vec<(&Stay<'a>, usize)> = Vec::new();
+            let model = Model::new(self.edition, set);
+            for stay in stays.iter().flat_map(|(_, stays)| stays) {
+                if stay.wrong(&without) > stay.wrong(&model) {
+                    needed.push((stay, stay.wrong(&model)));
+                }
+            }
+            needed.sort_by_key(|(stay, _)| stay.len());
+            needed.truncate(LOOKED_AT);
+            let wrongs = needed.iter().take(KINDS).filter_map(|(stay, _)| stay.first_wrong(&without));
+            let shown: Vec<Deviation> = wrongs.flat_map(|wrong| shown_otherwise(&wrong)).collect();
+            let own = known.state(self.edition);
+            let fits = |one: &Deviation| {
+                own.is_none() || one.state(self.edition).is_none_or(|state| Some(state) == own)
+            };
+            let mut found = 0;
+            for one in self.candidates.single.iter().copied().chain(shown).filter(fits) {
+                if found >= ALIKE || one == *known || others.contains(&one) {
+                    continue;
+                }
+                for other in with(&others, one) {
+                    let model = Model::new(self.edition, &other);
+                    if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
+                        && self.wrong(&other) <= all
+                    {
+                        alike.push(other);
+                        found += 1;
+                    }
+                }
+            }
+        }
+        alike
+    }
+
+    /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
+    /// said of an arrow that some answers tell more about than is explained.
+    pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let mut place = 0;
+        while place < set.len() && self.wrong(&set) > 0 {
+            let mut others = set.clone();
+            let one = others.remove(place);
+            let (model, without) = (Model::new(self.edition, &set), Model::new(self.edition, &others));
+            let (arrow, takes_away) = (one.arrow(self.edition), one.takes_away());
+            let stays = self.stays(&set);
+            let doubts = |stay: &Stay<'a>| {
+                let wrong = stay.wrong(&model);
+                wrong > stay.wrong(&without)
+                    || wrong > 0
+                        && stay.first_wrong(&model).is_some_and(|wrong| {
+                            let from = wrong.from.control.state;
+                            let leaves = wrong.expected == from && wrong.found != from;
+                            arrow.is_some_and(|arrow| {
+                                arrow == (from, wrong.found)
+                                    || arrow == (from, wrong.expected)
+                                    || arrow.0 == from && leaves && takes_away
+                            })
+                        })
+            };
+            if stays.iter().flat_map(|(_, stays)| stays).any(doubts) {
+                (set, place) = (others, 0);
+            } else {
+                place += 1;
+            }
+        }
+        set
+    }
+}

@@ -1,0 +1,45 @@
+//! Sets of deviations: one more, in the place of others, and those that are the same.
+
+use crate::deviation::Deviation;
+use crate::stays::Wrong;
+
+/// The set with one more, in the place of those that cannot be beside it. Of two that lead out of a state as soon as an input has
+/// a value, the first counts, so that both orders differ.
+pub(crate) fn with(set: &[Deviation], one: Deviation) -> Vec<Vec<Deviation>> {
+    let set: Vec<Deviation> = set.iter().copied().filter(|other| !other.is_instead_of(&one)).collect();
+    let set = set.as_slice();
+    let mut sets = vec![[set, &[one]].concat()];
+    let leads_from = |of: &Deviation| match *of {
+        Deviation::Also { from, .. } => Some(from),
+        _ => None,
+    };
+    let own = leads_from(&one);
+    if own.is_some() && set.iter().any(|other| leads_from(other) == own) {
+        sets.push([&[one], set].concat());
+    }
+    sets
+}
+
+pub(crate) fn same(one: &[Deviation], other: &[Deviation]) -> bool {
+    one.len() == other.len()
+        && one.iter().all(|deviation| other.contains(deviation))
+        && one
+            .iter()
+            .filter(|one| matches!(one, Deviation::Also { .. }))
+            .eq(other.iter().filter(|one| matches!(one, Deviation::Also { .. })))
+}
+
+/// What would make a wrong answer right by showing it.
+pub(crate) fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
+    let mut all = Vec::new();
+    for ((key, _, found), right) in wrong.values.iter().copied().zip(wrong.rights.iter().copied()) {
+        let Some(raw) = found else { continue };
+        if key != "as_state" {
+            all.push(Deviation::Shows { state: wrong.expected, key, raw });
+        }
+        if let Some(value) = right.filter(|value| *value != raw) {
+            all.push(Deviation::Writes { key, value, raw });
+        }
+    }
+    all
+}
