@@ -1,5 +1,5 @@
-//! The arguments, and the help texts that stand for a manual page: `bus`, `conform` and `verify` have those of the commands on a
-//! bus, of those that judge a program, and of those that explore the state machine, `diff` those of the comparison of editions,
+//! The arguments, and the help texts that stand for a manual page: `bus`, `conform`, `exam` and `verify` have those of the commands on
+//! a bus, of those that judge a program, of the one that examines an AI Computer, and of those that explore the state machine, `diff` those of the comparison of editions,
 //! and `compare` those of the comparison of recordings; this file has all others.
 
 use std::path::PathBuf;
@@ -14,6 +14,7 @@ mod compare;
 mod conform;
 mod diff;
 mod edition;
+mod exam;
 mod verify;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
@@ -21,6 +22,7 @@ pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
 pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
+pub(crate) use exam::ExamArgs;
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
 
 /// The longest window and deadline that make sense, in milliseconds.
@@ -54,6 +56,9 @@ EXAMPLES
   Drive an AI stack against the virtual VCU, with a judge beside it:
       adsdv vcu vcan0
       adsdv watch vcan0
+
+  Examine an AI stack, without CAN and without a car:
+      adsdv exam --stdio -- python3 my_stack.py
 
   Explore the whole state machine, and walk through it in a browser:
       adsdv verify
@@ -95,6 +100,7 @@ pub(crate) enum Command {
     Demo(DemoArgs),
     Diagram(DiagramArgs),
     Diff(DiffArgs),
+    Exam(ExamArgs),
     Explore(ExploreArgs),
     Export(ExportArgs),
     Readings(ReadingsArgs),
@@ -158,6 +164,8 @@ pub(crate) enum WithJson {
     Watch,
     /// adsdv conform.
     Conform,
+    /// adsdv exam.
+    Exam,
     /// adsdv suite: a line of the suite.
     Suite,
     /// adsdv suite --prove.

@@ -40,6 +40,9 @@ pub(crate) const WATCH_SCHEMA: &str = include_str!("../schema/watch.schema.json"
 /// The JSON Schema of what `adsdv conform --json` writes.
 pub(crate) const CONFORM_SCHEMA: &str = include_str!("../schema/conform.schema.json");
 
+/// The form of what `adsdv exam --json` prints.
+pub(crate) const EXAM_SCHEMA: &str = include_str!("../schema/exam.schema.json");
+
 /// The JSON Schema of what `adsdv verify --json` writes.
 pub(crate) const VERIFY_SCHEMA: &str = include_str!("../schema/verify.schema.json");
 
@@ -303,7 +306,7 @@ impl ChoiceJson {
 
 /// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
 #[allow(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
-fn seconds(ns: i64) -> f64 {
+pub(crate) fn seconds(ns: i64) -> f64 {
     ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
 }
 

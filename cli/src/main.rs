@@ -6,6 +6,7 @@
 //!   |          +-------> the verdict is the exit status
 //!   +------> compare --> what differs between two logs, and the exit status
 //!   +------> conform --> a program under test, asked and judged, and the exit status
+//!   +------> exam -----> an AI Computer under test, asked and judged, and the exit status
 //!   +------> demo -----> a mission without any CAN, judged as a log is
 //!   +------> vcu, ai --> the car, or a small AI Computer, on a bus until it is stopped
 //!   +------> watch ----> the judge of a live bus until it is stopped, and the exit status
@@ -29,6 +30,7 @@ mod conform;
 mod demo;
 mod diff;
 mod error;
+mod exam;
 mod excerpt;
 mod explore;
 mod interrupt;
@@ -73,6 +75,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Compare(args) => compare::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
+        Command::Exam(args) => exam::run(args),
         Command::Dbc(args) => tables::dbc(args),
         Command::Diagram(args) => tables::diagram(args),
         Command::Diff(args) => diff::run(args),

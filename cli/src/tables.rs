@@ -40,6 +40,7 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
         WithJson::Compare => json::COMPARE_SCHEMA,
         WithJson::Watch => json::WATCH_SCHEMA,
         WithJson::Conform => json::CONFORM_SCHEMA,
+        WithJson::Exam => json::EXAM_SCHEMA,
         WithJson::Suite => json::SUITE_SCHEMA,
         WithJson::Prove => json::PROVE_SCHEMA,
         WithJson::Verify => json::VERIFY_SCHEMA,

@@ -248,11 +248,11 @@ fn cycle(text: &str) -> Result<u32, String> {
     ms.ok_or_else(|| format!("expected a whole number of milliseconds from 1 to {LONGEST_CYCLE}"))
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     seconds_up_to(LONGEST_WAIT, text)
 }
 
-fn time_limit(text: &str) -> Result<Duration, String> {
+pub(super) fn time_limit(text: &str) -> Result<Duration, String> {
     seconds_up_to(LONGEST_RUN, text)
 }
 

@@ -13,6 +13,9 @@ mod json;
 mod stop;
 mod text;
 
+pub(crate) use stop::stops_the_program;
+
+use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
@@ -50,8 +53,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         Some(file) => read(file, &pins::machine(edition, &args.readings)?)?,
         None => suite::generate(edition),
     };
-    let name = name(args);
-    stop::stops_the_program().map_err(|error| Error {
+    let name = program_name(&args.command);
+    stops_the_program().map_err(|error| Error {
         what: name.clone(),
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
@@ -170,8 +173,8 @@ fn no_verdict(name: &str, args: &ConformArgs, trouble: &ProgramError) -> Error {
 }
 
 /// The command line of the program, fit for a terminal.
-fn name(args: &ConformArgs) -> String {
-    let words = args.command.iter().map(|word| word.to_string_lossy());
+pub(crate) fn program_name(command: &[OsString]) -> String {
+    let words = command.iter().map(|word| word.to_string_lossy());
     let words: Vec<String> = words
         .map(|word| {
             word.chars()

@@ -4,7 +4,7 @@ use std::io;
 
 /// Lets Ctrl-C, and what else ends the command, end the program under test first.
 #[cfg(unix)]
-pub(super) fn stops_the_program() -> io::Result<()> {
+pub(crate) fn stops_the_program() -> io::Result<()> {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
 
@@ -21,6 +21,6 @@ pub(super) fn stops_the_program() -> io::Result<()> {
 
 /// Elsewhere a terminal tells both.
 #[cfg(not(unix))]
-pub(super) fn stops_the_program() -> io::Result<()> {
+pub(crate) fn stops_the_program() -> io::Result<()> {
     Ok(())
 }

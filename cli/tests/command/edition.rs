@@ -127,6 +127,7 @@ const OTHERS: &[&[&str]] = &[
     &["compare", "none.log", "none.log"],
     &["explore"],
     &["conform", "--", "none"],
+    &["exam", "--stdio", "--", "none"],
     &["verify"],
     &["verify", "--readings"],
 ];
@@ -213,8 +214,8 @@ fn a_schema_needs_no_edition() {
 #[test]
 fn the_help_of_every_command_that_depends_on_it_has_the_option_and_its_values() {
     for command in [
-        "ai", "check", "compare", "conform", "dbc", "demo", "diagram", "explore", "export", "readings",
-        "suite", "vcu", "verify", "watch",
+        "ai", "check", "compare", "conform", "dbc", "demo", "diagram", "exam", "explore", "export",
+        "readings", "suite", "vcu", "verify", "watch",
     ] {
         let help = run(&[command, "--help"]).stdout;
         let values = format!("[possible values: {}]", versions().join(", "));

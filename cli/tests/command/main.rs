@@ -12,6 +12,7 @@ mod diagnosis;
 mod diff;
 mod edition;
 mod errors;
+mod exam;
 mod excerpt;
 mod exercised;
 mod explore;

@@ -4,6 +4,7 @@
 //! - `given.rs`: files that are missing, directories, empty, or rubbish;
 //! - `log.rs`: logs that are cut off, broken in the middle, or have odd times, and a disk that fails while one is read;
 //! - `long_line.rs`: a line of a gigabyte, in little memory;
+//! - `exam.rs`: programs that cannot be examined;
 //! - `bus.rs`: a CAN interface that is not there;
 //! - `output.rs`: readers that leave, and disks that are full;
 //! - `required.rs`: logs that do not show what they are to show;
@@ -14,6 +15,7 @@
 
 mod bus;
 mod cars;
+mod exam;
 mod given;
 mod log;
 mod long_line;

@@ -2,7 +2,7 @@
 
 use std::thread;
 
-use super::{bus, cars, given, log, long_line, output, required, rules};
+use super::{bus, cars, exam, given, log, long_line, output, required, rules};
 use crate::run::file;
 
 /// A row: the condition, the commands, the tests here with their names, and the names of those on SocketCAN, which are in
@@ -17,7 +17,7 @@ macro_rules! tests {
 }
 
 /// The conditions, in the order of the README.
-const CONDITIONS: [&str; 17] = [
+const CONDITIONS: [&str; 18] = [
     "a missing file",
     "a directory",
     "an empty file",
@@ -35,6 +35,7 @@ const CONDITIONS: [&str; 17] = [
     "a log without what is required",
     "a requirement that no log can show",
     "rules that are none",
+    "a program that cannot be examined",
 ];
 
 /// The rows, and what shows that each is as the README has it.
@@ -191,6 +192,12 @@ const ROWS: &[Row] = &[
             rules::rules_that_are_not_there,
             rules::rules_of_another_edition_than_the_log_speaks
         ],
+        &[],
+    ),
+    (
+        "a program that cannot be examined",
+        "`exam`",
+        tests![exam::a_program_that_cannot_be_examined, exam::logs_of_an_exam_that_cannot_be_written],
         &[],
     ),
     ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),

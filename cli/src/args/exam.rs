@@ -1,0 +1,114 @@
+//! The arguments of `exam`.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{Args, ColorChoice};
+
+use super::EditionArgs;
+use super::conform::{seconds, time_limit};
+
+/// Examine an AI Computer: a team's stack, or its logic.
+///
+/// Is its car, its operator and its judge, in one scenario after the other: every mission, "Go" that comes late, early or not for
+/// long, E-stops, power cycles, frames that are lost or late, wheels that stand or spin. Each requirement of the AI Computer
+/// passes, fails, or was not exercised; an AI Computer that does nothing fails what it should have done.
+///
+/// The program is asked through its standard input and output, in simulated time: for every 10 ms one JSON object a line with
+/// the frames on the bus, and one back with the frames that it sends. exam/PROTOCOL.md says all about these lines, and
+/// exam/examples has stacks in C and in Python.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  adsdv exam --stdio -- python3 exam/examples/minimal.py
+  adsdv exam --stdio --edition 2026 -- ./my_stack --stdio
+
+  What is there, and some of it:
+      adsdv exam --list
+      adsdv exam --stdio --only mission-skidpad --only estop -- ./my_stack
+
+  The logs of the scenarios, each as `adsdv check` reads it:
+      adsdv exam --stdio --logs logs -- ./my_stack
+      adsdv check logs/mission-skidpad.log
+
+  A stack that drives for longer than a minute:
+      adsdv exam --stdio --mission-time 300 -- ./my_stack
+
+  The requirements that failed, for a program:
+      adsdv exam --stdio --json -- ./my_stack | jq '.requirements[] | select(.outcome == \"fail\")'
+
+OUTPUT
+  FAILED         the requirements that are not kept, each with how many scenarios show it, and
+                 what is wrong in the one in which it shows soonest
+  FINDINGS       of each of these what was seen and what was expected, in the words of
+                 `adsdv check` where that sees it as well; what the operator had done by
+                 then, the last frames, and what the car did
+  NOT EXERCISED  the requirements that nothing shows, and why
+  Last comes the verdict.
+
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none
+  NO_COLOR       if set and not empty, --color auto means never
+
+EXIT STATUS
+  0  nothing is wrong
+  1  a requirement failed, or something else is wrong
+  2  no verdict: the program could not be started, ended early, did not answer in
+     time, or does not speak the protocol; or the arguments are wrong")]
+pub(crate) struct ExamArgs {
+    /// The program, and its arguments, after --.
+    #[arg(value_name = "PROGRAM", required_unless_present = "list", last = true, num_args = 1..)]
+    pub(crate) command: Vec<OsString>,
+
+    /// Ask the program through its standard input and output, in simulated time.
+    #[arg(long, required_unless_present = "list")]
+    pub(crate) stdio: bool,
+
+    /// List the scenarios.
+    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs"])]
+    pub(crate) list: bool,
+
+    /// Only the scenarios whose names begin so; may be repeated.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
+
+    /// Write the frames of each scenario to a log of its own in this directory, as the AI Computer would have recorded them.
+    ///
+    /// The directory is made if it is not there. `adsdv check` judges each log again.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) logs: Option<PathBuf>,
+
+    /// How long a mission may take, from AS_DRIVING to FINISHED.
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) mission_time: Duration,
+
+    /// How long the program may take for an answer.
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) timeout: Duration,
+
+    /// How long the program may take for all that it is asked.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "900",
+        value_parser = time_limit,
+        allow_negative_numbers = true
+    )]
+    pub(crate) time_limit: Duration,
+
+    /// List the requirements that passed as well.
+    #[arg(long)]
+    pub(crate) all: bool,
+
+    /// Print JSON; `adsdv schema exam` prints its schema.
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
+
+    /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
+    pub(crate) color: ColorChoice,
+}

@@ -1,0 +1,223 @@
+//! What came of it as text for a person.
+
+use std::fmt::{self, Write as _};
+
+use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome, Sent};
+
+use super::Examinee;
+use crate::layout::{Seconds, counted, wrapped};
+use crate::report::style::{self, Styled};
+
+/// The columns of a requirement.
+const ID: usize = 7;
+/// So many findings are told in full.
+const FINDINGS: usize = 12;
+
+/// The scenarios, a line each.
+pub(super) fn list(scenarios: &[ExamScenario]) -> String {
+    let width = scenarios.iter().map(|scenario| scenario.name.len()).max().unwrap_or_default();
+    let mut text = String::new();
+    for ExamScenario { name, about, .. } in scenarios {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "{name:width$}  {about}");
+    }
+    text
+}
+
+pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport, width: usize) -> String {
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write(&mut text, subject, report, width);
+    text
+}
+
+fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: usize) -> fmt::Result {
+    writeln!(out, "{}", subject.edition)?;
+    let time_ms: u64 = report.scenarios.iter().map(|scenario| scenario.duration_ms).sum();
+    let scenarios = counted(report.scenarios.len() as u64, "scenario");
+    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ns(time_ms)))?;
+    for note in &report.notes {
+        writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
+    }
+    let shown = shown(report);
+    failed(out, report, &shown, width)?;
+    findings(out, report, &shown, width)?;
+    passed(out, subject, report)?;
+    not_exercised(out, report, width)?;
+    verdict(out, subject, report)
+}
+
+/// The findings that are told: of each requirement that failed the one that shows soonest, and all that are against none, once.
+fn shown(report: &ExamReport) -> Vec<usize> {
+    let soonest = report.requirements.iter().filter_map(|one| match &one.outcome {
+        Outcome::Fail(places) => places.first().copied(),
+        _ => None,
+    });
+    let mut shown: Vec<usize> = soonest.collect();
+    for (place, finding) in report.findings.iter().enumerate() {
+        let is_told = |other: &usize| {
+            report.findings.get(*other).is_some_and(|other| other.found_by == finding.found_by)
+        };
+        if finding.requirements.is_empty() && !shown.iter().any(is_told) {
+            shown.push(place);
+        }
+    }
+    let mut seen = std::collections::HashSet::new();
+    shown.retain(|place| seen.insert(*place));
+    shown
+}
+
+fn failed(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+    if report.findings.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{}", Styled(style::HEADING, "FAILED"))?;
+    for Examined { id, about, outcome } in &report.requirements {
+        let Outcome::Fail(places) = outcome else { continue };
+        let mut names: Vec<usize> =
+            places.iter().filter_map(|place| Some(report.findings.get(*place)?.scenario)).collect();
+        names.sort_unstable();
+        names.dedup();
+        let number = places.first().and_then(|first| shown.iter().position(|place| place == first));
+        let number = number.map_or(String::new(), |number| format!("; finding {}", number + 1));
+        let scenarios = counted(names.len() as u64, "scenario");
+        let line = format!("{about} ({scenarios}{number})");
+        write!(out, "  {} ", Styled(style::BAD, format!("{id:ID$}")))?;
+        let mut text = String::new();
+        wrapped(&mut text, line.split(' '), ID + 3, width);
+        out.push_str(text.trim_start());
+    }
+    let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
+    if others > 0 {
+        let what = counted(others as u64, "finding");
+        writeln!(
+            out,
+            "  {} {what} against no single requirement",
+            Styled(style::BAD, format!("{:ID$}", "-"))
+        )?;
+    }
+    Ok(())
+}
+
+fn findings(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+    if shown.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{}", Styled(style::HEADING, "FINDINGS"))?;
+    let told = shown.iter().filter_map(|place| report.findings.get(*place));
+    for (number, finding) in told.enumerate().take(FINDINGS) {
+        one(out, report, number + 1, finding, width)?;
+    }
+    if let Some(more) = shown.len().checked_sub(FINDINGS).filter(|more| *more > 0) {
+        writeln!(out, "\n  and {more} more (--json has all)")?;
+    }
+    Ok(())
+}
+
+fn one(
+    out: &mut String,
+    report: &ExamReport,
+    number: usize,
+    finding: &ExamFinding,
+    width: usize,
+) -> fmt::Result {
+    let scenario = report.scenarios.get(finding.scenario);
+    let (name, about) = scenario.map_or(("", ""), |one| (one.name.as_str(), one.about.as_str()));
+    if number > 1 {
+        writeln!(out)?;
+    }
+    writeln!(
+        out,
+        "  {number:2}  {} s  AI   {:9} {}  {}",
+        Seconds(finding.t_ns),
+        finding.section,
+        finding.found_by.id(),
+        finding.requirements.join(" "),
+    )?;
+    wrapped(out, format!("{}; expected {}", finding.seen, finding.expected).split(' '), 6, width);
+    field(out, "scenario", &format!("{name}: {about}"), width);
+    let did: Vec<String> =
+        finding.operator.iter().map(|(ms, what)| format!("{} s {what}", Seconds(ns(*ms)))).collect();
+    field(out, "operator", &did.join("; "), width);
+    field(out, "car", &finding.car, width);
+    let frames: Vec<String> = finding.frames.iter().map(shown_frame).collect();
+    for (place, frames) in frames.chunks(3).enumerate() {
+        let label = if place == 0 { "frames" } else { "" };
+        writeln!(out, "      {label:9} {}", frames.join("   "))?;
+    }
+    Ok(())
+}
+
+fn shown_frame(sent: &Sent) -> String {
+    format!("{} {}", Seconds(sent.t_ns), sent.frame)
+}
+
+fn field(out: &mut String, label: &str, value: &str, width: usize) {
+    if value.is_empty() {
+        return;
+    }
+    let mut text = String::new();
+    wrapped(&mut text, value.split(' '), 16, width);
+    // Writing to a string does not fail.
+    let _ = write!(out, "      {label:9} {}", text.trim_start());
+}
+
+fn passed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
+    let passed = report.count("pass");
+    writeln!(out, "\n{}", Styled(style::HEADING, "PASSED"))?;
+    if !subject.args.all {
+        let told = if passed > 0 { " (--all lists them)" } else { "" };
+        return writeln!(out, "  {}{told}", counted(passed as u64, "requirement"));
+    }
+    for one in report.requirements.iter().filter(|one| one.outcome == Outcome::Pass) {
+        writeln!(out, "  {} {}", Styled(style::GOOD, format!("{:ID$}", one.id)), one.about)?;
+    }
+    Ok(())
+}
+
+fn not_exercised(out: &mut String, report: &ExamReport, width: usize) -> fmt::Result {
+    let mut whys: Vec<(&str, Vec<&str>)> = Vec::new();
+    for one in &report.requirements {
+        let Outcome::NotExercised(why) = &one.outcome else { continue };
+        match whys.iter_mut().find(|(known, _)| known == why) {
+            Some((_, ids)) => ids.push(one.id),
+            None => whys.push((why, vec![one.id])),
+        }
+    }
+    if whys.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{}", Styled(style::HEADING, "NOT EXERCISED"))?;
+    for (why, ids) in whys {
+        wrapped(out, format!("{}: {why}", ids.join(", ")).split(' '), 2, width);
+    }
+    Ok(())
+}
+
+fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
+    writeln!(out)?;
+    let limit = subject.edition.edition().rules.timing.handshake_ms;
+    match &report.slowest {
+        Some(times) => {
+            let ms = |value: Option<f64>| value.unwrap_or_default();
+            writeln!(
+                out,
+                "handshake: in the slowest scenario median {:.2}, max {:.2} ms, limit {limit} ms",
+                ms(times.quantile_ms(0.5)),
+                ms(times.max_ms()),
+            )?;
+        }
+        None => writeln!(out, "handshake: never answered, limit {limit} ms")?,
+    }
+    let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
+    writeln!(out, "requirements: {fail} failed, {pass} passed, {not} not exercised")?;
+    if report.passes() {
+        writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
+    } else {
+        writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
+    }
+}
+
+fn ns(ms: u64) -> i64 {
+    i64::try_from(ms).unwrap_or(i64::MAX / 1_000_000).saturating_mul(1_000_000)
+}

@@ -1,0 +1,309 @@
+//! The requirements that an AI Computer is examined on, what exercises each, and which of them a finding of the judge is against.
+
+use adsdv_oracle::judge::{Finding, Rule};
+use adsdv_oracle::suite::{Reason, untested};
+use adsdv_spec::messages::{Frame, SignalDef};
+use adsdv_spec::{AiMessages, Atom, Atoms, Edition};
+
+use crate::tally::Tally;
+
+/// A requirement of the exam.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Entry {
+    /// As `REQUIREMENTS.md` names it.
+    pub(crate) id: &'static str,
+    /// What it asks for, in a few words.
+    pub(crate) about: &'static str,
+    by: By,
+    /// The editions that have it, where the judge's list of what binds the AI Computer does not say.
+    editions: &'static [&'static str],
+}
+
+/// What exercises a requirement.
+#[derive(Clone, Copy, Debug)]
+enum By {
+    /// An expectation, or the judge, has looked at it.
+    Expectation,
+    /// A value of this field that is not 0.
+    Field(&'static str),
+    /// A frame of any message.
+    Sending,
+    /// The vehicle has moved in AS_DRIVING.
+    Moving,
+    /// Nothing: why.
+    Nothing(&'static str),
+}
+
+const ALL: &[&str] = &["3.0", "4.0", "2026"];
+const V3_0: &[&str] = &["3.0"];
+const V4_0: &[&str] = &["4.0"];
+const SINCE_4_0: &[&str] = &["4.0", "2026"];
+const V2026: &[&str] = &["2026"];
+/// The judge's list says which editions have it.
+const LISTED: &[&str] = &[];
+
+const ANY: &str = "any value is allowed, and nobody here knows which one is true";
+
+const fn entry(id: &'static str, about: &'static str, by: By) -> Entry {
+    Entry { id, about, by, editions: LISTED }
+}
+
+const fn of(editions: &'static [&'static str], id: &'static str, about: &'static str, by: By) -> Entry {
+    Entry { id, about, by, editions }
+}
+
+/// The identifiers of the messages.
+const STATUS: u16 = AiMessages::IDS[0];
+const DRIVE_F: u16 = AiMessages::IDS[1];
+const DRIVE_R: u16 = AiMessages::IDS[2];
+const STEER: u16 = AiMessages::IDS[3];
+const BRAKE: u16 = AiMessages::IDS[4];
+const DYNAMICS: u16 = crate::look::SENT[5];
+
+/// All of them, in the order of the document.
+const ENTRIES: &[Entry] = &[
+    entry("MSG-1", "sends AI2LOG_Dynamics2 (501h)", By::Expectation),
+    entry("MSG-2", "501h: longitudinal acceleration", By::Nothing(ANY)),
+    entry("MSG-3", "501h: lateral acceleration", By::Nothing(ANY)),
+    entry("MSG-4", "501h: yaw rate", By::Nothing(ANY)),
+    entry("MSG-5", "sends AI2VCU_Status (510h)", By::Expectation),
+    entry("MSG-6", "510h: HANDSHAKE is 0 or 1", By::Field("handshake")),
+    entry("MSG-7", "510h: ESTOP_REQUEST is 0 or 1", By::Field("estop_request")),
+    entry("MSG-8", "510h: MISSION_STATUS is 0 to 3", By::Field("mission_status")),
+    entry("MSG-10", "510h: DIRECTION_REQUEST is 0 or 1", By::Field("direction_request")),
+    entry("MSG-11", "510h: LAP_COUNTER", By::Nothing(ANY)),
+    entry("MSG-12", "510h: CONES_COUNT_ACTUAL", By::Nothing(ANY)),
+    entry("MSG-13", "510h: CONES_COUNT_ALL", By::Nothing(ANY)),
+    entry("MSG-14", "510h: actual speed", By::Nothing(ANY)),
+    entry("MSG-15", "510h: demanded speed", By::Nothing(ANY)),
+    entry("MSG-16", "sends AI2VCU_Drive_F (511h)", By::Expectation),
+    entry("MSG-17", "511h: front torque from 0 to 195 Nm", By::Field("front_axle_trq_request")),
+    entry("MSG-19", "511h: motor speed from 0 to 4000 rpm", By::Field("front_motor_speed_max")),
+    entry("MSG-20", "sends AI2VCU_Drive_R (512h)", By::Expectation),
+    entry("MSG-21", "512h: rear torque from 0 to 195 Nm", By::Field("rear_axle_trq_request")),
+    entry("MSG-22", "512h: motor speed from 0 to 4000 rpm", By::Field("rear_motor_speed_max")),
+    entry("MSG-23", "sends AI2VCU_Steer (513h)", By::Expectation),
+    entry("MSG-24", "513h: steer angle up to 24 degrees", By::Field("steer_request")),
+    entry("MSG-26", "sends AI2VCU_Brake (514h)", By::Expectation),
+    entry("MSG-27", "514h: front pressure from 0 to 100 %", By::Field("hyd_press_f_req")),
+    entry("MSG-28", "514h: rear pressure from 0 to 100 %", By::Field("hyd_press_r_req")),
+    of(V4_0, "MSG-97", "its messages are as long as they should be", By::Sending),
+    entry("MSG-98", "sends 510h to 514h every 10 ms", By::Expectation),
+    entry("MSG-99", "513h: steer angle up to 21 degrees", By::Field("steer_request")),
+    entry("MSG-102", "sends 501h every 10 ms", By::Expectation),
+    entry("MSG-105", "513h: steer angle up to 30 degrees", By::Field("steer_request")),
+    of(V2026, "MSG-113", "its messages are as long as they should be", By::Sending),
+    entry("ID-1", "does not send 000h", By::Sending),
+    entry("ID-2", "does not send 080h to 084h", By::Sending),
+    entry("ID-3", "does not send 100h", By::Sending),
+    entry("ID-4", "does not send 120h to 124h", By::Sending),
+    entry("ID-5", "does not send 181h to 184h", By::Sending),
+    entry("ID-6", "does not send 201h", By::Sending),
+    entry("ID-7", "does not send 284h", By::Sending),
+    entry("ID-8", "does not send 301h", By::Sending),
+    entry("ID-9", "does not send 410h to 41Fh", By::Sending),
+    entry("ID-10", "does not send 450h to 470h", By::Sending),
+    entry("ID-11", "does not send 4E2h", By::Sending),
+    entry("ID-12", "does not send 4FDh to 4FFh", By::Sending),
+    entry("ID-13", "does not send 550h", By::Sending),
+    entry("ID-14", "does not send 581h to 584h", By::Sending),
+    entry("ID-15", "does not send 601h", By::Sending),
+    entry("ID-16", "does not send 604h", By::Sending),
+    entry("ID-18", "does not send 600h to 640h", By::Sending),
+    entry("ID-19", "does not send 650h to 660h", By::Sending),
+    entry("ID-17", "does not send 700h to 705h", By::Sending),
+    entry("ID-20", "does not send what is the VCU's or its devices'", By::Sending),
+    entry("HS-2", "HANDSHAKE is in the first byte of 510h", By::Field("handshake")),
+    entry("HS-5", "answers the HANDSHAKE bit of 520h", By::Expectation),
+    of(V3_0, "HS-13", "may take 20 ms for an answer", By::Nothing("it is a permission")),
+    of(SINCE_4_0, "HS-18", "lets no message be missed for 100 ms", By::Sending),
+    entry("RDY-7", "confirms the mission that is selected", By::Expectation),
+    of(ALL, "DRV-5", "requests no front torque in AS_READY", By::Expectation),
+    of(ALL, "DRV-6", "requests no rear torque in AS_READY", By::Expectation),
+    of(ALL, "DRV-7", "requests no steer angle in AS_READY", By::Expectation),
+    of(ALL, "DRV-8", "requests NEUTRAL in AS_READY", By::Expectation),
+    entry("DRV-10", "requests FORWARD in AS_DRIVING", By::Expectation),
+    entry("FIN-1", "tells that the mission is completed", By::Expectation),
+    entry("FIN-2", "stops with the service brake", By::Expectation),
+    entry("FIN-3", "tells FINISHED once the vehicle has stopped", By::Expectation),
+    of(V3_0, "DTE-5", "does not request NEUTRAL while moving", By::Moving),
+    of(SINCE_4_0, "IMP-6", "does not request NEUTRAL while moving", By::Moving),
+    of(SINCE_4_0, "IMP-8", "does not drive and brake at once", By::Moving),
+    of(V3_0, "D-30", "its messages are as long as they should be", By::Sending),
+    entry("D-32", "does not send REVERSE", By::Field("direction_request")),
+];
+
+/// Those that an edition has.
+pub(crate) fn of_edition(edition: &Edition) -> Vec<Entry> {
+    let binds: Vec<String> = untested(edition)
+        .filter(|untested| untested.reason == Reason::AnotherParty)
+        .map(|untested| untested.id)
+        .collect();
+    let holds = |entry: &&Entry| match entry.editions {
+        [] => binds.iter().any(|id| id == entry.id),
+        editions => editions.contains(&edition.version),
+    };
+    ENTRIES.iter().filter(holds).copied().collect()
+}
+
+impl Entry {
+    /// Why it was not exercised, by what was sent; `None` if it was.
+    pub(crate) fn lacks(&self, tally: &Tally, is_expected: bool) -> Option<String> {
+        match self.by {
+            By::Expectation if is_expected => None,
+            By::Expectation => Some("no scenario came so far".to_owned()),
+            By::Field(field) if tally.fields.contains(field) => None,
+            By::Field(_) => Some("it was always 0, or never sent".to_owned()),
+            By::Sending if !tally.ids.is_empty() => None,
+            By::Sending => Some("it sent nothing".to_owned()),
+            By::Moving if tally.moved => None,
+            By::Moving => Some("the vehicle never moved in AS_DRIVING".to_owned()),
+            By::Nothing(why) => Some(why.to_owned()),
+        }
+    }
+}
+
+/// The requirement that a field of a message of the AI Computer keeps its range; in the order of the editions where they differ.
+const RANGES: &[(&str, &[&str])] = &[
+    ("handshake", &["MSG-6"]),
+    ("estop_request", &["MSG-7"]),
+    ("mission_status", &["MSG-8"]),
+    ("direction_request", &["MSG-10", "D-32"]),
+    ("front_axle_trq_request", &["MSG-17"]),
+    ("front_motor_speed_max", &["MSG-19"]),
+    ("rear_axle_trq_request", &["MSG-21"]),
+    ("rear_motor_speed_max", &["MSG-22"]),
+    ("steer_request", &["MSG-24", "MSG-99", "MSG-105"]),
+    ("hyd_press_f_req", &["MSG-27"]),
+    ("hyd_press_r_req", &["MSG-28"]),
+];
+
+/// The requirement that a message comes.
+const MESSAGES: [(u16, &str); 6] = [
+    (STATUS, "MSG-5"),
+    (DRIVE_F, "MSG-16"),
+    (DRIVE_R, "MSG-20"),
+    (STEER, "MSG-23"),
+    (BRAKE, "MSG-26"),
+    (DYNAMICS, "MSG-1"),
+];
+
+/// The requirements that a finding about the AI Computer is against: those that the judge names, or those of its rule. `frame` is
+/// the one that the finding is about, where it is about one, and `requests` what holds of all that is requested.
+pub(crate) fn against(
+    edition: &Edition,
+    finding: &Finding,
+    frame: Option<&Frame>,
+    requests: Atoms,
+) -> Vec<&'static str> {
+    let ids: Vec<&'static str> = if finding.requirements.is_empty() {
+        of_rule(edition, finding.rule, frame, requests)
+    } else {
+        finding.requirements.clone()
+    };
+    held_by(edition, ids)
+}
+
+/// Those of these that the edition has.
+pub(crate) fn held_by(edition: &Edition, ids: Vec<&'static str>) -> Vec<&'static str> {
+    let entries = of_edition(edition);
+    ids.into_iter().filter(|id| entries.iter().any(|entry| entry.id == *id)).collect()
+}
+
+fn of_rule(edition: &Edition, rule: Rule, frame: Option<&Frame>, requests: Atoms) -> Vec<&'static str> {
+    match rule {
+        Rule::Value => frame.map(|frame| of_values(edition, frame)).unwrap_or_default(),
+        Rule::TooShort => frame.map(|frame| of_message(frame.id)).unwrap_or_default(),
+        Rule::Length => vec!["MSG-97", "MSG-113", "D-30"],
+        Rule::Reserved => frame.map(|frame| of_reserved(edition, frame.id)).unwrap_or_default(),
+        Rule::Sender => vec!["ID-20"],
+        Rule::NeutralMoving => vec!["DTE-5", "IMP-6"],
+        Rule::BrakeAndTorque => vec!["IMP-8"],
+        Rule::MessageMissed => vec!["HS-18", "MSG-98"],
+        Rule::ReadyHeld => of_requests(requests),
+        _ => Vec::new(),
+    }
+}
+
+fn of_message(id: u16) -> Vec<&'static str> {
+    MESSAGES.iter().filter(|(sent, _)| *sent == id).map(|(_, requirement)| *requirement).collect()
+}
+
+fn of_values(edition: &Edition, frame: &Frame) -> Vec<&'static str> {
+    let bad = |signal: &&SignalDef| signal.raw(frame.data()).is_some_and(|raw| !signal.allows(raw));
+    let signals = edition.bus.message(frame.id).map(|def| def.signals).unwrap_or_default();
+    let fields = signals.iter().filter(bad).map(|signal| signal.field);
+    fields
+        .flat_map(|field| RANGES.iter().filter(move |(range, _)| *range == field))
+        .flat_map(|(_, ids)| ids.iter().copied())
+        .collect()
+}
+
+/// The ranges of reserved identifiers stand in the document in the order of the list: each is one requirement.
+fn of_reserved(edition: &Edition, id: u16) -> Vec<&'static str> {
+    let ids: Vec<&str> = of_edition(edition)
+        .into_iter()
+        .map(|entry| entry.id)
+        .filter(|id| id.starts_with("ID-") && *id != "ID-20")
+        .collect();
+    let place = edition.bus.reserved.iter().position(|range| range.contains(&id));
+    place.and_then(|place| ids.get(place).copied()).into_iter().collect()
+}
+
+/// What holds the car in AS_READY.
+pub(crate) fn of_requests(requests: Atoms) -> Vec<&'static str> {
+    let needed = [
+        (Atom::FrontTorqueZero, "DRV-5"),
+        (Atom::RearTorqueZero, "DRV-6"),
+        (Atom::SteerRequestZero, "DRV-7"),
+        (Atom::DirectionNeutral, "DRV-8"),
+    ];
+    needed.into_iter().filter(|(atom, _)| !requests.has(*atom)).map(|(_, id)| id).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What binds a person.
+    const OTHERS: [&str; 4] = ["HS-11", "RDY-8", "DRV-13", "ETO-4"];
+
+    #[test]
+    fn every_requirement_that_binds_the_ai_computer_is_examined() {
+        for edition in Edition::ALL {
+            let entries = of_edition(edition);
+            let binds = untested(edition).filter(|one| one.reason == Reason::AnotherParty);
+            for untested in binds.filter(|one| !OTHERS.contains(&one.id.as_str())) {
+                let count = entries.iter().filter(|entry| entry.id == untested.id).count();
+                assert_eq!(count, 1, "{} in {}", untested.id, edition.version);
+            }
+        }
+    }
+
+    #[test]
+    fn each_range_of_reserved_identifiers_has_its_requirement() {
+        for edition in Edition::ALL {
+            for range in edition.bus.reserved {
+                for id in range.clone() {
+                    let found = of_reserved(edition, id);
+                    let [found] = found[..] else { panic!("{id:03X} in {}", edition.version) };
+                    let entry = ENTRIES.iter().find(|entry| entry.id == found).expect("an entry");
+                    let from = format!("{:03X}h", range.start());
+                    let to = format!("{:03X}h", range.end());
+                    assert!(entry.about.contains(&from) && entry.about.contains(&to), "{id:03X}: {found}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn each_range_of_a_signal_is_a_requirement_of_each_edition() {
+        for edition in Edition::ALL {
+            for (field, ids) in RANGES {
+                assert!(edition.bus.signal_of(field).is_some(), "{field}");
+                let held = held_by(edition, ids.to_vec());
+                assert!(!held.is_empty() && held.len() <= 2, "{field} in {}: {held:?}", edition.version);
+            }
+        }
+    }
+}

@@ -1,0 +1,408 @@
+//! The whole exam: one scenario after the other, and what comes of it for each requirement.
+
+use std::collections::BTreeMap;
+
+use adsdv_oracle::judge::{Finding, Party, ResponseTimes, Rule, Severity};
+use adsdv_spec::{AiMessages, Atoms, Edition};
+
+use crate::catalogue::{self, Entry};
+use crate::expectations::{ANSWERS, HOLDS_STILL};
+use crate::program_error::StackError;
+use crate::scenario::ExamScenario;
+use crate::session::{Change, Ran, Sent, SessionError, run};
+use crate::stack::Stack;
+use crate::tally::Tally;
+
+/// How an exam is held.
+#[derive(Clone, Copy, Debug)]
+pub struct ExamOptions {
+    /// The edition of the interface.
+    pub edition: &'static Edition,
+    /// How long a mission may take, in milliseconds of AS_DRIVING.
+    pub mission_ms: u64,
+}
+
+impl ExamOptions {
+    /// How an AI Computer of this edition is examined where nobody asks for something else.
+    pub const fn of(edition: &'static Edition) -> Self {
+        Self { edition, mission_ms: 60_000 }
+    }
+}
+
+/// Where the words of a finding come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FoundBy {
+    /// The judge of `adsdv check`, by this rule.
+    Judge(Rule),
+    /// The exam: something that was to be done was not.
+    Exam,
+}
+
+impl FoundBy {
+    /// The stable identifier of the rule; `not-done` where the exam found it.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Judge(rule) => rule.id(),
+            Self::Exam => "not-done",
+        }
+    }
+}
+
+/// Something that is wrong in a scenario.
+#[derive(Clone, Debug)]
+pub struct ExamFinding {
+    /// The place of the scenario.
+    pub scenario: usize,
+    /// When, in nanoseconds since its start.
+    pub t_ns: i64,
+    /// Where the rule stands.
+    pub section: String,
+    /// Who found it.
+    pub found_by: FoundBy,
+    /// The requirements that it is against; none where no single one is.
+    pub requirements: Vec<&'static str>,
+    /// What was seen.
+    pub seen: String,
+    /// What was expected instead.
+    pub expected: String,
+    /// What the operator had done by then, and when, in milliseconds.
+    pub operator: Vec<(u64, String)>,
+    /// The frames around it.
+    pub frames: Vec<Sent>,
+    /// What the car did then.
+    pub car: String,
+}
+
+/// What came of a scenario.
+#[derive(Clone, Debug)]
+pub struct ScenarioOutcome {
+    /// Its name.
+    pub name: String,
+    /// What it is about.
+    pub about: String,
+    /// How long it was, in milliseconds.
+    pub duration_ms: u64,
+    /// How many frames were on the bus.
+    pub frames: usize,
+    /// How many findings it has.
+    pub findings: usize,
+    /// What it waited for in vain, if it came to no end.
+    pub stuck: Option<String>,
+}
+
+/// What came of a requirement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It was exercised, and kept.
+    Pass,
+    /// It was not kept: the places of the findings, the one of the shortest scenario first.
+    Fail(Vec<usize>),
+    /// Nothing shows whether it is kept: why.
+    NotExercised(String),
+}
+
+impl Outcome {
+    /// `pass`, `fail` or `not exercised`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail(_) => "fail",
+            Self::NotExercised(_) => "not exercised",
+        }
+    }
+}
+
+/// A requirement with its outcome.
+#[derive(Clone, Debug)]
+pub struct Examined {
+    /// As `REQUIREMENTS.md` names it.
+    pub id: &'static str,
+    /// What it asks for, in a few words.
+    pub about: &'static str,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// Everything that there is to say.
+#[derive(Clone, Debug)]
+pub struct ExamReport {
+    /// The scenarios, in their order.
+    pub scenarios: Vec<ScenarioOutcome>,
+    /// The requirements, in the order of the document.
+    pub requirements: Vec<Examined>,
+    /// All that is wrong, in the order of the scenarios.
+    pub findings: Vec<ExamFinding>,
+    /// How fast the handshake was answered in the slowest scenario.
+    pub slowest: Option<ResponseTimes>,
+    /// What is worth a note about the program.
+    pub notes: Vec<String>,
+}
+
+impl ExamReport {
+    /// Whether nothing is wrong.
+    pub fn passes(&self) -> bool {
+        self.findings.is_empty()
+    }
+
+    /// How many requirements came to this: pass, fail, not exercised.
+    pub fn count(&self, outcome: &str) -> usize {
+        self.requirements.iter().filter(|one| one.outcome.name() == outcome).count()
+    }
+}
+
+/// How far it is, and what was on the bus of the scenario that has just ended.
+#[derive(Debug)]
+pub struct ExamProgress<'a> {
+    /// The name of the scenario.
+    pub name: &'a str,
+    /// How many are done, and how many there are.
+    pub done: (usize, usize),
+    /// All frames of it.
+    pub sent: &'a [Sent],
+}
+
+/// Examines an AI Computer in these scenarios.
+///
+/// `ended` is told of each scenario when it is over; what it returns is an error that ends the exam.
+///
+/// ```
+/// use adsdv_exam::{ExamOptions, Reference, exam, scenarios};
+/// use adsdv_spec::Edition;
+///
+/// let options = ExamOptions::of(Edition::DEFAULT);
+/// let some: Vec<_> = scenarios().into_iter().filter(|one| one.name == "mission-track-drive").collect();
+/// let report = exam(&mut Reference::default(), &some, &options, &mut |_| {})?;
+/// assert!(report.passes());
+/// # Ok::<(), adsdv_exam::StackError>(())
+/// ```
+pub fn exam(
+    stack: &mut dyn Stack,
+    scenarios: &[ExamScenario],
+    options: &ExamOptions,
+    ended: &mut dyn FnMut(&ExamProgress<'_>),
+) -> Result<ExamReport, StackError> {
+    let mut marks = Marks::new(options.edition);
+    let mut report = ExamReport {
+        scenarios: Vec::new(),
+        requirements: Vec::new(),
+        findings: Vec::new(),
+        slowest: None,
+        notes: Vec::new(),
+    };
+    stack.hello(options.edition)?;
+    for (place, scenario) in scenarios.iter().enumerate() {
+        let ran = match run(scenario, options.edition, options.mission_ms, stack) {
+            Ok(ran) => ran,
+            Err(SessionError::Stack(error)) => return Err(error),
+            Err(SessionError::Scenario(wrong)) => {
+                // The tests read every scenario of this crate: somebody else's is left out, and named.
+                report.notes.push(format!("{}: {wrong}", scenario.name));
+                continue;
+            }
+        };
+        let before = report.findings.len();
+        findings(&ran, place, options.edition, &mut report.findings);
+        marks.ran(&ran);
+        report.scenarios.push(ScenarioOutcome {
+            name: scenario.name.clone(),
+            about: scenario.about.clone(),
+            duration_ms: ran.duration_ms,
+            frames: ran.sent.len(),
+            findings: report.findings.len() - before,
+            stuck: ran.stuck.as_ref().map(ToString::to_string),
+        });
+        let slower = |slowest: &ResponseTimes| ran.report.responses.max_ms() > slowest.max_ms();
+        if ran.report.responses.count() > 0 && report.slowest.as_ref().is_none_or(slower) {
+            report.slowest = Some(ran.report.responses.clone());
+        }
+        let done = (place + 1, scenarios.len());
+        ended(&ExamProgress { name: &scenario.name, done, sent: &ran.sent });
+    }
+    report.notes.extend(stack.end()?);
+    report.requirements = marks.outcomes(&report.findings);
+    Ok(report)
+}
+
+/// Which requirements were exercised.
+struct Marks {
+    entries: Vec<Entry>,
+    expected: Vec<&'static str>,
+    tally: Tally,
+}
+
+impl Marks {
+    fn new(edition: &Edition) -> Self {
+        Self { entries: catalogue::of_edition(edition), expected: Vec::new(), tally: Tally::default() }
+    }
+
+    fn ran(&mut self, ran: &Ran) {
+        self.tally.add(&ran.tally);
+        let exercised = ran.followed.iter().filter(|followed| followed.exercised);
+        self.expected.extend(exercised.flat_map(|followed| followed.expectation.against));
+        // An answer within the cycle is never seen to be missing.
+        if ran.report.responses.count() > 0 {
+            self.expected.extend(ANSWERS.against);
+        }
+    }
+
+    fn outcomes(self, findings: &[ExamFinding]) -> Vec<Examined> {
+        let one = |entry: &Entry| {
+            let broken = findings.iter().enumerate().filter(|(_, one)| one.requirements.contains(&entry.id));
+            let mut broken: Vec<(i64, usize)> = broken.map(|(place, one)| (one.t_ns, place)).collect();
+            broken.sort_unstable();
+            let outcome = if broken.is_empty() {
+                let lacks = entry.lacks(&self.tally, self.expected.contains(&entry.id));
+                lacks.map_or(Outcome::Pass, Outcome::NotExercised)
+            } else {
+                Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
+            };
+            Examined { id: entry.id, about: entry.about, outcome }
+        };
+        self.entries.iter().map(one).collect()
+    }
+}
+
+/// What is wrong in a scenario: what the judge says of the AI Computer, and what was to be done and was not.
+fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
+    let first = all.len();
+    // The judge counts from the first frame.
+    let start_ns = ran.sent.first().map_or(0, |sent| sent.t_ns);
+    let judged = ran.report.findings.iter().filter(|finding| finding.party == Party::Ai && is_wrong(finding));
+    for finding in judged {
+        let frame = finding.evidence.first().and_then(|evidence| {
+            let t_ns = evidence.t_ns + start_ns;
+            ran.sent.iter().find(|sent| (sent.t_ns, sent.frame.id) == (t_ns, evidence.id))
+        });
+        let t_ns = finding.t_ns + start_ns;
+        let requests = requests_at(ran, edition, t_ns);
+        let against = catalogue::against(edition, finding, frame.map(|sent| &sent.frame), requests);
+        all.push(ExamFinding {
+            scenario,
+            t_ns,
+            section: finding.section.to_string(),
+            found_by: FoundBy::Judge(finding.rule),
+            requirements: against,
+            seen: finding.seen.clone(),
+            expected: finding.expected.clone(),
+            operator: Vec::new(),
+            frames: Vec::new(),
+            car: String::new(),
+        });
+    }
+    if let Some((time_ms, waiting)) = ran.flood {
+        all.push(ExamFinding {
+            scenario,
+            t_ns: ns(time_ms),
+            section: "2.1".to_owned(),
+            found_by: FoundBy::Exam,
+            requirements: catalogue::held_by(edition, vec!["MSG-98"]),
+            seen: format!("the bus cannot carry what the AI Computer sends: {waiting} of its frames wait"),
+            expected: "each of its messages every 10 ms".to_owned(),
+            operator: Vec::new(),
+            frames: Vec::new(),
+            car: String::new(),
+        });
+    }
+    for followed in &ran.followed {
+        let Some((time_ms, seen)) = &followed.failed else { continue };
+        let expectation = followed.expectation;
+        let mut against = catalogue::held_by(edition, expectation.against.to_vec());
+        // An edition that does not ask for it does not fail for it.
+        if against.is_empty() {
+            continue;
+        }
+        if std::ptr::eq(expectation, &raw const HOLDS_STILL) {
+            let broken = catalogue::of_requests(requests_at(ran, edition, ns(*time_ms)));
+            against.retain(|id| broken.is_empty() || broken.contains(id));
+        }
+        let held = ran.report.findings.iter().find(|finding| finding.rule == Rule::ReadyHeld);
+        let held = held.filter(|_| std::ptr::eq(expectation, &raw const HOLDS_STILL));
+        // What the judge has said already is not said again.
+        let is_said = |one: &ExamFinding| against.iter().all(|id| one.requirements.contains(id));
+        if all.iter().skip(first).any(is_said) {
+            continue;
+        }
+        all.push(ExamFinding {
+            scenario,
+            t_ns: ns(*time_ms),
+            section: expectation.section.to_owned(),
+            found_by: held.map_or(FoundBy::Exam, |finding| FoundBy::Judge(finding.rule)),
+            requirements: against,
+            seen: held.map_or_else(|| seen.clone(), |finding| finding.seen.clone()),
+            expected: held.map_or(expectation.expected, |finding| &finding.expected).to_owned(),
+            operator: Vec::new(),
+            frames: Vec::new(),
+            car: String::new(),
+        });
+    }
+    for finding in all.iter_mut().skip(first) {
+        let time_ms = u64::try_from(finding.t_ns / 1_000_000).unwrap_or_default();
+        finding.operator = operator_until(ran, time_ms);
+        finding.frames = frames_around(ran, finding.t_ns);
+        finding.car = car_after(ran, time_ms);
+    }
+}
+
+/// Violations, and a length that the database does not have, which is only worth a note where a log was cut.
+fn is_wrong(finding: &Finding) -> bool {
+    finding.severity == Severity::Violation || finding.rule == Rule::Length
+}
+
+/// What holds of the AI Computer's requests at a time.
+fn requests_at(ran: &Ran, edition: &Edition, t_ns: i64) -> Atoms {
+    let mut said = AiMessages::default();
+    for sent in ran.sent.iter().filter(|sent| sent.by_ai).take_while(|sent| sent.t_ns <= t_ns) {
+        // What does not decode requests nothing.
+        let _ = said.receive(&edition.bus, sent.frame.id, sent.frame.data());
+    }
+    let AiMessages { status, drive_f, drive_r, steer, .. } = said;
+    status.atoms().union(drive_f.atoms()).union(drive_r.atoms()).union(steer.atoms())
+}
+
+fn operator_until(ran: &Ran, time_ms: u64) -> Vec<(u64, String)> {
+    let mut by_time: BTreeMap<u64, Vec<String>> = BTreeMap::new();
+    for (time, action) in ran.actions.iter().filter(|(time, _)| *time <= time_ms) {
+        by_time.entry(*time).or_default().push(action.to_string());
+    }
+    by_time.into_iter().map(|(time, actions)| (time, actions.join(", "))).collect()
+}
+
+/// The last frame of each message before it, of those that both sides send to each other, and the first behind it.
+fn frames_around(ran: &Ran, t_ns: i64) -> Vec<Sent> {
+    const MOST: usize = 12;
+    let before = ran.sent.iter().rev().skip_while(|sent| sent.t_ns > t_ns);
+    let mut frames: Vec<Sent> = Vec::new();
+    for sent in before.take(200) {
+        let is_of_both = sent.by_ai || sent.frame.id == adsdv_spec::messages::Vcu2AiStatus::ID;
+        let is_new = frames.iter().all(|one| one.frame.id != sent.frame.id);
+        if (is_of_both && is_new || sent.t_ns == t_ns) && frames.len() < MOST {
+            frames.push(*sent);
+        }
+    }
+    frames.reverse();
+    frames
+}
+
+/// What became of the car in the second behind a finding, or what it was in.
+fn car_after(ran: &Ran, time_ms: u64) -> String {
+    /// So much later it has nothing to do with it.
+    const LATER_MS: u64 = 1000;
+    let name = |state: Option<adsdv_spec::AsState>| state.map_or("no power", adsdv_spec::AsState::name);
+    let followed = ran.changes.iter().find(|change| {
+        // A finding about FINISHED or NEUTRAL at speed is settled when the car has reacted.
+        (time_ms.saturating_sub(10)..=time_ms + LATER_MS).contains(&change.time_ms)
+    });
+    let last = ran.changes.iter().rfind(|change| change.time_ms <= time_ms);
+    match (followed, last) {
+        (Some(Change { time_ms: at, from, to, cause }), _) => {
+            let cause = if cause.raw() == 0 { String::new() } else { format!(" ({cause})") };
+            format!("{} -> {} at {}.{:03} s{cause}", name(*from), name(*to), at / 1000, at % 1000)
+        }
+        (None, Some(last)) => format!("it stays in {}", name(last.to)),
+        (None, None) => "it has no power yet".to_owned(),
+    }
+}
+
+fn ns(ms: u64) -> i64 {
+    i64::try_from(ms.saturating_mul(1_000_000)).unwrap_or(i64::MAX)
+}

@@ -1,0 +1,64 @@
+//! Each mistake of an AI Computer fails the requirement that it breaks, and the table of `TESTING.md` says so.
+
+#[path = "../examples/ai_mutant/mutants.rs"]
+mod mutants;
+
+use adsdv_exam::{ExamOptions, ExamReport, exam, scenarios};
+use adsdv_spec::Edition;
+use mutants::{MUTANTS, Mutant, Named};
+
+/// The scenarios in which they show: a mission, another one, an end, and a wheel that spins. All of them would show no more.
+const SHOWS: [&str; 6] = [
+    "mission-acceleration",
+    "mission-track-drive",
+    "two-missions",
+    "estop-in-ready",
+    "go-withdrawn",
+    "wheel-spins",
+];
+
+fn examined(mutant: &Named, edition: &'static Edition) -> ExamReport {
+    let scenarios: Vec<_> =
+        scenarios().into_iter().filter(|one| SHOWS.contains(&one.name.as_str())).collect();
+    assert_eq!(scenarios.len(), SHOWS.len());
+    let options = ExamOptions { mission_ms: 30_000, ..ExamOptions::of(edition) };
+    exam(&mut Mutant::new(mutant.name), &scenarios, &options, &mut |_| {}).expect("it answers")
+}
+
+fn failed(report: &ExamReport) -> Vec<&'static str> {
+    report.requirements.iter().filter(|one| one.outcome.name() == "fail").map(|one| one.id).collect()
+}
+
+#[test]
+fn each_mutant_fails_with_its_requirements() {
+    let mut wrong = Vec::new();
+    for edition in Edition::ALL {
+        for mutant in MUTANTS {
+            let report = examined(mutant, edition);
+            let known: Vec<&str> = report.requirements.iter().map(|one| one.id).collect();
+            let expected: Vec<&str> = mutant.breaks.iter().copied().filter(|id| known.contains(id)).collect();
+            let failed = failed(&report);
+            // The vehicle of 2026 lets torque and brakes come at once (D-67).
+            let is_told = mutant.name != "brakes-and-drives" || edition.version != "2026";
+            if is_told && !expected.iter().all(|id| failed.contains(id)) {
+                wrong.push(format!("{} {}: {failed:?}, not {expected:?}", edition.version, mutant.name));
+            }
+            println!("{} {:32} {}", edition.version, mutant.name, failed.join(" "));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_without_a_mistake_passes() {
+    let report = exam(&mut Mutant::new(""), &scenarios(), &ExamOptions::of(Edition::DEFAULT), &mut |_| {});
+    assert!(report.expect("it answers").passes());
+}
+
+#[test]
+fn a_flood_is_told_in_an_edition_without_cycles() {
+    let floods = MUTANTS.iter().find(|mutant| mutant.name == "floods").expect("a mutant");
+    let report = examined(floods, &Edition::V3_0);
+    assert!(!report.passes());
+    assert!(report.findings.iter().any(|finding| finding.seen.contains("the bus cannot carry")));
+}
