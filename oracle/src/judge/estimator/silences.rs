@@ -91,10 +91,9 @@ impl Silences {
         let enough = self.limit.unwrap_or_default() - self.window;
         if let (true, Some(at), Some(ended_at)) =
             (valid, self.valid_at.get_mut(place), self.ended_at.get_mut(place))
+            && at.replace(t).is_none_or(|before| t - before >= enough)
         {
-            if at.replace(t).is_none_or(|before| t - before >= enough) {
-                *ended_at = t;
-            }
+            *ended_at = t;
         }
     }
 

@@ -27,8 +27,11 @@ const HANDSHAKE: &str = "MSG-93"; //= MSG-93
 /// A warning.
 const WARNING: &str = "MSG-94"; //= MSG-94
 
+/// A bit of 120h.
+type Bit = fn(&VcuStatus) -> bool;
+
 /// The warnings of which the bus shows what they are about: the fault of that name, and the flag.
-const WARNINGS: [(Fault, fn(&VcuStatus) -> bool, &str); 5] = [
+const WARNINGS: [(Fault, Bit, &str); 5] = [
     (Fault::BrakePlausibilityFault, |shown| shown.warn_brake_plausibility, "warn_brake_plausibility"),
     (Fault::AiComputerRequest, |shown| shown.warn_ai_estop_req, "warn_ai_estop_req"),
     (Fault::AiCommsFault, |shown| shown.warn_ai_comms_lost, "warn_ai_comms_lost"),
