@@ -6,7 +6,7 @@ use adsdv_spec::{Edition, Machine};
 pub(crate) const EDITION: &Edition = Edition::DEFAULT;
 
 /// Its state machine, with its default readings.
-pub(crate) const MACHINE: &Machine = &Machine::REFERENCE;
+pub(crate) const MACHINE: &Machine = &Machine::new(*EDITION, EDITION.readings);
 
 /// Its layouts.
 pub(crate) use adsdv_spec::editions::V3_0 as Layouts;
