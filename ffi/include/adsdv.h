@@ -811,7 +811,7 @@ enum adsdv_status adsdv_recogniser_frame(struct adsdv_recogniser *recogniser,
 // The edition that fits best what has been taken down so far. A few seconds of a bus tell; more frames may be taken down behind
 // it.
 enum adsdv_status adsdv_recogniser_recognise(struct adsdv_recogniser *recogniser,
-                                             struct adsdv_recognised *recognised,
+                                             struct adsdv_recognised *found,
                                              struct adsdv_error *error);
 
 // What the judge assumes where nothing else is said; it is of the default edition.

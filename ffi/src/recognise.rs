@@ -134,12 +134,12 @@ pub unsafe extern "C" fn adsdv_recogniser_frame(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_recogniser_recognise(
     recogniser: *mut adsdv_recogniser,
-    recognised: *mut adsdv_recognised,
+    found: *mut adsdv_recognised,
     error: *mut adsdv_error,
 ) -> adsdv_status {
     let work = || {
         // SAFETY: the caller promises it for the recogniser and for what is recognised.
-        let (recogniser, place) = unsafe { (handle(recogniser)?, out(recognised, "recognised")?) };
+        let (recogniser, place) = unsafe { (handle(recogniser)?, out(found, "found")?) };
         place.set(recogniser.recognise()?);
         Ok(())
     };
