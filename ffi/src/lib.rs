@@ -39,6 +39,8 @@ mod machine;
 mod names;
 mod outputs;
 mod plain;
+#[cfg(feature = "judge")]
+mod rules;
 mod signal;
 mod step;
 mod text;
@@ -55,6 +57,8 @@ pub use judge::*;
 pub use machine::*;
 pub use names::*;
 pub use outputs::*;
+#[cfg(feature = "judge")]
+pub use rules::*;
 pub use signal::*;
 pub use step::*;
 pub use version::*;

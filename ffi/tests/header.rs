@@ -22,7 +22,7 @@ const SOURCES: [&str; 12] = [
     "signal",
 ];
 /// And the judge, which is a feature.
-const JUDGE: &str = "judge";
+const JUDGE: [&str; 2] = ["judge", "rules"];
 
 fn folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -36,8 +36,7 @@ fn header() -> String {
     let config =
         cbindgen::Config::from_file(folder().join("cbindgen.toml")).expect("the settings can be read");
     let builder = cbindgen::Builder::new().with_config(config);
-    let builder =
-        SOURCES.iter().chain([&JUDGE]).fold(builder, |builder, name| builder.with_src(source(name)));
+    let builder = SOURCES.iter().chain(&JUDGE).fold(builder, |builder, name| builder.with_src(source(name)));
     let bindings = builder.generate().expect("the sources can be read");
     let mut bytes = Vec::new();
     bindings.write(&mut bytes);
