@@ -61,6 +61,8 @@ typedef enum adsdv_status {
     ADSDV_INTERNAL = 8,
     // There is no edition of the interface with that version or number.
     ADSDV_UNKNOWN_EDITION = 9,
+    // A text of rules is wrong, or they name what the edition has not.
+    ADSDV_BAD_RULES = 10,
 } adsdv_status;
 
 // State of the Autonomous System (AS_STATE of 520h).
@@ -192,6 +194,16 @@ typedef enum adsdv_severity {
     // A fact about what was recorded.
     ADSDV_NOTE = 2,
 } adsdv_severity;
+
+// What a rule came to.
+typedef enum adsdv_rule_verdict {
+    // It was kept at least once, and never seen broken.
+    ADSDV_RULE_HOLDS = 0,
+    // It was broken.
+    ADSDV_RULE_BROKEN = 1,
+    // It cannot be told, or there was nothing to keep it in.
+    ADSDV_RULE_UNDECIDED = 2,
+} adsdv_rule_verdict;
 
 // A judge of one bus. It is made by adsdv_judge_new and freed by adsdv_judge_free.
 typedef struct adsdv_judge adsdv_judge;
@@ -560,9 +572,9 @@ typedef struct adsdv_finding {
     uint8_t severity;
     // "violation", "warning" or "note".
     char severity_name[12];
-    // Who is at fault: "AI", "VCU", or "LOG" for nobody.
+    // Who is at fault: "AI", "VCU", or "LOG" for nobody; "OWN" where a rule of adsdv_judge_follow was broken.
     char party[4];
-    // The section of the document.
+    // The section of the document, or the line of the user's own rules, as "line 3".
     char section[12];
     // What was checked: a stable name such as "transition-due".
     char rule[32];
@@ -581,6 +593,38 @@ typedef struct adsdv_report {
     // The time from the first frame to the last, in nanoseconds.
     int64_t duration_ns;
 } adsdv_report;
+
+// Where a text of rules is wrong.
+typedef struct adsdv_rule_place {
+    // The line, from 1.
+    uint32_t line;
+    // The character in it where the trouble begins, from 1.
+    uint32_t column;
+    // How many characters are meant, at least 1.
+    uint32_t width;
+} adsdv_rule_place;
+
+// What became of a rule.
+typedef struct adsdv_rule_report {
+    // How many times it was kept.
+    uint64_t held;
+    // How many times it was broken.
+    uint64_t broken;
+    // How many times it came up and cannot be told.
+    uint64_t undecided;
+    // Its name. The texts are the judge's; they stay until the next call with it.
+    const char *name;
+    // What it asks for, as it is written.
+    const char *rule;
+    // Why it was never decided; empty where it was.
+    const char *why;
+    // The line that it is in, from 1.
+    uint32_t line;
+    // What it came to, an adsdv_rule_verdict.
+    uint8_t verdict;
+    // "holds", "broken" or "never decided".
+    char verdict_name[16];
+} adsdv_rule_report;
 
 #ifdef __cplusplus
 extern "C" {
@@ -847,6 +891,23 @@ bool adsdv_judge_next(struct adsdv_judge *judge,
 enum adsdv_status adsdv_judge_finish(struct adsdv_judge *judge,
                                      struct adsdv_report *report,
                                      struct adsdv_error *error);
+
+// Has a judge follow rules of the user's own from now on, beside the document: best before the first frame. `rules` is the text of
+// a file of rules. What breaks one is a violation among the findings, of party "OWN", whose section is the line. Rules that it was
+// given before are followed no longer.
+//
+// A text that is wrong, or names what the edition has not, is an error (ADSDV_BAD_RULES) that says what was found and what was
+// expected, and `place`, which may be NULL, is where.
+enum adsdv_status adsdv_judge_follow(struct adsdv_judge *judge,
+                                     const char *rules,
+                                     struct adsdv_rule_place *place,
+                                     struct adsdv_error *error);
+
+// What became of the rule with this index, from 0 in the order of the text, once the judge has finished: true, and it is in
+// `report`; or false: there is none, the judge has not finished, or a pointer is NULL.
+bool adsdv_judge_rule(struct adsdv_judge *judge,
+                      size_t index,
+                      struct adsdv_rule_report *report);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -36,6 +36,8 @@ pub enum adsdv_status {
     ADSDV_INTERNAL = 8,
     /// There is no edition of the interface with that version or number.
     ADSDV_UNKNOWN_EDITION = 9,
+    /// A text of rules is wrong, or they name what the edition has not.
+    ADSDV_BAD_RULES = 10,
 }
 
 /// What went wrong, in words. A function writes it when it fails, and leaves it alone otherwise. Wherever a function
@@ -122,6 +124,8 @@ pub(crate) enum Refusal<'a> {
     },
     #[cfg(feature = "judge")]
     Finished,
+    #[cfg(feature = "judge")]
+    Rules(Box<adsdv_oracle::rules::RuleError>),
     #[cfg(feature = "std")]
     Internal,
 }
@@ -149,6 +153,8 @@ impl Refusal<'_> {
             Self::NoRoom { .. } => adsdv_status::ADSDV_NO_ROOM,
             #[cfg(feature = "judge")]
             Self::Finished => adsdv_status::ADSDV_FINISHED,
+            #[cfg(feature = "judge")]
+            Self::Rules(_) => adsdv_status::ADSDV_BAD_RULES,
             #[cfg(feature = "std")]
             Self::Internal => adsdv_status::ADSDV_INTERNAL,
         }
@@ -196,6 +202,8 @@ impl fmt::Display for Refusal<'_> {
                 write!(f, "{what} has room for {given}; expected {needed}")
             }
             Self::TooMany { what, given, most } => write!(f, "{what} is {given}; expected at most {most}"),
+            #[cfg(feature = "judge")]
+            Self::Rules(wrong) => write!(f, "rules, {wrong}"),
             #[cfg(feature = "judge")]
             Self::Finished => f.write_str("the judge has finished; expected a new one for more frames"),
             #[cfg(feature = "std")]

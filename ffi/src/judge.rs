@@ -5,12 +5,14 @@ use std::collections::VecDeque;
 use std::ffi::CString;
 
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Severity};
+use adsdv_oracle::rules::{RuleError, RuleFile, RuleReport};
 use adsdv_spec::Choices;
 
 use crate::border::{Plain, answer, check, load, out, slice};
 use crate::edition::{self, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::machine::listed;
+use crate::rules::Texts;
 use crate::text::short;
 
 /// How much a finding weighs.
@@ -62,9 +64,9 @@ pub struct adsdv_finding {
     pub severity: u8,
     /// "violation", "warning" or "note".
     pub severity_name: [c_char; 12],
-    /// Who is at fault: "AI", "VCU", or "LOG" for nobody.
+    /// Who is at fault: "AI", "VCU", or "LOG" for nobody; "OWN" where a rule of adsdv_judge_follow was broken.
     pub party: [c_char; 4],
-    /// The section of the document.
+    /// The section of the document, or the line of the user's own rules, as "line 3".
     pub section: [c_char; 12],
     /// What was checked: a stable name such as "transition-due".
     pub rule: [c_char; 32],
@@ -105,6 +107,9 @@ pub struct adsdv_judge {
     /// The message of the finding that was handed out last.
     told: CString,
     report: adsdv_report,
+    /// What became of the user's own rules, once it has finished; and the texts of the one that was handed out last.
+    pub(crate) rules: Vec<RuleReport>,
+    pub(crate) texts: Texts,
 }
 
 impl adsdv_judge {
@@ -115,6 +120,8 @@ impl adsdv_judge {
             news: VecDeque::new(),
             told: CString::default(),
             report: adsdv_report::default(),
+            rules: Vec::new(),
+            texts: Texts::default(),
         }
     }
 
@@ -140,11 +147,17 @@ impl adsdv_judge {
         })
     }
 
+    /// Follows these rules from now on, or says what the edition has not of what they name.
+    pub(crate) fn follow(&mut self, rules: &RuleFile) -> Result<Result<(), RuleError>, Refusal<'static>> {
+        self.at_work(|this| Ok(this.judge.as_mut().ok_or(Refusal::Finished)?.follow(rules)))
+    }
+
     fn finish(&mut self) -> Result<adsdv_report, Refusal<'static>> {
         self.at_work(|this| {
             if let Some(judge) = this.judge.take() {
                 let report = judge.finish();
                 (this.report.frames, this.report.duration_ns) = (report.frames, report.duration_ns);
+                this.rules = report.rules;
                 this.hear(report.findings);
             }
             Ok(this.report)
@@ -174,9 +187,7 @@ impl adsdv_judge {
     }
 
     fn report(&mut self, finding: &Finding) -> adsdv_finding {
-        // No message has a NUL in it; one that had would lose it, and nothing else.
-        let message: Vec<u8> = finding.message().bytes().filter(|&byte| byte != 0).collect();
-        self.told = CString::new(message).unwrap_or_default();
+        self.told = without_nul(&finding.message());
         adsdv_finding {
             t_ns: finding.t_ns,
             message: self.told.as_ptr(),
@@ -189,9 +200,14 @@ impl adsdv_judge {
     }
 }
 
+/// A text for C. None that is told has a NUL in it; one that had would lose it, and nothing else.
+pub(crate) fn without_nul(text: &str) -> CString {
+    CString::new(text.bytes().filter(|&byte| byte != 0).collect::<Vec<u8>>()).unwrap_or_default()
+}
+
 /// The judge behind a handle. The caller promises that it is NULL or a handle of adsdv_judge_new that is not freed yet,
 /// and that no other thread uses it meanwhile.
-unsafe fn handle<'a>(judge: *mut adsdv_judge) -> Result<&'a mut adsdv_judge, Refusal<'static>> {
+pub(crate) unsafe fn handle<'a>(judge: *mut adsdv_judge) -> Result<&'a mut adsdv_judge, Refusal<'static>> {
     check(judge, "judge")?;
     // SAFETY: it is not NULL, it is aligned, and the caller promises the rest.
     Ok(unsafe { &mut *judge })

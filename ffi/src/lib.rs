@@ -41,6 +41,8 @@ mod outputs;
 mod plain;
 #[cfg(feature = "judge")]
 mod recognise;
+#[cfg(feature = "judge")]
+mod rules;
 mod signal;
 mod step;
 mod text;
@@ -59,6 +61,8 @@ pub use names::*;
 pub use outputs::*;
 #[cfg(feature = "judge")]
 pub use recognise::*;
+#[cfg(feature = "judge")]
+pub use rules::*;
 pub use signal::*;
 pub use step::*;
 pub use version::*;

@@ -22,7 +22,7 @@ const SOURCES: [&str; 12] = [
     "signal",
 ];
 /// And the recogniser and the judge, which are a feature.
-const JUDGE: [&str; 2] = ["recognise", "judge"];
+const JUDGE: [&str; 3] = ["recognise", "judge", "rules"];
 
 fn folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -37,7 +37,7 @@ pub(super) struct BlockedJson {
 struct ConditionJson {
     condition: &'static str,
     needs: String,
-    seen: String,
+    seen: Option<String>,
     whose: &'static str,
     message: Option<String>,
 }
@@ -75,12 +75,17 @@ impl UntakenJson {
 
 impl BlockedJson {
     pub(super) fn of(rules: &Rules, blocked: &Blocked) -> Self {
-        let conditions = |of: &[Condition]| of.iter().map(|one| ConditionJson::of(rules, one)).collect();
+        let failed = |one: &Condition| ConditionJson::of(rules, one);
+        // Of what is not known, a signal may have been seen, which was too old or could not be read.
+        let unknown = |one: &Condition| {
+            let seen = (!one.values.is_empty()).then(|| one.seen(rules));
+            ConditionJson { seen, ..failed(one) }
+        };
         Self {
             since: seconds(blocked.since_ns),
             until: seconds(blocked.until_ns),
-            failed: conditions(&blocked.failed),
-            unknown: conditions(&blocked.unknown),
+            failed: blocked.failed.iter().map(failed).collect(),
+            unknown: blocked.unknown.iter().map(unknown).collect(),
             holding: blocked.holding.iter().map(adsdv_spec::Atom::id).collect(),
         }
     }
@@ -91,7 +96,7 @@ impl ConditionJson {
         Self {
             condition: condition.atom.id(),
             needs: condition.needs(rules),
-            seen: condition.seen(rules),
+            seen: Some(condition.seen(rules)),
             whose: condition.mover().name(),
             message: condition.id.map(|id| format!("{id:03X}h")),
         }

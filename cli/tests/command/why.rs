@@ -69,14 +69,32 @@ fn shows(line: &str, state: &str) -> String {
     )
 }
 
-#[test]
-fn a_silent_ai_computer() {
-    // All is switched on, and the VCU stays in AS_OFF because nobody selects a mission.
-    let log = played("silent", &format!("{READY}3 end\n"), "4.0", |line| {
+/// All is switched on, and the VCU stays in AS_OFF because nobody selects a mission.
+fn without_ai_computer(name: &str) -> Vec<u8> {
+    played(name, &format!("{READY}3 end\n"), "4.0", |line| {
         let is_ai = line.split(' ').nth(2).is_some_and(|frame| frame.starts_with("51"));
         (!is_ai).then(|| shows(line, "1"))
-    });
-    compare_text("why-silent-ai.txt", &first_lines("silent.log", &log));
+    })
+}
+
+#[test]
+fn a_silent_ai_computer() {
+    compare_text("why-silent-ai.txt", &first_lines("silent.log", &without_ai_computer("silent")));
+}
+
+#[test]
+fn what_is_not_known_is_not_said_to_be_seen() {
+    let log = temporary("unheard.log", &without_ai_computer("unheard"));
+    let report = run(&["check", "--json", log.to_str().expect("text")]).stdout;
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    let blocked = report["stays"][0]["arrows"][0]["blocked"].as_array().expect("a list");
+    let of = |kind: &str| {
+        blocked.iter().flat_map(|one| one[kind].as_array().expect("a list").clone()).collect::<Vec<_>>()
+    };
+    let (failed, unknown) = (of("failed"), of("unknown"));
+    assert!(!failed.is_empty() && failed.iter().all(|one| one["seen"].is_string()), "{failed:#?}");
+    let mission = unknown.iter().filter(|one| one["condition"] == "mission-selected").collect::<Vec<_>>();
+    assert!(!mission.is_empty() && mission.iter().all(|one| one["seen"].is_null()), "{mission:#?}");
 }
 
 #[test]

@@ -282,7 +282,15 @@ fn judge(bytes: &mut Bytes<'_>) {
             assert!(!known || !readings.as_bytes().is_empty(), "nothing else can be wrong");
             return;
         }
-        let mut finding: adsdv_finding = std::mem::zeroed();
+        let (mut finding, mut rule): (adsdv_finding, adsdv_rule_report) =
+            (std::mem::zeroed(), std::mem::zeroed());
+        let rules = text(
+            bytes,
+            &["moves: never moving", "a: after ASMS on, TSMS on for 1 s\nb: never EBS_STATE is EBS_FAULT"],
+        );
+        let mut place = adsdv_rule_place::default();
+        let followed = call(|error| adsdv_judge_follow(judge, rules.as_ptr(), &raw mut place, error));
+        assert_eq!(followed == ADSDV_BAD_RULES, place.line > 0);
         for _ in 0..bytes.below(100) {
             t_ns = if bytes.one_in(16) {
                 bytes.any()
@@ -303,6 +311,7 @@ fn judge(bytes: &mut Bytes<'_>) {
         }
         let mut report = adsdv_report::default();
         call(|error| adsdv_judge_finish(judge, &raw mut report, error));
+        assert_eq!(adsdv_judge_rule(judge, 0, &raw mut rule), followed == ADSDV_OK);
         adsdv_judge_free(judge);
     }
 }

@@ -35,7 +35,7 @@ struct Turns<T> {
     before: Option<T>,
     /// Since when it goes to and fro, and how often it did.
     since: i64,
-    count: u32,
+    times: u32,
 }
 
 /// How often 520h comes.
@@ -116,7 +116,7 @@ impl Often {
 
 impl<T: Copy + PartialEq> Turns<T> {
     const fn new() -> Self {
-        Self { before: None, since: 0, count: 0 }
+        Self { before: None, since: 0, times: 0 }
     }
 
     /// It may have changed. Tells whether it has gone to and fro for too long, faster than one VCU can, how often and since when.
@@ -125,14 +125,14 @@ impl<T: Copy + PartialEq> Turns<T> {
             return None;
         }
         // Jitter brings one VCU's steps together; those of two come twice in a cycle.
-        let fast = t.saturating_sub(self.since) < i64::from(self.count) * cycle * 3 / 4;
+        let fast = t.saturating_sub(self.since) < i64::from(self.times) * cycle * 3 / 4;
         if self.before == Some(to) && fast {
-            self.count += 1;
+            self.times += 1;
         } else {
-            (self.since, self.count) = (t, 1);
+            (self.since, self.times) = (t, 1);
         }
         self.before = Some(from);
-        (self.count > most).then_some((most, self.since))
+        (self.times > most).then_some((most, self.since))
     }
 }
 

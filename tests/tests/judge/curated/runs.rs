@@ -3,8 +3,9 @@
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuSteer, AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest,
-    EbsState, MissionStatus, Node, Vcu2AiStatus, Vcu2AiSteer, Vcu2LogStatus, WheelSpeed,
+    Ai2VcuBrake, Ai2VcuStatus, Ai2VcuSteer, AmiState, AsState, AxleTorqueRequest, BrakePressure,
+    DirectionRequest, EbsState, MissionStatus, Node, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds,
+    Vcu2LogStatus, WheelSpeed,
 };
 use adsdv_spec::{AiMessages, Atom, Choice, Choices, Edition, Machine};
 use adsdv_tests::bus::def_of;
@@ -439,7 +440,7 @@ const NEWER: [(&str, &Edition, Happens, bool); 8] = [
 ];
 
 /// A whole mission, and what a recorder makes of it.
-const RECORDED: [(&str, Recorder); 13] = [
+const RECORDED: [(&str, Recorder); 14] = [
     ("recorded: the AI Computer only", |log| log.retain(|recorded| recorded.sender() == Some(Node::Ai))),
     ("recorded: the VCU only", |log| log.retain(|recorded| recorded.sender() == Some(Node::Vcu))),
     ("recorded: from AS_DRIVING on", |log| log.retain(|recorded| recorded.t >= 9000 * MS)),
@@ -457,6 +458,18 @@ const RECORDED: [(&str, Recorder); 13] = [
         another_car(log, with_another_mission, 0);
     }),
     ("recorded: another car that shows the same, on the same bus", |log| another_car(log, mission, 0)),
+    ("recorded: AS_DRIVING is not left, and 30 of 60 ms of 510h and 525h are lost", |log| {
+        let mut world = World::reference();
+        world.stopped();
+        world.shows = |status| (status.as_state, status.go_signal) = (AsState::Driving, true);
+        world.ai.status.mission_status = MissionStatus::Finished;
+        world.wait(1000);
+        *log = world.log;
+        let lost = |one: &Recorded| {
+            [Ai2VcuStatus::ID, Vcu2AiWheelSpeeds::ID].contains(&one.frame.id) && one.t / (30 * MS) % 2 == 0
+        };
+        log.retain(|one| one.t < 9000 * MS || !lost(one));
+    }),
     ("recorded: the VCU is switched off and on in AS_DRIVING", |log| {
         log.retain(|recorded| recorded.t < 9000 * MS || recorded.sender() == Some(Node::Ai));
         let mut again = World::reference();
