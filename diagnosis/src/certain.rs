@@ -70,6 +70,13 @@ impl<'a> Fit<'a> {
         alike
     }
 
+    /// The set without what is said of a state in which not all is explained: where the time was over before, it may be otherwise.
+    pub(crate) fn of_explained_states(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let all = set.clone();
+        set.retain(|one| one.state(self.edition).is_none_or(|state| self.wrong_in(state, &all) == 0));
+        set
+    }
+
     /// The set without what explains something only by chance: what makes any answer wrong that is right without it, and what is
     /// said of an arrow that some answers tell more about than is explained.
     pub(crate) fn certain(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {

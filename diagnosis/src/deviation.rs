@@ -256,11 +256,11 @@ pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
         })
         .collect();
     changes.sort_by_key(|(order, _)| *order);
-    let in_place = changes.iter().fold(*edition, |edition, (_, change)| match change {
+    let edition = changes.iter().fold(*edition, |edition, (_, change)| match change {
         OfRules::Change(change) => change.apply(&edition),
         OfRules::Joined(row, one, other) => joined(&edition, *row, *one, *other),
     });
-    in_order(&in_place, deviations)
+    in_order(&edition, deviations)
 }
 
 /// The edition with the rows that come first before those that they stand behind in the document, and without those that are

@@ -260,7 +260,9 @@ impl Search<'_> {
     fn result(self) -> Diagnosis {
         let Self { edition, candidates, records, found, until, .. } = self;
         let cut = Instant::now() >= until;
-        let deviations = Fit::new(edition, records.kept(), &candidates, until).certain(found);
+        let fit = Fit::new(edition, records.kept(), &candidates, until);
+        let certain = fit.certain(found);
+        let deviations = if cut { fit.of_explained_states(certain) } else { certain };
         let model = Model::new(edition, &deviations);
         let all = records.kept().iter().map(crate::record::Kept::record);
         let unexplained = all.filter(|record| !record.is_explained(&model)).collect();

@@ -184,7 +184,7 @@ impl<'a> Fit<'a> {
         self.stays(set).iter().flat_map(|(_, stays)| stays).map(|stay| stay.wrong(&model)).sum()
     }
 
-    fn wrong_in(&self, state: AsState, set: &[Deviation]) -> usize {
+    pub(crate) fn wrong_in(&self, state: AsState, set: &[Deviation]) -> usize {
         let model = Model::new(self.edition, set);
         let stays = self.stays(set);
         of(&stays, state).iter().map(|stay| stay.wrong(&model)).sum()

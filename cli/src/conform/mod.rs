@@ -77,7 +77,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         figure::draw(path, &title, &own.unwrap_or_else(|| adsdv_diagnosis::figure(edition, &[])))?;
     }
     let conforms = conforms(args, &report, diagnosis.as_ref());
-    let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis, conforms };
+    let undiagnosed = undiagnosed(args, &report);
+    let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis, undiagnosed, conforms };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
@@ -92,6 +93,29 @@ fn is_diagnosed(args: &ConformArgs, report: &ConformReport) -> bool {
     let differs = !report.conforms() || !report.observations.is_empty();
     // What one experiment teaches would not hold in the next.
     can_be && report.repeats && !args.no_diagnosis && (args.diagnose || differs)
+}
+
+/// Why it is not found out what a program does otherwise that fails; `None` where it is, or nobody wants to know.
+fn undiagnosed(args: &ConformArgs, report: &ConformReport) -> Option<&'static str> {
+    if args.no_diagnosis || report.conforms() && !args.diagnose {
+        None
+    } else if args.latency > 0 {
+        Some(
+            "with --latency an answer may be to a step before, and an experiment is judged by the answer to each step",
+        )
+    } else if report.about.wall_clock {
+        Some(
+            "by a clock on the wall the thousands of experiments would take hours; a program that goes by dt_ms is diagnosed",
+        )
+    } else if report.cycle_ms.is_some() {
+        Some(
+            "at a fixed cycle each of thousands of experiments takes hundreds of steps; a program that takes any dt_ms is diagnosed",
+        )
+    } else if !report.repeats {
+        Some("it does not answer alike each time, and what one experiment teaches would not hold in the next")
+    } else {
+        None
+    }
 }
 
 /// The verdict: with accepted deviations it is about the others, and about what does not follow from any.
@@ -128,6 +152,8 @@ struct JudgedProgram<'a> {
     args: &'a ConformArgs,
     /// What it does otherwise, if that was asked for.
     diagnosis: Option<DiagnosedProgram>,
+    /// Why that is not there, if somebody may look for it.
+    undiagnosed: Option<&'static str>,
     /// The verdict.
     conforms: bool,
 }

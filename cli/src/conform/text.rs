@@ -34,6 +34,9 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
     header(out, subject, report, width)?;
     if let Some(program) = &subject.diagnosis {
         super::diagnosis::write(out, program, width)?;
+    } else if let Some(why) = subject.undiagnosed {
+        writeln!(out, "\n{}", Styled(style::HEADING, "DEVIATIONS"))?;
+        wrapped(out, format!("not looked for: {why}").split(' '), 2, width);
     }
     requirements(out, subject.args.all, report, width)?;
     let machine = Machine::new(*subject.edition.edition(), report.readings);

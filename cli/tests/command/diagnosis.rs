@@ -155,6 +155,16 @@ fn the_figure_of_the_program_is_drawn_with_what_differs() {
 }
 
 #[test]
+fn why_a_program_at_a_fixed_cycle_is_not_diagnosed_stands_in_the_report() {
+    let (_, report) = text(&["--runs", "0", "--cycle-ms", "10"], "deviating", &["ready-off:missing"]);
+    let said = report.lines().skip_while(|line| *line != "DEVIATIONS").nth(1).unwrap_or_default();
+    assert!(said.starts_with("  not looked for: at a fixed cycle"), "{report}");
+    let (_, report) =
+        text(&["--runs", "0", "--cycle-ms", "10", "--no-diagnosis"], "deviating", &["go:level"]);
+    assert!(!report.contains("DEVIATIONS"), "{report}");
+}
+
+#[test]
 fn without_a_diagnosis_only_the_tests_tell() {
     let json = report(&["--runs", "0", "--no-diagnosis"], "deviating", &["ready-off:missing"]);
     assert_eq!(json["diagnosis"], Value::Null);
