@@ -69,7 +69,7 @@ impl Look {
             has_moved: false,
             braked: false,
             last: [None; SENT.len()],
-            counted: Default::default(),
+            counted: std::array::from_fn(|_| VecDeque::new()),
             go: false,
             vcu_ms: 0,
         }
