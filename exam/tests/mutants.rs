@@ -52,7 +52,7 @@ fn each_mutant_fails_with_its_requirements_as_the_table_says() {
                 ([], false) => "a finding against no single one".to_owned(),
                 (failed, _) => failed.join(" "),
             };
-            row.push_str(&format!(" {cell} |"));
+            row.extend([" ", &cell, " |"]);
         }
         println!("{row}");
         if !testing.contains(&row) {
