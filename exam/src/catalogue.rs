@@ -189,15 +189,10 @@ const MESSAGES: [(u16, &str); 6] = [
 ];
 
 /// The requirements that a finding about the AI Computer is against: those that the judge names, or those of its rule. `frame` is
-/// the one that the finding is about, where it is about one, and `requests` what holds of all that is requested.
-pub(crate) fn against(
-    edition: &Edition,
-    finding: &Finding,
-    frame: Option<&Frame>,
-    requests: Atoms,
-) -> Vec<&'static str> {
+/// the one that the finding is about, where it is about one.
+pub(crate) fn against(edition: &Edition, finding: &Finding, frame: Option<&Frame>) -> Vec<&'static str> {
     let ids: Vec<&'static str> = if finding.requirements.is_empty() {
-        of_rule(edition, finding.rule, frame, requests)
+        of_rule(edition, finding.rule, frame)
     } else {
         finding.requirements.clone()
     };
@@ -210,7 +205,7 @@ pub(crate) fn held_by(edition: &Edition, ids: Vec<&'static str>) -> Vec<&'static
     ids.into_iter().filter(|id| entries.iter().any(|entry| entry.id == *id)).collect()
 }
 
-fn of_rule(edition: &Edition, rule: Rule, frame: Option<&Frame>, requests: Atoms) -> Vec<&'static str> {
+fn of_rule(edition: &Edition, rule: Rule, frame: Option<&Frame>) -> Vec<&'static str> {
     match rule {
         Rule::Value => frame.map(|frame| of_values(edition, frame)).unwrap_or_default(),
         Rule::TooShort => frame.map(|frame| of_message(frame.id)).unwrap_or_default(),
@@ -220,7 +215,6 @@ fn of_rule(edition: &Edition, rule: Rule, frame: Option<&Frame>, requests: Atoms
         Rule::NeutralMoving => vec!["DTE-5", "IMP-6"],
         Rule::BrakeAndTorque => vec!["IMP-8"],
         Rule::MessageMissed => vec!["HS-18", "MSG-98"],
-        Rule::ReadyHeld => of_requests(requests),
         _ => Vec::new(),
     }
 }

@@ -79,7 +79,7 @@ impl Course {
             return Some(time_ms);
         }
         match self.disturbance.what {
-            What::Loses(every) if time_ms / 10 % every.max(1) == 0 => None,
+            What::Loses(every) if (time_ms / 10).is_multiple_of(every.max(1)) => None,
             What::Silences => None,
             What::Delays(ms) => Some(time_ms + ms),
             What::Gathers(ms) => Some(time_ms.next_multiple_of(ms.max(1))),

@@ -6,6 +6,7 @@ use adsdv_oracle::judge::{Finding, Party, ResponseTimes, Rule, Severity};
 use adsdv_spec::{AiMessages, Atoms, Edition};
 
 use crate::catalogue::{self, Entry};
+use crate::expectation::Followed;
 use crate::expectations::{ANSWERS, HOLDS_STILL};
 use crate::program_error::StackError;
 use crate::scenario::ExamScenario;
@@ -264,83 +265,91 @@ impl Marks {
 
 /// What is wrong in a scenario: what the judge says of the AI Computer, and what was to be done and was not.
 fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
-    let first = all.len();
+    let mut found = judged(ran, edition);
+    if let Some((time_ms, waiting)) = ran.flood {
+        found.push(ExamFinding {
+            seen: format!("the bus cannot carry what the AI Computer sends: {waiting} of its frames wait"),
+            expected: "each of its messages every 10 ms".to_owned(),
+            ..ExamFinding::new(ns(time_ms), "2.1", FoundBy::Exam, catalogue::held_by(edition, vec!["MSG-98"]))
+        });
+    }
+    for followed in &ran.followed {
+        // What the judge has said already is not said again.
+        let is_said =
+            |against: &[&str]| found.iter().any(|one| against.iter().all(|id| one.requirements.contains(id)));
+        let missed = not_done(ran, edition, followed).filter(|missed| !is_said(&missed.requirements));
+        found.extend(missed);
+    }
+    all.extend(found.into_iter().map(|finding| {
+        let time_ms = u64::try_from(finding.t_ns / 1_000_000).unwrap_or_default();
+        ExamFinding {
+            scenario,
+            operator: operator_until(ran, time_ms),
+            frames: frames_around(ran, finding.t_ns),
+            car: car_after(ran, time_ms),
+            ..finding
+        }
+    }));
+}
+
+impl ExamFinding {
+    fn new(t_ns: i64, section: &str, found_by: FoundBy, requirements: Vec<&'static str>) -> Self {
+        Self {
+            scenario: 0,
+            t_ns,
+            section: section.to_owned(),
+            found_by,
+            requirements,
+            seen: String::new(),
+            expected: String::new(),
+            operator: Vec::new(),
+            frames: Vec::new(),
+            car: String::new(),
+        }
+    }
+}
+
+/// What the judge says of the AI Computer.
+fn judged(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
     // The judge counts from the first frame.
     let start_ns = ran.sent.first().map_or(0, |sent| sent.t_ns);
     let judged = ran.report.findings.iter().filter(|finding| finding.party == Party::Ai && is_wrong(finding));
-    for finding in judged {
+    let one = |finding: &Finding| {
         let frame = finding.evidence.first().and_then(|evidence| {
             let t_ns = evidence.t_ns + start_ns;
             ran.sent.iter().find(|sent| (sent.t_ns, sent.frame.id) == (t_ns, evidence.id))
         });
         let t_ns = finding.t_ns + start_ns;
-        let requests = requests_at(ran, edition, t_ns);
-        let against = catalogue::against(edition, finding, frame.map(|sent| &sent.frame), requests);
-        all.push(ExamFinding {
-            scenario,
-            t_ns,
-            section: finding.section.to_string(),
-            found_by: FoundBy::Judge(finding.rule),
-            requirements: against,
+        let against = catalogue::against(edition, finding, frame.map(|sent| &sent.frame));
+        ExamFinding {
             seen: finding.seen.clone(),
             expected: finding.expected.clone(),
-            operator: Vec::new(),
-            frames: Vec::new(),
-            car: String::new(),
-        });
-    }
-    if let Some((time_ms, waiting)) = ran.flood {
-        all.push(ExamFinding {
-            scenario,
-            t_ns: ns(time_ms),
-            section: "2.1".to_owned(),
-            found_by: FoundBy::Exam,
-            requirements: catalogue::held_by(edition, vec!["MSG-98"]),
-            seen: format!("the bus cannot carry what the AI Computer sends: {waiting} of its frames wait"),
-            expected: "each of its messages every 10 ms".to_owned(),
-            operator: Vec::new(),
-            frames: Vec::new(),
-            car: String::new(),
-        });
-    }
-    for followed in &ran.followed {
-        let Some((time_ms, seen)) = &followed.failed else { continue };
-        let expectation = followed.expectation;
-        let mut against = catalogue::held_by(edition, expectation.against.to_vec());
-        // An edition that does not ask for it does not fail for it.
-        if against.is_empty() {
-            continue;
+            ..ExamFinding::new(t_ns, &finding.section.to_string(), FoundBy::Judge(finding.rule), against)
         }
-        if std::ptr::eq(expectation, &raw const HOLDS_STILL) {
-            let broken = catalogue::of_requests(requests_at(ran, edition, ns(*time_ms)));
-            against.retain(|id| broken.is_empty() || broken.contains(id));
-        }
-        let held = ran.report.findings.iter().find(|finding| finding.rule == Rule::ReadyHeld);
-        let held = held.filter(|_| std::ptr::eq(expectation, &raw const HOLDS_STILL));
-        // What the judge has said already is not said again.
-        let is_said = |one: &ExamFinding| against.iter().all(|id| one.requirements.contains(id));
-        if all.iter().skip(first).any(is_said) {
-            continue;
-        }
-        all.push(ExamFinding {
-            scenario,
-            t_ns: ns(*time_ms),
-            section: expectation.section.to_owned(),
-            found_by: held.map_or(FoundBy::Exam, |finding| FoundBy::Judge(finding.rule)),
-            requirements: against,
-            seen: held.map_or_else(|| seen.clone(), |finding| finding.seen.clone()),
-            expected: held.map_or(expectation.expected, |finding| &finding.expected).to_owned(),
-            operator: Vec::new(),
-            frames: Vec::new(),
-            car: String::new(),
-        });
+    };
+    judged.map(one).collect()
+}
+
+/// What was to be done and was not. An edition that does not ask for it does not fail for it.
+fn not_done(ran: &Ran, edition: &Edition, followed: &Followed) -> Option<ExamFinding> {
+    let (time_ms, seen) = followed.failed.as_ref()?;
+    let expectation = followed.expectation;
+    let mut against = catalogue::held_by(edition, expectation.against.to_vec());
+    if against.is_empty() {
+        return None;
     }
-    for finding in all.iter_mut().skip(first) {
-        let time_ms = u64::try_from(finding.t_ns / 1_000_000).unwrap_or_default();
-        finding.operator = operator_until(ran, time_ms);
-        finding.frames = frames_around(ran, finding.t_ns);
-        finding.car = car_after(ran, time_ms);
+    let mut held = None;
+    if std::ptr::eq(expectation, &raw const HOLDS_STILL) {
+        let broken = catalogue::of_requests(requests_at(ran, edition, ns(*time_ms)));
+        against.retain(|id| broken.is_empty() || broken.contains(id));
+        held = ran.report.findings.iter().find(|finding| finding.rule == Rule::ReadyHeld);
     }
+    let found_by = held.map_or(FoundBy::Exam, |finding| FoundBy::Judge(finding.rule));
+    Some(ExamFinding {
+        seen: held.map_or(seen, |finding| &finding.seen).clone(),
+        expected: held.map_or(expectation.expected, |finding| &finding.expected).to_owned(),
+        ..ExamFinding::new(ns(*time_ms), expectation.section, found_by, against)
+    })
 }
 
 /// Violations, and a length that the database does not have, which is only worth a note where a log was cut.

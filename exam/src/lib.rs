@@ -38,7 +38,7 @@ pub use exam::{
 pub use expectation::{Condition, Expectation, Kind, Within};
 pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
-pub use program_error::{StackError, StackErrorKind};
+pub use program_error::{StackError, StackErrorKind, StackErrorPlace};
 pub use scenario::ExamScenario;
 pub use scenarios::scenarios;
 pub use serve::serve;

@@ -69,7 +69,7 @@ impl Look {
             has_moved: false,
             braked: false,
             last: [None; SENT.len()],
-            counted: Default::default(),
+            counted: std::array::from_fn(|_| VecDeque::new()),
             go: false,
             vcu_ms: 0,
         }
@@ -230,9 +230,8 @@ impl Look {
             ("front brake", brake.hyd_press_f_req.raw(), brake.hyd_press_f_req.to_string()),
             ("rear brake", brake.hyd_press_r_req.raw(), brake.hyd_press_r_req.to_string()),
         ];
-        for (what, _, value) in requests.into_iter().filter(|(_, raw, _)| *raw != 0) {
-            words.push_str(&format!(", {what} {value}"));
-        }
+        let requested = requests.into_iter().filter(|(_, raw, _)| *raw != 0);
+        words.extend(requested.map(|(what, _, value)| format!(", {what} {value}")));
         words
     }
 }

@@ -9,7 +9,7 @@ use adsdv_spec::Edition;
 use adsdv_spec::messages::Frame;
 use serde::Deserialize;
 
-use crate::program_error::{StackError, StackErrorKind};
+use crate::program_error::{StackError, StackErrorKind, StackErrorPlace};
 use crate::stack::Stack;
 
 /// No line of a program has more frames: ten times what a bus carries in 10 ms.
@@ -52,7 +52,8 @@ impl StdioStack {
                 Err(Wrong::Edition { asked, said }) => StackErrorKind::OtherEdition { asked, said },
             },
         };
-        Err(StackError { sent: line, stderr: self.0.last_words(), ..StackError::new(what) })
+        let place = Some(Box::new(StackErrorPlace { sent: line, ..StackErrorPlace::default() }));
+        Err(StackError { place, what, stderr: self.0.last_words() })
     }
 }
 

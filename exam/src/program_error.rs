@@ -9,14 +9,23 @@ use adsdv_oracle::conform::ProgramErrorKind;
 /// that where, what was sent, what came, and what the program said on its standard error.
 #[derive(Debug)]
 pub struct StackError {
-    /// The scenario, with its time; `None` before the first and after the last.
-    pub place: Option<(String, u64)>,
-    /// The line whose answer is wrong or missing; empty where there is none.
-    pub sent: String,
+    /// Where; `None` before the first line and after the last.
+    pub place: Option<Box<StackErrorPlace>>,
     /// What is wrong.
     pub what: StackErrorKind,
     /// The last lines of its standard error.
     pub stderr: Vec<String>,
+}
+
+/// The line whose answer is wrong or missing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StackErrorPlace {
+    /// The scenario; empty before the first.
+    pub scenario: String,
+    /// The time in it, in milliseconds.
+    pub time_ms: u64,
+    /// What was sent; empty where nothing was.
+    pub sent: String,
 }
 
 /// What is wrong. Lines of the program are as much of them as an error shows, without control characters.
@@ -50,12 +59,14 @@ impl From<ProgramErrorKind> for StackErrorKind {
 
 impl StackError {
     pub(crate) fn new(what: impl Into<StackErrorKind>) -> Self {
-        Self { place: None, sent: String::new(), what: what.into(), stderr: Vec::new() }
+        Self { place: None, what: what.into(), stderr: Vec::new() }
     }
 
     /// The same in a scenario.
     pub(crate) fn during(self, scenario: &str, time_ms: u64) -> Self {
-        Self { place: Some((scenario.to_owned(), time_ms)), ..self }
+        let sent = self.place.map(|place| place.sent).unwrap_or_default();
+        let place = StackErrorPlace { scenario: scenario.to_owned(), time_ms, sent };
+        Self { place: Some(Box::new(place)), ..self }
     }
 
     /// What to do, in one sentence.
@@ -113,13 +124,15 @@ impl fmt::Display for StackErrorKind {
 
 impl fmt::Display for StackError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { place, sent, what, stderr } = self;
+        let Self { place, what, stderr } = self;
         write!(f, "{what}")?;
-        if let Some((scenario, time_ms)) = place {
-            write!(f, "\n  in        {scenario}, at {}.{:03} s", time_ms / 1000, time_ms % 1000)?;
-        }
-        if !sent.is_empty() {
-            write!(f, "\n  sent      {sent}")?;
+        if let Some(StackErrorPlace { scenario, time_ms, sent }) = place.as_deref() {
+            if !scenario.is_empty() {
+                write!(f, "\n  in        {scenario}, at {}.{:03} s", time_ms / 1000, time_ms % 1000)?;
+            }
+            if !sent.is_empty() {
+                write!(f, "\n  sent      {sent}")?;
+            }
         }
         let line = match what {
             StackErrorKind::Program(what) => what.line(),

@@ -21,7 +21,7 @@ use super::conform::{seconds, time_limit};
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
-  adsdv exam --stdio -- python3 exam/examples/minimal.py
+  adsdv exam --stdio -- python3 exam/examples/stack.py
   adsdv exam --stdio --edition 2026 -- ./my_stack --stdio
 
   What is there, and some of it:

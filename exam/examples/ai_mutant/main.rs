@@ -15,10 +15,11 @@ use mutants::{MUTANTS, Mutant};
 fn main() -> io::Result<()> {
     let name = std::env::args().nth(1).unwrap_or_default();
     if !name.is_empty() && !MUTANTS.iter().any(|mutant| mutant.name == name) {
-        let names: Vec<&str> = MUTANTS.iter().map(|mutant| mutant.name).collect();
+        let all = MUTANTS.iter().map(|mutant| format!("{} ({})", mutant.name, mutant.breaks.join(" ")));
+        let all: Vec<String> = all.collect();
         return Err(io::Error::other(format!(
             "no mutant {name:?}; expected none, or one of {}",
-            names.join(", ")
+            all.join(", ")
         )));
     }
     serve(&mut Mutant::new(&name), io::stdin().lock(), io::stdout().lock())

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use adsdv_exam::{Reference, Stack, StackError};
 use adsdv_spec::Edition;
-use adsdv_spec::messages::{AnyMessage, AsState, Frame};
+use adsdv_spec::messages::{AnyMessage, AsState, Frame, WheelSpeed};
 
 /// A mistake.
 #[derive(Clone, Copy)]
@@ -46,7 +46,7 @@ pub(crate) const MUTANTS: &[Named] = &[
         frames.extend(all);
     }),
     mutant("sends-rarely", &["MSG-98"], |mutant, frames| {
-        if mutant.steps % 4 != 0 {
+        if !mutant.steps.is_multiple_of(4) {
             frames.clear();
         }
     }),
@@ -133,7 +133,7 @@ pub(crate) const MUTANTS: &[Named] = &[
         }
     }),
     mutant("501h-rarely", &["MSG-102"], |mutant, frames| {
-        if mutant.steps % 10 != 0 {
+        if !mutant.steps.is_multiple_of(10) {
             frames.retain(|frame| frame.id != 0x501);
         }
     }),
@@ -276,7 +276,7 @@ impl Mutant {
                     speeds.rl_wheel_speed,
                     speeds.rr_wheel_speed,
                 ];
-                self.rpm = all.map(|speed| speed.raw());
+                self.rpm = all.map(WheelSpeed::raw);
                 self.has_moved |= self.state == Some(AsState::Driving) && self.rpm[2] > 10;
             }
             _ => {}
