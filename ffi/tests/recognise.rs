@@ -99,13 +99,13 @@ fn what_is_not_there_is_refused() {
     let said = format!("edition is {none}; expected less than {none}");
     assert_eq!((error.status, text(&error.text)), (ADSDV_UNKNOWN_EDITION as i32, said));
     let recogniser = Handle::new(Edition::DEFAULT);
-    let mut recognised = adsdv_recognised { edition: 0, certain: 0, text: null() };
+    let mut found = adsdv_recognised { edition: 0, certain: 0, text: null() };
     // SAFETY: the pointers are to what they are said to be, or NULL.
     let refused = unsafe {
         [
             outcome(|error| adsdv_recogniser_frame(null_mut(), 0, 0, null(), 0, error)),
             outcome(|error| adsdv_recogniser_frame(recogniser.0, 0, 0, null(), 1, error)),
-            outcome(|error| adsdv_recogniser_recognise(null_mut(), &raw mut recognised, error)),
+            outcome(|error| adsdv_recogniser_recognise(null_mut(), &raw mut found, error)),
             outcome(|error| adsdv_recogniser_recognise(recogniser.0, null_mut(), error)),
         ]
     };

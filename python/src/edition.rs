@@ -57,10 +57,7 @@ pub(crate) fn protocol(edition: &Edition) -> &'static Protocol {
     });
     /// For an edition that is not in the list, which nobody can name.
     static OTHER: Protocol = Protocol::of(DEFAULT);
-    PROTOCOLS
-        .iter()
-        .find(|(version, _)| *version == edition.version)
-        .map_or(&OTHER, |(_, protocol)| protocol)
+    PROTOCOLS.iter().find(|(version, _)| *version == edition.version).map_or(&OTHER, |(_, protocol)| protocol)
 }
 
 /// Sets an input to what was given, if the edition has that.

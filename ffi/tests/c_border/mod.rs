@@ -329,7 +329,7 @@ fn recognise(bytes: &mut Bytes<'_>) {
             assert_eq!(error.status, ADSDV_UNKNOWN_EDITION as i32, "nothing else can be wrong");
             return;
         }
-        let mut recognised: adsdv_recognised = std::mem::zeroed();
+        let mut found: adsdv_recognised = std::mem::zeroed();
         for _ in 0..bytes.below(100) {
             t_ns = t_ns.saturating_add(bytes.any());
             let id =
@@ -337,9 +337,9 @@ fn recognise(bytes: &mut Bytes<'_>) {
             let data = bytes.some(9);
             call(|error| adsdv_recogniser_frame(recogniser, t_ns, id, data.as_ptr(), data.len(), error));
             if bytes.one_in(8) {
-                call(|error| adsdv_recogniser_recognise(recogniser, &raw mut recognised, error));
-                assert!(recognised.edition < adsdv_edition_count() && recognised.certain < 2);
-                let text = CStr::from_ptr(recognised.text).to_str().expect("UTF-8");
+                call(|error| adsdv_recogniser_recognise(recogniser, &raw mut found, error));
+                assert!(found.edition < adsdv_edition_count() && found.certain < 2);
+                let text = CStr::from_ptr(found.text).to_str().expect("UTF-8");
                 assert!(text.starts_with("version "), "{text}");
             }
         }
