@@ -264,7 +264,11 @@ fn names_are_the_edition_s_own_or_those_of_the_first() {
     let answer = newer.answer(r#"{"as_state":"AS_OFF","shutdown_cause":11}"#).unwrap();
     assert_eq!(answer.get("shutdown_cause").unwrap().to_string(), "BRAKE_PLAUSIBILITY_FAULT");
     let older = Protocol::of(&Edition::V3_0);
-    for cause in [r#""AI_COMMS_FAULT""#, r#""BRAKE_PLAUSIBILITY_FAULT""#, "11"] {
+    for cause in ["AI_COMMS_FAULT", "AI COMMS FAULT"] {
+        let answer = older.answer(&format!(r#"{{"as_state":"AS_OFF","shutdown_cause":"{cause}"}}"#)).unwrap();
+        assert_eq!(answer.get("shutdown_cause").unwrap().to_string(), "AI COMMS FAULT");
+    }
+    for cause in [r#""BRAKE_PLAUSIBILITY_FAULT""#, "11"] {
         let answer = older.answer(&format!(r#"{{"as_state":"AS_OFF","shutdown_cause":{cause}}}"#)).unwrap();
         assert!(is_foreign(&answer, "shutdown_cause"), "{cause}");
     }

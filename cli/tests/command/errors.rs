@@ -127,7 +127,7 @@ fn other_arguments() {
     wrong_arguments(&["verify", "--vectors", "few"], "every, read");
     wrong_arguments(&["export"], "--format <FORMAT>");
     wrong_arguments(&["export", "--format", "tla"], "promela");
-    wrong_arguments(&["schema", "dbc"], "check, watch, conform, suite, prove, ");
+    wrong_arguments(&["schema", "dbc"], "check, watch, conform, exam, suite, prove, ");
     wrong_arguments(&["schema", "check", "verify"], "unexpected argument 'verify'");
 }
 

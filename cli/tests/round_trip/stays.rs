@@ -42,7 +42,7 @@ struct ReadBlocked {
 struct ReadCondition {
     condition: String,
     needs: String,
-    seen: String,
+    seen: Option<String>,
     whose: String,
     message: Option<String>,
 }
@@ -84,16 +84,22 @@ fn blocked(blocked: &Blocked) -> ReadBlocked {
         since: seconds(blocked.since_ns),
         until: seconds(blocked.until_ns),
         failed: blocked.failed.iter().map(condition).collect(),
-        unknown: blocked.unknown.iter().map(condition).collect(),
+        unknown: blocked.unknown.iter().map(unknown).collect(),
         holding: blocked.holding.iter().map(Atom::id).map(str::to_owned).collect(),
     }
+}
+
+/// Of what is not known, something may have been seen or not.
+fn unknown(one: &Condition) -> ReadCondition {
+    let seen = (!one.values.is_empty()).then(|| one.seen(&rules()));
+    ReadCondition { seen, ..condition(one) }
 }
 
 fn condition(condition: &Condition) -> ReadCondition {
     ReadCondition {
         condition: condition.atom.id().to_owned(),
         needs: condition.needs(&rules()),
-        seen: condition.seen(&rules()),
+        seen: Some(condition.seen(&rules())),
         whose: condition.mover().name().to_owned(),
         message: condition.id.map(|id| format!("{id:03X}h")),
     }

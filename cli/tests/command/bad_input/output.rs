@@ -24,6 +24,8 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["conform", "--runs", "0", "--no-diagnosis", "--", "sh", "-c", DUMB], 1),
     (&["conform", "--runs", "0", "--no-diagnosis", "--json", "--", "sh", "-c", DUMB], 1),
     (&["dbc"], 0),
+    (&["exam", "--list"], 0),
+    (&["exam", "--stdio", "--only", "mission-acceleration", "--", "sh", "-c", SILENT], 1),
     (&["demo"], 0),
     (&["demo", "--json"], 0),
     (&["diagram", "--format", "dot"], 0),
@@ -40,6 +42,10 @@ const COMMANDS: &[(&[&str], i32)] = &[
 /// A VCU that stays in `AS_OFF`: it does not conform.
 const DUMB: &str = r#"while read -r line; do case $line in
 *reset*) echo '{}' ;; *) echo '{"as_state":"AS_OFF"}' ;; esac; done"#;
+
+/// An AI Computer that sends nothing.
+const SILENT: &str =
+    r#"while read -r line; do case $line in *reset*) echo '{}' ;; *) echo '{"frames":[]}' ;; esac; done"#;
 
 /// Those that go on until they are stopped: `explore` is below, and the others need CAN, so that `can/tests/socket` has them.
 const ENDLESS: [&str; 4] = ["ai", "explore", "vcu", "watch"];
