@@ -44,8 +44,8 @@ const DUMB: &str = r#"while read -r line; do case $line in
 *reset*) echo '{}' ;; *) echo '{"as_state":"AS_OFF"}' ;; esac; done"#;
 
 /// An AI Computer that sends nothing.
-const SILENT: &str =
-    r#"while read -r line; do case $line in *reset*) echo '{}' ;; *) echo '{"frames":[]}' ;; esac; done"#;
+const SILENT: &str = r#"while read -r line; do case $line in
+*hello*) echo '{"edition":"3.0"}' ;; *reset*) echo '{}' ;; *) echo '{"frames":[]}' ;; esac; done"#;
 
 /// Those that go on until they are stopped: `explore` is below, and the others need CAN, so that `can/tests/socket` has them.
 const ENDLESS: [&str; 4] = ["ai", "explore", "vcu", "watch"];
