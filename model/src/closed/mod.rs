@@ -62,8 +62,8 @@
 pub mod action;
 pub mod ai;
 pub mod bus;
-pub mod meaning;
-mod operator;
+mod meaning;
+pub mod operator;
 mod properties;
 mod real_time;
 mod sequence;
