@@ -40,6 +40,8 @@ const LONGEST: u32 = 60_000;
 /// Traceback (most recent call last):
 ///     ...
 /// adsdv.LogError: the log is empty; expected lines of candump -L, such as (1.000000) can0 520#0000010000000000
+// They are keyword arguments in Python.
+#[allow(clippy::too_many_arguments)]
 #[pyfunction]
 #[pyo3(signature = (log, *, readings=None, window_ms=None, deadline_ms=None, interface=None, edition=None, rules=None))]
 pub(crate) fn check(
