@@ -20,9 +20,9 @@ class VcuUnderTest:
         self.readings, self.edition, self.vcu = readings, "3.0", None
 
     def about(self):
-        """What it says of itself with its answer to a hello, as far as it is so: the "inputs" and "outputs" that it has, "cycle_ms" if
+        """What it says of itself before its first answer, as far as it is so: the "inputs" and "outputs" that it has, "cycle_ms" if
         it steps at a fixed cycle, and "clock": "wall" if it goes by a clock."""
-        return {"outputs": list(adsdv.Vcu(self.readings, self.edition).step({}, 0).outputs)}
+        return {"outputs": list(adsdv.Vcu().step({}, 0).outputs)}
 
     def hello(self, edition):
         """All that follows is about this edition. Tells which one this VCU is of: if it has only one, always that."""
@@ -45,7 +45,7 @@ def answer(vcu, request):
     """The answer to one request, as a dict."""
     operation = request.pop("op", None)
     if operation == "hello":
-        return {"edition": vcu.hello(request.get("edition")), **vcu.about()}
+        return {"edition": vcu.hello(request.get("edition"))}
     if operation == "reset":
         vcu.reset()
         return {}
@@ -57,6 +57,7 @@ def answer(vcu, request):
 def main():
     """Answers line by line until the input ends."""
     vcu = VcuUnderTest(dict(argument.split("=", 1) for argument in sys.argv[1:]))
+    print(json.dumps(vcu.about()), flush=True)
     for number, line in enumerate(sys.stdin, start=1):
         try:
             print(json.dumps(answer(vcu, json.loads(line))), flush=True)
