@@ -66,6 +66,15 @@ static void become(adsdv_edition edition) {
     has_states = !adsdv_frame_set_in(edition, &frame, "OP_STATE", 0, NULL);
 }
 
+/* What it says of itself; one with a fixed cycle adds "cycle_ms":10, one that goes by a clock "clock":"wall". */
+static void about(void) {
+#define QUOTED(key) "\"" #key "\","
+    printf("\"outputs\":[" OUTPUTS(QUOTED));
+    if (has_plausibility) printf(QUOTED(brake_plausibility_fault));
+    if (has_states) printf(QUOTED(op_state) QUOTED(ts_state) QUOTED(ebs_state));
+    fputs("\"steer\"]}\n", stdout);
+}
+
 /* What follows is about this edition; an edition that there is not is answered with the one that this VCU is of. */
 static void hello(const char *line) {
     char version[16] = "";
@@ -73,7 +82,8 @@ static void hello(const char *line) {
     adsdv_edition edition;
     if (at) strncat(version, at, strcspn(at, "\"") < sizeof version ? strcspn(at, "\"") : 0);
     if (adsdv_edition_find(version, &edition, NULL) == ADSDV_OK) become(edition);
-    printf("{\"edition\":\"%s\"}\n", adsdv_edition_version(machine.edition));
+    printf("{\"edition\":\"%s\",", adsdv_edition_version(machine.edition));
+    about();
 }
 
 static void step(const char *line) {
@@ -106,14 +116,15 @@ int main(void) {
     adsdv_edition first;
     check(adsdv_edition_find("3.0", &first, &error)); /* what all is about without a hello */
     become(first);
-#define QUOTED(key) "\"" #key "\","
-    printf("{\"outputs\":[" OUTPUTS(QUOTED) "\"steer\"]}\n"); /* with a fixed cycle also: "cycle_ms":10 */
+    int is_first = 1;
     /* Whoever asks waits for what has been answered so far: it is flushed before every wait for more. */
     while (fflush(stdout) == 0 && (got = read(STDIN_FILENO, buffer + filled, sizeof buffer - 1 - filled)) > 0) {
         char *line = buffer, *end;
         buffer[filled += (size_t)got] = '\0';
         for (; (end = strchr(line, '\n')) != NULL; line = end + 1) {
             *end = '\0';
+            if (is_first && !strstr(line, "\"op\":\"hello\"")) putchar('{'), about(); /* nobody asks for an edition */
+            is_first = 0;
             if (strstr(line, "\"op\":\"hello\"")) hello(line);
             else if (strstr(line, "\"op\":\"step\"")) step(line);
             else check(adsdv_control_init(&control, &error)), puts("{}");

@@ -22,7 +22,7 @@ class VcuUnderTest:
     def about(self):
         """What it says of itself before its first answer, as far as it is so: the "inputs" and "outputs" that it has, "cycle_ms" if
         it steps at a fixed cycle, and "clock": "wall" if it goes by a clock."""
-        return {"outputs": list(adsdv.Vcu().step({}, 0).outputs)}
+        return {"outputs": list(adsdv.Vcu(edition=self.edition).step({}, 0).outputs)}
 
     def hello(self, edition):
         """All that follows is about this edition. Tells which one this VCU is of: if it has only one, always that."""
@@ -45,7 +45,7 @@ def answer(vcu, request):
     """The answer to one request, as a dict."""
     operation = request.pop("op", None)
     if operation == "hello":
-        return {"edition": vcu.hello(request.get("edition"))}
+        return {"edition": vcu.hello(request.get("edition")), **vcu.about()}
     if operation == "reset":
         vcu.reset()
         return {}
@@ -57,10 +57,13 @@ def answer(vcu, request):
 def main():
     """Answers line by line until the input ends."""
     vcu = VcuUnderTest(dict(argument.split("=", 1) for argument in sys.argv[1:]))
-    print(json.dumps(vcu.about()), flush=True)
     for number, line in enumerate(sys.stdin, start=1):
         try:
-            print(json.dumps(answer(vcu, json.loads(line))), flush=True)
+            request = json.loads(line)
+            if number == 1 and request.get("op") != "hello":
+                # Nobody asks for an edition, so that it speaks of itself in a line of its own.
+                print(json.dumps(vcu.about()))
+            print(json.dumps(answer(vcu, request)), flush=True)
         except ValueError as error:
             sys.exit(f"line {number}: {error}")
 

@@ -19,9 +19,7 @@ fn main() -> io::Result<()> {
     let mut protocol = Protocol::of(vcu.edition());
     let mut control = Control::INITIAL;
     let mut line = String::new();
-    // What it says of itself. A program that steps at a fixed cycle adds "cycle_ms", one that goes by a clock "clock":"wall".
-    let outputs: Vec<&str> = protocol.shown().map(|(field, _)| field.key).collect();
-    writeln!(answers, "{{\"outputs\":{outputs:?}}}")?;
+    let mut is_first = true;
     loop {
         // Whoever asks waits for what has been answered so far, unless there is more to do.
         if requests.buffer().is_empty() {
@@ -31,13 +29,18 @@ fn main() -> io::Result<()> {
         if requests.read_line(&mut line)? == 0 {
             return answers.flush();
         }
-        match protocol.request(&line).map_err(io::Error::other)? {
+        let request = protocol.request(&line).map_err(io::Error::other)?;
+        if std::mem::take(&mut is_first) && !matches!(request, Request::Hello { .. }) {
+            // Nobody asks for an edition, so that it speaks of itself in a line of its own.
+            writeln!(answers, "{{{}}}", about(&protocol))?;
+        }
+        match request {
             Request::Hello { edition } => {
                 // A program of one edition answers with that, whatever it is asked.
                 let known = *Edition::find(&edition).unwrap_or(vcu.edition());
                 vcu = Machine::new(known, known.readings);
                 protocol = Protocol::of(&known);
-                writeln!(answers, "{{\"edition\":{:?}}}", known.version)?;
+                writeln!(answers, "{{\"edition\":{:?},{}}}", known.version, about(&protocol))?;
             }
             Request::Reset => {
                 control = Control::INITIAL;
@@ -50,4 +53,10 @@ fn main() -> io::Result<()> {
             }
         }
     }
+}
+
+/// What it says of itself. A program that steps at a fixed cycle adds "cycle_ms", one that goes by a clock "clock":"wall".
+fn about(protocol: &Protocol) -> String {
+    let outputs: Vec<&str> = protocol.shown().map(|(field, _)| field.key).collect();
+    format!("\"outputs\":{outputs:?}")
 }

@@ -15,19 +15,21 @@ def adapter(root):
     return root / "oracle/examples/adapter.py"
 
 
+def about(edition=None):
+    """What it says of itself: the outputs that an edition has."""
+    return {"outputs": list(adsdv.Vcu(edition=edition).step({}, 0).outputs)}
+
+
 def start(adapter, *arguments):
     command = [sys.executable, adapter, *arguments]
-    program = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    # What it says of itself comes before its first answer.
-    assert json.loads(program.stdout.readline())["outputs"] == list(adsdv.Vcu().step({}, 0).outputs)
-    return program
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def scenario(seed, steps, edition=None):
     """Requests of random inputs, with some resets, and the reference VCU's answers; after a hello, if an edition is named."""
     rng, vcu = random.Random(seed), adsdv.Vcu(edition=edition)
     if edition:
-        yield {"op": "hello", "edition": edition}, {"edition": edition}
+        yield {"op": "hello", "edition": edition}, {"edition": edition, **about(edition)}
     for number in range(steps):
         if number == 0 or rng.random() < 0.01:
             vcu.reset()
@@ -47,9 +49,11 @@ def test_it_is_short(adapter):
 @pytest.mark.parametrize("edition", [None, *adsdv.editions()])
 def test_it_answers_line_by_line(adapter, edition):
     with start(adapter) as program:
-        for request, expected in scenario(1, 300, edition):
+        for number, (request, expected) in enumerate(scenario(1, 300, edition)):
             program.stdin.write(json.dumps(request, separators=(",", ":")) + "\n")
             program.stdin.flush()
+            if number == 0 and not edition:
+                assert json.loads(program.stdout.readline()) == about()
             assert json.loads(program.stdout.readline()) == expected
 
 
@@ -57,7 +61,7 @@ def test_many_lines_may_be_waiting(adapter):
     requests, expected = zip(*scenario(2, 2000))
     with start(adapter) as program:
         out, err = program.communicate("".join(json.dumps(request) + "\n" for request in requests), timeout=60)
-    assert [json.loads(line) for line in out.splitlines()] == list(expected)
+    assert [json.loads(line) for line in out.splitlines()] == [about(), *expected]
     assert (err, program.returncode) == ("", 0)
 
 
@@ -78,13 +82,14 @@ def test_the_conversation_of_the_protocol_is_its_own(adapter, root):
 def test_readings_are_arguments(adapter):
     with start(adapter, "go-signal=raw") as program:
         out, _ = program.communicate('{"op":"reset"}\n{"op":"step","dt_ms":10,"go":true}\n', timeout=60)
-    assert json.loads(out.splitlines()[1])["go_signal"] is True
+    assert json.loads(out.splitlines()[2])["go_signal"] is True
 
 
 def test_an_edition_that_it_is_not_of_is_answered_with_its_own(adapter):
     with start(adapter) as program:
         out, err = program.communicate('{"op":"hello","edition":"2.9"}\n{"op":"hello"}\n', timeout=60)
-    assert (out, err, program.returncode) == ('{"edition": "3.0"}\n' * 2, "", 0)
+    assert [json.loads(line) for line in out.splitlines()] == [{"edition": "3.0", **about()}] * 2
+    assert (err, program.returncode) == ("", 0)
 
 
 OTHERS = [(edition, {}) for edition in adsdv.editions()] + [
@@ -116,4 +121,4 @@ def test_it_conforms_and_its_readings_are_recognised(command, adapter, edition, 
 def test_bad_lines_end_it_with_a_reason(adapter, line, error):
     with start(adapter) as program:
         out, err = program.communicate(f'{{"op":"reset"}}\n{line}\n', timeout=60)
-    assert out == "{}\n" and err.startswith(error) and program.returncode == 1
+    assert out.splitlines()[1:] == ["{}"] and err.startswith(error) and program.returncode == 1
