@@ -9,6 +9,7 @@ use crate::faults::Faults;
 use crate::messages::{SteerAngle, WheelSpeed};
 use crate::observation::Observation;
 use crate::readings::{Choice, Choices, Reading, Readings};
+use crate::requirements::Requirements;
 use crate::table::{Priority, Table, Term};
 
 /// One edition of the interface.
@@ -29,6 +30,9 @@ pub struct Edition {
     pub readings: Readings,
     /// What is on the bus.
     pub bus: Bus,
+    /// What it asks for, by the numbers of `REQUIREMENTS.md`.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub requirements: &'static Requirements,
 }
 
 /// What the state machine follows: Figure 2, the order of its arrows, the times and the thresholds.

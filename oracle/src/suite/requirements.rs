@@ -1,7 +1,7 @@
 //! Which requirements stand behind a row, a condition and two rows at once: what the table cites. And those that an edition
 //! has in the place of another's.
 
-use adsdv_spec::{Atom, Edition, Row, Term};
+use adsdv_spec::{Atom, Edition, Requirements, Row, Term};
 
 /// The requirements behind an alternative of a row. What stands beside the figure is not the figure's.
 pub(crate) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
@@ -20,25 +20,6 @@ pub(super) fn of_pair(one: &Row, other: &Row) -> Vec<&'static str> {
     all.into_iter().flatten().copied().collect()
 }
 
-/// Since version 4.0.
-const SINCE_4_0: &[&str] = &["4.0", "2026"];
-/// Since the database of 2026.
-const SINCE_2026: &[&str] = &["2026"];
-
-/// What editions ask for instead of a requirement of an earlier one: the same with another number in it, or what they have made
-/// of it. Where it is nothing at all, they do not ask for it.
-const INSTEAD: &[(&[&str], &str, &[&str])] = &[
-    (SINCE_4_0, "HS-9", &["HS-17"]),
-    (SINCE_4_0, "HS-13", &[]),
-    (SINCE_4_0, "HS-16", &["HS-19"]),
-    (SINCE_4_0, "DTE-4", &["DTE-7"]),
-    (SINCE_4_0, "D-2", &["D-65"]),
-    (SINCE_4_0, "D-9", &["D-62"]),
-    (SINCE_4_0, "D-10", &["D-63"]),
-    (SINCE_4_0, "D-27", &["D-27", "IMP-9"]),
-    (SINCE_2026, "D-53", &["D-67"]),
-];
-
 /// What an edition asks for where an earlier one asks for this: the identifiers of `spec/REQUIREMENTS.md`.
 ///
 /// ```
@@ -49,8 +30,15 @@ const INSTEAD: &[(&[&str], &str, &[&str])] = &[
 /// assert_eq!(of_edition(&Edition::V4_0, "HS-9"), ["HS-17"]);
 /// ```
 pub fn of_edition<'a>(edition: &Edition, id: &'a str) -> Vec<&'a str> {
-    let instead = INSTEAD.iter().find(|(editions, old, _)| *old == id && editions.contains(&edition.version));
-    instead.map_or_else(|| vec![id], |(.., ids)| ids.to_vec())
+    instead(edition.requirements, id)
+}
+
+fn instead<'a>(requirements: &Requirements, id: &'a str) -> Vec<&'a str> {
+    let before = requirements.before.map_or_else(|| vec![id], |before| instead(before, id));
+    before
+        .into_iter()
+        .flat_map(|id| requirements.replaced_by(id).map_or_else(|| vec![id], <[_]>::to_vec))
+        .collect()
 }
 
 /// Whether it is only the default answer to a question that the edition leaves open.
@@ -80,26 +68,33 @@ pub(crate) fn order(id: &str) -> (usize, u32) {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::HashSet;
-
     use super::*;
     use crate::suite;
 
-    /// What a line says is of use: some edition asks for the old requirement, and each that it names for the new ones.
+    /// A further edition as well has those of the edition that it is written as the difference to.
     #[test]
-    fn what_is_replaced_is_named_by_tests_and_so_is_what_stands_instead() {
-        let named = |edition: &Edition| -> HashSet<String> {
-            suite::generate(edition).into_iter().flat_map(|test| test.requirements).collect()
-        };
-        let all: Vec<(&str, HashSet<String>)> =
-            Edition::ALL.iter().map(|edition| (edition.version, named(edition))).collect();
-        for (editions, old, new) in INSTEAD {
-            let others = all.iter().filter(|(version, _)| !editions.contains(version));
-            assert!(others.into_iter().any(|(_, named)| named.contains(*old)), "{old}");
-            for version in *editions {
-                let (_, named) = all.iter().find(|(known, _)| known == version).expect("an edition");
-                assert!(new.iter().all(|id| named.contains(*id)), "{version}: {old}");
-                assert_eq!(named.contains(*old), new.contains(old), "{version}: {old}");
+    fn tests_name_what_their_edition_asks_for() {
+        let further = Edition { version: "further", ..Edition::V4_0 };
+        for edition in Edition::ALL.iter().copied().chain([&further]) {
+            for test in suite::generate(edition) {
+                let other = test.requirements.iter().find(|id| !edition.requirements.has(id));
+                assert_eq!(other, None, "{}: {}", edition.version, test.name);
+            }
+            for untested in suite::untested(edition) {
+                assert!(edition.requirements.has(&untested.id), "{}: {}", edition.version, untested.id);
+            }
+        }
+        assert_eq!(suite::untested(&further).count(), suite::untested(&Edition::V4_0).count());
+    }
+
+    #[test]
+    fn what_stands_in_the_place_of_a_replaced_one_is_asked_for() {
+        assert_eq!(of_edition(&Edition::V2026, "MSG-24"), ["MSG-105"], "it was MSG-99 in between");
+        for edition in Edition::ALL {
+            for replaced in edition.requirements.replaced {
+                for id in of_edition(edition, replaced.id) {
+                    assert!(edition.requirements.has(id), "{}: {} -> {id}", edition.version, replaced.id);
+                }
             }
         }
     }

@@ -59,78 +59,54 @@ pub struct Untested {
     pub reason: Reason,
 }
 
-/// All of them, by prefix and number, with the editions that ask for them; no edition stands for all.
-const UNTESTED: &[(Reason, &str, RangeInclusive<u32>, &[&str])] = {
+/// All of them, by prefix and number, whichever edition asks for them.
+const UNTESTED: &[(Reason, &str, RangeInclusive<u32>)] = {
     use Reason::{AnotherParty, Codec, Frames, NotShown, Permission};
-    const ALL: &[&str] = &[];
-    const IN_3_0: &[&str] = &["3.0"];
-    const IN_4_0: &[&str] = &["4.0"];
-    const SINCE_4_0: &[&str] = &["4.0", "2026"];
-    const IN_2026: &[&str] = &["2026"];
     &[
-        (AnotherParty, "MSG", 1..=8, ALL),
-        (AnotherParty, "MSG", 10..=17, ALL),
-        (AnotherParty, "MSG", 19..=23, ALL),
-        (AnotherParty, "MSG", 24..=24, IN_3_0),
-        (AnotherParty, "MSG", 26..=28, ALL),
-        (Frames, "MSG", 29..=41, ALL),
-        (Frames, "MSG", 65..=73, ALL),
-        (Frames, "MSG", 74..=74, IN_3_0),
-        (Frames, "MSG", 75..=79, ALL),
-        (Frames, "MSG", 80..=80, IN_3_0),
-        (Frames, "MSG", 81..=83, ALL),
-        (Frames, "MSG", 86..=87, SINCE_4_0),
-        (Frames, "MSG", 88..=95, IN_4_0),
-        (Frames, "MSG", 96..=96, SINCE_4_0),
-        (Codec, "MSG", 97..=97, IN_4_0),
-        (AnotherParty, "MSG", 98..=98, SINCE_4_0),
-        (AnotherParty, "MSG", 99..=99, IN_4_0),
-        (Frames, "MSG", 100..=100, IN_4_0),
-        (Frames, "MSG", 101..=101, SINCE_4_0),
-        (AnotherParty, "MSG", 102..=102, IN_4_0),
-        (Codec, "MSG", 103..=103, IN_4_0),
-        (AnotherParty, "MSG", 105..=105, IN_2026),
+        (AnotherParty, "MSG", 1..=8),
+        (AnotherParty, "MSG", 10..=17),
+        (AnotherParty, "MSG", 19..=24),
+        (AnotherParty, "MSG", 26..=28),
+        (Frames, "MSG", 29..=41),
+        (Frames, "MSG", 65..=83),
+        (Frames, "MSG", 86..=96),
+        (Codec, "MSG", 97..=97),
+        (AnotherParty, "MSG", 98..=99),
+        (Frames, "MSG", 100..=101),
+        (AnotherParty, "MSG", 102..=102),
+        (Codec, "MSG", 103..=103),
+        (AnotherParty, "MSG", 105..=105),
         // AS_INIT, which is read as AS_OFF.
-        (NotShown, "MSG", 109..=109, IN_2026),
-        (Frames, "MSG", 110..=112, IN_2026),
-        (Codec, "MSG", 113..=115, IN_2026),
-        (Frames, "MSG", 116..=116, IN_2026),
-        (AnotherParty, "ID", 1..=2, ALL),
-        (AnotherParty, "ID", 3..=3, IN_3_0),
-        (AnotherParty, "ID", 4..=5, ALL),
-        (AnotherParty, "ID", 6..=6, IN_3_0),
-        (AnotherParty, "ID", 7..=14, ALL),
-        (AnotherParty, "ID", 15..=16, IN_3_0),
-        (AnotherParty, "ID", 17..=17, ALL),
-        (AnotherParty, "ID", 18..=19, SINCE_4_0),
-        (AnotherParty, "ID", 20..=20, IN_2026),
-        (AnotherParty, "HS", 2..=2, ALL),
-        (Frames, "HS", 3..=3, ALL),
-        (AnotherParty, "HS", 5..=5, ALL),
-        (AnotherParty, "HS", 11..=11, ALL),
-        (Permission, "HS", 14..=14, IN_3_0),
+        (NotShown, "MSG", 109..=109),
+        (Frames, "MSG", 110..=112),
+        (Codec, "MSG", 113..=115),
+        (Frames, "MSG", 116..=116),
+        (AnotherParty, "ID", 1..=20),
+        (AnotherParty, "HS", 2..=2),
+        (Frames, "HS", 3..=3),
+        (AnotherParty, "HS", 5..=5),
+        (AnotherParty, "HS", 11..=11),
+        (Permission, "HS", 14..=14),
         // The status light.
-        (NotShown, "SM", 4..=8, ALL),
-        (AnotherParty, "RDY", 7..=8, ALL),
+        (NotShown, "SM", 4..=8),
+        (AnotherParty, "RDY", 7..=8),
         // What the powertrain is ready for.
-        (NotShown, "DRV", 1..=1, ALL),
-        (AnotherParty, "DRV", 10..=10, ALL),
-        (AnotherParty, "DRV", 13..=13, ALL),
-        (AnotherParty, "FIN", 1..=3, ALL),
-        (AnotherParty, "ETO", 4..=4, ALL),
-        (Codec, "D", 19..=19, ALL),
-        (Frames, "D", 20..=20, ALL),
-        (Frames, "D", 28..=29, ALL),
-        (Codec, "D", 30..=31, ALL),
-        (AnotherParty, "D", 32..=32, ALL),
-        (Codec, "D", 33..=33, IN_3_0),
-        (Codec, "D", 34..=34, ALL),
-        (Frames, "D", 35..=35, ALL),
-        (Frames, "D", 46..=50, ALL),
-        (Frames, "D", 56..=59, IN_4_0),
-        (Frames, "D", 60..=61, SINCE_4_0),
-        (Codec, "D", 66..=66, SINCE_4_0),
-        (Codec, "D", 68..=70, IN_2026),
+        (NotShown, "DRV", 1..=1),
+        (AnotherParty, "DRV", 10..=10),
+        (AnotherParty, "DRV", 13..=13),
+        (AnotherParty, "FIN", 1..=3),
+        (AnotherParty, "ETO", 4..=4),
+        (Codec, "D", 19..=19),
+        (Frames, "D", 20..=20),
+        (Frames, "D", 28..=29),
+        (Codec, "D", 30..=31),
+        (AnotherParty, "D", 32..=32),
+        (Codec, "D", 33..=34),
+        (Frames, "D", 35..=35),
+        (Frames, "D", 46..=50),
+        (Frames, "D", 56..=61),
+        (Codec, "D", 66..=66),
+        (Codec, "D", 68..=70),
     ]
 };
 
@@ -143,12 +119,11 @@ const UNTESTED: &[(Reason, &str, RangeInclusive<u32>, &[&str])] = {
 /// assert_eq!(light, Some(Reason::NotShown)); // the ASSI is yellow in AS_READY
 /// ```
 pub fn untested(edition: &Edition) -> impl Iterator<Item = Untested> {
-    let version = edition.version;
-    let of_edition =
-        UNTESTED.iter().filter(move |(.., editions)| editions.is_empty() || editions.contains(&version));
-    of_edition.flat_map(|(reason, prefix, numbers, _)| {
+    let requirements = edition.requirements;
+    let all = UNTESTED.iter().flat_map(|(reason, prefix, numbers)| {
         numbers.clone().map(move |number| Untested { id: format!("{prefix}-{number}"), reason: *reason })
-    })
+    });
+    all.filter(|untested| requirements.has(&untested.id))
 }
 
 /// The requirements about what a VCU does: those that tests name, and those that none is for though they are.

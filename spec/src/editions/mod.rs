@@ -1,7 +1,7 @@
 //! The editions of the interface: a folder for each, in which it stands as what it changes.
 //!
 //! A folder has its layouts (`ai.rs`, `vcu.rs`, `log.rs`: a table for each message that is laid out anew), its Figure 2
-//! (`figure2.rs`) and, in `mod.rs`, the [`Edition`] itself: an edition before it with other values. A further edition is one
+//! (`figure2.rs`), the numbers of its requirements (`requirements.rs`) and, in `mod.rs`, the [`Edition`] itself: an edition before it with other values. A further edition is one
 //! more folder and its line here; `fictional.rs` shows the least that one takes. What a message says in any of them, and what
 //! its numbers mean, stands in [`messages`](crate::messages).
 

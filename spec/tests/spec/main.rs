@@ -19,6 +19,7 @@ mod random;
 mod readings;
 mod reads;
 mod receive;
+mod requirements;
 mod reserved;
 #[cfg(feature = "serde")]
 mod serde;

@@ -1,15 +1,15 @@
-//! The cases: every literal of every term of every row of Figure 2, and the world in which it is put to the test.
+//! The cases: every literal of every term of every row of Figure 2, in each edition that has a row of its own, and the world in
+//! which it is put to the test.
 
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_spec::messages::Vcu2LogStatus;
+use adsdv_spec::messages::{Vcu2AiBrake, Vcu2LogStatus};
 use adsdv_spec::{Atom, Atoms, Choice, Choices, Edition, Machine, Readings, Row, Term};
 use adsdv_tests::world::World;
-
-use crate::check::all_pinned;
 
 /// One term of one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Case {
+    pub(crate) edition: &'static Edition,
     pub(crate) row: &'static Row,
     pub(crate) term: &'static Term,
 }
@@ -22,18 +22,23 @@ pub(crate) const HISTORY: Atoms =
 const SHOWN_BY: [(Atom, Choice); 2] =
     [(Atom::GoEdge, Choice::GoRaw), (Atom::PowerCycleNeeded, Choice::PowerCycleLatched)];
 
-/// Every term of the table.
+/// Every term of the table of the first edition, and of each later one those of the rows that none before it has.
 pub(crate) fn all() -> impl Iterator<Item = Case> {
-    static TABLE: adsdv_spec::Table = Edition::DEFAULT.rules.table;
-    TABLE.rows().iter().flat_map(|row| row.terms().iter().map(move |term| Case { row, term }))
+    Edition::ALL.iter().enumerate().flat_map(|(place, &edition)| {
+        let before = &Edition::ALL[..place];
+        let is_new = move |row: &&Row| !before.iter().any(|other| other.rules.table.rows().contains(row));
+        let rows = edition.rules.table.rows().iter().filter(is_new);
+        rows.flat_map(move |row| row.terms().iter().map(move |term| Case { edition, row, term }))
+    })
 }
 
 impl Case {
     /// Where the case is in the table.
     pub(crate) fn name(&self) -> String {
-        let text = |(atom, value)| Edition::DEFAULT.rules.text(atom, value).to_string();
+        let text = |(atom, value)| self.edition.rules.text(atom, value).to_string();
         let conditions: Vec<String> = self.term.literals().map(text).collect();
-        format!("{} -> {}: {}", self.row.from, self.row.to, conditions.join(" and "))
+        let Row { from, to, .. } = self.row;
+        format!("{}: {from} -> {to}: {}", self.edition.version, conditions.join(" and "))
     }
 
     /// The choices that the term belongs to, and those that show its conditions.
@@ -45,14 +50,15 @@ impl Case {
 
     /// The judge, told these choices and nothing else.
     pub(crate) fn options(&self) -> JudgeOptions {
-        all_pinned(self.choices().fold(Choices::NONE, Choices::pin))
+        let open = JudgeOptions::of(self.edition);
+        JudgeOptions { readings: self.choices().fold(open.readings, Choices::pin), ..open }
     }
 
     /// A world whose VCU follows these choices, in the state that the row leaves. What only the past decides is as the
     /// term wants it, but for the literal that is `broken`.
     pub(crate) fn world(&self, broken: Option<Atom>) -> World {
-        let readings = self.choices().fold(Readings::DEFAULT, Readings::with);
-        let mut world = World::new(Machine::new(*Edition::DEFAULT, readings));
+        let readings = self.choices().fold(self.edition.readings, Readings::with);
+        let mut world = World::new(Machine::new(*self.edition, readings));
         if broken == Some(Atom::PowerCycleNeeded) {
             world.after_emergency();
         } else {
@@ -76,9 +82,10 @@ impl Case {
             world.set(atom, value);
         }
     }
-}
 
-/// Whether the message that shows a condition comes rarely.
-pub(crate) fn shows_slowly(atom: Atom) -> bool {
-    Vcu2LogStatus::SCOPE.has(atom)
+    /// Whether the message that shows a condition comes rarely: 502h does, and 524h has the state of the EBS as well since 4.0.
+    pub(crate) fn shows_slowly(&self, atom: Atom) -> bool {
+        let status_ebs = self.edition.bus.message(Vcu2AiBrake::ID).and_then(|def| def.signal("STATUS_EBS"));
+        Vcu2LogStatus::SCOPE.has(atom) && status_ebs.is_none()
+    }
 }

@@ -1,21 +1,26 @@
 //! A transition that does not come though a term of its guard holds.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::{Atom, Atoms, Truth};
+use adsdv_spec::{Atom, Atoms, Edition, Truth};
 use adsdv_tests::world::{MS, World, judge, violations};
 
-use crate::cases::{self, Case, shows_slowly};
+use crate::cases::{self, Case};
 use crate::check::{Blame, blames, is_at, is_reported, is_reported_if_seen, is_silent, only};
 
 /// What the AI Computer is blamed for where a term holds only through its fault.
 fn blames_of_the_ai(case: Case) -> &'static [Blame] {
     let needs = |atom| case.term.on.has(atom);
+    // In 3.0 the readings of what is forbidden at speed meet in section 3.7; in 4.0 they are one, of section 4.
+    let at_speed =
+        |in_3_0, in_4_0| if case.edition.version == Edition::V3_0.version { in_3_0 } else { in_4_0 };
     if needs(Atom::AiCommsLost) {
         &[(Rule::HandshakeLate, "2.4")]
     } else if needs(Atom::Moving) && (needs(Atom::MissionFinished) || needs(Atom::MissionFinishedEdge)) {
-        &[(Rule::FinishedMoving, "3.7")]
+        at_speed(&[(Rule::FinishedMoving, "3.7")], &[(Rule::FinishedMoving, "4")])
     } else if needs(Atom::Moving) {
-        &[(Rule::NeutralMoving, "3.7")]
+        at_speed(&[(Rule::NeutralMoving, "3.7")], &[(Rule::NeutralMoving, "4")])
+    } else if case.term.off.has(Atom::BrakeRequestZero) {
+        &[(Rule::BrakeAndTorque, "4")]
     } else {
         &[]
     }
@@ -24,7 +29,7 @@ fn blames_of_the_ai(case: Case) -> &'static [Blame] {
 /// The term begins to hold, and goes on to hold. Tells when the reference takes the transition.
 fn term_holds(case: Case, mut world: World) -> (World, i64) {
     // What shows late, and what the other conditions are about, comes first.
-    let first = |atom| shows_slowly(atom) || atom == Atom::Moving;
+    let first = |atom| case.shows_slowly(atom) || atom == Atom::Moving;
     for (atom, value) in case.wanted(None).filter(|&(atom, _)| first(atom)) {
         world.set(atom, value);
         world.wait(500);

@@ -2,11 +2,11 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
 use adsdv_spec::messages::{AsState, EbsState, Vcu2LogStatus};
-use adsdv_spec::{Atom, Edition, Row, Truth};
+use adsdv_spec::{Atom, Row, Truth};
 use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{MS, World, judge};
 
-use crate::cases::{self, Case, HISTORY, shows_slowly};
+use crate::cases::{self, Case, HISTORY};
 use crate::check::{is_at, is_reported, is_silent, only};
 
 /// The rows that no log can show to be wrongly taken: the shutdown circuit alone may be the reason, and a log does not
@@ -54,7 +54,7 @@ fn every_literal_that_fails_is_reported() {
         let forced = world.t;
         world.force(case.row.to);
         // Long enough for the window, short enough for nothing to become due in the new state.
-        world.wait(if shows_slowly(literal) { 300 } else { 40 });
+        world.wait(if case.shows_slowly(literal) { 300 } else { 40 });
         if !HISTORY.has(literal) {
             world.set(literal, !fails_as(case, literal));
         }
@@ -69,7 +69,7 @@ fn every_literal_that_fails_is_reported() {
             (case.row.from, case.row.to, Truth::False),
             "{name}"
         );
-        let text = Edition::DEFAULT.rules.text(literal, fails_as(case, literal)).to_string();
+        let text = case.edition.rules.text(literal, fails_as(case, literal)).to_string();
         assert!(finding.message().contains(&text), "{name}: {}", finding.message());
         is_reported(&world, case.options(), Party::Vcu, &[(Rule::Unjustified, case.row.section)], &name);
         count += 1;
@@ -95,7 +95,7 @@ fn no_log_shows_that_the_shutdown_circuit_was_closed() {
         if !hidden {
             continue;
         }
-        let mut world = World::reference();
+        let mut world = World::of(case.edition);
         world.arrive(case.row.from);
         world.force(case.row.to);
         world.wait(300);

@@ -94,6 +94,15 @@ pub(crate) fn row_of(edition: &Edition, from: AsState, to: AsState) -> Option<&R
     edition.rules.table.rows().iter().find(|row| (row.from, row.to) == (from, to))
 }
 
+/// The section in which an edition has a fault of `AS_DRIVING`: 3.7, where its readings meet, if they stand in different ones.
+pub(crate) fn section_of(edition: &Edition, fault: Fault) -> &'static str {
+    let rows = edition.rules.table.rows().iter().filter(|row| row.from == AsState::Driving);
+    let mut sections =
+        rows.flat_map(Row::terms).filter(|term| term.fault == Some(fault)).map(|term| term.section);
+    let first = sections.next();
+    first.filter(|first| sections.all(|section| section == *first)).unwrap_or("3.7")
+}
+
 /// What is taken for certain: what is taken if nothing is that only may be, unless the state may stay.
 pub(crate) fn forced(machine: &Machine, from: AsState, known: Knowledge) -> Option<Way> {
     way(machine, machine.outcomes(from, known).last()?.taken?.0)

@@ -5,7 +5,7 @@ use adsdv_spec::Fault;
 use crate::judge::estimator::readings::Way;
 use crate::judge::sampler::places;
 
-/// What section 3.7 forbids the AI Computer while the vehicle is moving.
+/// What is forbidden to the AI Computer while the vehicle is moving.
 pub(in crate::judge) const AT_SPEED: [Fault; 2] = [Fault::MissionStatusFault, Fault::AutonomousBrakingFault];
 
 /// A value with the time at which it was seen.

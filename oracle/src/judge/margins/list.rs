@@ -8,7 +8,7 @@ use super::notice::ANGLE;
 use super::{Basis, Margin, Measure};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::row_of;
+use crate::judge::estimator::readings::{row_of, section_of};
 use crate::judge::exercised::cited;
 use crate::judge::finding::Party;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
@@ -75,7 +75,8 @@ impl Book {
             let ways = est.readings.ways(AsState::Driving);
             let cites = ways.iter().find(|way| way.term.fault == Some(fault))?.term.cites;
             let value = signal.physical(i32::try_from(value).ok()?);
-            let margin = margin(what, Party::Ai, "3.7", value, limit, signal.unit, t);
+            let margin =
+                margin(what, Party::Ai, section_of(&est.edition, fault), value, limit, signal.unit, t);
             Some(Margin { requirements: cited::of_edition(&est.edition, cites.requirements), ..margin })
         };
         measured.zip(self.margins.speeds).filter_map(of).collect()

@@ -10,13 +10,13 @@ use super::pending::{Awaited, Pending};
 use super::texts::conditions;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::{Way, of_terms, ways};
+use crate::judge::estimator::readings::{Way, of_terms, section_of, ways};
 use crate::judge::exercised::FINISHES_AT_REST;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::margins::AT_SPEED;
 use crate::judge::sampler::places::{AI_DRIVE_F, AI_DRIVE_R, AI_STATUS, AI_STEER, STATUS, scope};
 
-/// What the AI Computer must not do in `AS_DRIVING`: what section 3.7 forbids while the vehicle is moving, and both requests.
+/// What the AI Computer must not do in `AS_DRIVING`: what is forbidden while the vehicle is moving, and both requests.
 const FORBIDDEN: [Fault; 3] = [AT_SPEED[0], AT_SPEED[1], BOTH];
 /// Torque and brakes at once (section 4 of version 4.0).
 pub(super) const BOTH: Fault = Fault::BrakePlausibilityFault;
@@ -119,17 +119,15 @@ impl Conduct {
             (Severity::Warning, " (a violation under some readings of the document only)")
         };
         book.was_forbidden(fault);
-        // Section 3.7 is where both readings of what is forbidden at speed meet. The other requirements are the VCU's.
-        let (section, rule, broken, expected): (_, _, &[_], _) = match fault {
-            Fault::MissionStatusFault => (
-                "3.7",
-                Rule::FinishedMoving,
-                &[FINISHES_AT_REST],
-                "FINISHED only once the vehicle has stopped",
-            ),
-            BOTH => (term.section, Rule::BrakeAndTorque, &[], "no request to drive and to brake at once"),
-            _ => ("3.7", Rule::NeutralMoving, &[], "NEUTRAL only once the vehicle has stopped"),
+        // The other requirements are the VCU's.
+        let (rule, broken, expected): (_, &[_], _) = match fault {
+            Fault::MissionStatusFault => {
+                (Rule::FinishedMoving, &[FINISHES_AT_REST], "FINISHED only once the vehicle has stopped")
+            }
+            BOTH => (Rule::BrakeAndTorque, &[], "no request to drive and to brake at once"),
+            _ => (Rule::NeutralMoving, &[], "NEUTRAL only once the vehicle has stopped"),
         };
+        let section = section_of(&est.edition, fault);
         let finding = Finding::new(severity, Party::Ai, section, rule, t)
             .against(broken)
             .seen(format!("{} in AS_DRIVING", conditions(&est.edition.rules, &term, known)))

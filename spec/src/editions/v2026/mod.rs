@@ -6,6 +6,7 @@
 mod ai;
 mod devices;
 mod log;
+mod requirements;
 mod values;
 mod vcu;
 
@@ -33,6 +34,7 @@ impl Edition {
         bus: Bus { devices: devices::DEVICES, ..V2026::bus(Self::V4_0.bus.reserved) },
         //= D-67
         readings: Self::V4_0.readings.with(Choice::TorqueNever),
+        requirements: requirements::REQUIREMENTS,
         ..Self::V4_0
     };
 }

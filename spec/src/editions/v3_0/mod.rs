@@ -3,6 +3,7 @@
 mod ai;
 pub(super) mod figure2;
 mod log;
+mod requirements;
 mod vcu;
 
 use core::ops::RangeInclusive;
@@ -45,6 +46,7 @@ impl Edition {
         choices: Choices::ALL.difference(LATER),
         readings: Readings::DEFAULT,
         bus: V3_0::bus(RESERVED),
+        requirements: requirements::REQUIREMENTS,
     };
 }
 

@@ -3,6 +3,7 @@
 mod ai;
 mod figure2;
 mod log;
+mod requirements;
 mod values;
 
 pub(super) use values::{CAUSES, MISSIONS};
@@ -49,6 +50,7 @@ impl Edition {
         //= D-62
         readings: Readings::DEFAULT.with(Choice::EstopDriving),
         bus: V4_0::bus(RESERVED),
+        requirements: requirements::REQUIREMENTS,
     };
 }
 

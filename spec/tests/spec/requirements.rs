@@ -1,0 +1,59 @@
+//! What an edition asks for is what `REQUIREMENTS.md` says of it.
+
+use adsdv_spec::Edition;
+
+const REQUIREMENTS: &str = include_str!("../../REQUIREMENTS.md");
+
+/// Each requirement with the editions that its parenthesis names; none stands for all.
+fn all() -> impl Iterator<Item = (&'static str, Vec<&'static str>)> {
+    let items = REQUIREMENTS.split("\n- **").skip(1);
+    items.filter_map(|item| {
+        let (id, rest) = item.split_once("** ")?;
+        let sentence = rest.split("\n\n").next()?.trim_end();
+        let (_, places) = sentence.strip_suffix(").")?.rsplit_once('(')?;
+        let named = places.split(';').filter_map(|place| place.split_once(':'));
+        Some((id, named.map(|(edition, _)| edition.trim()).collect()))
+    })
+}
+
+#[test]
+fn an_edition_asks_for_what_names_it() {
+    assert!(all().count() > 300);
+    for (id, editions) in all() {
+        for edition in Edition::ALL {
+            let named = editions.is_empty() || editions.contains(&edition.version);
+            assert_eq!(edition.requirements.has(id), named, "{id} in {}", edition.version);
+        }
+    }
+}
+
+#[test]
+fn there_is_none_that_the_file_does_not_have() {
+    for edition in Edition::ALL {
+        for numbers in edition.requirements.added {
+            for number in numbers.first..=numbers.last {
+                let id = format!("{}-{number}", numbers.prefix);
+                assert!(all().any(|(known, _)| known == id), "{id} in {}", edition.version);
+            }
+        }
+    }
+    for id in ["SM-99", "SM-0", "SM", "HS-9x", "XX-1", ""] {
+        assert!(Edition::ALL.iter().all(|edition| !edition.requirements.has(id)), "{id:?}");
+    }
+}
+
+/// What is replaced was asked for, and what stands instead is asked for now.
+#[test]
+fn what_is_replaced_was_asked_for() {
+    for edition in Edition::ALL {
+        for replaced in edition.requirements.replaced {
+            let before = edition.requirements.before.expect("an edition before it");
+            assert!(before.has(replaced.id), "{}: {}", edition.version, replaced.id);
+            assert!(
+                replaced.by.iter().all(|id| edition.requirements.has(id)),
+                "{}: {replaced:?}",
+                edition.version
+            );
+        }
+    }
+}
