@@ -41,6 +41,7 @@ pub mod closed;
 mod document;
 mod explore;
 mod goals;
+mod in_edition;
 mod look;
 mod moot;
 mod open;

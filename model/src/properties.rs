@@ -1,7 +1,8 @@
 //! The properties of the open model, as data: each with its name, what it says, and the requirements that it covers.
 //!
 //! They are stated in the document's words, over conditions and states, and never look at the table of the machine that
-//! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version.
+//! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version; what
+//! stands in braces is one of them. A property covers the requirements of every edition that has it, each where it is asked for.
 
 use adsdv_spec::messages::{AsState, ShutdownCause};
 use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Timing};
@@ -121,7 +122,7 @@ pub const PROPERTIES: &[Property] = &[
     },
     Property {
         name: "driving-dwell",
-        statement: "AS_DRIVING is entered only after 5 s in AS_READY",
+        statement: "AS_DRIVING is entered only after {ready_dwell} in AS_READY",
         requirements: &["DRV-4"],
         harm: Harm::SetsOff,
         holds_in: every,
@@ -216,7 +217,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-finished",
         statement: "FINISHED while moving leads to EMERGENCY_BRAKE",
-        requirements: &["DTE-4", "IMP-3", "IMP-4"],
+        requirements: &["DTE-4", "DTE-6", "DTE-7", "IMP-3", "IMP-4", "IMP-5"],
         harm: Harm::DrivesOn,
         holds_in: every,
         claim: Claim::Leads {
@@ -228,7 +229,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-neutral",
         statement: "NEUTRAL while moving leads to EMERGENCY_BRAKE",
-        requirements: &["DTE-5", "IMP-2", "IMP-4"],
+        requirements: &["DTE-5", "DTE-6", "DTE-8", "IMP-2", "IMP-4", "IMP-6"],
         harm: Harm::DrivesOn,
         holds_in: every,
         claim: Claim::Leads {
@@ -240,7 +241,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-comms",
         statement: "A handshake or a message that is lost in AS_DRIVING leads to EMERGENCY_BRAKE",
-        requirements: &["HS-9", "HS-10"],
+        requirements: &["HS-9", "HS-10", "HS-17", "HS-18", "DTE-6", "DTE-11", "IMP-7"],
         harm: Harm::DrivesOn,
         holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: COMMS_LOST, to: STOPPED },
@@ -248,7 +249,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-estop",
         statement: "ESTOP_REQUEST in AS_DRIVING leads to EMERGENCY_BRAKE",
-        requirements: &["D-9"],
+        requirements: &["D-9", "D-62", "DTE-10"],
         harm: Harm::DrivesOn,
         holds_in: every,
         claim: Claim::Leads { from: &[Driving], when: When::on(&[Atom::AiEstop]), to: STOPPED },
@@ -256,7 +257,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-front-brake",
         statement: "Torque of the front axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
-        requirements: &["DTE-9", "IMP-8"],
+        requirements: &["DTE-6", "DTE-9", "IMP-8"],
         harm: Harm::DrivesOn,
         holds_in: braking_against_torque_is_a_fault,
         claim: Claim::Leads {
@@ -268,7 +269,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "driving-rear-brake",
         statement: "Torque of the rear axle and a brake requested at once in AS_DRIVING lead to EMERGENCY_BRAKE",
-        requirements: &["DTE-9", "IMP-8"],
+        requirements: &["DTE-6", "DTE-9", "IMP-8"],
         harm: Harm::DrivesOn,
         holds_in: braking_against_torque_is_a_fault,
         claim: Claim::Leads {
@@ -328,7 +329,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "ready-comms",
         statement: "A handshake or a message that is lost in AS_READY leads to EMERGENCY_BRAKE",
-        requirements: &["HS-9", "HS-10"],
+        requirements: &["HS-9", "HS-10", "HS-17", "HS-18"],
         harm: Harm::NotBraked,
         holds_in: every,
         claim: Claim::Leads { from: &[Ready], when: COMMS_LOST, to: STOPPED },
@@ -336,7 +337,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "finished-comms",
         statement: "A handshake or a message that is lost in AS_FINISHED leads to EMERGENCY_BRAKE",
-        requirements: &["HS-9", "HS-10"],
+        requirements: &["HS-9", "HS-10", "HS-17", "HS-18"],
         harm: Harm::NotBraked,
         holds_in: every,
         claim: Claim::Leads { from: &[Finished], when: COMMS_LOST, to: STOPPED },
@@ -462,7 +463,7 @@ pub const PROPERTIES: &[Property] = &[
     },
     Property {
         name: "brake-time",
-        statement: "EMERGENCY_BRAKE lasts at least 15 s",
+        statement: "EMERGENCY_BRAKE lasts at least {ebs_timer}",
         requirements: &["ETO-1"],
         harm: Harm::SetsOff,
         holds_in: every,
@@ -485,7 +486,7 @@ pub const PROPERTIES: &[Property] = &[
     },
     Property {
         name: "brake-due",
-        statement: "EMERGENCY_BRAKE is left for AS_OFF when it has lasted 15 s and ASMS is off",
+        statement: "EMERGENCY_BRAKE is left for AS_OFF when it has lasted {ebs_timer} and ASMS is off",
         requirements: &["ETO-2", "SM-17", "D-23"],
         harm: Harm::RunLost,
         holds_in: every,
@@ -533,7 +534,7 @@ pub const PROPERTIES: &[Property] = &[
     Property {
         name: "control-invariant",
         statement: "The control state keeps its invariant; the handshake and the time in a state are counted as they pass",
-        requirements: &["HS-4", "HS-6", "HS-7", "HS-9", "D-8", "D-11", "D-44"],
+        requirements: &["HS-4", "HS-6", "HS-7", "HS-9", "HS-17", "D-8", "D-11", "D-44"],
         harm: Harm::Misled,
         holds_in: every,
         claim: Claim::Each {

@@ -14,9 +14,11 @@ use crate::step::Step;
 pub struct Property {
     /// The stable name, such as `driving-sdc`.
     pub name: &'static str,
-    /// What it says, in one sentence.
+    /// What it says, in one sentence. What stands in braces is a time of the edition, which
+    /// [`statement_in`](Self::statement_in) puts there.
     pub statement: &'static str,
-    /// The requirements that it covers, as `spec/REQUIREMENTS.md` numbers them.
+    /// The requirements that it covers in some edition, as `spec/REQUIREMENTS.md` numbers them;
+    /// [`requirements_in`](Self::requirements_in) has those of one.
     pub requirements: &'static [&'static str],
     /// What it can cost when the property does not hold.
     pub harm: Harm,

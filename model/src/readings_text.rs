@@ -5,7 +5,6 @@ use std::fmt::{self, Display, Formatter};
 
 use adsdv_spec::{Choice, Choices, Edition};
 
-use crate::closed::ClosedProperty;
 use crate::document::{have_the_same_state_machine, is_default};
 use crate::goals::goals;
 use crate::property::{Harm, Property, properties};
@@ -68,6 +67,9 @@ impl Display for Sweep {
         for property in properties(self.edition) {
             let costs: Vec<&Cost> = self.costs.iter().filter(|cost| cost.name == property.name).collect();
             if !costs.is_empty() {
+                let (statement, requirements) =
+                    (property.statement_in(self.edition), property.requirements_in(self.edition));
+                heading(f, property.name, &statement, &requirements)?;
                 details(f, property, &costs)?;
             }
         }
@@ -121,8 +123,12 @@ impl Sweep {
             return writeln!(f, "\nNone fails any.");
         }
         for ClosedCost { property, choice, run } in &self.closed {
-            let ClosedProperty { name, statement, requirements, .. } = property;
-            writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
+            heading(
+                f,
+                property.name,
+                &property.statement_in(self.edition),
+                &property.requirements_in(self.edition),
+            )?;
             writeln!(f, "\nFails under `{choice}` ({}):\n", choice.text())?;
             lines(f, &story_of(run))?;
         }
@@ -154,17 +160,19 @@ impl Sweep {
                 f,
                 "- `{}`: {} ({})",
                 property.name,
-                property.statement,
-                property.requirements.join(", ")
+                property.statement_in(self.edition),
+                property.requirements_in(self.edition).join(", ")
             )?;
         }
         Ok(())
     }
 }
 
+fn heading(f: &mut Formatter<'_>, name: &str, statement: &str, requirements: &[&str]) -> fmt::Result {
+    writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))
+}
+
 fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::Result {
-    let Property { name, statement, requirements, .. } = property;
-    writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))?;
     for cost in costs {
         writeln!(f, "\nFails under {}: {}.", under(cost), cost.harm(property).text())?;
         if let Some(run) = &cost.run {

@@ -88,7 +88,7 @@ impl<'a> PropertyJson<'a> {
         let failure = failures.iter().find(|failure| failure.name == result.name && !result.holds);
         Self {
             name: result.name,
-            statement: result.statement,
+            statement: &result.statement,
             requirements: &result.requirements,
             claim: match result.claim {
                 Claim::Always => "always",

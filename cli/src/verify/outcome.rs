@@ -59,7 +59,7 @@ pub(super) struct Checked {
     /// Its name.
     pub(super) name: &'static str,
     /// What it says.
-    pub(super) statement: &'static str,
+    pub(super) statement: String,
     /// The requirements, or the section, that it covers.
     pub(super) requirements: Vec<&'static str>,
     /// What is claimed.
@@ -174,13 +174,19 @@ fn open(machine: &Machine, report: Report) -> Explored {
         Checked { name, statement, requirements, claim, holds, steps, counterexample }
     };
     let mut results = Vec::new();
-    for Property { name, statement, requirements, .. } in properties(machine.edition()) {
+    for property @ Property { name, .. } in properties(machine.edition()) {
         let holds = exploration.broken.iter().all(|broken| broken.name != *name);
-        results.push(checked(name, statement, requirements.to_vec(), Claim::Always, holds));
+        results.push(checked(
+            name,
+            property.statement_in(machine.edition()),
+            property.requirements_in(machine.edition()),
+            Claim::Always,
+            holds,
+        ));
     }
     for goal @ Goal { name, statement, requirement, .. } in goals(machine.edition()) {
         let holds = !exploration.missed.contains(goal);
-        results.push(checked(name, statement, vec![*requirement], Claim::Sometimes, holds));
+        results.push(checked(name, (*statement).to_owned(), vec![*requirement], Claim::Sometimes, holds));
     }
     Explored {
         name: "open model",
@@ -213,8 +219,8 @@ fn closed(
         let run = (!found.holds).then(|| model.clone().run_for(property.name).or(found.run)).flatten();
         Checked {
             name: property.name,
-            statement: property.statement,
-            requirements: property.requirements.to_vec(),
+            statement: property.statement_in(machine.edition()),
+            requirements: property.requirements_in(machine.edition()),
             claim,
             holds: found.holds,
             steps: run.as_ref().map(|run| run.clone().into_actions().len()),

@@ -148,7 +148,7 @@ fn failed(
     let results = outcome.models.iter().flat_map(|model| &model.results);
     let statement = results
         .filter(|result| result.name == *name)
-        .map(|result| result.statement)
+        .map(|result| result.statement.as_str())
         .next()
         .unwrap_or_default();
     writeln!(out, "\n{} {}", Styled(style::BAD, "FAILS"), Styled(style::HEADING, name))?;

@@ -15,9 +15,11 @@ use super::{Closed, ClosedAction, ClosedState, Mission, Operator, Wheels};
 pub struct ClosedProperty {
     /// The stable name.
     pub name: &'static str,
-    /// What it says, in one sentence.
+    /// What it says, in one sentence. What stands in braces is a time of the edition, which
+    /// [`statement_in`](Self::statement_in) puts there.
     pub statement: &'static str,
-    /// The requirements that it covers, as `spec/REQUIREMENTS.md` numbers them; none where it is about the model itself.
+    /// The requirements that it covers in some edition, as `spec/REQUIREMENTS.md` numbers them; none where it is about the model
+    /// itself. [`requirements_in`](Self::requirements_in) has those of one.
     pub requirements: &'static [&'static str],
     /// With which operators it is checked.
     pub operators: &'static [Operator],
@@ -47,7 +49,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     ClosedProperty {
         name: "no-emergency-without-a-reason",
         statement: "With a conforming AI Computer, a well-behaved operator and no fault, EMERGENCY_BRAKE is never reached",
-        requirements: &["SM-18", "DTE-4", "DTE-5", "HS-13"],
+        requirements: &["SM-18", "DTE-4", "DTE-5", "DTE-7", "DTE-8", "HS-13"],
         operators: WELL_BEHAVED,
         expectation: Expectation::Always,
         condition: |_, state| state.control.state != AsState::EmergencyBrake,
@@ -68,7 +70,7 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
         name: "conforming-ai-causes-no-emergency",
         statement: "Whatever the operator does, and whenever a fault opens the shutdown circuit, SHUTDOWN_CAUSE never blames a conforming AI Computer: \
                     it is none of 1, 6, 7 and 8",
-        requirements: &["MSG-64", "HS-9", "HS-10", "DTE-4", "DTE-5"],
+        requirements: &["MSG-64", "HS-9", "HS-10", "HS-17", "DTE-4", "DTE-5", "DTE-7", "DTE-8"],
         operators: BOTH,
         expectation: Expectation::Always,
         condition: |_, state| {
@@ -83,8 +85,8 @@ pub const CLOSED_PROPERTIES: &[ClosedProperty] = &[
     },
     ClosedProperty {
         name: "conforming-ai-is-never-lost",
-        statement: "AI_COMMS_LOST is never raised while the AI Computer answers each edge in less than 50 ms",
-        requirements: &["HS-9", "HS-13", "HS-16", "D-8", "D-44"],
+        statement: "AI_COMMS_LOST is never raised while the AI Computer answers each edge in less than {handshake}",
+        requirements: &["HS-9", "HS-13", "HS-16", "HS-17", "HS-18", "HS-19", "D-8", "D-44"],
         operators: BOTH,
         expectation: Expectation::Always,
         condition: |model, state| {

@@ -109,9 +109,9 @@ fn the_properties() {
                 told,
                 "{} ({}), {}: {}\n{mutation}\n",
                 property.name,
-                property.requirements.join(", "),
+                property.requirements_in(Edition::DEFAULT).join(", "),
                 property.harm.text(),
-                property.statement
+                property.statement_in(Edition::DEFAULT)
             );
             told += &lines(story(&machine, &runs[property.name], Some(property)));
             told.push('\n');
