@@ -43,7 +43,7 @@ impl Case {
         self.term.readings.iter().chain(shown_by)
     }
 
-    /// The judge, told these choices and nothing else.
+    /// The judge with these choices and nothing else.
     pub(crate) fn options(&self) -> JudgeOptions {
         all_pinned(self.choices().fold(Choices::NONE, Choices::pin))
     }
