@@ -38,7 +38,7 @@ done
 cargo +nightly --version >/dev/null 2>&1 \
   || fail 2 "there is no nightly toolchain; install it with: rustup toolchain install nightly"
 cargo fuzz --version >/dev/null 2>&1 || fail 2 "cargo-fuzz is not installed; install it with: cargo install --locked cargo-fuzz"
-# cargo-fuzz cannot be told to leave fuzz/Cargo.lock as it is.
+# cargo-fuzz has no option to leave fuzz/Cargo.lock as it is.
 cargo +nightly metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null \
   || fail 1 "fuzz/Cargo.lock is not up to date; write it with: cargo update --workspace --manifest-path fuzz/Cargo.toml"
 
@@ -76,7 +76,7 @@ for target in $targets; do
   [ -z "$runs" ] || options+=(-runs="$runs")
   [ -z "$seed" ] || options+=(-seed="$seed")
   [ ! -f "fuzz/dictionaries/$target.dict" ] || options+=(-dict="fuzz/dictionaries/$target.dict")
-  # -fork goes on after an input that is slow or takes too much memory, unless it is told not to.
+  # -fork goes on after an input that is slow or takes too much memory, unless options forbid it.
   [ "$jobs" = 1 ] || options+=(-fork="$jobs" -ignore_ooms=0 -ignore_timeouts=0)
   printf '%-16s ' "$target"
   if "${same[@]}" "$bin/$target" "${options[@]}" "${inputs[@]}" >"$log" 2>&1; then

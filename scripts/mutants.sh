@@ -64,7 +64,7 @@ done < <(sed -n "/^exclude_re = \[/,/^\]/s/^ *'\(.*\)',\$/\1/p" .cargo/mutants.t
 [ -z "$reasons" ] && [ "$stale" = 0 ] || exit "$stale"
 
 # The files of a group, the package they are in, and the tests that run on them, round by round: packages, then what
-# cargo test is told, then after a bar what the tests are told. Where all tests take long, those go first that catch much
+# cargo test gets, then after a bar what the tests get. Where all tests take long, those go first that catch much
 # and take little.
 describe() {
   features=()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The tests on SocketCAN as a kernel has it: on this machine's own where it has vcan, else in the small virtual machine of
-# scripts/vm, else not at all, which is told.
+# scripts/vm, else not at all, and then it says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

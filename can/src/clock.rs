@@ -1,6 +1,6 @@
 //! Cycles of real time, without drift: cycle `n` is due at `start + n * cycle`, however late the ones before it were.
 //!
-//! A cycle that is late by whole cycles leaves these out: the step that follows is told the time that has really passed,
+//! A cycle that is late by whole cycles leaves these out: the step that follows gets the time that has really passed,
 //! rather than being made up for by steps in a row, which would look to everybody else like a VCU in a hurry.
 //!
 //! Nothing here reads a clock: the time is what the caller says.

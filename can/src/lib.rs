@@ -21,7 +21,7 @@
 //! | SocketCAN, with all that can go wrong | [`socket`] |
 //! | the car and the AI on a real bus | [`live`] |
 //!
-//! The car, the AI, the scenario and the demo know neither a clock nor a socket: time is what they are told.
+//! The car, the AI, the scenario and the demo know neither a clock nor a socket: the caller gives them the time.
 
 #![forbid(unsafe_code)]
 

@@ -163,12 +163,12 @@ pub enum HappeningKind {
     Up,
     /// The kernel dropped frames, because they were not taken in time.
     Dropped {
-        /// How many, since this was told last.
+        /// How many, since this was reported last.
         frames: u64,
         /// Whether the kernel keeps fewer for this program than were asked for.
         small_buffer: bool,
     },
-    /// So many cycles were left out, since this was told last, because others began late.
+    /// So many cycles were left out, since this was reported last, because others began late.
     Late(u64),
     /// The AI Computer is heard for the first time; or again, for a second without a pause or after a longer one.
     AiHeard,

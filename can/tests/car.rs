@@ -399,11 +399,11 @@ fn what_the_operator_can_do_does_it() {
 
 #[test]
 fn every_switch_has_a_few_words() {
-    let mut told: Vec<&str> = Switch::all().map(Switch::about).chain([Action::ABOUT_POWER_CYCLE]).collect();
-    assert!(told.iter().all(|about| !about.is_empty() && !about.contains('|')), "{told:?}");
-    told.sort_unstable();
-    told.dedup();
-    assert_eq!(told.len(), Switch::all().count() + 1);
+    let mut texts: Vec<&str> = Switch::all().map(Switch::about).chain([Action::ABOUT_POWER_CYCLE]).collect();
+    assert!(texts.iter().all(|about| !about.is_empty() && !about.contains('|')), "{texts:?}");
+    texts.sort_unstable();
+    texts.dedup();
+    assert_eq!(texts.len(), Switch::all().count() + 1);
 }
 
 #[test]
@@ -484,8 +484,8 @@ fn the_vcu_sends_the_speed_of_the_vehicle() {
     let cycle = car.cycle(10);
     let frame = cycle.frames.iter().find(|frame| frame.id == Vcu2LogDynamics1::ID).expect("500h");
     let logged: Vcu2LogDynamics1 = Edition::DEFAULT.bus.decode_as(frame.data()).expect("it decodes");
-    let told = logged.speed_actual.to_physical();
-    assert!((told - car.vehicle().speed_mps() * 3.6).abs() < 2.0, "{told}");
+    let logged_speed = logged.speed_actual.to_physical();
+    assert!((logged_speed - car.vehicle().speed_mps() * 3.6).abs() < 2.0, "{logged_speed}");
 }
 
 /// The frames of the remote control in so many cycles, with what they say.

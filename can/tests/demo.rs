@@ -109,8 +109,8 @@ fn a_log_of_the_run_is_judged_the_same() {
     }
     let read = judge_log(&text[..], &LogOptions::default(), |_| {}).expect("a log");
     assert_eq!((read.frames, read.findings.len()), (report.frames, report.findings.len()));
-    let told = |report: &Report| format!("{:?} {:?}", report.transitions, report.findings);
-    assert_eq!(told(&read), told(&report));
+    let text = |report: &Report| format!("{:?} {:?}", report.transitions, report.findings);
+    assert_eq!(text(&read), text(&report));
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn a_scenario_stuck_before_a_state_reports_it() {
     );
 }
 
-/// What is told is what leads to the state that the scenario waits for, and what was done until then is there.
+/// The message names what leads to the state that the scenario waits for, and what was done until then is there.
 #[test]
 fn a_stuck_scenario_reports_what_leads_to_the_awaited_state() {
     let options = DemoOptions { patience_ms: 20_000, ..DemoOptions::default() };

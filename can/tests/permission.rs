@@ -35,15 +35,15 @@ fn refused(errno: i32) -> String {
 #[test]
 fn a_sandbox_that_refuses_the_socket_is_named() {
     for errno in [nix::libc::EPERM, nix::libc::EACCES] {
-        let told = refused(errno);
-        let (why, hint) = told.split_once('\n').expect("two lines");
-        assert!(why.starts_with("vcan0: ") && why.contains("permi"), "{told}");
-        assert!(hint.starts_with("hint: ") && hint.contains("sandbox"), "{told}");
+        let error = refused(errno);
+        let (why, hint) = error.split_once('\n').expect("two lines");
+        assert!(why.starts_with("vcan0: ") && why.contains("permi"), "{error}");
+        assert!(hint.starts_with("hint: ") && hint.contains("sandbox"), "{error}");
     }
 }
 
 #[test]
 fn a_kernel_without_can_is_something_else() {
-    let told = refused(nix::libc::EAFNOSUPPORT);
-    assert!(told.contains("has no CAN"), "{told}");
+    let error = refused(nix::libc::EAFNOSUPPORT);
+    assert!(error.contains("has no CAN"), "{error}");
 }

@@ -1,4 +1,4 @@
-//! Scenario files: what is read, what is refused and how that is told, and when lines take place.
+//! Scenario files: what is read, what is refused and with which message, and when lines take place.
 
 use std::fmt::Write as _;
 use std::io::{self, BufRead, BufReader, Read};
@@ -146,22 +146,22 @@ fn every_error_is_reported_and_none_hides_another() {
 
 #[test]
 fn lines_that_cannot_take_place_in_their_order() {
-    let told = errors(b"1 asms on\n0.5 asms off\n");
+    let messages = errors(b"1 asms on\n0.5 asms off\n");
     assert_eq!(
-        told,
+        messages,
         ["line 2, column 1: found \"0.5\", expected 1 or later: line 1 does not take place before that"]
     );
-    let told = errors(b"1 asms on\n+0.5 tsms on\nAS_READY +2 go on\n1.999 asms off\n3 end");
+    let messages = errors(b"1 asms on\n+0.5 tsms on\nAS_READY +2 go on\n1.999 asms off\n3 end");
     assert_eq!(
-        told,
+        messages,
         ["line 4, column 1: found \"1.999\", expected 2 or later: line 3 does not take place before that"]
     );
-    let told = errors(b"0 end\n\n1 end\n2 asms on\n");
-    assert_eq!(told[0], "line 3, column 1: found \"1 end\", expected nothing more: end stands in line 1");
-    assert_eq!(told.len(), 1, "it is told once: {told:?}");
-    // What else is wrong there is told as well.
-    let told = errors(b"0 end\n1 end\n2 asms up\n");
-    assert!(told.len() == 2 && told[1].starts_with("line 3, column 8: found \"up\""), "{told:?}");
+    let messages = errors(b"0 end\n\n1 end\n2 asms on\n");
+    assert_eq!(messages[0], "line 3, column 1: found \"1 end\", expected nothing more: end stands in line 1");
+    assert_eq!(messages.len(), 1, "it is reported once: {messages:?}");
+    // What else is wrong there is reported as well.
+    let messages = errors(b"0 end\n1 end\n2 asms up\n");
+    assert!(messages.len() == 2 && messages[1].starts_with("line 3, column 8: found \"up\""), "{messages:?}");
     // At the same time is well.
     assert_eq!(scenario("1 asms on\n1 tsms on\n+0 go on").lines().len(), 3);
 }
@@ -169,10 +169,11 @@ fn lines_that_cannot_take_place_in_their_order() {
 #[test]
 fn a_file_without_a_line() {
     for text in ["", "\n\n", "# only this\n", "   "] {
-        let told = errors(text.as_bytes());
+        let messages = errors(text.as_bytes());
         assert!(
-            told.len() == 1 && told[0].ends_with("found nothing, expected a line such as: 0.5 asms on"),
-            "{told:?}"
+            messages.len() == 1
+                && messages[0].ends_with("found nothing, expected a line such as: 0.5 asms on"),
+            "{messages:?}"
         );
     }
 }
@@ -183,11 +184,11 @@ fn a_long_line_is_passed_over_and_reported() {
     assert_eq!(fits.len(), MAX_LINE);
     assert!(fits.parse::<Scenario>().is_ok());
     let text = format!("{fits}x\n1 asms up\n");
-    let told = errors(text.as_bytes());
-    assert_eq!(told.len(), 2, "{told:?}");
-    assert!(told[0].starts_with("line 1, column 1: found \"0 asms on #xxx"), "{told:?}");
-    assert!(told[0].ends_with("\"..., expected a line of at most 4096 bytes"), "{told:?}");
-    assert!(told[1].starts_with("line 2, column 8: found \"up\""), "{told:?}");
+    let messages = errors(text.as_bytes());
+    assert_eq!(messages.len(), 2, "{messages:?}");
+    assert!(messages[0].starts_with("line 1, column 1: found \"0 asms on #xxx"), "{messages:?}");
+    assert!(messages[0].ends_with("\"..., expected a line of at most 4096 bytes"), "{messages:?}");
+    assert!(messages[1].starts_with("line 2, column 8: found \"up\""), "{messages:?}");
 }
 
 /// Megabytes without a line feed, and then another line; and the buffer stays small.
@@ -198,8 +199,8 @@ fn a_line_of_megabytes_is_passed_over() {
     let Err(Unreadable::Lines { errors, more: 0 }) = Scenario::read(source) else {
         panic!("it is no scenario")
     };
-    let told: Vec<_> = errors.iter().map(|error| (error.line, error.column, error.found.len())).collect();
-    assert_eq!(told, [(1, 1, MAX_LINE), (2, 8, 2)]);
+    let messages: Vec<_> = errors.iter().map(|error| (error.line, error.column, error.found.len())).collect();
+    assert_eq!(messages, [(1, 1, MAX_LINE), (2, 8, 2)]);
 }
 
 #[test]
@@ -212,22 +213,22 @@ fn a_flood_of_errors_is_counted() {
     assert_eq!((errors.len(), more), (50, 10_000 - 50));
     assert!(text.parse::<Scenario>().unwrap_err().to_string().ends_with("\nand 9950 more"));
     let many = "0 asms on\n".repeat(200_000);
-    let told = errors_of(&many);
-    assert!(told.ends_with("expected at most 100000 lines that say something"), "{told}");
+    let messages = errors_of(&many);
+    assert!(messages.ends_with("expected at most 100000 lines that say something"), "{messages}");
 }
 
 #[test]
 fn every_switch_is_named_once() {
-    let told = errors(b"0 horn on\n1 wiper on, hooter on\n2 horn\n");
+    let messages = errors(b"0 horn on\n1 wiper on, hooter on\n2 horn\n");
     let expected = [
         "line 1, column 3: found \"horn\", expected power cycle, or one of asms, tsms, ",
         "line 2, column 3: found \"wiper\", expected the name of a switch: line 1 has them all",
         "line 2, column 13: found \"hooter\", expected the name of a switch: line 1 has them all",
         "line 3, column 3: found \"horn\", expected the name of a switch: line 1 has them all",
     ];
-    assert_eq!(told.len(), expected.len(), "{told:#?}");
-    for (told, expected) in told.iter().zip(expected) {
-        assert!(told.starts_with(expected), "{told}");
+    assert_eq!(messages.len(), expected.len(), "{messages:#?}");
+    for (messages, expected) in messages.iter().zip(expected) {
+        assert!(messages.starts_with(expected), "{messages}");
     }
 }
 
@@ -252,9 +253,9 @@ fn a_source_without_end_is_refused() {
 #[test]
 fn what_was_found_is_shown_as_it_is() {
     let shown = |found: &[u8]| {
-        let told = errors(&[b"0 asms on #".to_vec(), found.to_vec(), vec![b'x'; MAX_LINE]].concat());
-        let (_, told) = told[0].split_once("found \"0 asms on #").expect("the beginning");
-        let (found, _) = told.split_once("\"..., ").expect("it is cut");
+        let messages = errors(&[b"0 asms on #".to_vec(), found.to_vec(), vec![b'x'; MAX_LINE]].concat());
+        let (_, messages) = messages[0].split_once("found \"0 asms on #").expect("the beginning");
+        let (found, _) = messages.split_once("\"..., ").expect("it is cut");
         found.to_owned()
     };
     assert_eq!(shown(b""), "x".repeat(29));

@@ -11,7 +11,7 @@ use adsdv_oracle::recognise::Recognised;
 
 use crate::args::CheckArgs;
 use crate::error::Error;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
 use crate::{excerpt, json, output, pins, requires, rules};
@@ -93,7 +93,7 @@ fn read(
     by_log: bool,
 ) -> Result<(Judged, Option<Excerpts>), Error> {
     let (log, excerpts) = (&args.log, args.excerpt.is_some());
-    let mut line = Line::new();
+    let mut line = ProgressLine::new();
     let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
     let file = if log == Path::new(STDIN) {
         None

@@ -35,7 +35,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     if args.screen {
         return on_screen(args);
     }
-    // Before a file is made: what the arguments lack is told before anything is lost.
+    // Before a file is made: what the arguments lack is reported before anything is lost.
     let chosen = args.edition.chosen()?;
     let scenario = match &args.scenario {
         Some(file) => read(file)?,
@@ -244,7 +244,7 @@ fn write_error(name: &str, error: &io::Error) -> Error {
     Error { what: name.to_owned(), why: format!("cannot write the log: {error}"), hint: hint.to_owned() }
 }
 
-/// A scenario that does not come to its end: what it did until then is told as well, and is in the log.
+/// A scenario that does not come to its end: the error says what it did until then, and the log has it.
 fn waits(args: &DemoArgs, stuck: &Stuck, run: &Run) -> Error {
     let mut why = format!("{stuck}\n\nOPERATOR until then\n{}", did(&run.actions));
     if let Some(log) = &args.log {

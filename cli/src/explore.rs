@@ -11,12 +11,12 @@ use crate::{output, pins};
 pub(crate) fn run(args: &ExploreArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
     let machine = pins::machine(chosen.edition(), &args.readings)?;
-    let told = |address| {
+    let ready = |address| {
         // Nobody may be listening, or the address may not be written, and the Explorer is still there.
         if let Err(error) = output::plain(&format!("{chosen}\nhttp://{address}/ (stop with Ctrl-C)\n")) {
             error.print();
         }
     };
-    serve(Closed::explorer(machine), args.port, told).map_err(|error| Error::port(args.port, &error))?;
+    serve(Closed::explorer(machine), args.port, ready).map_err(|error| Error::port(args.port, &error))?;
     Ok(Status::Conforms)
 }

@@ -2,19 +2,19 @@
 //! a live bus.
 
 mod compare;
+mod exercised;
 mod finding;
 mod rules;
 mod stays;
-mod told;
 
 use adsdv_can::live::{Outage, Traffic};
 use adsdv_oracle::judge::{Report, Required, ResponseTimes, Transition};
 use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Edition, Reading};
+use exercised::{ExercisedJson, MarginJson, RequiredJson};
 use finding::FindingJson;
 use rules::RuleJson;
 use serde::Serialize;
-use told::{ExercisedJson, MarginJson, RequiredJson};
 
 pub(crate) use compare::compared;
 use stays::{GoPressJson, StayJson};

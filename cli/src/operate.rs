@@ -25,10 +25,10 @@ pub(crate) fn on_screen(
     chosen: ChosenEdition,
     color: ColorChoice,
 ) -> Result<Arc<Status>, Error> {
-    let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
+    let stop = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
-    let operated = Operated { handle: &handle, told: &told };
+    let operated = Operated { handle: &handle, stop: &stop };
     screen::run(&operated, chosen, output::is_colored(color)).map_err(|error| Error::screen(&error))?;
     let status = handle.join().map_err(|error| Error::mistake(&bus, error))?;
     plain::conclude(&status, chosen, color)?;
@@ -38,7 +38,7 @@ pub(crate) fn on_screen(
 /// A runner on the screen, until somebody sends a signal.
 struct Operated<'a> {
     handle: &'a Handle,
-    told: &'a AtomicBool,
+    stop: &'a AtomicBool,
 }
 
 impl Source for Operated<'_> {
@@ -51,6 +51,6 @@ impl Source for Operated<'_> {
     }
 
     fn is_over(&self) -> bool {
-        !self.handle.is_running() || self.told.load(Ordering::Relaxed)
+        !self.handle.is_running() || self.stop.load(Ordering::Relaxed)
     }
 }

@@ -42,7 +42,7 @@ fn choice(color: ColorChoice) -> anstream::ColorChoice {
     }
 }
 
-/// Writes a part of what goes on until the command is told to stop, with ANSI styles as [`styled`] does. Tells whether anybody
+/// Writes a part of what goes on until the command is stopped, with ANSI styles as [`styled`] does. Tells whether anybody
 /// still reads.
 pub(crate) fn follow(text: &str, color: ColorChoice) -> Result<bool, Error> {
     write_some(AutoStream::new(io::stdout().lock(), choice(color)), text)

@@ -1,4 +1,4 @@
-//! A node on a bus without a screen: what happens, line by line, until it is told to stop.
+//! A node on a bus without a screen: what happens, line by line, until it is stopped.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -26,12 +26,12 @@ pub(crate) fn run(
     chosen: ChosenEdition,
     color: ColorChoice,
 ) -> Result<Arc<Status>, Error> {
-    let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
+    let stop = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let bus = runner.status().bus.clone();
     let handle = Handle::start(runner).map_err(|error| Error::system("threads", &error))?;
     let mut seen = 0;
     let mut read = output::follow(&format!("{chosen}\non {bus}; Ctrl-C stops\n"), color)?;
-    while read && handle.is_running() && !told.load(Ordering::Relaxed) {
+    while read && handle.is_running() && !stop.load(Ordering::Relaxed) {
         std::thread::sleep(PACE);
         read = show(&handle.status(), &mut seen, color)?;
     }

@@ -13,12 +13,12 @@ const BAR: usize = 30;
 
 /// The line. It is erased when it is dropped.
 #[derive(Debug)]
-pub(crate) struct Line {
+pub(crate) struct ProgressLine {
     next: Option<Instant>,
     shown: bool,
 }
 
-impl Line {
+impl ProgressLine {
     /// Shows nothing yet, and nothing at all if standard error is no terminal.
     pub(crate) fn new() -> Self {
         Self { next: io::stderr().is_terminal().then(|| Instant::now() + PATIENCE), shown: false }
@@ -48,7 +48,7 @@ fn bar(done: usize, all: usize) -> String {
     format!("[{}{}] {:3} %", "#".repeat(full), "-".repeat(BAR - full), done * 100 / all)
 }
 
-impl Drop for Line {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         if self.shown {
             let _ = write!(io::stderr(), "\r\x1b[K");

@@ -20,7 +20,7 @@ pub(crate) fn run(args: &VcuArgs) -> Result<Status, Error> {
     drive(Vcu::new(bus, machine, scenario.as_ref().map(Player::new)), chosen, args)
 }
 
-/// Lets the VCU run until it is told to stop, or its scenario is over or given up.
+/// Lets the VCU run until it is stopped, or its scenario is over or given up.
 fn drive<B: Bus + Send + 'static>(
     vcu: Vcu<B>,
     chosen: ChosenEdition,
@@ -82,8 +82,8 @@ mod tests {
         let machine = pins::machine(chosen.edition(), &[])?;
         let vcu = Vcu::new(LocalBus::new(Ai::default()), machine, Some(Player::new(&scenario)));
         let error = drive(vcu, chosen, &args).expect_err("no mission is selected").to_string();
-        let told = "in-vain.txt: line 2: expected AS_READY, found AS_OFF after 1 s; AS_READY (section 3.1) still needs: ";
-        assert!(error.starts_with(told) && error.contains("TS master switch ON"), "{error}");
+        let expected = "in-vain.txt: line 2: expected AS_READY, found AS_OFF after 1 s; AS_READY (section 3.1) still needs: ";
+        assert!(error.starts_with(expected) && error.contains("TS master switch ON"), "{error}");
         assert!(error.contains("--patience"), "{error}");
         Ok(())
     }

@@ -37,7 +37,7 @@ struct Read {
     duration_s: f64,
     transitions: Vec<ReadTransition>,
     findings: Vec<ReadFinding>,
-    stays: Vec<stays::Read>,
+    stays: Vec<stays::ReadStay>,
     go_presses: Vec<stays::ReadPress>,
     margins: Vec<ReadMargin>,
     handshake_response_ms: Option<ReadResponse>,
@@ -201,15 +201,15 @@ fn margin(margin: &Margin) -> ReadMargin {
 }
 
 fn exercised(exercised: &Exercised) -> ReadExercised {
-    let told = |one: &RequirementStanding| ReadRequirement {
+    let requirement = |one: &RequirementStanding| ReadRequirement {
         id: one.id.to_owned(),
-        told: one.told.name().to_owned(),
+        told: one.standing.name().to_owned(),
     };
     ReadExercised {
         ai: exercised.ai,
         vcu: exercised.vcu,
         states: exercised.states.iter().map(|state| state.name().to_owned()).collect(),
-        requirements: exercised.requirements.iter().map(told).collect(),
+        requirements: exercised.requirements.iter().map(requirement).collect(),
     }
 }
 
@@ -333,6 +333,6 @@ fn a_report_reads_back() {
         regressions: concat!(env!("CARGO_MANIFEST_DIR"), "/tests/round_trip.regressions"),
     };
     let logs = collection::vec(any_line(), 0..80);
-    let told = |lines: &Vec<Line>| String::from_utf8_lossy(&text(lines)).into_owned();
-    home.holds(CASES, &logs, |lines| round_trip(lines), told);
+    let printed = |lines: &Vec<Line>| String::from_utf8_lossy(&text(lines)).into_owned();
+    home.holds(CASES, &logs, |lines| round_trip(lines), printed);
 }

@@ -1,4 +1,4 @@
-//! A program under test that deviates from the specification as it is told: for the tests of `adsdv conform`.
+//! A program under test that deviates from the specification as its arguments say: for the tests of `adsdv conform`.
 //!
 //! ```text
 //! deviating off-ready:needs:ami=3 handshake:+450ms finished:shows:as_state=0

@@ -57,7 +57,7 @@ pub enum Deviation {
         /// The key of the input.
         key: &'static str,
     },
-    /// Whether the vehicle moves is told by other wheels.
+    /// Other wheels decide whether the vehicle moves.
     Wheels(Wheels),
     /// "Go" counts while it is on, and not only when it is switched on.
     GoLevel,

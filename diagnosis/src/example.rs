@@ -37,12 +37,12 @@ pub fn examples(edition: &Edition, deviations: &[Deviation]) -> Result<Vec<Optio
     // The tests have every time and threshold just below, at, and just above.
     let tested = tests.iter().map(|test| relative(&usual, &test.scenario.steps));
     let pool: Vec<Vec<Relative>> = asked.chain(tested).collect();
-    let search = |place| Search::new(edition, deviations, place).shortest(&pool);
+    let search = |place| ExampleSearch::new(edition, deviations, place).shortest(&pool);
     Ok((0..deviations.len()).map(search).collect())
 }
 
 /// What tells one deviation from the others.
-struct Search<'a> {
+struct ExampleSearch<'a> {
     edition: &'a Edition,
     program: Model,
     /// The program without it.
@@ -51,7 +51,7 @@ struct Search<'a> {
     others: Vec<(Deviation, Model)>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> ExampleSearch<'a> {
     fn new(edition: &'a Edition, deviations: &[Deviation], place: usize) -> Self {
         let but = |place: usize| {
             let mut fewer = deviations.to_vec();

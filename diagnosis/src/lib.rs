@@ -17,7 +17,7 @@
 //!               Fit: the deviations that explain the most answers; again from the start with these
 //! ```
 //!
-//! A deviation is named only if taking it away explains less. What other deviation explains as much is told beside it.
+//! A deviation is named only if taking it away explains less. Another deviation that explains as much stands beside it.
 //!
 //! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
 //! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id); `words.rs`: what that is called, and `against.rs`: the

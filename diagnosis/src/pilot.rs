@@ -136,10 +136,10 @@ impl<'a> Pilot<'a> {
             return true;
         }
         let ways = self.ways;
-        let mut told = ways.told_by(self.state());
+        let mut visible = ways.visible_in(self.state());
         for pair in [false, true] {
             let firsts: Vec<Inputs> = if pair {
-                told.by_ref().filter_map(|(field, raw)| with(&self.inputs, field, raw)).collect()
+                visible.by_ref().filter_map(|(field, raw)| with(&self.inputs, field, raw)).collect()
             } else {
                 vec![self.inputs]
             };

@@ -13,7 +13,7 @@ pub trait Subject {
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError>;
 }
 
-/// A program that has been told which edition it is about, and answers each line at once.
+/// A program that has said the hello of an edition, and answers each line at once.
 impl Subject for Program {
     fn reset(&mut self) -> Result<(), ProgramError> {
         Self::reset(self)

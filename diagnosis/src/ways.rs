@@ -76,8 +76,8 @@ impl<'a> Ways<'a> {
     }
 
     /// The inputs with the values that tell something in a state besides the table, and with those that do not.
-    pub(crate) fn told_by(&self, state: AsState) -> impl Iterator<Item = (&'static InputField, i32)> + '_ {
-        let told: Vec<&str> = self.model.keys_besides(state).collect();
-        self.changes().filter(move |(field, _)| told.contains(&field.key))
+    pub(crate) fn visible_in(&self, state: AsState) -> impl Iterator<Item = (&'static InputField, i32)> + '_ {
+        let keys: Vec<&str> = self.model.keys_besides(state).collect();
+        self.changes().filter(move |(field, _)| keys.contains(&field.key))
     }
 }

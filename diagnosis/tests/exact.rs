@@ -132,7 +132,7 @@ fn eight_deviations_are_named_one_by_one() {
     names(edition, &eight);
 }
 
-/// A program that answers 100 000 steps a second is told within five seconds that it conforms.
+/// A program that answers 100 000 steps a second has its verdict within five seconds: it conforms.
 #[test]
 fn a_program_that_conforms_is_asked_for_less_than_400_000_steps() {
     struct Counted {

@@ -164,7 +164,7 @@ pub struct ExamProgress<'a> {
 
 /// Examines an AI Computer in these scenarios.
 ///
-/// `ended` is told of each scenario when it is over; what it returns is an error that ends the exam.
+/// `ended` gets each scenario when it is over; what it returns is an error that ends the exam.
 ///
 /// ```
 /// use adsdv_exam::{ExamOptions, Reference, exam, scenarios};

@@ -133,7 +133,7 @@ pub(crate) static HOLDS_STILL: Expectation = Expectation {
     },
 };
 
-/// The car is told to go forward.
+/// The AI Computer asks the car to go forward.
 pub(crate) static GOES_FORWARD: Expectation = Expectation {
     against: &["DRV-10"],
     section: "3.2",
@@ -147,7 +147,7 @@ pub(crate) static COMPLETES: Expectation = Expectation {
     against: &["FIN-1"],
     section: "3.3",
     seen: "MISSION_STATUS is not FINISHED",
-    expected: "the mission to be completed and told to be (--mission-time gives it more time)",
+    expected: "the mission to be completed and reported so (--mission-time gives it more time)",
     kind: Kind::Comes {
         when: |look| look.is(AsState::Driving),
         then: |look| look.says(MissionStatus::Finished),
@@ -167,7 +167,7 @@ pub(crate) static BRAKES: Expectation = Expectation {
     },
 };
 
-/// It is told that the vehicle has stopped.
+/// The AI Computer says that the vehicle has stopped.
 pub(crate) static TELLS_STOP: Expectation = Expectation {
     against: &["FIN-3"],
     section: "3.3",

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! 0 ms    the operator acts, the VCU steps and sends
-//! 4 ms    the stack is told the frames that have come, and sends
+//! 4 ms    the stack receives the frames that have come, and sends
 //! 10 ms   the cycle is over: it is looked at
 //! ```
 
@@ -115,7 +115,7 @@ struct Session<'a> {
     followed: Vec<Followed>,
     /// Frames of the VCU that come later, and when.
     delayed: Vec<(u64, Vec<Frame>)>,
-    /// What the stack has not been told yet.
+    /// The frames that the stack has not received yet.
     inbox: Vec<Frame>,
     sent: Vec<Sent>,
     actions: Vec<(u64, Action)>,

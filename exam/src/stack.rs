@@ -1,4 +1,4 @@
-//! What is examined: something that is told the frames of a step, and answers with those that it sends.
+//! What is examined: something that receives the frames of a step, and answers with those that it sends.
 
 use adsdv_can::ai::{Ai, Plan};
 use adsdv_spec::Edition;

@@ -201,7 +201,7 @@ typedef enum adsdv_rule_verdict {
     ADSDV_RULE_HOLDS = 0,
     // It was broken.
     ADSDV_RULE_BROKEN = 1,
-    // It cannot be told, or there was nothing to keep it in.
+    // The recording does not decide it, or there was nothing to keep it in.
     ADSDV_RULE_UNDECIDED = 2,
 } adsdv_rule_verdict;
 
@@ -610,7 +610,7 @@ typedef struct adsdv_rule_report {
     uint64_t held;
     // How many times it was broken.
     uint64_t broken;
-    // How many times it came up and cannot be told.
+    // How many times it came up and stayed undecided.
     uint64_t undecided;
     // Its name. The texts are the judge's; they stay until the next call with it.
     const char *name;

@@ -105,7 +105,7 @@ pub struct adsdv_judge {
     /// What was found and is not handed out yet. The judge itself keeps what is not asked for, in bounded memory.
     news: VecDeque<Finding>,
     /// The message of the finding that was handed out last.
-    told: CString,
+    message: CString,
     report: adsdv_report,
     /// What became of the user's own rules, once it has finished; and the texts of the one that was handed out last.
     pub(crate) rules: Vec<RuleReport>,
@@ -118,7 +118,7 @@ impl adsdv_judge {
             judge: Some(Judge::new(options)),
             at_work: false,
             news: VecDeque::new(),
-            told: CString::default(),
+            message: CString::default(),
             report: adsdv_report::default(),
             rules: Vec::new(),
             texts: Texts::default(),
@@ -187,10 +187,10 @@ impl adsdv_judge {
     }
 
     fn report(&mut self, finding: &Finding) -> adsdv_finding {
-        self.told = without_nul(&finding.message());
+        self.message = without_nul(&finding.message());
         adsdv_finding {
             t_ns: finding.t_ns,
-            message: self.told.as_ptr(),
+            message: self.message.as_ptr(),
             severity: adsdv_severity::from(finding.severity) as u8,
             severity_name: short(finding.severity.name()),
             party: short(finding.party.name()),
@@ -200,7 +200,7 @@ impl adsdv_judge {
     }
 }
 
-/// A text for C. None that is told has a NUL in it; one that had would lose it, and nothing else.
+/// A text for C. None of the judge's has a NUL in it; one that had would lose it, and nothing else.
 pub(crate) fn without_nul(text: &str) -> CString {
     CString::new(text.bytes().filter(|&byte| byte != 0).collect::<Vec<u8>>()).unwrap_or_default()
 }

@@ -34,12 +34,12 @@ pub struct adsdv_recogniser {
     /// Whether it is at work: true where some begins means that a panic left it half done.
     at_work: bool,
     /// The text that was handed out last.
-    told: CString,
+    text: CString,
 }
 
 impl adsdv_recogniser {
     fn new(default: &'static Edition) -> Self {
-        Self { recogniser: Recogniser::new(default), at_work: false, told: CString::default() }
+        Self { recogniser: Recogniser::new(default), at_work: false, text: CString::default() }
     }
 
     /// Does what can go wrong in a way that nobody foresaw; after that, the recogniser is of no use.
@@ -60,8 +60,8 @@ impl adsdv_recogniser {
         let edition =
             number.and_then(|number| adsdv_edition::try_from(number).ok()).ok_or(Refusal::Internal)?;
         // No version and no name has a NUL in it.
-        self.told = CString::new(recognised.to_string()).map_err(|_| Refusal::Internal)?;
-        Ok(adsdv_recognised { edition, certain: recognised.certain.into(), text: self.told.as_ptr() })
+        self.text = CString::new(recognised.to_string()).map_err(|_| Refusal::Internal)?;
+        Ok(adsdv_recognised { edition, certain: recognised.certain.into(), text: self.text.as_ptr() })
     }
 }
 

@@ -30,7 +30,7 @@ pub enum adsdv_rule_verdict {
     ADSDV_RULE_HOLDS = 0,
     /// It was broken.
     ADSDV_RULE_BROKEN = 1,
-    /// It cannot be told, or there was nothing to keep it in.
+    /// The recording does not decide it, or there was nothing to keep it in.
     ADSDV_RULE_UNDECIDED = 2,
 }
 
@@ -52,7 +52,7 @@ pub struct adsdv_rule_report {
     pub held: u64,
     /// How many times it was broken.
     pub broken: u64,
-    /// How many times it came up and cannot be told.
+    /// How many times it came up and stayed undecided.
     pub undecided: u64,
     /// Its name. The texts are the judge's; they stay until the next call with it.
     pub name: *const c_char,

@@ -66,9 +66,9 @@ fn it_recognises_the_edition_of_every_bus() {
                 in_rust.frame(recorded.t, id, data);
             }
             let expected = in_rust.recognise();
-            let told = in_c.recognise();
-            assert_eq!(told, (edition.version, expected.certain, expected.to_string()));
-            assert_eq!(in_c.recognise(), told, "a second call says the same");
+            let found = in_c.recognise();
+            assert_eq!(found, (edition.version, expected.certain, expected.to_string()));
+            assert_eq!(in_c.recognise(), found, "a second call says the same");
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::closed::Closed;
 
 /// Serves the Explorer on loopback, until the process ends.
 ///
-/// `ready` is told the address just before it is served. With port 0 the system chooses one that is free.
+/// `ready` gets the address just before it is served. With port 0 the system chooses one that is free.
 ///
 /// # Errors
 ///

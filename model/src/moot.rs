@@ -49,8 +49,8 @@ mod tests {
         let dead: Vec<Part> =
             parts.into_iter().filter(|(_, decides)| !decides).map(|(part, _)| part).collect();
         let moot = moot(&machine, &dead, 1);
-        let told = moot.iter().map(|(part, choice)| format!("{part}, but for {choice}"));
-        (dead.iter().map(Part::to_string).collect(), told.collect())
+        let listed = moot.iter().map(|(part, choice)| format!("{part}, but for {choice}"));
+        (dead.iter().map(Part::to_string).collect(), listed.collect())
     }
 
     #[test]

@@ -454,9 +454,9 @@ pub const PROPERTIES: &[Property] = &[
         holds_in: every,
         claim: Claim::Each {
             holds: |machine, step| {
-                let told = step.go_signal(machine);
+                let shown = step.go_signal(machine);
                 let accepted = step.before.state == Driving || step.before.go_seen_low;
-                told == (step.after().state == Driving && step.sees(Atom::GoOn)) && (!told || accepted)
+                shown == (step.after().state == Driving && step.sees(Atom::GoOn)) && (!shown || accepted)
             },
             reads: |_, _| Atoms::of(&[Atom::GoOn]),
         },

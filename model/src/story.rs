@@ -94,17 +94,17 @@ mod tests {
     fn behind_a_power_cycle_it_begins_anew() {
         let ready = [Atom::Asms, Atom::Tsms, Atom::AmiSelected, Atom::MissionSelected, Atom::EbsArmed];
         let step = Action::Step(Observation::new(Atoms::of(&ready), Faults::NONE));
-        let told = story(&Machine::REFERENCE, &[step, Action::PowerCycle, step], None);
-        let told: Vec<(u64, &str)> =
-            told.iter().map(|line| (line.ms, line.text.split(" (").next().unwrap_or_default())).collect();
+        let lines = story(&Machine::REFERENCE, &[step, Action::PowerCycle, step], None);
+        let lines: Vec<(u64, &str)> =
+            lines.iter().map(|line| (line.ms, line.text.split(" (").next().unwrap_or_default())).collect();
         let ready = "AS_OFF -> AS_READY";
-        assert_eq!(told, [(10, ready), (20, "the power is cycled"), (30, ready)]);
+        assert_eq!(lines, [(10, ready), (20, "the power is cycled"), (30, ready)]);
     }
 
     /// A run that ends where nothing changes ends with a step all the same.
     #[test]
     fn the_story_has_the_last_step_whatever_it_does() {
-        let told = story(&Machine::REFERENCE, &[Action::Step(Observation::default()); 3], None);
-        assert_eq!(told, [StoryLine { ms: 30, text: "stays in AS_OFF".to_owned() }]);
+        let lines = story(&Machine::REFERENCE, &[Action::Step(Observation::default()); 3], None);
+        assert_eq!(lines, [StoryLine { ms: 30, text: "stays in AS_OFF".to_owned() }]);
     }
 }

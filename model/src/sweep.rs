@@ -319,10 +319,11 @@ mod tests {
         // 0 fails alone, unless 4 is chosen as well; 2 and 4 fail only together, and with 0.
         let failing = sets(&[&[0], &[0, 2], &[2, 4], &[0, 2, 4]]);
         let costs = minimal(EDITION, BTreeMap::from([("ready-asms", failing.clone())]), &explored);
-        let told: Vec<(Choices, Choices)> = costs.iter().map(|cost| (cost.choices, cost.undone_by)).collect();
-        assert_eq!(told.len(), 2);
-        assert!(told.contains(&(one(&[0]), one(&[4]))), "{told:?}");
-        assert!(told.contains(&(one(&[2, 4]), Choices::NONE)), "{told:?}");
+        let listed: Vec<(Choices, Choices)> =
+            costs.iter().map(|cost| (cost.choices, cost.undone_by)).collect();
+        assert_eq!(listed.len(), 2);
+        assert!(listed.contains(&(one(&[0]), one(&[4]))), "{listed:?}");
+        assert!(listed.contains(&(one(&[2, 4]), Choices::NONE)), "{listed:?}");
         // What was not explored undoes nothing.
         assert_eq!(undone_by(one(&[0]), &failing, &sets(&[&[0], &[0, 2]])), Choices::NONE);
     }

@@ -145,19 +145,19 @@ mod tests {
     fn what_is_varied() {
         let others = Edition::DEFAULT.alternatives();
         let other = Machine::new(*Edition::DEFAULT, others.iter().fold(Readings::DEFAULT, Readings::with));
-        let mut told = String::new();
+        let mut text = String::new();
         for (name, machine) in [("default", Machine::REFERENCE), ("other", other)] {
             for vectors in [Vectors::Every, Vectors::Read, Vectors::Few] {
                 for state in AsState::ALL {
-                    let _ = write!(told, "{name} readings, {vectors:?}, {state}:");
+                    let _ = write!(text, "{name} readings, {vectors:?}, {state}:");
                     for in_state_ms in [0, 15_000] {
                         let control = Control { state, in_state_ms, ..Control::INITIAL };
                         let reads = varied(&machine, &Edition::DEFAULT.rules.timing, &control, vectors);
                         let (atoms, faults) = (reads.atoms.iter().count(), reads.faults.iter().count());
                         let vectors = Cache::default().get(reads, vectors).len();
-                        let _ = write!(told, " {atoms} and {faults} in {vectors},");
+                        let _ = write!(text, " {atoms} and {faults} in {vectors},");
                     }
-                    told.push('\n');
+                    text.push('\n');
                 }
             }
         }
@@ -193,7 +193,7 @@ mod tests {
             other readings, Few, EMERGENCY_BRAKE: 3 and 0 in 8, 4 and 0 in 16,
             other readings, Few, AS_FINISHED: 6 and 7 in 64, 6 and 7 in 64,
         "]]
-        .assert_eq(&told);
+        .assert_eq(&text);
     }
 
     #[test]

@@ -134,7 +134,7 @@ fn expected_depth(timing: &Timing) -> usize {
     (usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms)) / CYCLE_MS as usize
 }
 
-/// The same without progress, and without a look at the parts of the table: none are told.
+/// The same without progress, and without a look at the parts of the table: it reports none.
 pub fn explore_quietly(machine: &Machine, options: &Options) -> Exploration {
     to_the_end(Open::new(*machine, options.document, options.vectors), options.threads, |_, _| {})
 }

@@ -81,7 +81,7 @@ fn alone(line: &str) -> String {
     format!("{fails}{harm}")
 }
 
-/// What one answer costs alone is told in the same words.
+/// The table gives what one answer costs alone in the same words.
 #[test]
 fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
     for edition in state_machines().filter(|edition| edition.version != Edition::DEFAULT.version) {

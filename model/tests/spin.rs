@@ -47,7 +47,7 @@ struct Found {
     /// How many steps lead out of them.
     steps: u64,
     /// The properties that are violated and the goals that are reached.
-    told: BTreeSet<String>,
+    results: BTreeSet<String>,
 }
 
 /// An edition with short timers and a choice.
@@ -143,9 +143,10 @@ fn promela_names_everything_that_it_prints() {
         let promela = Promela { machine: &machine, document: edition.rules.timing, vectors: Vectors::Read };
         let text = promela.to_string();
         let checks = text.split("FOUND(").skip(1);
-        let told = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
-        let (told, names): (BTreeSet<_>, BTreeSet<_>) = (told.collect(), violated.chain(reached).collect());
-        assert_eq!(told, names, "{}", edition.version);
+        let results = checks.filter_map(|check| check.lines().next()?.split('"').nth(1)).map(String::from);
+        let (results, names): (BTreeSet<_>, BTreeSet<_>) =
+            (results.collect(), violated.chain(reached).collect());
+        assert_eq!(results, names, "{}", edition.version);
     }
 }
 
@@ -172,7 +173,7 @@ impl Subject {
         let (spin, stateright) = (self.spin(tools, place), self.stateright());
         let name = &self.name;
         assert_eq!(
-            spin.told, stateright.told,
+            spin.results, stateright.results,
             "{name}: what is violated and reached, by Spin and by stateright"
         );
         assert_eq!(spin.stored, stateright.stored, "{name}: the number of control states");
@@ -220,7 +221,7 @@ impl Subject {
             states: self.states(),
             stored: exploration.states,
             steps: exploration.transitions,
-            told: violated.chain(reached.map(|goal| format!("reached: {}", goal.name))).collect(),
+            results: violated.chain(reached.map(|goal| format!("reached: {}", goal.name))).collect(),
         }
     }
 
@@ -258,7 +259,7 @@ impl Subject {
             states: lines.clone().filter_map(|line| line.strip_prefix("state: ")).map(parse).collect(),
             stored,
             steps,
-            told: lines
+            results: lines
                 .filter(|line| line.starts_with("violated: ") || line.starts_with("reached: "))
                 .map(String::from)
                 .collect(),

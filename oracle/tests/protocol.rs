@@ -178,7 +178,7 @@ fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
     assert_ne!(control, Control::INITIAL);
 }
 
-/// What an edition does not have is neither told nor understood, and is no key that is expected.
+/// What an edition does not have is neither written nor understood, and is no key that is expected.
 #[test]
 fn what_an_edition_does_not_have_is_an_unknown_key_there() {
     let (older, newer) = (Protocol::of(&Edition::V3_0), Protocol::of(&Edition::V4_0));

@@ -75,7 +75,7 @@ pub fn the_bit_turns_when_it_is_answered() {
     let after = before.step(active, answer, dt_ms).vcu;
     kani::cover!(active && answer == before.vcu.bit && before.is_lost(), "the fault clears with the answer");
     kani::cover!(!before.vcu.active && after.bit, "the first edge rises");
-    assert!(after.active == active, "it is active when it is told to be");
+    assert!(after.active == active, "it is active when the step makes it so");
     if active {
         assert!(
             (after.bit != before.vcu.bit) == (answer == before.vcu.bit),

@@ -1,5 +1,5 @@
 //! Nothing panics, overflows or reads out of bounds, whatever it is given: also with control states that no VCU gets to,
-//! and after the longest time that can be told.
+//! and after the longest time that can be counted.
 //!
 //! Kani checks that by itself, in everything that a harness reaches; without Kani the tests panic. Each theorem asserts a
 //! little more: that what comes out is something that there is. That no frame makes a decoder panic is in
@@ -71,7 +71,7 @@ fn of_each_state(claims: impl Fn(Control)) {
     }
 }
 
-/// **What a step can depend on is told of every control state**, and it is what inputs can show.
+/// **The machine says of every control state what a step can depend on**, and it is what inputs can show.
 ///
 /// Requirements: SM-1.
 #[cfg_attr(kani, kani::proof, kani::unwind(31))]
@@ -117,7 +117,7 @@ fn what_is_taken_is_possible(state: AsState) -> bool {
     any
 }
 
-/// **What is possible is told of every control state in AS_OFF**: the alternative that a step takes is among those that were.
+/// **The machine says what is possible of every control state in AS_OFF**: the alternative that a step takes is among those that were.
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
@@ -126,7 +126,7 @@ pub fn what_is_taken_in_off_is_possible() {
     kani::cover!(!any, "nothing is possible before a power cycle");
 }
 
-/// **What is possible is told of every control state in AS_READY.**
+/// **The machine says what is possible of every control state in AS_READY.**
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
@@ -134,7 +134,7 @@ pub fn what_is_taken_in_ready_is_possible() {
     what_is_taken_is_possible(Ready);
 }
 
-/// **What is possible is told of every control state in AS_DRIVING.**
+/// **The machine says what is possible of every control state in AS_DRIVING.**
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
@@ -142,7 +142,7 @@ pub fn what_is_taken_in_driving_is_possible() {
     what_is_taken_is_possible(Driving);
 }
 
-/// **What is possible is told of every control state in AS_FINISHED.**
+/// **The machine says what is possible of every control state in AS_FINISHED.**
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
@@ -150,7 +150,7 @@ pub fn what_is_taken_in_finished_is_possible() {
     what_is_taken_is_possible(Finished);
 }
 
-/// **What is possible is told of every control state in EMERGENCY_BRAKE.**
+/// **The machine says what is possible of every control state in EMERGENCY_BRAKE.**
 ///
 /// Requirements: SM-1, SM-18.
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]

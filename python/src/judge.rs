@@ -98,7 +98,7 @@ impl Judge {
 
     /// What has been found since it was last asked, as in a Report: the transitions and the findings.
     ///
-    /// What was told once is not in the report of finish.
+    /// What this has returned is not in the report of finish.
     ///
     /// >>> import adsdv
     /// >>> judge = adsdv.Judge()

@@ -11,7 +11,7 @@ Makes target/vm/vmlinuz and target/vm/base.cpio and prints the folder they are i
 of Debian with the module vcan, else Debian's linux-image-amd64 is downloaded and unpacked, once, without being installed.
 Remove target/vm to take a newer one.
 
-Exit status: 0 made, 2 wrong usage, 77 it cannot be made here: what is missing is told, and how to get it.
+Exit status: 0 made, 2 wrong usage, 77 it cannot be made here: it says what is missing, and how to get it.
 USAGE
 }
 

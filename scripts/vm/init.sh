@@ -51,7 +51,7 @@ wait $command
 code=$?
 [ ! -e /vm/late ] || code=late
 if [ -n "$out" ]; then
-  # A name that begins with / would be told of.
+  # tar would warn of a name that begins with /.
   tar -C / -cf "$files" "${out#/}"
 fi
 echo "$code" >"$status"

@@ -25,7 +25,7 @@ own: in its scripts, write iproute2 and iproute2-tc, or /sbin/ip and /sbin/tc.
 
 cargo runs tests in it as any program: set CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER to this script with its options.
 
-Exit status: that of the command, or 2 wrong usage, 77 there can be no machine here (it is told why, and what would help),
+Exit status: that of the command, or 2 wrong usage, 77 there can be no machine here (it says why, and what would help),
 124 the command took too long, 125 the machine failed (its console is printed).
 USAGE
 }

@@ -1,6 +1,6 @@
 //! How long the AI Computer's messages have not come.
 //!
-//! Version 4.0 watches five messages, each for ten in a row that are missed. How long one has been missing is told by what
+//! Version 4.0 watches five messages, each for ten in a row that are missed. How long one has been missing follows from what
 //! has come alone, whatever the VCU does meanwhile, and so it is an input like the messages themselves: a step asks only
 //! whether the longest silence has reached the limit, and the VCU's memory has no counter for it.
 
@@ -105,7 +105,7 @@ const fn longer(a: u16, b: u16) -> u16 {
     if a > b { a } else { b }
 }
 
-/// A silence that goes on; it stays at the longest that can be told.
+/// A silence that goes on; it stays at the longest that can be counted.
 const fn later(silence_ms: u16, dt_ms: u32) -> u16 {
     crate::handshake::count_up(silence_ms, dt_ms, u16::MAX)
 }

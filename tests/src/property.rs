@@ -1,4 +1,4 @@
-//! A property is tried on random values, and what breaks it is told: the shortest value that was found, and the seed.
+//! A property is tried on random values, and what breaks it is reported: the shortest value that was found, and the seed.
 
 use std::env;
 use std::fmt::Debug;

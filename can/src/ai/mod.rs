@@ -9,7 +9,7 @@
 //!  (AMI)        (AS_DRIVING)  (so far)      (at rest)  (AS_FINISHED)
 //! ```
 //!
-//! Like the car it is pure: it is told the frames that came and how much time has passed.
+//! Like the car it is pure: it gets the frames that came and how much time has passed.
 
 mod from_vcu;
 mod motion;

@@ -37,7 +37,7 @@ impl Motion {
         self.yaw_rate = (self.speed_mps * curvature).to_degrees();
     }
 
-    /// What the data logger is told.
+    /// What the AI Computer sends to the data logger.
     pub(super) fn logged(&self) -> Ai2LogDynamics2 {
         let acceleration = |mps2: f64| Acceleration::from_mps2(mps2).unwrap_or_default();
         Ai2LogDynamics2 {

@@ -38,7 +38,7 @@ impl Action {
     pub const ABOUT_POWER_CYCLE: &str = "turns the power of the VCU off and on again";
 }
 
-/// What each switch is, in a few words: with all that tells of switches to people, this is where it is told.
+/// What each switch is, in a few words: all that describes switches to people takes it from here.
 const ABOUT: [(&str, &str); 19] = [
     ("asms", "the Autonomous System Master Switch"),
     ("tsms", "the Tractive System Master Switch"),

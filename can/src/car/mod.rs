@@ -6,7 +6,7 @@
 //!                          +--- vehicle <--- actuation --+
 //! ```
 //!
-//! A [`Car`] is pure: it is told the frames that came, what the operator does and how much time has passed, and answers with
+//! A [`Car`] is pure: it gets the frames that came, what the operator does and how much time has passed, and answers with
 //! the frames to send. What reaches the actuators and what stands in the frames is for [`adsdv_spec::Outputs`] to say.
 //!
 //! Where an edition has the vehicle's devices on the bus, the car sends the remote control's message as well, since its switches

@@ -54,7 +54,7 @@ impl fmt::Display for Panicked {
 impl std::error::Error for Panicked {}
 
 impl Handle {
-    /// Lets a runner take its turns, until it is told to stop. Fails if the system has no thread for it.
+    /// Lets a runner take its turns, until it is stopped. Fails if the system has no thread for it.
     pub fn start(mut runner: impl Runner + Send + 'static) -> io::Result<Self> {
         let shared = Arc::new(Shared {
             status: Mutex::new(Arc::new(runner.status().clone())),

@@ -23,15 +23,15 @@ pub(super) struct LiveBus<B> {
     bus: B,
     clock: Clock,
     pub(super) status: Status,
-    told: LastNotes,
-    /// What was told of the bus last, which is not how it stands if that changes all the time.
+    notes: LastNotes,
+    /// What was reported of the bus last, which is not how it stands if that changes all the time.
     reported_disturbance: Option<Disturbance>,
     /// Since when the bus has taken all frames, in milliseconds since the beginning; `None` if it did not the last time.
     whole_since: Option<u64>,
-    /// Cycles that were left out, and have not been told.
-    untold_late: u64,
-    /// Frames that were dropped and told.
-    told_dropped: u64,
+    /// Cycles that were left out, and have not been reported.
+    unreported_late: u64,
+    /// Frames that were dropped and reported.
+    reported_dropped: u64,
     /// When this turn no longer takes frames that are there already, though its cycle is due; `None` while it is not.
     give_up: Option<Instant>,
     /// For how long it does.
@@ -55,11 +55,11 @@ impl<B: Bus> LiveBus<B> {
             bus,
             clock,
             status,
-            told: LastNotes::default(),
+            notes: LastNotes::default(),
             reported_disturbance: None,
             whole_since: None,
-            untold_late: 0,
-            told_dropped: 0,
+            unreported_late: 0,
+            reported_dropped: 0,
             give_up: None,
             patience,
         }
@@ -99,9 +99,9 @@ impl<B: Bus> LiveBus<B> {
     pub(super) fn begin(&mut self) -> Begun {
         self.give_up = None;
         let begun = self.clock.begin(self.bus.now());
-        self.untold_late = self.untold_late.saturating_add(begun.left_out);
-        if self.untold_late > 0 && self.may_report(Note::Late) {
-            let late = std::mem::take(&mut self.untold_late);
+        self.unreported_late = self.unreported_late.saturating_add(begun.left_out);
+        if self.unreported_late > 0 && self.may_report(Note::Late) {
+            let late = std::mem::take(&mut self.unreported_late);
             self.happen(HappeningKind::Late(late));
         }
         begun
@@ -144,9 +144,9 @@ impl<B: Bus> LiveBus<B> {
     pub(super) fn end(&mut self) {
         self.report_disturbance();
         self.status.dropped = self.bus.dropped();
-        let dropped = self.status.dropped.saturating_sub(self.told_dropped);
+        let dropped = self.status.dropped.saturating_sub(self.reported_dropped);
         if dropped > 0 && self.may_report(Note::Dropped) {
-            self.told_dropped = self.status.dropped;
+            self.reported_dropped = self.status.dropped;
             self.happen(HappeningKind::Dropped {
                 frames: dropped,
                 small_buffer: self.bus.has_small_buffer(),
@@ -193,7 +193,7 @@ impl<B: Bus> LiveBus<B> {
 
     fn may_report(&mut self, note: Note) -> bool {
         let now = self.time_ms();
-        self.told.may(note, now)
+        self.notes.may(note, now)
     }
 
     fn trouble(&mut self, trouble: Disturbance) {
@@ -209,7 +209,7 @@ impl<B: Bus> LiveBus<B> {
         self.report_disturbance();
     }
 
-    /// Tells how the bus stands, if that is news. A bus that goes and comes all the time is told now and then.
+    /// Reports how the bus stands, if that is news; of a bus that goes and comes all the time, now and then.
     fn report_disturbance(&mut self) {
         if self.reported_disturbance == self.status.trouble
             || !self.may_report(Note::of(self.status.trouble.as_ref()))

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A turn receives frames until the cycle is due, lets the operator act, makes the step and sends its frames. What goes wrong on
-//! the bus is told and never ends a turn: a car does not stop being a car because a plug was pulled.
+//! the bus is reported and never ends a turn: a car does not stop being a car because a plug was pulled.
 //!
 //! Any [`Bus`](crate::bus::Bus) will do, and the time is the bus's: tests run on one on which everything goes wrong, in no time.
 

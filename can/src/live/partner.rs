@@ -15,8 +15,8 @@ pub(super) struct Partner {
     /// What this node follows; `None` if that is none of the editions that there are.
     own: Option<&'static Edition>,
     heard: Option<Listening>,
-    /// The edition that was told last.
-    told: Option<&'static str>,
+    /// The edition that was reported last.
+    reported: Option<&'static str>,
 }
 
 /// What was heard, and since when.
@@ -29,7 +29,7 @@ struct Listening {
 impl Partner {
     /// The other node of one that follows this edition.
     pub(super) fn new(node: Node, own: &Edition) -> Self {
-        Self { node, own: Edition::find(own.version), heard: None, told: None }
+        Self { node, own: Edition::find(own.version), heard: None, reported: None }
     }
 
     /// Who it is.
@@ -48,7 +48,7 @@ impl Partner {
         let begin = || Listening { recogniser: Recogniser::new(own), since_ns: now_ns };
         self.heard.get_or_insert_with(begin).recogniser.frame(now_ns, frame.id.into(), frame.data());
         let other = news?.recogniser.fits_better()?;
-        let before = self.told.replace(other.edition.version);
-        (before != self.told).then_some(other)
+        let before = self.reported.replace(other.edition.version);
+        (before != self.reported).then_some(other)
     }
 }

@@ -5,7 +5,7 @@ use adsdv_spec::messages::{Ai2VcuStatus, AsState, Frame, Node};
 
 use super::handle::Runner;
 use super::line::LiveBus;
-use super::note::{Note, TOLD_EVERY_MS};
+use super::note::{Note, REPORT_EVERY_MS};
 use super::partner::Partner;
 use crate::bus::{Bus, Received};
 use crate::car::{Action, Car, Cycle, missing, missing_for};
@@ -39,7 +39,7 @@ pub struct Vcu<B> {
     heard_at: Option<i64>,
     /// Since when it is heard without a pause, in nanoseconds since the beginning; `None` while it is silent.
     heard_since: Option<i64>,
-    /// Whether it was last told to be heard, or to be silent.
+    /// Whether the status reported it last as heard, or as silent.
     heard: bool,
     /// Since when the state lasts, in milliseconds since the beginning.
     state_since: u64,
@@ -147,13 +147,13 @@ impl<B: Bus> Vcu<B> {
         }
     }
 
-    /// The AI Computer is heard. One that pauses again and again is told to be silent once, and to be heard when it has stopped
+    /// The AI Computer is heard. The status reports one that pauses again and again once as silent, and as heard when it has stopped
     /// doing so.
     fn is_heard(&mut self, now: i64) {
         let paused = self.heard_at.replace(now).map(|before| elapsed_ms(before, now));
         let since = *self.heard_since.get_or_insert(now);
-        let long = paused.is_none_or(|paused| paused >= TOLD_EVERY_MS);
-        if !self.heard && (long || elapsed_ms(since, now) >= TOLD_EVERY_MS) {
+        let long = paused.is_none_or(|paused| paused >= REPORT_EVERY_MS);
+        if !self.heard && (long || elapsed_ms(since, now) >= REPORT_EVERY_MS) {
             self.heard = true;
             self.line.happen(HappeningKind::AiHeard);
         }

@@ -1,4 +1,4 @@
-//! The judge of a live bus: what is told to it comes from a bus, and not from a log.
+//! The judge of a live bus: its frames come from a bus, and not from a log.
 
 use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
@@ -10,13 +10,13 @@ use adsdv_spec::Edition;
 use super::traffic::{Outage, Outages, Traffic};
 use crate::bus::{Disturbance, Received};
 
-/// A frame is told within this time after the kernel had it, or there is none: so long after, silence is told to the judge.
+/// A frame arrives within this time after the kernel had it, or there is none: so long after, the judge learns of silence.
 const DELAY_NS: i64 = 100_000_000;
 
 /// What candump writes is as fine as this, in nanoseconds. The judge sees no more than the log will have.
 const LOGGED_NS: i64 = 1000;
 
-/// The judge of a live bus. It is told what comes, and never sends.
+/// The judge of a live bus. It gets what comes, and never sends.
 ///
 /// What it says is what [`judge_log`](adsdv_oracle::log::judge_log) says of the log that has what [`frame`](Self::frame) and
 /// [`dropped`](Self::dropped) return, and it says it as soon as it is certain, also while nothing comes.

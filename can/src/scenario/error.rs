@@ -51,7 +51,7 @@ pub enum Unreadable {
     },
 }
 
-/// So many errors are told in full; the others are counted.
+/// So many errors are listed in full; the others are counted.
 pub const MAX_ERRORS: usize = 50;
 
 impl fmt::Display for Unreadable {

@@ -13,9 +13,9 @@ pub(super) const END: &str = "end";
 /// Reads one line after the other, and knows what the lines before say.
 #[derive(Default)]
 pub(super) struct Lines {
-    /// The line that ended the scenario, and whether it has been told that there are lines behind it.
+    /// The line that ended the scenario, and whether an error says that there are lines behind it.
     ended: Option<u64>,
-    told_more: bool,
+    reported_more: bool,
     /// The line whose error names every switch.
     named: Option<u64>,
     /// When the line before takes place at the earliest, in milliseconds since the start, and its number.
@@ -105,8 +105,8 @@ impl Lines {
         if text.text.is_empty() {
             return None;
         }
-        if let Some(ended) = self.ended.filter(|_| !self.told_more) {
-            self.told_more = true;
+        if let Some(ended) = self.ended.filter(|_| !self.reported_more) {
+            self.reported_more = true;
             wrong.push(text.wrong(format!("nothing more: {END} stands in line {ended}")));
         }
         let (when, doings) = match when(text) {

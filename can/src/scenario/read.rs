@@ -6,7 +6,7 @@ use super::error::{LineError, MAX_ERRORS, Unreadable};
 use super::parse::Lines;
 use super::{Line, Scenario};
 
-/// The longest line that is read, in bytes; a longer one is passed over, and told.
+/// The longest line that is read, in bytes; a longer one is passed over, and reported.
 pub const MAX_LINE: usize = 4096;
 
 /// The most lines that say something.

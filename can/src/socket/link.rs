@@ -96,7 +96,7 @@ struct Link {
     look_at: Instant,
     /// Whether the controller is bus-off.
     bus_off: bool,
-    /// What is told next.
+    /// What `receive` hands out next.
     pending: VecDeque<Event>,
     /// What sockets before this one dropped.
     dropped_before: u64,
@@ -156,7 +156,7 @@ impl Link {
         }
     }
 
-    /// A frame came: what it says of the bus is told as well.
+    /// A frame came: it is handed out, and what it says of the bus as well.
     fn came(&mut self, frame: Received) {
         let mut up = false;
         let mut off = false;
@@ -229,7 +229,7 @@ impl Link {
         self.up = false;
     }
 
-    /// What the socket still has comes before what is told next. Returns the last error that it had, if any.
+    /// What the socket still has comes before what is handed out next. Returns the last error that it had, if any.
     ///
     /// The kernel tells of an interface that goes down or is removed before it hands out the frames that came until then.
     fn drain(&mut self) -> Option<Errno> {
@@ -246,7 +246,7 @@ impl Link {
         last
     }
 
-    /// The socket failed: what that means, which is also told once what it still has is.
+    /// The socket failed: what that means, which is also handed out once what it still has is.
     fn failed(&mut self, error: Errno) -> Disturbance {
         let error = self.drain().unwrap_or(error);
         self.look_at = Instant::now() + LOOK_EVERY;

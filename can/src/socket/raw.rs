@@ -85,8 +85,8 @@ impl Raw {
         let fd = self.socket.as_raw_fd();
         let message = recvmsg::<()>(fd, &mut room, Some(&mut self.control), MsgFlags::empty())?;
         let mut time_ns = None;
-        for told in message.cmsgs()? {
-            match told {
+        for control in message.cmsgs()? {
+            match control {
                 ControlMessageOwned::ScmTimestampns(time) => time_ns = Some(nanoseconds(time)),
                 ControlMessageOwned::RxqOvfl(dropped) => self.dropped = dropped,
                 _ => {}

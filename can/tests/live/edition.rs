@@ -150,7 +150,7 @@ fn a_partner_that_is_exchanged_is_noticed_and_an_odd_frame_is_outweighed() {
     assert!(matches!(&said[..], [(3000..5100, versions)] if versions.contains(&"4.0")), "{said:?}");
 }
 
-/// Frames of the node itself, which somebody else sends, are told otherwise, and are not its partner's.
+/// Frames of the node itself, which somebody else sends, are reported otherwise, and are not its partner's.
 #[test]
 fn another_node_of_the_same_kind_is_no_partner() {
     let bench = Bench::new();

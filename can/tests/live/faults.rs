@@ -1,4 +1,4 @@
-//! What goes wrong on a bus is told, once, and the car goes on.
+//! What goes wrong on a bus is reported, once, and the car goes on.
 
 use adsdv_can::ai::Ai;
 use adsdv_can::bus::{Disturbance, Event};
@@ -36,11 +36,11 @@ fn an_interface_that_goes_down_and_comes_back_is_reported_once_each() {
         assert_eq!(vcu.status().sent, sent + 100 * 8 + 10);
         // The car went on all the while.
         assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (301, 0));
-        let told: Vec<_> = happenings(vcu.status())
+        let reported: Vec<_> = happenings(vcu.status())
             .into_iter()
             .filter(|(_, what)| is_trouble(what) || **what == HappeningKind::Up)
             .collect();
-        assert_eq!(told, [(1005, &HappeningKind::Disturbance(trouble)), (2005, &HappeningKind::Up)]);
+        assert_eq!(reported, [(1005, &HappeningKind::Disturbance(trouble)), (2005, &HappeningKind::Up)]);
     }
 }
 
@@ -79,16 +79,16 @@ fn error_frames_are_counted_and_reported_in_words_not_too_often() {
     }
     run(&mut vcu, &bench, ms(3000));
     assert_eq!((vcu.status().errors, vcu.status().received), (2500, 2500));
-    let told: Vec<_> = happenings(vcu.status())
+    let reported: Vec<_> = happenings(vcu.status())
         .into_iter()
         .filter_map(|(at, what)| match what {
             HappeningKind::ErrorFrame(text) => Some((at, text.as_str())),
             _ => None,
         })
         .collect();
-    assert_eq!(told.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [0, 1000, 2000]);
+    assert_eq!(reported.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [0, 1000, 2000]);
     #[cfg(target_os = "linux")]
-    assert!(told[0].1.contains("controller problem"), "{told:?}");
+    assert!(reported[0].1.contains("controller problem"), "{reported:?}");
 }
 
 #[test]
@@ -106,8 +106,8 @@ fn a_full_queue_costs_frames_and_no_time() {
     run(&mut vcu, &bench, ms(1300));
     assert_eq!((vcu.status().trouble.clone(), vcu.status().unsent), (None, 81));
     assert_eq!((vcu.status().cycles.count, vcu.status().cycles.late), (131, 0));
-    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
-    assert_eq!(told, [(110, &HappeningKind::Disturbance(Disturbance::Full)), (1210, &HappeningKind::Up)]);
+    let reported: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    assert_eq!(reported, [(110, &HappeningKind::Disturbance(Disturbance::Full)), (1210, &HappeningKind::Up)]);
 }
 
 /// A bus that nobody answers on has room for a frame now and then.
@@ -146,12 +146,15 @@ fn a_flapping_bus_is_reported_now_and_then_and_as_it_stands() {
     bench.comes(ms(11_105), Event::Disturbance(Disturbance::BusOff));
     run(&mut vcu, &bench, ms(13_000));
     let status = vcu.status();
-    let told: Vec<_> = happenings(status).into_iter().skip(1).collect();
-    assert_eq!(told.first(), Some(&(105, &HappeningKind::Disturbance(Disturbance::BusOff))));
-    assert!((20..=26).contains(&told.len()), "{told:#?}");
-    // Whatever was left out on the way, the last that is told is how it stands.
+    let reported: Vec<_> = happenings(status).into_iter().skip(1).collect();
+    assert_eq!(reported.first(), Some(&(105, &HappeningKind::Disturbance(Disturbance::BusOff))));
+    assert!((20..=26).contains(&reported.len()), "{reported:#?}");
+    // Whatever was left out on the way, the last that is reported is how it stands.
     assert_eq!(status.trouble, Some(Disturbance::BusOff));
-    assert_eq!(told.last().map(|(_, what)| *what), Some(&HappeningKind::Disturbance(Disturbance::BusOff)));
+    assert_eq!(
+        reported.last().map(|(_, what)| *what),
+        Some(&HappeningKind::Disturbance(Disturbance::BusOff))
+    );
 }
 
 /// It answers each time a little too late.
@@ -168,11 +171,11 @@ fn an_ai_computer_that_pauses_again_and_again_is_reported_silent_once() {
         bench.frame_comes(ms(32_515 + frame * 10), FrameKind::Standard, 0x510, &answer);
     }
     run(&mut vcu, &bench, ms(34_500));
-    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let reported: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
     let [(15, HappeningKind::AiHeard), (70, HappeningKind::AiSilent), (heard, HappeningKind::AiHeard)] =
-        told[..]
+        reported[..]
     else {
-        panic!("{told:#?}")
+        panic!("{reported:#?}")
     };
     assert!((33_400..33_600).contains(&heard), "{heard}");
 }
@@ -187,9 +190,9 @@ fn frames_that_were_dropped_are_reported_and_not_too_often() {
         run(&mut vcu, &bench, ms(100 + dropped * 10));
     }
     run(&mut vcu, &bench, ms(4000));
-    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let reported: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
     let dropped = |frames| HappeningKind::Dropped { frames, small_buffer: false };
-    assert_eq!(told, [(110, &dropped(1)), (1110, &dropped(100)), (2110, &dropped(49))]);
+    assert_eq!(reported, [(110, &dropped(1)), (1110, &dropped(100)), (2110, &dropped(49))]);
     assert_eq!(vcu.status().dropped, 150);
 }
 
@@ -203,8 +206,8 @@ fn a_scenario_that_waits_in_vain_is_given_up_after_a_while() {
     }
     assert_eq!(bench.time(), ms(6000));
     let stuck = vcu.status().stuck.as_ref().map(ToString::to_string).unwrap_or_default();
-    let told = "line 2: expected AS_READY, found AS_OFF after 5 s; AS_READY (section 3.1) still needs: ";
-    assert!(stuck.starts_with(told) && stuck.contains("TS master switch ON"), "{stuck}");
+    let reported = "line 2: expected AS_READY, found AS_OFF after 5 s; AS_READY (section 3.1) still needs: ";
+    assert!(stuck.starts_with(reported) && stuck.contains("TS master switch ON"), "{stuck}");
 
     // Without patience that could end it waits on, as for an operator who is not there yet.
     let bench = Bench::new();
@@ -259,8 +262,8 @@ fn garbage_of_the_ai_computer_is_refused_and_reported() {
     assert!(refused > 1000, "{refused}");
     assert_eq!((status.received, status.refused), (5000, refused));
     // One a second for each of five identifiers.
-    let told = count(status, |what| matches!(what, HappeningKind::Refused(_)));
-    assert!((5..=25).contains(&told), "{told}");
+    let reported = count(status, |what| matches!(what, HappeningKind::Refused(_)));
+    assert!((5..=25).contains(&reported), "{reported}");
     let text = status.happened.iter().find_map(|happening| match &happening.what {
         HappeningKind::Refused(text) => Some(text.clone()),
         _ => None,
@@ -280,9 +283,12 @@ fn a_second_vcu_is_reported() {
         bench.frame_comes(ms(at), FrameKind::Standard, status.id.into(), status.data());
     }
     run(&mut vcu, &bench, ms(2500));
-    let told: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
+    let reported: Vec<_> = happenings(vcu.status()).into_iter().skip(1).collect();
     let text = "somebody else sends 520h, which is the VCU's".to_owned();
-    assert_eq!(told, [(500, &HappeningKind::OtherVcu(text.clone())), (1500, &HappeningKind::OtherVcu(text))]);
+    assert_eq!(
+        reported,
+        [(500, &HappeningKind::OtherVcu(text.clone())), (1500, &HappeningKind::OtherVcu(text))]
+    );
     assert_eq!(vcu.status().foreign, 150);
     // It does not take the other's state for its own.
     assert_eq!(vcu.status().outputs.map(|outputs| outputs.state), Some(AsState::Off));
@@ -310,7 +316,7 @@ fn an_ai_computer_that_vanishes_costs_the_mission_and_is_heard_again() {
     );
     let heard = count(status, |what| *what == HappeningKind::AiHeard);
 
-    // It is seen at once, and told when it has been heard for a second.
+    // It is seen at once, and reported when it has been heard for a second.
     bench.plug_in(Ai::default());
     run(&mut vcu, &bench, unplugged + ms(600));
     assert!(vcu.status().ai_silent_ms.is_some_and(|silent| silent < 20));

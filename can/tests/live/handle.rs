@@ -1,4 +1,4 @@
-//! A runner in a thread: told what to do, stopped in order, over by itself.
+//! A runner in a thread: given orders, stopped in order, over by itself.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};

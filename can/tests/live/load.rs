@@ -100,14 +100,18 @@ fn nobody_is_blamed_for_answers_that_the_vcu_had_no_time_for() {
     }
     let status = vcu.status();
     assert!(status.cycles.late >= 39, "{:?}", status.cycles);
-    // They are told once a second, and none is forgotten.
-    let told = status.happened.iter().map(|happening| match happening.what {
+    // The status reports them once a second, and forgets none.
+    let reported = status.happened.iter().map(|happening| match happening.what {
         HappeningKind::Late(cycles) => cycles,
         _ => 0,
     });
-    let told: Vec<u64> = told.filter(|cycles| *cycles > 0).collect();
-    assert!((15..=25).contains(&told.len()), "{told:?}");
-    assert!(status.cycles.left_out - told.iter().sum::<u64>() < 10, "{told:?} of {:?}", status.cycles);
+    let reported: Vec<u64> = reported.filter(|cycles| *cycles > 0).collect();
+    assert!((15..=25).contains(&reported.len()), "{reported:?}");
+    assert!(
+        status.cycles.left_out - reported.iter().sum::<u64>() < 10,
+        "{reported:?} of {:?}",
+        status.cycles
+    );
     assert!(status.outputs.is_some_and(|outputs| outputs.faults.is_empty()), "{:?}", status.outputs);
 }
 

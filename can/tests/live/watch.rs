@@ -74,12 +74,14 @@ fn watch_reports_what_check_reports_of_the_recorded_log() -> Result<(), Box<dyn 
     assert_eq!(live.findings, recorded.findings);
     assert_eq!((live.frames, live.duration_ns), (recorded.frames, recorded.duration_ns));
     assert!(live.transitions.len() >= 2 && live.findings.len() >= 3, "{:#?}", live.findings);
-    // Nothing that was news is missing from the report, or was told twice.
+    // Nothing that was news is missing from the report, or was reported twice.
     assert!(transitions.len() <= live.transitions.len() && !transitions.is_empty());
     assert!(
-        transitions.iter().all(|told| live.transitions.iter().filter(|other| *other == told).count() == 1)
+        transitions
+            .iter()
+            .all(|reported| live.transitions.iter().filter(|other| *other == reported).count() == 1)
     );
-    assert!(findings.iter().all(|told| live.findings.contains(told)) && !findings.is_empty());
+    assert!(findings.iter().all(|reported| live.findings.contains(reported)) && !findings.is_empty());
     assert_eq!((traffic.frames, traffic.errors), (live.frames, live.frames / 104 + 1));
     assert!((800..=860).contains(&traffic.busiest), "{}", traffic.busiest);
     Ok(())
@@ -97,7 +99,7 @@ fn both_sides(edition: &'static Edition) -> Vec<Received> {
     frames
 }
 
-/// Whatever comes first, and however long the pauses are in which silence is told.
+/// Whatever comes first, and however long the pauses are in which the judge learns of silence.
 #[test]
 fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> Result<(), Box<dyn Error>> {
     let ai_first = |frames: &[Received], alone: i64| -> Vec<Received> {
@@ -154,8 +156,8 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
             assert_eq!(live, check.recognised, "{case}");
             assert_eq!(report.transitions, check.report.transitions, "{case}");
             assert_eq!(report.findings, check.report.findings, "{case}");
-            assert!(transitions.iter().all(|told| report.transitions.contains(told)), "{case}");
-            assert!(findings.iter().all(|told| report.findings.contains(told)), "{case}");
+            assert!(transitions.iter().all(|reported| report.transitions.contains(reported)), "{case}");
+            assert!(findings.iter().all(|reported| report.findings.contains(reported)), "{case}");
             assert_eq!(
                 transitions.len(),
                 report.transitions.len(),
@@ -163,7 +165,7 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
             );
             let length = frames.last().map_or(0, |frame| frame.time_ns) - ORIGIN;
             let bound = 10_100 * MS;
-            assert!(told_after.is_none_or(|told| told <= bound), "{case}: {told_after:?}");
+            assert!(told_after.is_none_or(|reported| reported <= bound), "{case}: {told_after:?}");
             assert!(told_after.is_some() || length < bound, "{case}: it takes too long");
             if live.certain {
                 assert_eq!(live.edition, *edition, "{case}: {live}");
@@ -190,7 +192,7 @@ fn the_judge_reports_what_is_certain_though_nothing_comes_any_more() {
     assert_eq!(transitions.len(), 1);
     assert_eq!((transitions[0].t_ns, transitions[0].to), (200 * MS, AsState::Driving));
     watch.silence(ORIGIN + 5000 * MS);
-    assert!(watch.news().0.is_empty(), "it is told once");
+    assert!(watch.news().0.is_empty(), "it is reported once");
 }
 
 #[test]
@@ -214,9 +216,12 @@ fn lost_frames_are_reported_and_blamed_on_nobody() -> Result<(), Box<dyn Error>>
     let (lost, whole) = (judged(true)?, judged(false)?);
     assert!(whole.count(Severity::Violation) > 0);
     assert_eq!(lost.count(Severity::Violation), 0, "{:#?}", lost.findings);
-    let told: Vec<_> = lost.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
-    assert_eq!(told.len(), 1);
-    assert!(told[0].seen.starts_with("350 frames lost here") && told[0].t_ns == 990 * MS, "{told:?}");
+    let reported: Vec<_> = lost.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
+    assert_eq!(reported.len(), 1);
+    assert!(
+        reported[0].seen.starts_with("350 frames lost here") && reported[0].t_ns == 990 * MS,
+        "{reported:?}"
+    );
     Ok(())
 }
 
@@ -282,7 +287,7 @@ fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> 
                 continue;
             }
             let frame = Received { time_ns: frame.time_ns + later, ..*frame };
-            // The thread that listens is told of silence every 50 ms or so, and has been told nothing wrong.
+            // The thread that listens reports silence every 50 ms or so, and never where a frame came.
             let mut now = last;
             while now < frame.time_ns {
                 now += 1 + random.below(120 * MS);
@@ -347,11 +352,11 @@ fn losses_without_end_are_few_findings_with_their_sum() -> Result<(), Box<dyn Er
     assert_eq!(watch.traffic().dropped, 2499);
     let live = watch.finish()?;
     assert_same(&live, &log, "each second frame lost")?;
-    let told: Vec<_> = live.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
-    assert_eq!(told.len(), 3, "{told:#?}");
-    let sum: u64 = told.iter().filter_map(|f| f.seen.split(' ').next()?.parse::<u64>().ok()).sum();
+    let reported: Vec<_> = live.findings.iter().filter(|finding| finding.rule == Rule::Gap).collect();
+    assert_eq!(reported.len(), 3, "{reported:#?}");
+    let sum: u64 = reported.iter().filter_map(|f| f.seen.split(' ').next()?.parse::<u64>().ok()).sum();
     assert_eq!(sum, 2499);
-    assert!(told[0].seen.contains("times in") && told[0].seen.contains("each time"), "{told:#?}");
+    assert!(reported[0].seen.contains("times in") && reported[0].seen.contains("each time"), "{reported:#?}");
     let values = live.findings.iter().filter(|finding| finding.rule == Rule::Value).count();
     assert!((1..=30).contains(&values), "{values}");
     Ok(())
@@ -381,20 +386,20 @@ fn the_log_blames_nobody_for_what_was_lost() -> Result<(), Box<dyn Error>> {
 #[test]
 fn of_more_findings_than_are_listed_one_a_second_is_reported() -> Result<(), Box<dyn Error>> {
     let mut watch = Watch::new("can0", LogOptions::default());
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     for cycle in 0..1000 {
         // Off and Finished, with no arrow either way: 100 violations a second for ten seconds.
         let state = if cycle % 2 == 0 { AsState::Off } else { AsState::Finished };
         watch.frame(&at(cycle * 10 * MS, status(state)));
-        told.extend(watch.news().1);
+        reported.extend(watch.news().1);
     }
-    let of = |rule: Rule| told.iter().filter(move |finding| finding.rule == rule).collect::<Vec<_>>();
+    let of = |rule: Rule| reported.iter().filter(move |finding| finding.rule == rule).collect::<Vec<_>>();
     let listed = watch.finish()?.findings.iter().filter(|finding| finding.rule == Rule::NoArrow).count();
     let further: Vec<_> = of(Rule::Repeated);
     let further: Vec<_> = further.iter().filter(|f| f.seen.contains(Rule::NoArrow.id())).collect();
     assert_eq!(further.len(), 1, "{further:#?}");
     assert!(further[0].seen.contains("counted"), "{further:#?}");
     let more = of(Rule::NoArrow).len() - listed;
-    assert!(listed == 200 && (5..=8).contains(&more), "{listed} listed, {more} more told");
+    assert!(listed == 200 && (5..=8).contains(&more), "{listed} listed, {more} more reported");
     Ok(())
 }

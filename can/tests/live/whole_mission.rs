@@ -25,7 +25,7 @@ fn a_whole_mission_is_driven_and_conforms() {
     let expected = [AsState::Off, AsState::Ready, AsState::Driving, AsState::Finished];
     assert_eq!(way.get(..expected.len()), Some(&expected[..]), "{:#?}", status.happened);
     assert!(status.distance_m > 10.0, "{} m", status.distance_m);
-    // Each arrow is told with its section and what decided.
+    // The status names each arrow with its section and what decided.
     let ready = status.happened.iter().find_map(|happening| match &happening.what {
         HappeningKind::State { to: Some(AsState::Ready), section, why, .. } => Some((*section, why.clone())),
         _ => None,

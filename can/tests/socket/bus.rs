@@ -71,7 +71,7 @@ fn every_kind() -> Outcome {
     }
     let after = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH)?.as_nanos();
     ensure!(i128::from(last) <= i128::try_from(after)?, "a time in the future");
-    // And when nothing comes, it waits as long as it is told.
+    // And when nothing comes, it waits as long as it was asked to.
     let begun = Instant::now();
     let nothing = bus.receive(begun + Duration::from_millis(30));
     let waited = begun.elapsed();
@@ -101,7 +101,7 @@ fn down_and_up() -> Outcome {
         expect(&mut bus, &Event::Disturbance(Disturbance::Down))?;
         let sent = bus.send(&frame(0x520, &[])?);
         ensure!(sent == Err(Disturbance::Down), "{sent:?}");
-        // While it is down nothing comes, and nothing is told again.
+        // While it is down nothing comes, and nothing is reported again.
         let nothing = bus.receive(Instant::now() + Duration::from_millis(500));
         ensure!(nothing == Event::Nothing, "{nothing:?}");
         vcan.set("up")?;

@@ -1,4 +1,4 @@
-//! The command itself, named by `ADSDV`, on a bus of the kernel's: told to stop, it ends in order.
+//! The command itself, named by `ADSDV`, on a bus of the kernel's: a signal stops it, and it ends in order.
 
 use std::env;
 use std::fs;
@@ -14,7 +14,7 @@ use super::vcan::{Outcome, PATIENCE, Test, Tried, Vcan, ensure, undisturbed, wai
 
 pub(crate) const TESTS: &[Test] = &[
     ("command::a_mission_is_watched_and_recorded_and_the_logs_conform", mission),
-    ("command::told_to_stop_each_ends_in_order", stops),
+    ("command::stopped_by_a_signal_each_ends_in_order", stops),
     ("command::what_cannot_be_opened_is_reported", refused),
     ("command::a_full_disk_is_reported_and_watching_goes_on", full_disk),
     ("command::a_full_disk_for_what_is_printed_is_reported", full_disk_for_output),
@@ -119,10 +119,10 @@ fn watched_mission(adsdv: &Path) -> Tried<bool> {
     if out.contains("-> EMERGENCY_BRAKE") && out.contains("AI_COMMS_LOST") {
         return Ok(false);
     }
-    for told in
+    for expected in
         ["AS_OFF -> AS_READY", "AS_DRIVING -> AS_FINISHED", "operator: go on", "AI handshake: ", "cycles: "]
     {
-        ensure!(out.contains(told), "vcu does not say {told:?}:\n{out}");
+        ensure!(out.contains(expected), "vcu does not say {expected:?}:\n{out}");
     }
     ai.signal("TERM")?;
     let (code, out, error) = ai.end()?;
@@ -131,16 +131,16 @@ fn watched_mission(adsdv: &Path) -> Tried<bool> {
     let (code, out, error) = watch.end()?;
     ensure!(code == Some(0) && error.is_empty(), "watch: {code:?} {error}\n{out}");
     let sent = vcan.sent()?;
-    for told in [
+    for expected in [
         "is watched",
         "TIMELINE",
         &format!("{}: conforms", vcan.0),
         &format!(": {sent} frames"),
         "0 frames dropped",
     ] {
-        ensure!(out.contains(told), "watch does not say {told:?}:\n{out}");
+        ensure!(out.contains(expected), "watch does not say {expected:?}:\n{out}");
     }
-    // Each transition is told as it happens, and in the report.
+    // The command prints each transition as it happens, and in the report.
     ensure!(out.matches("AS_READY        -> AS_DRIVING").count() == 2, "{out}");
     ensure!(lines(&ours) == usize::try_from(sent)?, "{} lines for {sent} frames", lines(&ours));
     let mut logs = vec![ours.clone()];
@@ -198,15 +198,15 @@ fn refused() -> Outcome {
     let vcan = Vcan::new()?;
     for command in ["vcu", "ai", "watch"] {
         let (code, out, error) = Program::start(&adsdv, &[command, "lo"])?.end()?;
-        let told =
+        let expected =
             format!("adsdv: lo: is not a CAN interface\nhint: the only CAN interface here is {}\n", vcan.0);
-        ensure!(code == Some(2) && out.is_empty() && error == told, "{command}: {code:?} {out} {error}");
+        ensure!(code == Some(2) && out.is_empty() && error == expected, "{command}: {code:?} {out} {error}");
         let (code, out, error) = Program::start(&adsdv, &[command, "adsdv-none"])?.end()?;
-        let told = format!(
+        let expected = format!(
             "adsdv: adsdv-none: there is no such interface\nhint: the only CAN interface here is {}\n",
             vcan.0
         );
-        ensure!(code == Some(2) && out.is_empty() && error == told, "{command}: {code:?} {out} {error}");
+        ensure!(code == Some(2) && out.is_empty() && error == expected, "{command}: {code:?} {out} {error}");
     }
     let watch = Program::start(&adsdv, &["watch", &vcan.0])?;
     thread::sleep(Duration::from_secs(1));
@@ -231,7 +231,7 @@ fn full_disk() -> Outcome {
     Ok(Completion::Completed)
 }
 
-/// It is told when it happens and at the end, and watching goes on.
+/// The command says so when it happens and at the end, and watching goes on.
 fn watched_with_a_full_disk(adsdv: &Path, limit: &str, log: &Path) -> Tried {
     let vcan = Vcan::new()?;
     let command = format!("{limit}exec \"$0\" \"$@\"");
@@ -246,8 +246,8 @@ fn watched_with_a_full_disk(adsdv: &Path, limit: &str, log: &Path) -> Tried {
     watch.signal("INT")?;
     let (code, out, error) = watch.end()?;
     ensure!(code == Some(2) && out.contains(": 200 frames"), "{code:?} {out}");
-    let told = format!("{}: cannot record the log: ", log.display());
-    ensure!(error.matches(&told).count() == 2 && error.contains("hint: "), "{error}");
+    let expected = format!("{}: cannot record the log: ", log.display());
+    ensure!(error.matches(&expected).count() == 2 && error.contains("hint: "), "{error}");
     Ok(())
 }
 
@@ -275,8 +275,8 @@ fn no_log() -> Outcome {
         [("no-such-folder/run.log", "make the directory first"), (text(&folder)?, "name a file")]
     {
         let (code, out, error) = Program::start(&adsdv, &["watch", &vcan.0, "--log", log])?.end()?;
-        let told = format!("adsdv: {log}: cannot record the log: ");
-        ensure!(code == Some(2) && out.is_empty() && error.starts_with(&told), "{code:?} {out} {error}");
+        let expected = format!("adsdv: {log}: cannot record the log: ");
+        ensure!(code == Some(2) && out.is_empty() && error.starts_with(&expected), "{code:?} {out} {error}");
         ensure!(error.contains(&format!("\nhint: {hint}")), "{error}");
     }
     Ok(Completion::Completed)
@@ -309,8 +309,8 @@ fn watched_while_it_vanishes(adsdv: &Path) -> Tried<bool> {
         program.signal("INT")?;
         let (code, out, error) = program.end()?;
         ensure!(error.is_empty() && matches!(code, Some(0 | 1)), "{name}: {code:?} {error}\n{out}");
-        for told in ["the interface is ", "the bus is there again"] {
-            ensure!(out.contains(told), "{name} does not say {told:?}:\n{out}");
+        for expected in ["the interface is ", "the bus is there again"] {
+            ensure!(out.contains(expected), "{name} does not say {expected:?}:\n{out}");
         }
         if name == "watch" {
             let frames = lines(&file);

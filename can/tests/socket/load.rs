@@ -76,7 +76,7 @@ fn watched(send: impl FnOnce(&Vcan) -> Tried) -> Tried<Option<[u64; 4]>> {
     ensure!(out.contains(&verdict), "{out}");
     let dropped = out.lines().rev().find(|line| line.starts_with("bus: ")).ok_or("nothing of the bus")?;
     let dropped =
-        dropped.split("; ").nth(1).and_then(|told| told.split(' ').next()).ok_or("none")?.parse()?;
+        dropped.split("; ").nth(1).and_then(|frames| frames.split(' ').next()).ok_or("none")?.parse()?;
     let numbers = [vcan.sent()?, number_before(" frames in ")?, lines(&file).try_into()?, dropped];
     let _ = std::fs::remove_file(file);
     Ok(Some(numbers))

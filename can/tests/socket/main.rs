@@ -1,6 +1,6 @@
 //! SocketCAN as the kernel has it, on virtual buses that the tests make.
 //!
-//! They need root and the module vcan. Where there is none each test is told as ignored, with the reason; with
+//! They need root and the module vcan. Where there is none the tests report each as ignored, with the reason; with
 //! `ADSDV_REQUIRE_VCAN=1` in the environment that is a failure. `ADSDV` names the command, for the tests that run it, and `IP` and
 //! `TC` name iproute2's programs if they are not called so. With `ADSDV_IDLE=1` the cycle has to be held as on an idle machine.
 

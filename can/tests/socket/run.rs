@@ -86,9 +86,9 @@ fn two_vcus() -> Outcome {
     let (one, two) = (vcu(&vcan, None)?, vcu(&vcan, None)?);
     wait_until("both hear the other", || one.status().foreign > 10 && two.status().foreign > 10)?;
     for status in [one.join()?, two.join()?] {
-        let told =
+        let reported =
             status.happened.iter().any(|happening| matches!(happening.what, HappeningKind::OtherVcu(_)));
-        ensure!(told, "{:#?}", status.happened);
+        ensure!(reported, "{:#?}", status.happened);
     }
     Ok(Completion::Completed)
 }
@@ -100,14 +100,14 @@ fn vanishes() -> Outcome {
     wait_until("it is ready", || state(&vcu.status()) == Some(AsState::Ready))?;
     first.join()?;
     wait_until("the AI Computer is missed", || state(&vcu.status()) == Some(AsState::EmergencyBrake))?;
-    wait_until("that is told", || {
+    wait_until("the status says so", || {
         vcu.status().happened.iter().any(|happening| happening.what == HappeningKind::AiSilent)
     })?;
     let heard = |status: &Status| {
         status.happened.iter().filter(|happening| happening.what == HappeningKind::AiHeard).count()
     };
     let before = heard(&vcu.status());
-    // Longer than a pause, so that it is told at once.
+    // Longer than a pause, so that the status says at once that it is heard.
     thread::sleep(Duration::from_secs(1));
     let second = ai(&vcan)?;
     wait_until("it is heard again", || heard(&vcu.status()) > before)?;

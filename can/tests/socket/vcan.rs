@@ -49,8 +49,8 @@ fn run(variable: &str, default: &str, words: &str) -> Tried {
         .stdin(Stdio::null())
         .output()
         .map_err(|error| format!("{}: {error}", program.display()))?;
-    let told = String::from_utf8_lossy(&output.stderr);
-    ensure!(output.status.success(), "{default} {words}: {}", told.trim());
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "{default} {words}: {}", stderr.trim());
     Ok(())
 }
 

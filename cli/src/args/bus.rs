@@ -79,7 +79,7 @@ OUTPUT
   on the bus, error frames, the bus going down and coming back, cycles that were late, the
   AI Computer falling silent and being heard again, once that it speaks another edition and
   which --edition speaks that, frames that were lost. What comes again
-  and again is told once a second. In the end the frames, how well the cycle of 10 ms was
+  and again it prints once a second. In the end the frames, how well the cycle of 10 ms was
   held, and how fast the AI Computer answered the handshake. The kernel tells of lost
   frames with the next one that comes: the count is as of the last frame.
 
@@ -88,7 +88,7 @@ ENVIRONMENT
   NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
-  0  it was told to stop (Ctrl-C, SIGTERM), or the scenario came to its end
+  0  it was stopped (Ctrl-C, SIGTERM), or the scenario came to its end
   2  the interface could not be opened or the scenario not be read, the scenario waited in
      vain for a state, the output could not be written, or the arguments are wrong")]
 pub(crate) struct VcuArgs {
@@ -149,7 +149,7 @@ ENVIRONMENT
   NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
-  0  it was told to stop (Ctrl-C, SIGTERM)
+  0  it was stopped (Ctrl-C, SIGTERM)
   2  the interface could not be opened, the output could not be written, or the arguments
      are wrong")]
 pub(crate) struct AiArgs {
@@ -170,7 +170,7 @@ pub(crate) struct AiArgs {
 /// The judge of `adsdv check`, while the car drives: each transition and finding is printed as soon as it is certain, which is a
 /// window after it happened. It ends with the same report, on Ctrl-C. It only listens: it never sends a frame.
 ///
-/// Frames that the kernel had to drop, because they were not taken in time, are counted, told and noted in the log; what they said
+/// Frames that the kernel had to drop, because they were not taken in time, are counted, reported and noted in the log; what they said
 /// is unknown, and nobody is blamed for it, by this command or by `adsdv check` of the log.
 ///
 /// Which edition of the interface the bus speaks is recognised by its frames, as `adsdv check` does it: within a second of the

@@ -112,7 +112,7 @@ OUTPUT
                 the same, of one that is only decided here (D-1 and on). Not
                 checked: the program does not show all that it is about, or could not be
                 asked for it. TESTS is how many name it, or how many of them checked it:
-                a test does not if it cannot be told at the cycle, and after a wrong
+                a test does not if steps of the cycle cannot express it, and after a wrong
                 state it says nothing of other outputs. FAILED names what breaks it
   OBSERVATIONS  what is otherwise than this project decided where the document is silent.
                 It does not fail, but with --strict
@@ -194,7 +194,7 @@ pub(crate) struct ConformArgs {
 
     /// Step at this cycle only, in milliseconds.
     ///
-    /// A longer time becomes as many steps. What cannot be told in them is not run, and named.
+    /// A longer time becomes as many steps. What they cannot express is not run, and named.
     #[arg(long, value_name = "MS", value_parser = cycle, allow_negative_numbers = true)]
     pub(crate) cycle_ms: Option<u32>,
 

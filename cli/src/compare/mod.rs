@@ -20,7 +20,7 @@ use adsdv_oracle::log::{LogError, LogOptions, LogProgress};
 
 use crate::args::CompareArgs;
 use crate::error::Error;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{json, output, pins};
 
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<Status, Error> {
     // What could be read has been compared; an answer about all of it that is not.
     for (which, recording) in [(Which::Good, good), (Which::Bad, bad)] {
         if let Some(failure) = recording.failure {
-            return Err(Error::log(&told(args, which), &LogError::Read(failure)));
+            return Err(Error::log(&label(args, which), &LogError::Read(failure)));
         }
     }
     Ok(status)
@@ -60,19 +60,19 @@ fn read(args: &CompareArgs, which: Which) -> Result<Recording, Error> {
     let possible = if by_log { pins::possible_in_some } else { pins::possible };
     let judge = JudgeOptions { readings: possible(edition, &args.readings)?, ..JudgeOptions::of(edition) };
     let options = LogOptions { judge, interface: args.interface.clone(), ..LogOptions::default() };
-    let (log, told) = (log(args, which), told(args, which));
-    let mut line = Line::new();
+    let (log, label) = (log(args, which), label(args, which));
+    let mut line = ProgressLine::new();
     let progress =
         |progress: LogProgress| line.show(format_args!("{}: {} lines", which.name(), progress.lines));
     let recording = if log == Path::new(STDIN) {
         Recording::read(io::stdin().lock(), &options, by_log, progress)
     } else {
-        let file = File::open(log).map_err(|error| Error::open(&told, &error))?;
+        let file = File::open(log).map_err(|error| Error::open(&label, &error))?;
         Recording::read(file, &options, by_log, progress)
     };
     let recording = recording.map_err(|error| match &error {
-        LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(&told),
-        _ => Error::log(&told, &error),
+        LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(&label),
+        _ => Error::log(&label, &error),
     })?;
     pins::possible(recording.edition, &args.readings)?;
     Ok(recording)
@@ -90,6 +90,6 @@ fn name(log: &Path) -> String {
 }
 
 /// How an error names one of the two logs.
-fn told(args: &CompareArgs, which: Which) -> String {
+fn label(args: &CompareArgs, which: Which) -> String {
     format!("{}, {}", which.name(), name(log(args, which)))
 }

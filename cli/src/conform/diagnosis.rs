@@ -15,7 +15,7 @@ use super::figure::{self as drawn, mark};
 use super::start;
 use crate::args::ConformArgs;
 use crate::layout::{counted, wrapped};
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::report::style::{self, Styled};
 
 /// A program that does what nothing explains is not looked at for longer.
@@ -48,7 +48,7 @@ pub(super) fn of(
     report: &ConformReport,
     accepted: &Accepted,
 ) -> Result<DiagnosedProgram, ProgramError> {
-    let mut program = Asked { program: start(args)?, steps: 0, line: Line::new() };
+    let mut program = Asked { program: start(args)?, steps: 0, line: ProgressLine::new() };
     program.program.hello(edition)?;
     let usual = edition.readings.choices().iter().filter(|choice| possible.has(*choice));
     let usual = usual.fold(report.readings, Readings::with);
@@ -136,7 +136,7 @@ impl DiagnosedProgram {
 struct Asked {
     program: Program,
     steps: u64,
-    line: Line,
+    line: ProgressLine,
 }
 
 impl Subject for Asked {
@@ -216,11 +216,11 @@ fn shown(
     let steps = counted(scenario.steps.len() as u64, "step");
     // In another state all outputs are others.
     let state = differences.iter().filter(|one| one.key == "as_state");
-    let told: Vec<&Difference> = match state.collect::<Vec<_>>() {
+    let listed: Vec<&Difference> = match state.collect::<Vec<_>>() {
         state if state.is_empty() => differences.iter().collect(),
         state => state,
     };
-    let wrong: Vec<String> = told.iter().map(ToString::to_string).collect();
+    let wrong: Vec<String> = listed.iter().map(ToString::to_string).collect();
     wrapped(out, format!("after {steps}: {}", wrong.join(", ")).split(' '), 6, width);
     if !beside.is_empty() {
         let others: Vec<String> = beside.iter().map(|other| other.id(edition)).collect();

@@ -37,7 +37,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
         requirements: report
             .requirements
             .iter()
-            .map(|requirement| RequirementJson {
+            .map(|requirement| ConformRequirementJson {
                 id: &requirement.id,
                 outcome: requirement.outcome.name(),
                 tests: requirement.tests,
@@ -56,7 +56,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
             .collect(),
         follows: report.follows.iter().map(|follows| FollowsJson::of(follows, readings)).collect(),
         not_shown: &report.not_shown,
-        not_told: &report.not_told,
+        not_run: &report.not_run,
         notes: &report.notes,
         diagnosis: subject.diagnosis.as_ref().map(DiagnosisJson::from),
         conforms: subject.conforms,
@@ -81,7 +81,7 @@ struct ConformJson<'a> {
     cycle_ms: Option<u32>,
     wall_clock: bool,
     repeats: bool,
-    requirements: Vec<RequirementJson<'a>>,
+    requirements: Vec<ConformRequirementJson<'a>>,
     about_the_vcu: usize,
     failures: Vec<FailureJson<'a>>,
     more_failures: usize,
@@ -89,14 +89,16 @@ struct ConformJson<'a> {
     readings: BTreeMap<&'static str, &'static str>,
     follows: Vec<FollowsJson<'a>>,
     not_shown: &'a [&'static str],
-    not_told: &'a [String],
+    /// The key is older than the name.
+    #[serde(rename = "not_told")]
+    not_run: &'a [String],
     notes: &'a [String],
     diagnosis: Option<DiagnosisJson<'a>>,
     conforms: bool,
 }
 
 #[derive(Serialize)]
-struct RequirementJson<'a> {
+struct ConformRequirementJson<'a> {
     id: &'a str,
     outcome: &'static str,
     tests: usize,

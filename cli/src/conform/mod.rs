@@ -31,7 +31,7 @@ use diagnosis::DiagnosedProgram;
 
 use crate::args::{ChosenEdition, ConformArgs};
 use crate::error::Error;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{output, pins};
 
@@ -164,7 +164,7 @@ fn judge(
     options: &ConformOptions,
 ) -> Result<ConformReport, ProgramError> {
     let mut program = start(args)?;
-    let mut line = Line::new();
+    let mut line = ProgressLine::new();
     conform(&mut program, tests, options, &mut |ConformProgress { phase, done, all }| {
         line.show_bar(
             done,

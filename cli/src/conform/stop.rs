@@ -1,4 +1,4 @@
-//! What happens when the command is told to stop: the program under test stops as well.
+//! What happens when the command is stopped: the program under test stops as well.
 
 use std::io;
 

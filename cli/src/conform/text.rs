@@ -20,7 +20,7 @@ const STATE: usize = 15;
 const TESTS: usize = 10;
 /// Where the inputs of a step stand.
 const INPUTS: usize = 4 + 9 + 2 + 10 + 2 + STATE + 2 + STATE + 6;
-/// So many names are told; of more only how many there are.
+/// The report lists so many names; of more only how many there are.
 const NAMES: usize = 6;
 
 pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport, width: usize) -> String {
@@ -61,7 +61,7 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
                 writeln!(out, "  {:17} pinned to {}: {}", follows.reading, pin.id(), pin.text())?;
             }
             None if subject.diagnosis.as_ref().is_some_and(|program| program.is_otherwise(follows)) => {
-                let weak = Styled(style::CARE, "cannot be told: the deviations explain the tests of it");
+                let weak = Styled(style::CARE, "undecided: the deviations explain the tests of it");
                 writeln!(out, "  {:17} {weak}", follows.reading)?;
             }
             None => reading(out, subject.edition.edition(), follows, width)?,
@@ -100,16 +100,16 @@ fn header(
         let by = if args.cycle_ms.is_none() { ", as it says" } else { "" };
         writeln!(out, "cycle {cycle_ms} ms{by}")?;
     }
-    if !report.not_told.is_empty() {
+    if !report.not_run.is_empty() {
         let why = match (&report.about, report.cycle_ms) {
             (about, _) if about.wall_clock => "there is no time for them, or a clock cannot tell them",
             (About { inputs: Some(_), .. }, _) => {
-                "they need an input that it does not have, or cannot be told at its cycle"
+                "they need an input that it does not have, or steps of its cycle cannot express them"
             }
-            _ => "they cannot be told at it",
+            _ => "steps of it cannot express them",
         };
-        writeln!(out, "not run, for {why}: {}", counted(report.not_told.len() as u64, "test"))?;
-        wrapped(out, report.not_told.join(", ").split(' '), 2, width);
+        writeln!(out, "not run, for {why}: {}", counted(report.not_run.len() as u64, "test"))?;
+        wrapped(out, report.not_run.join(", ").split(' '), 2, width);
     }
     if !report.not_shown.is_empty() {
         writeln!(out, "outputs that it does not show:")?;
@@ -139,8 +139,8 @@ fn requirements(out: &mut String, all: bool, report: &ConformReport, width: usiz
         }
     }
     writeln!(out, "  {:ID$}  {:OUTCOME$}  {:>TESTS$}  FAILED", "ID", "RESULT", "TESTS")?;
-    let told = report.requirements.iter().filter(|one| all || one.outcome != Outcome::Pass);
-    for Requirement { id, outcome, tests, checked, failed } in told {
+    let listed = report.requirements.iter().filter(|one| all || one.outcome != Outcome::Pass);
+    for Requirement { id, outcome, tests, checked, failed } in listed {
         let style = match outcome {
             Outcome::Pass => style::GOOD,
             Outcome::Fail => style::BAD,
@@ -163,9 +163,9 @@ fn requirements(out: &mut String, all: bool, report: &ConformReport, width: usiz
 
 /// Some names, and how many more there are.
 fn joined(all: &[String]) -> String {
-    let told: Vec<&str> = all.iter().take(NAMES).map(String::as_str).collect();
-    let more = all.len() - told.len();
-    if more == 0 { told.join(", ") } else { format!("{} and {more} more", told.join(", ")) }
+    let listed: Vec<&str> = all.iter().take(NAMES).map(String::as_str).collect();
+    let more = all.len() - listed.len();
+    if more == 0 { listed.join(", ") } else { format!("{} and {more} more", listed.join(", ")) }
 }
 
 /// Those that the deviations do not explain; of the others only their names.
@@ -260,10 +260,10 @@ fn step(out: &mut String, moment: &Stretch, width: usize) -> fmt::Result {
 fn also(out: &mut String, failure: &Failure, width: usize) {
     let mut more = |what: &str, all: &[String]| {
         if !all.is_empty() {
-            let mut told = what.to_owned();
-            told += " ";
-            told += &joined(all);
-            wrapped(out, told.split(' '), 4, width);
+            let mut line = what.to_owned();
+            line += " ";
+            line += &joined(all);
+            wrapped(out, line.split(' '), 4, width);
         }
     };
     more("requirements:", &failure.requirements);
@@ -284,14 +284,14 @@ fn reading(out: &mut String, edition: &Edition, follows: &Follows, width: usize)
         return Ok(());
     }
     match possible.as_slice() {
-        [] => writeln!(out, "{}", Styled(style::CARE, "cannot be told: no choice explains the tests of it")),
+        [] => writeln!(out, "{}", Styled(style::CARE, "undecided: no choice explains the tests of it")),
         [only] => {
             let usual = if edition.readings.is(*only) { " (the default)" } else { "" };
             writeln!(out, "follows {}: {}{usual}", only.id(), only.text())
         }
         several => {
             let ids: Vec<&str> = several.iter().map(|choice| choice.id()).collect();
-            writeln!(out, "{} {}", Styled(style::CARE, "cannot be told:"), ids.join(" or "))
+            writeln!(out, "{} {}", Styled(style::CARE, "undecided:"), ids.join(" or "))
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::json::{SCHEMA, line, seconds};
 pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
     let names: Vec<&str> = report.scenarios.iter().map(|scenario| scenario.name.as_str()).collect();
     let name = |place: usize| names.get(place).copied().unwrap_or_default();
-    let requirements = report.requirements.iter().map(|one| RequirementJson {
+    let requirements = report.requirements.iter().map(|one| ExamRequirementJson {
         id: one.id,
         about: one.about,
         outcome: one.outcome.name(),
@@ -37,7 +37,7 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         scenarios: scenarios.collect(),
         requirements: requirements.collect(),
-        findings: report.findings.iter().map(|one| FindingJson::of(one, name(one.scenario))).collect(),
+        findings: report.findings.iter().map(|one| ExamFindingJson::of(one, name(one.scenario))).collect(),
         slowest_answer_ms: report.slowest.as_ref().and_then(adsdv_oracle::judge::ResponseTimes::max_ms),
         notes: &report.notes,
         passes: report.passes(),
@@ -54,8 +54,8 @@ struct ExamJson<'a> {
     edition: &'static str,
     program: Vec<String>,
     scenarios: Vec<ScenarioJson<'a>>,
-    requirements: Vec<RequirementJson<'a>>,
-    findings: Vec<FindingJson<'a>>,
+    requirements: Vec<ExamRequirementJson<'a>>,
+    findings: Vec<ExamFindingJson<'a>>,
     slowest_answer_ms: Option<f64>,
     notes: &'a [String],
     passes: bool,
@@ -72,7 +72,7 @@ struct ScenarioJson<'a> {
 }
 
 #[derive(Serialize)]
-struct RequirementJson<'a> {
+struct ExamRequirementJson<'a> {
     id: &'a str,
     about: &'a str,
     outcome: &'static str,
@@ -81,7 +81,7 @@ struct RequirementJson<'a> {
 }
 
 #[derive(Serialize)]
-struct FindingJson<'a> {
+struct ExamFindingJson<'a> {
     scenario: &'a str,
     t: f64,
     section: &'a str,
@@ -107,7 +107,7 @@ struct FrameJson {
     frame: String,
 }
 
-impl<'a> FindingJson<'a> {
+impl<'a> ExamFindingJson<'a> {
     fn of(finding: &'a ExamFinding, scenario: &'a str) -> Self {
         let frame = |sent: &Sent| FrameJson {
             t: seconds(sent.t_ns),

@@ -23,7 +23,7 @@ use crate::args::{ChosenEdition, ExamArgs};
 use crate::conform::{program_name, stops_the_program};
 use crate::error::Error;
 use crate::output;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::status::Status;
 
 /// The name of the bus in logs.
@@ -75,7 +75,7 @@ fn examine(
     let mut stack = StdioStack::start(&program, rest, args.timeout, args.time_limit).map_err(no_verdict)?;
     let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
     let options = ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) };
-    let mut line = Line::new();
+    let mut line = ProgressLine::new();
     let mut written = Ok(());
     let report = exam(&mut stack, scenarios, &options, &mut |progress| {
         let (done, all) = progress.done;

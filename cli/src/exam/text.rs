@@ -10,7 +10,7 @@ use crate::report::style::{self, Styled};
 
 /// The columns of a requirement.
 const ID: usize = 7;
-/// So many findings are told in full.
+/// The report prints so many findings in full.
 const FINDINGS: usize = 12;
 
 /// The scenarios, a line each.
@@ -47,7 +47,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     verdict(out, subject, report)
 }
 
-/// The findings that are told: of each requirement that failed the one that shows soonest, and all that are against none, once.
+/// The findings that the report prints: of each requirement that failed the one that shows soonest, and all that are against none, once.
 fn shown(report: &ExamReport) -> Vec<usize> {
     let soonest = report.requirements.iter().filter_map(|one| match &one.outcome {
         Outcome::Fail(places) => places.first().copied(),
@@ -55,10 +55,10 @@ fn shown(report: &ExamReport) -> Vec<usize> {
     });
     let mut shown: Vec<usize> = soonest.collect();
     for (place, finding) in report.findings.iter().enumerate() {
-        let is_told = |other: &usize| {
+        let is_shown = |other: &usize| {
             report.findings.get(*other).is_some_and(|other| other.found_by == finding.found_by)
         };
-        if finding.requirements.is_empty() && !shown.iter().any(is_told) {
+        if finding.requirements.is_empty() && !shown.iter().any(is_shown) {
             shown.push(place);
         }
     }
@@ -104,8 +104,8 @@ fn findings(out: &mut String, report: &ExamReport, shown: &[usize], width: usize
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "FINDINGS"))?;
-    let told = shown.iter().filter_map(|place| report.findings.get(*place));
-    for (number, finding) in told.enumerate().take(FINDINGS) {
+    let listed = shown.iter().filter_map(|place| report.findings.get(*place));
+    for (number, finding) in listed.enumerate().take(FINDINGS) {
         one(out, report, number + 1, finding, width)?;
     }
     if let Some(more) = shown.len().checked_sub(FINDINGS).filter(|more| *more > 0) {
@@ -166,8 +166,8 @@ fn passed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt:
     let passed = report.count("pass");
     writeln!(out, "\n{}", Styled(style::HEADING, "PASSED"))?;
     if !subject.args.all {
-        let told = if passed > 0 { " (--all lists them)" } else { "" };
-        return writeln!(out, "  {}{told}", counted(passed as u64, "requirement"));
+        let hint = if passed > 0 { " (--all lists them)" } else { "" };
+        return writeln!(out, "  {}{hint}", counted(passed as u64, "requirement"));
     }
     for one in report.requirements.iter().filter(|one| one.outcome == Outcome::Pass) {
         writeln!(out, "  {} {}", Styled(style::GOOD, format!("{:ID$}", one.id)), one.about)?;

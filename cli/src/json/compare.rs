@@ -20,7 +20,7 @@ pub(crate) fn compared(good: &Recording, bad: &Recording, comparison: &Compariso
         differs: comparison.differs(),
         begin: comparison.begin.map(|[good, bad]| PairJson { good: good.name(), bad: bad.name() }),
         parting: comparison.parting.as_ref().map(|parting| PartingJson::of(rules, parting)),
-        transitions: comparison.transitions.iter().map(TransitionJson::from).collect(),
+        transitions: comparison.transitions.iter().map(OnlyTransitionJson::from).collect(),
         lasted: comparison.lasted.iter().map(LastedJson::from).collect(),
         findings: comparison.found.iter().map(FoundJson::from).collect(),
         ranges: comparison.ranges.iter().filter_map(RangesJson::of).collect(),
@@ -38,7 +38,7 @@ struct CompareJson<'a> {
     differs: bool,
     begin: Option<PairJson<&'static str>>,
     parting: Option<PartingJson>,
-    transitions: Vec<TransitionJson>,
+    transitions: Vec<OnlyTransitionJson>,
     lasted: Vec<LastedJson>,
     findings: Vec<FoundJson<'a>>,
     ranges: Vec<RangesJson>,
@@ -82,7 +82,7 @@ struct MissedJson {
 }
 
 #[derive(Serialize)]
-struct TransitionJson {
+struct OnlyTransitionJson {
     only: &'static str,
     t: f64,
     from: &'static str,
@@ -214,7 +214,7 @@ impl From<&Way<'_>> for WayJson {
     }
 }
 
-impl From<&OnlyTransition> for TransitionJson {
+impl From<&OnlyTransition> for OnlyTransitionJson {
     fn from(only: &OnlyTransition) -> Self {
         Self { only: which(only.which), t: seconds(only.t_ns), from: only.from.name(), to: only.to.name() }
     }

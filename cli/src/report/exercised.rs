@@ -12,8 +12,10 @@ const MISSING: &str = "required and missing";
 
 /// The line with the numbers of requirements.
 pub(super) fn write(out: &mut String, exercised: &Exercised) -> fmt::Result {
-    let counts: Vec<String> =
-        Standing::ALL.iter().map(|&told| format!("{} {}", exercised.count(told), told.name())).collect();
+    let counts: Vec<String> = Standing::ALL
+        .iter()
+        .map(|&standing| format!("{} {}", exercised.count(standing), standing.name()))
+        .collect();
     writeln!(out, "requirements that a log can show: {}", counts.join(", "))
 }
 

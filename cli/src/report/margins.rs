@@ -52,7 +52,7 @@ fn write_one(out: &mut String, margin: &Margin) -> fmt::Result {
     )
 }
 
-/// What is told once. Where there was only one reaction, it was the slowest and the fastest.
+/// What the report lists once. Where there was only one reaction, it was the slowest and the fastest.
 fn kind(margin: &Margin) -> (Measure, Party) {
     let what = if margin.what == Measure::FastestReaction { Measure::SlowestReaction } else { margin.what };
     (what, margin.party)

@@ -26,21 +26,21 @@ fn write_one(out: &mut String, rule: &RuleReport, longest: usize) -> fmt::Result
         verdict @ RuleVerdict::Undecided => (verdict, style::CARE),
     };
     let RuleReport { name, line, held, broken, undecided, breaches, why, .. } = rule;
-    let mut told = Vec::new();
+    let mut facts = Vec::new();
     if let (Some(first), true) = (breaches.first(), *broken > 0) {
-        told.push(format!("{}, first at {} s", counted(*broken, "time"), Seconds(first.t_ns)));
+        facts.push(format!("{}, first at {} s", counted(*broken, "time"), Seconds(first.t_ns)));
         if *broken > breaches.len() as u64 {
-            told.push(format!("the first {} are listed", breaches.len()));
+            facts.push(format!("the first {} are listed", breaches.len()));
         }
     }
     if *held > 0 {
         let kept = if *broken > 0 { "held " } else { "" };
-        told.push(format!("{kept}{}", counted(*held, "time")));
+        facts.push(format!("{kept}{}", counted(*held, "time")));
     }
     if *undecided > 0 {
-        told.push(format!("not certain {}", counted(*undecided, "time")));
+        facts.push(format!("not certain {}", counted(*undecided, "time")));
     }
-    told.extend(why.clone());
+    facts.extend(why.clone());
     let verdict = Styled(style, verdict.name());
-    writeln!(out, "  {name:<longest$}  line {line:<4}  {verdict:13}  {}", told.join("; "))
+    writeln!(out, "  {name:<longest$}  line {line:<4}  {verdict:13}  {}", facts.join("; "))
 }

@@ -61,7 +61,7 @@ fn has(area: Rect, (width, height): (u16, u16)) -> bool {
     area.width >= width && area.height >= height
 }
 
-/// What can be told in next to no room: the state, and why there is no more.
+/// What fits in next to no room: the state, and why there is no more.
 fn too_small(status: &Status, area: Rect, buffer: &mut Buffer) {
     let (width, height) = SMALLEST;
     let state = status.outputs.map_or("no power", |outputs| outputs.state.name());

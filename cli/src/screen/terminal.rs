@@ -35,7 +35,7 @@ pub(crate) fn run(source: &dyn Source, chosen: ChosenEdition, color: bool) -> io
     // Whether colors are wanted has been decided; NO_COLOR was asked then.
     force_color_output(color);
     let keyboard = Keyboard::open()?;
-    // The panic hook that this sets puts the terminal back before a panic is told.
+    // The panic hook that this sets puts the terminal back before a panic is printed.
     let mut open = Open(ManuallyDrop::new(ratatui::try_init().inspect_err(|_| put_back())?));
     let (mut screen, begun) = (Screen::new(color).of(&chosen), Instant::now());
     while !source.is_over() {
@@ -126,7 +126,7 @@ impl Drop for Open {
 }
 
 fn put_back() {
-    // If it cannot be put back it is most likely gone, and so is whoever could be told.
+    // If it cannot be put back it is most likely gone, and so is whoever could read of it.
     let _ = ratatui::try_restore();
 }
 
@@ -136,16 +136,16 @@ mod tests {
 
     #[test]
     fn a_screen_needs_a_terminal_that_is_not_dumb() {
-        let told = |is_terminal, kind: &str| {
+        let fitted = |is_terminal, kind: &str| {
             fit(is_terminal, Some(OsStr::new(kind))).map_err(|error| (error.kind(), error.to_string()))
         };
         for (is_terminal, kind, part) in
             [(true, "dumb", "TERM says dumb"), (false, "xterm", "standard output is none")]
         {
-            let (kind, why) = told(is_terminal, kind).expect_err("no screen");
+            let (kind, why) = fitted(is_terminal, kind).expect_err("no screen");
             assert!(kind == io::ErrorKind::Unsupported && why.contains(part), "{why}");
         }
-        assert_eq!(told(true, "xterm-256color"), Ok(()));
+        assert_eq!(fitted(true, "xterm-256color"), Ok(()));
         assert!(fit(true, None).is_ok());
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct Failure {
     pub(super) name: &'static str,
     /// The log.
     pub(super) log: PathBuf,
-    /// What the judge of logs was told to assume: where readings were chosen, the default, which the property asks for.
+    /// What the judge of logs assumes: where readings were chosen, the default, which the property asks for.
     pub(super) pins: Vec<Choice>,
     /// What the judge of logs makes of it.
     pub(super) report: Report,
@@ -35,7 +35,7 @@ pub(super) fn expect_directory(dir: &Path) -> Result<(), Error> {
 }
 
 /// Writes and judges the log of every failure; of a property that fails in two models, that of the first. Those that can be
-/// written are, and why another could not is told with them: what was explored for so long is not lost with it.
+/// written are, and why another could not is reported with them: what was explored for so long is not lost with it.
 pub(super) fn write(
     edition: &'static Edition,
     outcome: &Outcome,

@@ -112,9 +112,9 @@ mod tests {
     use super::super::outcome::well_behaved;
     use super::*;
 
-    /// A closed model is told as the open one is, with what is to hold in the end beside what holds always.
+    /// A closed model is reported as the open one is, with what is to hold in the end beside what holds always.
     #[test]
-    fn every_property_of_a_closed_model_is_told() {
+    fn every_property_of_a_closed_model_is_reported() {
         let schema = serde_json::from_str(include_str!("../../schema/verify.schema.json")).expect("JSON");
         let schema = jsonschema::validator_for(&schema).expect("a schema");
         for edition in Edition::ALL {
@@ -123,13 +123,13 @@ mod tests {
             let outcome = Outcome { machine, models, parts: Vec::new() };
             let json: Value = serde_json::from_str(&text(&outcome, &[])).expect("JSON");
             assert!(schema.is_valid(&json), "{json}");
-            let (told, model) = (&json["models"][0], &outcome.models[0]);
-            assert_eq!((&told["name"], &told["complete"]), (&model.name.into(), &true.into()));
+            let (written, model) = (&json["models"][0], &outcome.models[0]);
+            assert_eq!((&written["name"], &written["complete"]), (&model.name.into(), &true.into()));
             assert_eq!(
-                (&told["states"], &told["transitions"]),
+                (&written["states"], &written["transitions"]),
                 (&model.states.into(), &model.transitions.into())
             );
-            let properties = told["properties"].as_array().expect("an array");
+            let properties = written["properties"].as_array().expect("an array");
             assert_eq!(properties.len(), model.results.len());
             for (property, result) in properties.iter().zip(&model.results) {
                 assert_eq!((&property["name"], &property["log"]), (&result.name.into(), &Value::Null));

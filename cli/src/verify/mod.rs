@@ -18,7 +18,7 @@ use adsdv_spec::Edition;
 
 use crate::args::VerifyArgs;
 use crate::error::Error;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{output, pins};
 
@@ -68,7 +68,7 @@ fn explored(edition: &'static Edition, threads: usize) -> Sweep {
     thread::scope(|scope| {
         // The explorations tell how far they are from their own threads; this one looks after the line.
         scope.spawn(move || {
-            let mut line = Line::new();
+            let mut line = ProgressLine::new();
             for (done, all) in receiver {
                 line.show_bar(done, all, format!("of the combinations of readings of {}", edition.version));
             }

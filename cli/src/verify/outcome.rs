@@ -8,7 +8,7 @@ use adsdv_spec::{Choice, Machine};
 
 use crate::args::Models;
 use crate::layout::counted;
-use crate::progress::Line;
+use crate::progress::ProgressLine;
 
 /// Everything that was explored.
 #[derive(Debug)]
@@ -108,7 +108,7 @@ impl Outcome {
 
 /// Explores the models.
 pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, threads: usize) -> Outcome {
-    let mut line = Line::new();
+    let mut line = ProgressLine::new();
     let mut outcome = Outcome { machine: *machine, models: Vec::new(), parts: Vec::new() };
     if which != Models::Closed {
         let options = Options { vectors, threads, document: machine.edition().rules.timing };

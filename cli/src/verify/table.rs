@@ -232,7 +232,7 @@ mod tests {
     fn a_part_that_another_answer_brings_to_life_is_moot_and_no_failure() {
         let edition = Edition::find("4.0").expect("it has the question");
         let short = edition.with_timing(short_timers(edition));
-        let told = |readings| {
+        let printed = |readings| {
             let machine = Machine::new(short, readings);
             let outcome = outcome::explore(&machine, Models::Open, Vectors::Few, 1);
             assert!(outcome.dead().next().is_none());
@@ -240,7 +240,7 @@ mod tests {
             parts(&mut text, &outcome).expect("a string");
             (text, json::text(&outcome, &[]))
         };
-        let (text, json) = told(edition.readings);
+        let (text, json) = printed(edition.readings);
         let part = "AS_DRIVING -> EMERGENCY_BRAKE (3.7): BMS_FAULT == TRUE";
         assert!(text.contains("alternatives 20 of 21 decide some step\n"), "{text}");
         let line = format!("  moot  {part}; with --reading bms-fault=driving it decides\n");
@@ -249,7 +249,7 @@ mod tests {
             r#""dead_parts":[],"moot_parts":[{{"part":"{part}","decides_with":"bms-fault=driving"}}]"#
         );
         assert!(json.contains(&object), "{json}");
-        let (text, json) = told(edition.readings.with(Choice::BmsDriving));
+        let (text, json) = printed(edition.readings.with(Choice::BmsDriving));
         assert!(!text.contains("moot") && json.contains(r#""moot_parts":[]"#), "{text}{json}");
     }
 

@@ -12,7 +12,7 @@ use adsdv_can::bus::{Event, Listen};
 /// So much may wait to be judged: more than three seconds of ten times a full bus of 500 kbit/s. Beyond that the kernel drops
 /// frames, and counts them.
 const ROOM: usize = 1 << 17;
-/// For so long nothing comes before it is told that nothing came.
+/// For so long nothing comes before the thread reports that nothing came.
 const SILENCE: Duration = Duration::from_millis(50);
 /// So much is handed over at once.
 const BATCH: usize = 4096;
@@ -51,7 +51,7 @@ impl Ears {
             Ok(first) => std::iter::once(first).chain(self.heard.try_iter()).take(BATCH).collect(),
             Err(RecvTimeoutError::Timeout) => Vec::new(),
             Err(RecvTimeoutError::Disconnected) => {
-                // The thread ends before it is told to by a mistake only; then at least this one does not spin.
+                // The thread ends before it is stopped by a mistake only; then at least this one does not spin.
                 thread::sleep(SILENCE);
                 Vec::new()
             }
@@ -72,7 +72,7 @@ impl Ears {
 }
 
 fn listen(mut bus: impl Listen, tell: &SyncSender<Arrival>, stop: &AtomicBool) {
-    // Once told to stop, what is there already is still taken, but no longer than this.
+    // Once stopped, what is there already is still taken, but no longer than this.
     let mut last = None;
     loop {
         if last.is_none() && stop.load(Ordering::Acquire) {
@@ -88,7 +88,7 @@ fn listen(mut bus: impl Listen, tell: &SyncSender<Arrival>, stop: &AtomicBool) {
         }
         let now_ns = if nothing { asked } else { now_ns() };
         let heard = Arrival { event, dropped: bus.dropped(), now_ns };
-        // What was taken from the bus is told, however late it is.
+        // What was taken from the bus is handed over, however late it is.
         if tell.send(heard).is_err() || last.is_some_and(|last| Instant::now() >= last) {
             return;
         }

@@ -69,7 +69,7 @@ impl Lines {
         }
     }
 
-    /// Nobody is to read any more: why, is told elsewhere.
+    /// Nobody is to read any more: why, the caller reports.
     pub(super) fn end(&mut self) {
         self.read = false;
     }
@@ -101,7 +101,7 @@ impl Lines {
         if self.quiet || !self.read {
             return;
         }
-        // The run is not over with it: what was heard is still judged and recorded, and then this is told.
+        // The run is not over with it: what was heard is still judged and recorded, and then this is reported.
         self.note(output::follow(text, self.color));
     }
 

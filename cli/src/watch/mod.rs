@@ -47,11 +47,11 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     };
     let rules = rules::read(args.rules.as_deref(), chosen.edition(), by_bus)?;
     let mut options = LogOptions { judge, interface: None, rules };
-    let told = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
+    let stop = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let listener = socket::listen(&args.interface)?;
     let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
     let lines = Lines::new(args, chosen);
-    let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &told)?;
+    let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &stop)?;
     let log = recorder.map_or(Ok(()), Recorder::finish);
     let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
     let recognised = watch.recognised().cloned();
@@ -71,7 +71,7 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         }
         _ => lines.finish(),
     };
-    // All that went wrong is told, what ended the watching last.
+    // All that went wrong is reported, what ended the watching last.
     let (verdict, report) = match report {
         Ok(report) => (Some(report.verdict()), Ok(())),
         Err(error) => (None, Err(error)),
@@ -102,7 +102,7 @@ struct Watched {
     is_recognised: bool,
 }
 
-/// Watches until it is told to stop, or nothing can be printed any more.
+/// Watches until it is stopped, or nothing can be printed any more.
 ///
 /// What waits for the edition is judged in the end, however short the run was.
 fn watch(
@@ -110,7 +110,7 @@ fn watch(
     options: &LogOptions,
     recorder: Option<Recorder>,
     mut lines: Lines,
-    told: &AtomicBool,
+    stop: &AtomicBool,
 ) -> Result<Watched, Error> {
     let name = listener.name().to_owned();
     let begin = if lines.is_named() { Watch::new } else { Watch::recognising };
@@ -126,7 +126,7 @@ fn watch(
         rules: options.rules.clone(),
         is_recognised: false,
     };
-    while watched.lines.is_read() && !told.load(Ordering::Relaxed) {
+    while watched.lines.is_read() && !stop.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
         ears.take().into_iter().for_each(|heard| watched.hear(heard));
         if let Some(recorder) = &mut watched.recorder {
@@ -134,7 +134,7 @@ fn watch(
         }
         watched.print_news();
     }
-    // What the kernel had when it was told to stop is of the run as well.
+    // What the kernel had when it was stopped is of the run as well.
     ears.finish().into_iter().for_each(|heard| watched.hear(heard));
     watched.watch.decide();
     watched.print_news();

@@ -1,4 +1,4 @@
-//! Watching a bus that is told what comes.
+//! Watching a bus whose events come from a script.
 
 use std::collections::VecDeque;
 use std::sync::atomic::AtomicBool;
@@ -18,7 +18,7 @@ use clap::Parser as _;
 use super::*;
 use crate::args::{Cli, Command};
 
-/// A bus from which these come, as fast as they are taken; then the command is told to stop.
+/// A bus from which these come, as fast as they are taken; then it stops the command.
 struct Script(VecDeque<Event>, Arc<AtomicBool>, Arc<Mutex<u64>>);
 
 impl Listen for Script {
@@ -71,9 +71,9 @@ fn watched_by(
     events: impl IntoIterator<Item = Event>,
     dropped: u64,
 ) -> Watched {
-    let told = Arc::new(AtomicBool::new(false));
-    let script = Script(events.into_iter().collect(), Arc::clone(&told), Arc::new(Mutex::new(dropped)));
-    watch(script, options, None, lines(&args(words)), &told).expect("it watches")
+    let stop = Arc::new(AtomicBool::new(false));
+    let script = Script(events.into_iter().collect(), Arc::clone(&stop), Arc::new(Mutex::new(dropped)));
+    watch(script, options, None, lines(&args(words)), &stop).expect("it watches")
 }
 
 /// A mission of an edition, both sides.
@@ -150,11 +150,11 @@ fn rules_are_judged_live_and_stand_in_the_json() {
     assert_eq!((report.rules.len(), report.findings.len()), (1, 1), "{:?}", report.findings);
     let bus = json::Bus { traffic, outages: &[] };
     let text = json::watched(recognised.edition, Some(&recognised), &report, &bus);
-    let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-    assert_eq!(told["rules"][0]["verdict"], "broken");
+    let printed: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(printed["rules"][0]["verdict"], "broken");
     let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
     let validator = jsonschema::draft202012::new(&schema).expect("a schema");
-    let errors: Vec<_> = validator.iter_errors(&told).map(|error| error.to_string()).collect();
+    let errors: Vec<_> = validator.iter_errors(&printed).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
 }
 
@@ -211,48 +211,51 @@ fn the_json_of_a_live_bus_keeps_to_its_schema() {
     let report = watch.finish().expect("frames");
     let bus = json::Bus { traffic, outages: &outages };
     let text = json::watched(recognised.edition, Some(&recognised), &report, &bus);
-    let told: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-    assert_eq!(told["recognised"]["certain"], false, "520h alone tells nothing");
+    let printed: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(printed["recognised"]["certain"], false, "520h alone tells nothing");
     let named = json::watched(recognised.edition, None, &report, &bus);
     assert!(!named.contains("recognised"), "{named}");
     let schema: serde_json::Value = serde_json::from_str(json::WATCH_SCHEMA).expect("JSON");
     let validator = jsonschema::draft202012::new(&schema).expect("a schema");
-    let errors: Vec<_> = validator.iter_errors(&told).map(|error| error.to_string()).collect();
+    let errors: Vec<_> = validator.iter_errors(&printed).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
-    assert_eq!(told["bus"]["dropped_frames"], 12);
-    assert_eq!(told["bus"]["troubles"].as_array().map(Vec::len), Some(2));
-    assert!(told["bus"]["troubles"][0]["until"].is_number() && told["bus"]["troubles"][1]["until"].is_null());
-    let mut spoiled = told.clone();
+    assert_eq!(printed["bus"]["dropped_frames"], 12);
+    assert_eq!(printed["bus"]["troubles"].as_array().map(Vec::len), Some(2));
+    assert!(
+        printed["bus"]["troubles"][0]["until"].is_number()
+            && printed["bus"]["troubles"][1]["until"].is_null()
+    );
+    let mut spoiled = printed.clone();
     spoiled["bus"]["extra"] = 1.into();
-    assert!(!validator.is_valid(&spoiled) && !validator.is_valid(&without_bus(&told)));
+    assert!(!validator.is_valid(&spoiled) && !validator.is_valid(&without_bus(&printed)));
 
     // But for the bus it is the report of a log.
     let check: serde_json::Value = serde_json::from_str(json::CHECK_SCHEMA).expect("JSON");
-    assert!(jsonschema::draft202012::new(&check).expect("a schema").is_valid(&without_bus(&told)));
+    assert!(jsonschema::draft202012::new(&check).expect("a schema").is_valid(&without_bus(&printed)));
     for key in ["state", "transition", "finding", "response"] {
         assert_eq!(schema["$defs"][key], check["$defs"][key], "{key}");
     }
     assert_eq!(schema["properties"]["recognised"], check["properties"]["recognised"]);
-    spoiled = told.clone();
+    spoiled = printed.clone();
     spoiled["recognised"]["certain"] = "yes".into();
     assert!(!validator.is_valid(&spoiled));
 }
 
-fn without_bus(told: &serde_json::Value) -> serde_json::Value {
-    let mut report = told.clone();
+fn without_bus(printed: &serde_json::Value) -> serde_json::Value {
+    let mut report = printed.clone();
     report.as_object_mut().map(|report| report.remove("bus"));
     report
 }
 
 #[test]
 fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
-    let told = Arc::new(AtomicBool::new(false));
-    let script = Script((0..5000).map(frame).collect(), Arc::clone(&told), Arc::new(Mutex::new(3)));
+    let stop = Arc::new(AtomicBool::new(false));
+    let script = Script((0..5000).map(frame).collect(), Arc::clone(&stop), Arc::new(Mutex::new(3)));
     let log = std::env::temp_dir().join(format!("adsdv-watch-{}.log", std::process::id()));
     let recorder = Recorder::create(&log).expect("a file");
     let mut lines = lines(&args(&["--json"]));
     lines.note(Err(Error::output(&std::io::ErrorKind::StorageFull.into())));
-    let watched = watch(script, &LogOptions::default(), Some(recorder), lines, &told).expect("it watches");
+    let watched = watch(script, &LogOptions::default(), Some(recorder), lines, &stop).expect("it watches");
     assert!(watched.recorder.is_some_and(|recorder| recorder.finish().is_ok()));
     let text = std::fs::read_to_string(&log).expect("the log");
     _ = std::fs::remove_file(&log);

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::golden::compare_text;
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, Outcome, adsdv, fed, file, run, temporary};
-use crate::schema::validator;
+use crate::schema::{Spoil, validator};
 
 /// What is printed of two logs, which has a status, and names them as a person does.
 fn compared(args: &[&str], status: i32) -> String {
@@ -185,9 +185,6 @@ fn json_keeps_to_its_schema() {
     json(&["--edition", "3.0", FINISHED_WHILE_MOVING, MISSION], 1);
 }
 
-/// What is wrong with a comparison, and how it comes to be wrong.
-type Spoil = (&'static str, fn(&mut Value));
-
 #[test]
 fn the_schema_refuses_what_is_not_a_comparison() {
     let good = json(&[MISSION, FINISHED_WHILE_MOVING], 1);
@@ -246,8 +243,8 @@ fn the_examples_of_the_help_are_valid_arguments() {
         }
         let args: Vec<&str> = ["compare"].into_iter().chain(arguments.split_whitespace()).collect();
         let outcome = run(&args);
-        let told = ["GOOD, yesterday.log: cannot open", "GOOD, standard input: the log is empty"];
-        assert!(told.iter().any(|told| outcome.stderr.contains(told)), "{example}: {outcome:?}");
+        let expected = ["GOOD, yesterday.log: cannot open", "GOOD, standard input: the log is empty"];
+        assert!(expected.iter().any(|text| outcome.stderr.contains(text)), "{example}: {outcome:?}");
         tried += 1;
     }
     assert_eq!(tried, 5, "{help}");

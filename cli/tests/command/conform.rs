@@ -48,19 +48,19 @@ pub(crate) fn conform(options: &[&str], program: &str, args: &[&str]) -> Outcome
 
 /// What is printed for an example, with its name instead of its path.
 pub(crate) fn text(options: &[&str], program: &str, args: &[&str]) -> (Option<i32>, String) {
-    let told = conform(options, program, args);
-    assert_eq!(told.stderr, "", "{}", told.stdout);
-    (told.status, told.stdout.replace(&example(program), program))
+    let outcome = conform(options, program, args);
+    assert_eq!(outcome.stderr, "", "{}", outcome.stdout);
+    (outcome.status, outcome.stdout.replace(&example(program), program))
 }
 
 /// The JSON for an example, which has to keep to its schema and to say what the exit status does.
 pub(crate) fn report(options: &[&str], program: &str, args: &[&str]) -> Value {
-    let told = conform(&[options, &["--json"]].concat(), program, args);
-    assert_eq!((told.stdout.lines().count(), told.stderr.as_str()), (1, ""));
-    let report: Value = serde_json::from_str(&told.stdout).expect("JSON");
+    let outcome = conform(&[options, &["--json"]].concat(), program, args);
+    assert_eq!((outcome.stdout.lines().count(), outcome.stderr.as_str()), (1, ""));
+    let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     let errors: Vec<_> = validator("conform").iter_errors(&report).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
-    assert_eq!(report["conforms"], told.status == Some(0), "{:?}", told.status);
+    assert_eq!(report["conforms"], outcome.status == Some(0), "{:?}", outcome.status);
     report
 }
 
@@ -170,11 +170,11 @@ fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     assert_eq!(choices, ["every-state", "driving"]);
     assert_eq!(mixed["failures"][0]["explained_by"], json!(["ai-estop=driving"]));
 
-    // Not the things that are told as well.
+    // Not the things that are listed as well.
     let tests_only = ["--runs", "10", "--strict", "--no-diagnosis"];
     let scrambled = report(&tests_only, "mutant", &["--scramble"]);
-    let told = scrambled["failures"].as_array().map(Vec::len);
-    assert!(told >= Some(20) && scrambled["more_failures"].as_u64() > Some(0), "{told:?}");
+    let failures = scrambled["failures"].as_array().map(Vec::len);
+    assert!(failures >= Some(20) && scrambled["more_failures"].as_u64() > Some(0), "{failures:?}");
     assert_eq!((&good["more_failures"], &bad["more_failures"]), (&json!(0), &json!(0)));
     let more = format!("\n\n  and {} more\n\nREADINGS\n", scrambled["more_failures"]);
     let (_, text) = text(&tests_only, "mutant", &["--scramble"]);
@@ -291,7 +291,7 @@ fn a_command_that_is_stopped_leaves_no_program_behind() {
     }
 }
 
-/// What was not run, or told nothing, is not counted as if it had been.
+/// What was not run, or showed nothing, is not counted as if it had been.
 #[test]
 fn a_requirement_is_printed_with_how_many_of_its_tests_checked_it() {
     let options = ["--cycle-ms", "50", "--runs", "0"];
@@ -316,12 +316,12 @@ fn a_requirement_is_printed_with_how_many_of_its_tests_checked_it() {
 #[test]
 fn a_program_that_is_slow_is_no_verdict() {
     let start = Instant::now();
-    let told = conform(&["--timeout", "20", "--time-limit", "1"], "mutant", &["--slow", "150"]);
-    assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""));
+    let outcome = conform(&["--timeout", "20", "--time-limit", "1"], "mutant", &["--slow", "150"]);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
     for said in
         ["not done within the time limit of 1 s: ", "and 0 of 300 random", "\nhint: raise --time-limit"]
     {
-        assert!(told.stderr.contains(said), "{said:?} is missing: {}", told.stderr);
+        assert!(outcome.stderr.contains(said), "{said:?} is missing: {}", outcome.stderr);
     }
     assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
 }
@@ -337,19 +337,19 @@ fn a_program_that_misbehaves_is_no_verdict() {
         (&["--long-at", "2"], "a line of more than 65536 bytes", "line break"),
     ] {
         let start = Instant::now();
-        let told = conform(&["--timeout", "0.5"], "mutant", args);
-        assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""), "{args:?}");
-        let first = told.stderr.lines().next().unwrap_or_default();
+        let outcome = conform(&["--timeout", "0.5"], "mutant", args);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{args:?}");
+        let first = outcome.stderr.lines().next().unwrap_or_default();
         assert!(first.starts_with("adsdv: ") && first.contains(error), "{first}");
         assert!(
             ["3.1", "the beginning"]
                 .iter()
-                .any(|place| told.stderr.contains(&format!("\n  in        {place}")))
-                && told.stderr.contains("\n  sent      {\"op\":"),
+                .any(|place| outcome.stderr.contains(&format!("\n  in        {place}")))
+                && outcome.stderr.contains("\n  sent      {\"op\":"),
             "{}",
-            told.stderr
+            outcome.stderr
         );
-        let last = told.stderr.lines().last().unwrap_or_default();
+        let last = outcome.stderr.lines().last().unwrap_or_default();
         assert!(last.starts_with("hint: ") && last.contains(hint), "{last}");
         assert!(start.elapsed() < Duration::from_secs(20), "{args:?}");
     }

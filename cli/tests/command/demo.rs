@@ -109,11 +109,11 @@ fn a_scenario_from_standard_input() {
     let scenario = b"0 ebs ARMED, ami SKIDPAD, tsms on, asms on\nAS_READY +1 end\n";
     child.stdin.take().expect("a pipe").write_all(scenario).expect("it reads");
     let output = child.wait_with_output().expect("the command ends");
-    let told = String::from_utf8(output.stdout).expect("text");
-    assert_eq!(output.status.code(), Some(0), "{told}");
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(0), "{text}");
     assert!(
-        told.contains("-> AS_READY") && one_line(&told).contains("the scenario on standard input, "),
-        "{told}"
+        text.contains("-> AS_READY") && one_line(&text).contains("the scenario on standard input, "),
+        "{text}"
     );
 }
 
@@ -172,8 +172,8 @@ fn a_scenario_that_waits_for_ever_is_reported_with_its_line() {
     let written = fs::read(&log).expect("the log");
     assert!(written.len() > 1_000_000 && written.ends_with(b"\n"));
     let frames = written.split(|&byte| byte == b'\n').count() - 1;
-    let told = format!("demo-waits.log has the run until then: 600.000 s, {frames} frames\n");
-    assert!(outcome.stderr.contains(&told), "{told}{}", outcome.stderr);
+    let hint = format!("demo-waits.log has the run until then: 600.000 s, {frames} frames\n");
+    assert!(outcome.stderr.contains(&hint), "{hint}{}", outcome.stderr);
     fs::remove_file(&log).expect("it is ours");
     // Nothing was done, and no log was asked for.
     let waits = temporary("demo-waits-idly.txt", b"AS_READY end\n");

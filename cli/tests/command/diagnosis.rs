@@ -125,9 +125,9 @@ fn a_file_of_accepted_deviations_that_is_wrong_is_refused() {
     let file = temporary("wrong.txt", b"");
     let path = file.to_str().expect("a path of text");
     fs::write(&file, "# known\ngo:level\n").expect("it can be written");
-    let told = conform(&["--runs", "0", "--accept", path], "deviating", &[]);
-    assert_eq!(told.status, Some(2));
-    assert!(told.stderr.contains("line 2: \"go:level\" has no reason"), "{}", told.stderr);
+    let outcome = conform(&["--runs", "0", "--accept", path], "deviating", &[]);
+    assert_eq!(outcome.status, Some(2));
+    assert!(outcome.stderr.contains("line 2: \"go:level\" has no reason"), "{}", outcome.stderr);
     let none = conform(&["--runs", "0", "--accept", "no/such/file"], "deviating", &[]);
     assert!(
         none.status == Some(2) && none.stderr.contains("hint: a line is an id and a reason"),

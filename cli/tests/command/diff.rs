@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::golden::compare_text;
 use crate::run::{Outcome, adsdv, outcome, run};
-use crate::schema::validator;
+use crate::schema::{Spoil, validator};
 
 /// The pairs of editions, each with itself as well.
 fn pairs() -> impl Iterator<Item = [&'static str; 2]> {
@@ -60,9 +60,6 @@ fn json_keeps_to_its_schema() {
         assert_eq!(difference["differs"], from != to);
     }
 }
-
-/// What is wrong with a difference, and how it comes to be wrong.
-type Spoil = (&'static str, fn(&mut Value));
 
 #[test]
 fn the_schema_refuses_what_is_not_a_difference() {

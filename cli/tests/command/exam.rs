@@ -37,12 +37,12 @@ fn examined(options: &[&str], mistake: &[&str]) -> Outcome {
 
 /// The JSON, which has to keep to its schema and to say what the exit status does.
 fn report(options: &[&str], mistake: &[&str]) -> Value {
-    let told = examined(&[options, &["--json"]].concat(), mistake);
-    assert_eq!((told.stdout.lines().count(), told.stderr.as_str()), (1, ""));
-    let report: Value = serde_json::from_str(&told.stdout).expect("JSON");
+    let outcome = examined(&[options, &["--json"]].concat(), mistake);
+    assert_eq!((outcome.stdout.lines().count(), outcome.stderr.as_str()), (1, ""));
+    let report: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     let errors: Vec<_> = validator("exam").iter_errors(&report).map(|error| error.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
-    assert_eq!(report["passes"], told.status == Some(0), "{:?}", told.status);
+    assert_eq!(report["passes"], outcome.status == Some(0), "{:?}", outcome.status);
     report
 }
 
@@ -58,7 +58,7 @@ fn the_reference_passes_through_standard_input_as_well() {
 /// What is wrong stands in the first screen.
 #[test]
 fn each_mistake_is_told_first() {
-    for (edition, mistake, told) in [
+    for (edition, mistake, expected) in [
         ("4.0", "silent", "MSG-5   sends AI2VCU_Status (510h)"),
         ("4.0", "never-selects", "RDY-7   confirms the mission that is selected"),
         ("4.0", "floods", "MSG-98  sends 510h to 514h every 10 ms"),
@@ -71,7 +71,7 @@ fn each_mistake_is_told_first() {
         assert_eq!((told_all.status, told_all.stderr.as_str()), (Some(1), ""), "{mistake}");
         let screen: Vec<&str> = told_all.stdout.lines().take(24).collect();
         assert!(screen[0].starts_with(&format!("edition {edition}")), "{}", screen[0]);
-        assert!(screen.iter().any(|line| line.contains(told)), "{mistake}: {screen:#?}");
+        assert!(screen.iter().any(|line| line.contains(expected)), "{mistake}: {screen:#?}");
     }
 }
 
@@ -115,18 +115,24 @@ fn the_scenarios_are_listed_and_chosen() {
 
 #[test]
 fn what_passed_is_listed_if_somebody_asks() {
-    let told = examined(&["--edition", "4.0", "--only", "mission-skidpad", "--all"], &[]);
-    assert!(told.stdout.contains("\n  RDY-7   confirms the mission that is selected\n"), "{}", told.stdout);
-    assert_eq!(told.status, Some(0));
+    let outcome = examined(&["--edition", "4.0", "--only", "mission-skidpad", "--all"], &[]);
+    assert!(
+        outcome.stdout.contains("\n  RDY-7   confirms the mission that is selected\n"),
+        "{}",
+        outcome.stdout
+    );
+    assert_eq!(outcome.status, Some(0));
 }
 
 /// The examples that teams begin with.
 #[test]
 fn the_examples_pass() {
-    let python = Command::new("python3").arg("--version").output().is_ok_and(|told| told.status.success());
+    let python =
+        Command::new("python3").arg("--version").output().is_ok_and(|output| output.status.success());
     if python {
-        let told = run(&["exam", "--stdio", "--edition", "4.0", "--", "python3", "exam/examples/stack.py"]);
-        assert_eq!(told.status, Some(0), "{}{}", told.stdout, told.stderr);
+        let outcome =
+            run(&["exam", "--stdio", "--edition", "4.0", "--", "python3", "exam/examples/stack.py"]);
+        assert_eq!(outcome.status, Some(0), "{}{}", outcome.stdout, outcome.stderr);
     }
     let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("exam-minimal");
     let built = Command::new("cc")
@@ -137,7 +143,7 @@ fn the_examples_pass() {
         .status();
     if built.is_ok_and(|status| status.success()) {
         let program = program.to_str().expect("text");
-        let told = run(&["exam", "--stdio", "--edition", "2026", "--", program]);
-        assert_eq!(told.status, Some(0), "{}{}", told.stdout, told.stderr);
+        let outcome = run(&["exam", "--stdio", "--edition", "2026", "--", program]);
+        assert_eq!(outcome.status, Some(0), "{}{}", outcome.stdout, outcome.stderr);
     }
 }

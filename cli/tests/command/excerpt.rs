@@ -57,10 +57,13 @@ fn each_excerpt_gives_its_finding() {
     let Outcome { status, stdout, stderr } =
         run(&["check", "--excerpt", text(&directory), FINISHED_WHILE_MOVING]);
     assert_eq!((status, stderr.as_str()), (Some(1), ""));
-    let told = stdout.strip_prefix(&plain.stdout).expect("the report comes first");
-    assert!(told.starts_with("\nEXCERPTS\n  2 logs in ") && told.contains("--edition 4.0"), "{told}");
-    assert!(told.contains("\n  01-finished-while-moving.log      13.010 s, "), "{told}");
-    assert!(!told.contains("does not show"), "{told}");
+    let excerpts = stdout.strip_prefix(&plain.stdout).expect("the report comes first");
+    assert!(
+        excerpts.starts_with("\nEXCERPTS\n  2 logs in ") && excerpts.contains("--edition 4.0"),
+        "{excerpts}"
+    );
+    assert!(excerpts.contains("\n  01-finished-while-moving.log      13.010 s, "), "{excerpts}");
+    assert!(!excerpts.contains("does not show"), "{excerpts}");
     shown(&[], "4.0", &log, &directory);
 }
 

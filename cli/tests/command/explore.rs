@@ -40,7 +40,7 @@ impl Explorer {
 
     /// The body of the answer to a request.
     fn get(&self, path: &str) -> String {
-        // The address is told just before it is served.
+        // The command prints the address just before it serves it.
         let connect = || TcpStream::connect(&self.address).ok();
         let mut stream = (0..100)
             .find_map(|_| {

@@ -28,7 +28,7 @@ fn judged(rules: &str, name: &str, args: &[&str]) -> (Outcome, Value) {
     (outcome, json)
 }
 
-fn told<'a>(report: &'a Value, key: &str) -> Vec<&'a Value> {
+fn values<'a>(report: &'a Value, key: &str) -> Vec<&'a Value> {
     report["rules"].as_array().expect("an array").iter().map(|rule| &rule[key]).collect()
 }
 
@@ -56,7 +56,7 @@ fn every_example_can_be_judged_and_the_json_has_each_rule() {
             if let Err(error) = validator("check").validate(&report) {
                 panic!("{error}");
             }
-            let names: Vec<&str> = told(&report, "name").iter().filter_map(|name| name.as_str()).collect();
+            let names: Vec<&str> = values(&report, "name").iter().filter_map(|name| name.as_str()).collect();
             let lines = example.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#'));
             let expected: Vec<&str> = lines.filter_map(|line| Some(line.split_once(':')?.0)).collect();
             assert_eq!(names, expected);
@@ -69,7 +69,7 @@ fn a_rule_that_is_broken_is_a_violation_and_others_are_none() {
     let (outcome, report) =
         judged("fine: never AS_STATE is EMERGENCY_BRAKE\n", "rules-fine.rules", &[MISSION]);
     assert_eq!((outcome.status, &report["verdict"]), (Some(0), &"conforms".into()));
-    assert_eq!(told(&report, "verdict"), ["holds"]);
+    assert_eq!(values(&report, "verdict"), ["holds"]);
     let bad = "\nbad: never AS_STATE is AS_DRIVING \"we push it\"";
     let (outcome, report) = judged(bad, "rules-bad.rules", &["--edition", "3.0", MISSION]);
     assert_eq!((outcome.status, &report["verdict"]), (Some(1), &"violates".into()));
@@ -82,7 +82,7 @@ fn a_rule_that_is_broken_is_a_violation_and_others_are_none() {
         (&finding["party"], &finding["section"], &finding["t"]),
         (&"OWN".into(), &"line 2".into(), &9.000_119.into())
     );
-    assert_eq!(told(&report, "note"), ["we push it"]);
+    assert_eq!(values(&report, "note"), ["we push it"]);
 }
 
 /// Without the option there is no sign of it.
@@ -98,9 +98,9 @@ fn without_rules_there_is_no_section() {
 fn with_every_frame_vouched_for_more_is_decided() {
     let rules = "idle: 511h.FRONT_AXLE_TRQ_REQUEST == 0 until GO_SIGNAL is GO";
     let (_, report) = judged(rules, "rules-idle.rules", &[MISSION]);
-    assert_eq!(told(&report, "verdict"), ["never decided"]);
+    assert_eq!(values(&report, "verdict"), ["never decided"]);
     let (_, report) = judged(rules, "rules-idle-complete.rules", &["--complete", MISSION]);
-    assert_eq!(told(&report, "verdict"), ["holds"]);
+    assert_eq!(values(&report, "verdict"), ["holds"]);
 }
 
 #[test]

@@ -165,20 +165,20 @@ fn the_schema_names_every_rule_and_state() {
 }
 
 #[test]
-fn the_schemas_name_every_measure_and_all_that_is_told() {
+fn the_schemas_name_every_measure_and_every_standing() {
     let measures: Vec<_> = Measure::ALL.iter().map(|measure| measure.id()).collect();
     let bases = [Basis::Document, Basis::Deadline, Basis::Cycle].map(Basis::name);
-    let told = Standing::ALL.map(Standing::name);
+    let standings = Standing::ALL.map(Standing::name);
     for schema in ["check", "watch"].map(schema) {
         let margin = &schema["$defs"]["margin"]["properties"];
         assert_eq!((&margin["what"]["enum"], &margin["basis"]["enum"]), (&json!(measures), &json!(bases)));
         let requirement = &schema["$defs"]["exercised"]["properties"]["requirements"]["items"];
-        assert_eq!(requirement["properties"]["told"]["enum"], json!(told));
+        assert_eq!(requirement["properties"]["told"]["enum"], json!(standings));
     }
 }
 
-/// What is wrong with a report, and how it comes to be wrong.
-type Spoil = (&'static str, fn(&mut Value));
+/// What is wrong with a document, and how it comes to be wrong.
+pub(crate) type Spoil = (&'static str, fn(&mut Value));
 
 #[test]
 fn the_schema_refuses_what_is_not_a_report() {
@@ -196,7 +196,7 @@ fn the_schema_refuses_what_is_not_a_report() {
         ("no margins", |r| _ = r.as_object_mut().map(|o| o.remove("margins"))),
         ("another measure", |r| r["margins"][0]["what"] = json!("luck")),
         ("a message that is none", |r| r["margins"][0]["message"] = json!("510")),
-        ("something else that is told", |r| r["exercised"]["requirements"][0]["told"] = json!("yes")),
+        ("another standing", |r| r["exercised"]["requirements"][0]["told"] = json!("yes")),
         ("required, and nothing is", |r| r["required"] = json!([])),
         ("an answer without count", |r| {
             _ = r["handshake_response_ms"].as_object_mut().map(|o| o.remove("count"));

@@ -12,7 +12,7 @@ pub(crate) const SCREEN: &str = concat!(env!("CARGO_BIN_EXE_adsdv"), " demo --sc
 /// Longer than the screen takes to show anything.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(30);
 
-/// What a terminal is told when a screen begins, and when it is given back.
+/// What a terminal receives when a screen begins, and when it is given back.
 const BEGIN: &str = "\x1b[?1049h";
 const END: &str = "\x1b[?1049l";
 

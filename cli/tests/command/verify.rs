@@ -16,7 +16,7 @@ use crate::schema::validator;
 /// matter is tested with the model.
 static DEFAULT: LazyLock<Outcome> = LazyLock::new(|| verify(Path::new("."), &[]));
 
-/// With a reading under which two properties of the open model fail, told as text. Their logs are in [`EDGE_LOGS`].
+/// With a reading under which two properties of the open model fail, printed as text. Their logs are in [`EDGE_LOGS`].
 static EDGE: LazyLock<Outcome> = LazyLock::new(|| {
     folder(EDGE_LOGS);
     verify(temporary(), &["--model", "open", "--reading", "fault-trigger=edge", "--logs", EDGE_LOGS])
@@ -258,7 +258,7 @@ fn stripped(colored: &str) -> String {
 #[test]
 fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     let logs = folder("verify-json");
-    // A closed model is told by the same code, which has a test of its own.
+    // The same code prints a closed model, and has a test of its own.
     let options = ["--model", "open", "--reading", "fault-trigger=edge", "--logs", "verify-json", "--json"];
     let printed = verify(temporary(), &[&options[..], &["--color", "always"]].concat());
     assert_eq!((printed.status, printed.stderr.as_str()), (Some(1), ""), "{}", printed.stdout);

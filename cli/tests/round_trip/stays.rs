@@ -9,7 +9,7 @@ use super::seconds;
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Read {
+pub(crate) struct ReadStay {
     state: String,
     since: f64,
     until: f64,
@@ -59,8 +59,8 @@ fn rules() -> Rules {
     JudgeOptions::default().edition.rules
 }
 
-pub(crate) fn expected(stay: &Stay) -> Read {
-    Read {
+pub(crate) fn expected(stay: &Stay) -> ReadStay {
+    ReadStay {
         state: stay.state.name().to_owned(),
         since: seconds(stay.since_ns),
         until: seconds(stay.until_ns),

@@ -10,7 +10,7 @@ use adsdv_spec::messages::{AnyMessage, AsState, Frame, WheelSpeed};
 #[derive(Clone, Copy)]
 pub(crate) struct Named {
     pub(crate) name: &'static str,
-    /// At least these fail, of those that the edition has. Where it has none of them, the mistake cannot be told in it.
+    /// At least these fail, of those that the edition has. Where it has none of them, the mistake cannot show in it.
     pub(crate) breaks: &'static [&'static str],
     change: fn(&mut Mutant, &mut Vec<Frame>),
 }

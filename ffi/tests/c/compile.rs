@@ -85,7 +85,7 @@ struct Libraries {
     shared: PathBuf,
 }
 
-/// The library as `cargo build` makes it. These tests are built together with it, but are not told where it is.
+/// The library as `cargo build` makes it. These tests are built together with it, but cargo does not say where it is.
 fn libraries() -> &'static Libraries {
     static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
     LIBRARIES.get_or_init(|| {

@@ -50,7 +50,7 @@ fn given<T: AnyBits>(bytes: &mut Bytes<'_>) -> T {
     any(|| bytes.any())
 }
 
-/// A call did what it says, or told what is wrong with what it was given.
+/// A call did what it says, or reported what is wrong with what it was given.
 fn reported(status: adsdv_status, error: &adsdv_error) {
     match status {
         ADSDV_OK => assert_eq!(error.status, ADSDV_OK as i32, "an error was written without one"),

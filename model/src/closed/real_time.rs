@@ -1,4 +1,4 @@
-//! A run with scaled timers, told with the real ones.
+//! A run with scaled timers, printed with the real ones.
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Control, Inputs, Machine};

@@ -389,15 +389,15 @@ mod tests {
     fn a_step_is_put_into_words() {
         let model = Closed::explorer(Machine::REFERENCE);
         let run = path(&model).into_vec();
-        let told: Vec<String> =
+        let steps: Vec<String> =
             run.iter().filter_map(|(state, action)| model.format_step(state, (*action)?)).collect();
-        assert!(told[8].starts_with("cycle of 10 ms, AS_OFF to AS_READY (3.1)\n"), "{}", told[8]);
+        assert!(steps[8].starts_with("cycle of 10 ms, AS_OFF to AS_READY (3.1)\n"), "{}", steps[8]);
         assert!(
-            told[9].contains("\n> VCU          AS_READY, 5 second timer elapsed (5000 ms)"),
+            steps[9].contains("\n> VCU          AS_READY, 5 second timer elapsed (5000 ms)"),
             "{}",
-            told[9]
+            steps[9]
         );
-        assert!(told[9].contains("\n  operator     mission TRACK_DRIVE, TSMS on, ASMS on"), "{}", told[9]);
+        assert!(steps[9].contains("\n  operator     mission TRACK_DRIVE, TSMS on, ASMS on"), "{}", steps[9]);
         let state = format!("{:#?}", run[5].0);
         assert!(
             state.contains("bus to AI    520#0106410000000000 (HANDSHAKE 1, AS_OFF, TRACK_DRIVE)"),

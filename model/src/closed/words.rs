@@ -14,7 +14,7 @@ fn frame(frame: &Frame, edition: &Edition) -> String {
     format!("{frame} ({})", meaning(frame, edition))
 }
 
-/// The names of the lines that a state is told in.
+/// The names of the lines that describe a state.
 const WIDTH: usize = 13;
 
 impl ClosedState {

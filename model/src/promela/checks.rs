@@ -184,7 +184,7 @@ fn breaks(document: &Document, property: &Property, from: AsState) -> Option<Str
 /// The property whose Promela is written from Figure 2.
 const ARROWS: &str = "figure-2-arrows";
 
-/// Writes how results are told.
+/// Writes how Spin reports results.
 pub(super) fn reports(f: &mut fmt::Formatter<'_>, document: &Document) -> fmt::Result {
     let limit = AsState::ALL.into_iter().fold("0".into(), |otherwise: String, of| {
         format!("((of) == {of} -> LIMIT_{of} : \\\n    {otherwise})")
@@ -197,12 +197,12 @@ pub(super) fn reports(f: &mut fmt::Formatter<'_>, document: &Document) -> fmt::R
     f.write_str(" */\n\n")?;
     writeln!(
         f,
-        "/* What is found is told once, and is no part of the state. */
+        "/* What is found is printed once, and is no part of the state. */
 c_decl {{
-    static char told[{}];
+    static char printed[{}];
     static void tell(int place, const char *what) {{
-        if (!told[place]) {{
-            told[place] = 1;
+        if (!printed[place]) {{
+            printed[place] = 1;
             puts(what);
         }}
     }}

@@ -20,33 +20,33 @@ fn scaled(operator: Operator) -> Closed {
 fn explored(model: Closed) -> String {
     let found = model.explore(1);
     let complete = if found.complete { "complete" } else { "NOT COMPLETE" };
-    let mut told = format!(
+    let mut text = format!(
         "{} states, {} transitions, depth {}, {complete}\n",
         found.states, found.transitions, found.depth
     );
     for Found { property, holds, run } in found.results {
         let holds = if holds { "holds" } else { "fails" };
         let steps = run.map_or(String::new(), |run| format!(", a run of {} steps", run.into_actions().len()));
-        let _ = writeln!(told, "  {}: {holds}{steps}", property.name);
+        let _ = writeln!(text, "  {}: {holds}{steps}", property.name);
     }
-    told
+    text
 }
 
 #[test]
 fn every_state_with_a_well_behaved_operator() {
     let model = || scaled(Operator::WellBehaved);
-    let mut told = String::new();
+    let mut text = String::new();
     for conduct in CONDUCTS {
-        let _ = writeln!(told, "{conduct:?}: {}", explored(model().with_conduct(conduct)));
+        let _ = writeln!(text, "{conduct:?}: {}", explored(model().with_conduct(conduct)));
     }
     for handshake_ms in [20, 40, 100] {
         let edition = EDITION.with_timing(Timing { handshake_ms, ..EDITION.rules.timing });
         let impatient = Closed::scaled(edition, Readings::DEFAULT, Operator::WellBehaved);
-        let _ = writeln!(told, "{handshake_ms} ms to answer: {}", explored(impatient));
+        let _ = writeln!(text, "{handshake_ms} ms to answer: {}", explored(impatient));
     }
     let real = Closed::new(Machine::REFERENCE, Operator::WellBehaved);
-    let _ = writeln!(told, "the times of the document: {}", explored(real));
-    expect_file!["explored.txt"].assert_eq(&told);
+    let _ = writeln!(text, "the times of the document: {}", explored(real));
+    expect_file!["explored.txt"].assert_eq(&text);
 }
 
 /// All that can happen within some actions from a state: how many states, and how many ways.
@@ -86,15 +86,15 @@ fn what_can_happen_next() {
         ("any operator, and no answers", scaled(Operator::Any).with_conduct(Conduct::Mute), 3),
         ("people", people, 2),
     ];
-    let mut told = String::new();
+    let mut text = String::new();
     for (whose, run) in runs {
         let states = run.into_states();
         for (who, model, depth) in &models {
-            let _ = writeln!(told, "# {whose}, with {who}");
+            let _ = writeln!(text, "# {whose}, with {who}");
             for (place, state) in states.iter().enumerate() {
-                let _ = writeln!(told, "{place:3}: {}", around(model, state.clone(), *depth));
+                let _ = writeln!(text, "{place:3}: {}", around(model, state.clone(), *depth));
             }
         }
     }
-    expect_file!["next.txt"].assert_eq(&told);
+    expect_file!["next.txt"].assert_eq(&text);
 }

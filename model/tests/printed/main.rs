@@ -62,13 +62,13 @@ fn a_run_as_a_picture() {
 #[test]
 fn a_run_in_words() {
     for (name, model, path) in closed_runs() {
-        let mut told = String::new();
+        let mut printed = String::new();
         for (state, action) in path.into_vec() {
             let Some(action) = action else { continue };
-            let step = model.format_step(&state, action).expect("a step is told");
-            let _ = writeln!(told, "# {action}\n{step}\n");
+            let step = model.format_step(&state, action).expect("a step is printed");
+            let _ = writeln!(printed, "# {action}\n{step}\n");
         }
-        expect_file![format!("{name}.txt")].assert_eq(&told);
+        expect_file![format!("{name}.txt")].assert_eq(&printed);
     }
 }
 
@@ -76,26 +76,26 @@ fn a_run_in_words() {
 #[test]
 fn the_goals() {
     let Report { exploration, runs, .. } = verified(&SHORT);
-    let mut told = format!(
+    let mut printed = format!(
         "{} states, {} transitions, depth {}\n",
         exploration.states, exploration.transitions, exploration.depth
     );
     for goal in adsdv_model::goals(Edition::DEFAULT) {
         let run = runs.get(goal.name).expect("each goal is reached");
-        let _ = write!(told, "\n{} ({}): {}\n", goal.name, goal.requirement, goal.statement);
-        told += &lines(story(&SHORT, run, None));
-        told += &lines(story_of(&Run::new(&SHORT, run.iter().copied())));
+        let _ = write!(printed, "\n{} ({}): {}\n", goal.name, goal.requirement, goal.statement);
+        printed += &lines(story(&SHORT, run, None));
+        printed += &lines(story_of(&Run::new(&SHORT, run.iter().copied())));
     }
     for (part, decides) in &exploration.parts {
-        let _ = write!(told, "\n{part}: {}", if *decides { "decides" } else { "is dead" });
+        let _ = write!(printed, "\n{part}: {}", if *decides { "decides" } else { "is dead" });
     }
-    expect_file!["goals.txt"].assert_eq(&(told + "\n"));
+    expect_file!["goals.txt"].assert_eq(&(printed + "\n"));
 }
 
 /// For each property that some mutants break, the first of them and the run that shows it.
 #[test]
 fn the_properties() {
-    let mut told = String::new();
+    let mut printed = String::new();
     let mut left: Vec<_> = properties(Edition::DEFAULT).collect();
     for mutation in Mutation::all(&SHORTENED).step_by(9) {
         let machine = Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT);
@@ -106,21 +106,21 @@ fn the_properties() {
         left = others;
         for property in told_now {
             let _ = write!(
-                told,
+                printed,
                 "{} ({}), {}: {}\n{mutation}\n",
                 property.name,
                 property.requirements_in(Edition::DEFAULT).join(", "),
                 property.harm.text(),
                 property.statement_in(Edition::DEFAULT)
             );
-            told += &lines(story(&machine, &runs[property.name], Some(property)));
-            told.push('\n');
+            printed += &lines(story(&machine, &runs[property.name], Some(property)));
+            printed.push('\n');
         }
     }
     for property in left {
-        let _ = writeln!(told, "{}: none of these mutants breaks it", property.name);
+        let _ = writeln!(printed, "{}: none of these mutants breaks it", property.name);
     }
-    expect_file!["properties.txt"].assert_eq(&told);
+    expect_file!["properties.txt"].assert_eq(&printed);
 }
 
 /// A run as it would be recorded.
@@ -153,17 +153,17 @@ fn the_same_machine_for_spin() {
     }
     let others = Edition::DEFAULT.alternatives();
     // Of each other reading alone, when which inputs are read.
-    let mut told = String::new();
+    let mut printed = String::new();
     for choice in others.iter() {
         let text = promela(&Machine::new(SHORTENED, Readings::DEFAULT.with(choice)), Vectors::Few);
-        let _ = writeln!(told, "{choice}");
+        let _ = writeln!(printed, "{choice}");
         for line in
             text.lines().filter(|line| line.trim_start().starts_with("state == ") && line.ends_with("->"))
         {
-            let _ = writeln!(told, "  {}", line.trim());
+            let _ = writeln!(printed, "  {}", line.trim());
         }
     }
-    expect_file!["cycles.txt"].assert_eq(&told);
+    expect_file!["cycles.txt"].assert_eq(&printed);
     let other = Machine::new(SHORTENED, others.iter().fold(Readings::DEFAULT, Readings::with));
     expect_file!["every-other-reading.pml"].assert_eq(&promela(&other, Vectors::Every));
 }

@@ -28,24 +28,24 @@ fn machines(every: usize) -> impl Iterator<Item = (String, Machine)> {
 
 #[test]
 fn the_whole_of_it() {
-    let mut told = String::new();
+    let mut text = String::new();
     for (name, machine) in machines(17) {
         let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
         let found = explore(machine, options, |_| {});
         let holds = if found.holds() { "everything holds" } else { "something fails" };
         let Exploration { states, transitions, depth, broken, missed, parts, .. } = found;
-        let _ = writeln!(told, "{name}: {states} states, {transitions} transitions, depth {depth}, {holds}");
+        let _ = writeln!(text, "{name}: {states} states, {transitions} transitions, depth {depth}, {holds}");
         for property in broken {
-            let _ = writeln!(told, "  breaks {}", property.name);
+            let _ = writeln!(text, "  breaks {}", property.name);
         }
         for goal in missed {
-            let _ = writeln!(told, "  misses {}", goal.name);
+            let _ = writeln!(text, "  misses {}", goal.name);
         }
         for (part, _) in parts.iter().filter(|(_, decides)| !decides) {
-            let _ = writeln!(told, "  never needs {part}");
+            let _ = writeln!(text, "  never needs {part}");
         }
     }
-    expect_file!["open.txt"].assert_eq(&told);
+    expect_file!["open.txt"].assert_eq(&text);
 }
 
 const STEPS: u64 = 100_000;
@@ -88,11 +88,11 @@ fn the_steps_that_break_a_property() {
             *count += u32::from(!property.holds(machine, &step));
         }
     }
-    let mut told = String::new();
+    let mut text = String::new();
     for (count, property) in broken.iter().zip(properties(Edition::DEFAULT)) {
-        let _ = writeln!(told, "{}: {count} of {STEPS}", property.name);
+        let _ = writeln!(text, "{}: {count} of {STEPS}", property.name);
     }
-    expect_file!["steps.txt"].assert_eq(&told);
+    expect_file!["steps.txt"].assert_eq(&text);
 }
 
 /// The run to each goal and, after a power cycle, to the next one.
@@ -100,19 +100,19 @@ fn the_steps_that_break_a_property() {
 fn the_runs() {
     let Report { runs, .. } = verified(&SHORT);
     let names: Vec<&str> = goals(Edition::DEFAULT).iter().map(|goal| goal.name).collect();
-    let mut told = String::new();
+    let mut text = String::new();
     for pair in names.windows(2) {
         let (one, other) = (runs[pair[0]].iter().copied(), runs[pair[1]].iter().copied());
         let run = Run::new(&SHORT, one.chain([Action::PowerCycle]).chain(other)).persisting(100);
         let _ = writeln!(
-            told,
+            text,
             "{}, {}: {} cycles, {} frames",
             pair[0],
             pair[1],
             run.cycles().len(),
             run.frames().count(),
         );
-        told += &lines(story_of(&run));
+        text += &lines(story_of(&run));
     }
-    expect_file!["runs.txt"].assert_eq(&told);
+    expect_file!["runs.txt"].assert_eq(&text);
 }

@@ -186,9 +186,9 @@ hidden byte BMS_FAULT;
  * control-invariant: The control state keeps its invariant; the handshake and the time in a state are counted as they pass
  */
 
-/* What is found is told once, and is no part of the state. */
+/* What is found is printed once, and is no part of the state. */
 c_decl {
-    static char told[62];
+    static char printed[62];
     static void tell(int place, const char *what) {
         if (!told[place]) {
             told[place] = 1;

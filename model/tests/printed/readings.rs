@@ -1,4 +1,4 @@
-//! What is told of readings that cost something, and of those that cost nothing.
+//! What the sweep prints of readings that cost something, and of those that cost nothing.
 
 use adsdv_model::closed::{CLOSED_PROPERTIES, Closed, Operator};
 use adsdv_model::{ClosedCost, Cost, Run, Sweep};

@@ -6,13 +6,13 @@ use super::*;
 
 /// What stays of an entry when the reader moves on.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Kept {
+enum OwnedEntry {
     Frame { line: u64, time_ns: i64, interface: String, kind: FrameKind, id: u32, data: Vec<u8> },
     Dropped { line: u64, interface: String, count: u64, total: u64 },
     Broken(LineError),
 }
 
-impl Kept {
+impl OwnedEntry {
     fn line(&self) -> u64 {
         match self {
             Self::Frame { line, .. } | Self::Dropped { line, .. } => *line,
@@ -21,12 +21,12 @@ impl Kept {
     }
 }
 
-fn read_all(source: impl Read) -> (Vec<Kept>, Option<ReadError>) {
+fn read_all(source: impl Read) -> (Vec<OwnedEntry>, Option<ReadError>) {
     let mut reader = Reader::new(source);
     let mut seen = Vec::new();
     loop {
         match reader.next_record() {
-            Ok(Some(Entry::Frame(record))) => seen.push(Kept::Frame {
+            Ok(Some(Entry::Frame(record))) => seen.push(OwnedEntry::Frame {
                 line: record.line,
                 time_ns: record.time_ns,
                 interface: record.interface.to_owned(),
@@ -35,25 +35,27 @@ fn read_all(source: impl Read) -> (Vec<Kept>, Option<ReadError>) {
                 data: record.data.to_vec(),
             }),
             Ok(Some(Entry::Dropped(Dropped { line, interface, count, total }))) => {
-                seen.push(Kept::Dropped { line, interface: interface.to_owned(), count, total });
+                seen.push(OwnedEntry::Dropped { line, interface: interface.to_owned(), count, total });
             }
-            Ok(Some(Entry::Broken(error))) => seen.push(Kept::Broken(error)),
+            Ok(Some(Entry::Broken(error))) => seen.push(OwnedEntry::Broken(error)),
             Ok(None) => return (seen, None),
             Err(error) => return (seen, Some(error)),
         }
     }
 }
 
-fn read(text: &[u8]) -> Vec<Kept> {
+fn read(text: &[u8]) -> Vec<OwnedEntry> {
     let (seen, error) = read_all(text);
     assert!(error.is_none());
     seen
 }
 
 /// `Ok` with its line number for each line that was read, `Err` for each broken one.
-fn outline(seen: &[Kept]) -> Vec<Result<u64, u64>> {
+fn outline(seen: &[OwnedEntry]) -> Vec<Result<u64, u64>> {
     seen.iter()
-        .map(|entry| if matches!(entry, Kept::Broken(_)) { Err(entry.line()) } else { Ok(entry.line()) })
+        .map(
+            |entry| if matches!(entry, OwnedEntry::Broken(_)) { Err(entry.line()) } else { Ok(entry.line()) },
+        )
         .collect()
 }
 
@@ -115,7 +117,7 @@ fn recorded_logs_are_read_to_the_last_line() {
         // Written again they are the same log, byte for byte.
         let mut again = Vec::new();
         for entry in &seen {
-            let Kept::Frame { time_ns, interface, id, data, .. } = entry else {
+            let OwnedEntry::Frame { time_ns, interface, id, data, .. } = entry else {
                 panic!("{name}: {entry:?}");
             };
             write_frame(&mut again, *time_ns, interface, *id, data).expect("writing to memory");
@@ -177,7 +179,7 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
     let seen: Vec<_> = read(log)
         .into_iter()
         .map(|entry| match entry {
-            Kept::Frame { interface, kind, .. } => (interface, kind),
+            OwnedEntry::Frame { interface, kind, .. } => (interface, kind),
             other => panic!("{other:?}"),
         })
         .collect();
@@ -218,7 +220,7 @@ fn a_broken_line_is_reported_with_where_what_and_why_and_costs_only_itself() {
     for (line, message) in broken {
         let seen = read(&[GOOD, line, GOOD].join(&b'\n'));
         assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)]);
-        let Kept::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+        let OwnedEntry::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
         assert_eq!(error.to_string(), message);
     }
 }
@@ -231,7 +233,7 @@ fn an_endless_line_is_one_broken_line() {
         let trickled = read_all(Trickle(&log, Random(len as u64))).0;
         for seen in [read(&log), trickled] {
             assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)], "{len}");
-            let Kept::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
+            let OwnedEntry::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
             assert_eq!(error.expected.contains("8192"), len > MAX_LINE, "{len}: {error}");
             assert_eq!(error.found.to_string(), r#""777777777777777777777777"..."#);
         }
@@ -269,13 +271,14 @@ fn lost_frames_are_read_as_they_are_written() -> io::Result<()> {
     for (count, total) in [(1, 1), (3, 4), (u64::from(u32::MAX), u64::MAX >> 1)] {
         write_dropped(&mut log, &Dropped { line: 0, interface: "vcan0", count, total })?;
     }
-    let told = String::from_utf8_lossy(&log).into_owned();
-    assert!(told.contains("DROPCOUNT: dropped 1 CAN frame on 'vcan0' socket (total drops 1)\n"), "{told}");
-    assert!(told.contains("DROPCOUNT: dropped 3 CAN frames on 'vcan0' socket (total drops 4)\n"), "{told}");
+    let text = String::from_utf8_lossy(&log).into_owned();
+    assert!(text.contains("DROPCOUNT: dropped 1 CAN frame on 'vcan0' socket (total drops 1)\n"), "{text}");
+    assert!(text.contains("DROPCOUNT: dropped 3 CAN frames on 'vcan0' socket (total drops 4)\n"), "{text}");
     log.extend(b"DROPCOUNT: dropped 3 CAN fr");
     let seen = read(&log);
     assert_eq!(outline(&seen), [Ok(1), Ok(2), Ok(3), Ok(4), Err(5)]);
-    let dropped = |line, count, total| Kept::Dropped { line, interface: "vcan0".to_owned(), count, total };
+    let dropped =
+        |line, count, total| OwnedEntry::Dropped { line, interface: "vcan0".to_owned(), count, total };
     assert_eq!(seen[1..4], [dropped(2, 1, 1), dropped(3, 3, 4), dropped(4, 0xFFFF_FFFF, u64::MAX >> 1)]);
     let mut nothing = Vec::new();
     let refused = write_dropped(&mut nothing, &Dropped { line: 0, interface: "can 0", count: 1, total: 1 });
@@ -321,8 +324,8 @@ fn rubbish_never_panics_and_never_hides_a_line() {
         let seen = read(&log);
         assert!(seen.is_sorted_by(|one, next| one.line() < next.line()));
         let frames = seen.iter().filter_map(|entry| match entry {
-            Kept::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
-            Kept::Dropped { .. } | Kept::Broken(_) => None,
+            OwnedEntry::Frame { line, time_ns, id, data, .. } => Some((*line, *time_ns, *id, data.clone())),
+            OwnedEntry::Dropped { .. } | OwnedEntry::Broken(_) => None,
         });
         // Rubbish may happen to be a frame; every frame that was written has to be there.
         let frames: Vec<_> =
@@ -358,7 +361,8 @@ fn what_is_written_is_read_back() {
         let mut log = Vec::new();
         write_frame(&mut log, time_ns, interface, id, &data).expect("a valid frame");
         let kind = if id > 0x7FF { FrameKind::Extended } else { FrameKind::Standard };
-        let expected = Kept::Frame { line: 1, time_ns, interface: interface.to_owned(), kind, id, data };
+        let expected =
+            OwnedEntry::Frame { line: 1, time_ns, interface: interface.to_owned(), kind, id, data };
         assert_eq!(read(&log), [expected], "{}", log.escape_ascii());
     }
 }

@@ -47,8 +47,9 @@ mod tests {
         let value = |t_ns| finding(t_ns, Severity::Warning, Rule::Value);
         let (good, bad) = ([gap(0), value(1), value(5)], [gap(2), gap(3), due(4), due(7)]);
         let found = between(&good, &bad);
-        let told: Vec<_> = found.iter().map(|found| (found.which, found.first.t_ns, found.count)).collect();
-        assert_eq!(told, [(Which::Bad, 4, 2), (Which::Good, 1, 2)]);
+        let summary: Vec<_> =
+            found.iter().map(|found| (found.which, found.first.t_ns, found.count)).collect();
+        assert_eq!(summary, [(Which::Bad, 4, 2), (Which::Good, 1, 2)]);
         assert_eq!(between(&bad, &bad), []);
     }
 }

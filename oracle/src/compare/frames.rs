@@ -79,10 +79,10 @@ mod tests {
 
     #[test]
     fn lengths_and_absent_identifiers_differ() {
-        let told = between(&frames(1, 10, 8), &frames(1, 10, 7));
-        assert_eq!(told.first().and_then(|told| told.lengths), Some([1 << 8, 1 << 7]));
-        let told = between(&frames(1, 10, 8), &frames(2, 10, 8));
-        let only: Vec<_> = told.iter().map(|told| (told.id, told.only)).collect();
+        let differences = between(&frames(1, 10, 8), &frames(1, 10, 7));
+        assert_eq!(differences.first().and_then(|one| one.lengths), Some([1 << 8, 1 << 7]));
+        let differences = between(&frames(1, 10, 8), &frames(2, 10, 8));
+        let only: Vec<_> = differences.iter().map(|one| (one.id, one.only)).collect();
         assert_eq!(only, [(1, Some((Which::Good, 20))), (2, Some((Which::Bad, 20)))]);
     }
 }

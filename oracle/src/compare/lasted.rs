@@ -2,7 +2,7 @@
 
 use adsdv_spec::AsState;
 
-use super::{Path, Step, differs};
+use super::{Aligned, Path, differs};
 
 /// A difference below this is how long people take for a switch, or how frames come.
 const SHORTEST_NS: i64 = 100_000_000;
@@ -26,11 +26,11 @@ impl LastedDiffers {
 }
 
 /// The states that began and ended with the same transitions in both. One that a recording begins or ends in lasted longer.
-pub(super) fn between(paths: &[Path<'_>; 2], steps: &[Step]) -> Vec<LastedDiffers> {
+pub(super) fn between(paths: &[Path<'_>; 2], steps: &[Aligned]) -> Vec<LastedDiffers> {
     let [good, bad] = paths;
     let pairs = steps.iter().zip(steps.iter().skip(1));
     let whole = pairs.filter_map(|(begins, ends)| match (begins, ends) {
-        (Step::Both(i, j), Step::Both(..)) => Some((i + 1, j + 1)),
+        (Aligned::Both(i, j), Aligned::Both(..)) => Some((i + 1, j + 1)),
         _ => None,
     });
     let lasted = whole.filter_map(|(i, j)| {

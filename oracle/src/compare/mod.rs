@@ -46,7 +46,7 @@ pub use found::FoundOnce;
 pub use frames::{AnswersDiffer, FrameDiffers};
 pub use lasted::LastedDiffers;
 pub use parting::{Parting, Way};
-pub use path::{OnlyTransition, Path, Step, align};
+pub use path::{Aligned, OnlyTransition, Path, align};
 pub use requested::{RangeDiffers, SequenceDiffers};
 
 pub(crate) use collect::Collector;

@@ -43,12 +43,12 @@ impl<'a> Path<'a> {
 }
 
 /// The places of the states that both come to, one after the same transition as the other. The first ones are, if they are the same.
-pub(super) fn in_both(paths: &[Path<'_>; 2], steps: &[Step]) -> Vec<(usize, usize)> {
+pub(super) fn in_both(paths: &[Path<'_>; 2], steps: &[Aligned]) -> Vec<(usize, usize)> {
     let first = |path: &Path<'_>| path.at(0).map(|[stay, _]| stay.state);
     let begin = (first(&paths[0]) == first(&paths[1])).then_some((0, 0));
     let reached = steps.iter().filter_map(|step| match *step {
-        Step::Both(i, j) => Some((i + 1, j + 1)),
-        Step::Only(..) => None,
+        Aligned::Both(i, j) => Some((i + 1, j + 1)),
+        Aligned::Only(..) => None,
     });
     let mut places: Vec<(usize, usize)> = begin.into_iter().chain(reached).collect();
     if places.is_empty() {
@@ -72,7 +72,7 @@ pub(super) fn begin(paths: &[Path<'_>; 2]) -> Option<[AsState; 2]> {
 
 /// What becomes of the next element of two sequences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum Aligned {
     /// Both have it, at these places.
     Both(usize, usize),
     /// Only one has it, at this place.
@@ -83,14 +83,14 @@ pub enum Step {
 /// only the bad one has.
 ///
 /// ```
-/// use adsdv_oracle::compare::{Step, Which, align};
+/// use adsdv_oracle::compare::{Aligned, Which, align};
 ///
 /// let steps = align(b"abd", b"acbd");
-/// assert_eq!(steps, [Step::Both(0, 0), Step::Only(Which::Bad, 1), Step::Both(1, 2), Step::Both(2, 3)]);
+/// assert_eq!(steps, [Aligned::Both(0, 0), Aligned::Only(Which::Bad, 1), Aligned::Both(1, 2), Aligned::Both(2, 3)]);
 /// ```
-pub fn align<T: PartialEq>(good: &[T], bad: &[T]) -> Vec<Step> {
+pub fn align<T: PartialEq>(good: &[T], bad: &[T]) -> Vec<Aligned> {
     let same = good.iter().zip(bad).take_while(|(good, bad)| good == bad).count();
-    let mut steps: Vec<Step> = (0..same).map(|place| Step::Both(place, place)).collect();
+    let mut steps: Vec<Aligned> = (0..same).map(|place| Aligned::Both(place, place)).collect();
     let (rest_good, rest_bad) = (good.get(same..).unwrap_or_default(), bad.get(same..).unwrap_or_default());
     let common = in_common(rest_good, rest_bad);
     let common =
@@ -101,15 +101,15 @@ pub fn align<T: PartialEq>(good: &[T], bad: &[T]) -> Vec<Step> {
             (None, None) => break,
             (Some(one), Some(other)) if one == other => {
                 (i, j) = (i + 1, j + 1);
-                Step::Both(same + i - 1, same + j - 1)
+                Aligned::Both(same + i - 1, same + j - 1)
             }
             (Some(_), other) if other.is_none() || common(i + 1, j) >= common(i, j + 1) => {
                 i += 1;
-                Step::Only(Which::Good, same + i - 1)
+                Aligned::Only(Which::Good, same + i - 1)
             }
             _ => {
                 j += 1;
-                Step::Only(Which::Bad, same + j - 1)
+                Aligned::Only(Which::Bad, same + j - 1)
             }
         });
     }
@@ -117,12 +117,12 @@ pub fn align<T: PartialEq>(good: &[T], bad: &[T]) -> Vec<Step> {
 }
 
 /// Between two steps that both have, what only the good one has first.
-fn in_order(mut steps: Vec<Step>) -> Vec<Step> {
-    let alone = |step: &Step| matches!(step, Step::Only(..));
+fn in_order(mut steps: Vec<Aligned>) -> Vec<Aligned> {
+    let alone = |step: &Aligned| matches!(step, Aligned::Only(..));
     for run in steps.chunk_by_mut(|one, other| alone(one) && alone(other)) {
         run.sort_by_key(|step| match step {
-            Step::Both(..) => None,
-            Step::Only(which, _) => Some(*which),
+            Aligned::Both(..) => None,
+            Aligned::Only(which, _) => Some(*which),
         });
     }
     steps
@@ -165,10 +165,10 @@ pub struct OnlyTransition {
 }
 
 /// The transitions that only one has, in order.
-pub(super) fn only_one(paths: &[Path<'_>; 2], steps: &[Step]) -> Vec<OnlyTransition> {
+pub(super) fn only_one(paths: &[Path<'_>; 2], steps: &[Aligned]) -> Vec<OnlyTransition> {
     let [good, bad] = paths;
-    let only = |step: &Step| {
-        let Step::Only(which, place) = *step else { return None };
+    let only = |step: &Aligned| {
+        let Aligned::Only(which, place) = *step else { return None };
         let path = if which == Which::Good { good } else { bad };
         let ([from, _], [to, _]) = (path.at(place)?, path.at(place + 1)?);
         Some(OnlyTransition { which, t_ns: to.since_ns, from: from.state, to: to.state })
@@ -183,12 +183,12 @@ mod tests {
     /// The steps as text: what both have in small letters, what only one has behind its sign.
     fn steps(good: &str, bad: &str) -> String {
         let text = |step| match step {
-            Step::Both(i, j) => {
+            Aligned::Both(i, j) => {
                 assert_eq!(good.as_bytes()[i], bad.as_bytes()[j]);
                 good[i..=i].to_owned()
             }
-            Step::Only(Which::Good, place) => format!("-{}", &good[place..=place]),
-            Step::Only(Which::Bad, place) => format!("+{}", &bad[place..=place]),
+            Aligned::Only(Which::Good, place) => format!("-{}", &good[place..=place]),
+            Aligned::Only(Which::Bad, place) => format!("+{}", &bad[place..=place]),
         };
         align(good.as_bytes(), bad.as_bytes()).into_iter().map(text).collect()
     }
@@ -214,7 +214,7 @@ mod tests {
     fn the_longest_sequences_of_a_report_are_aligned_in_time() {
         let good: Vec<usize> = (0..999).collect();
         let bad: Vec<usize> = (0..999).rev().collect();
-        let both = align(&good, &bad).into_iter().filter(|step| matches!(step, Step::Both(..))).count();
+        let both = align(&good, &bad).into_iter().filter(|step| matches!(step, Aligned::Both(..))).count();
         assert_eq!(both, 1);
     }
 }

@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// A requirement of a new edition that a test names, and that has no place here, would be told as broken or passed by the
+    /// A requirement of a new edition that a test names, and that has no place here, would be reported as broken or passed by the
     /// state alone.
     #[test]
     fn what_tests_of_any_edition_name_is_known_to_be_about_something() {

@@ -19,7 +19,7 @@ use crate::suite::{Kind, Scenario, Test, is_of_a_reading};
 
 /// What is wrong in the answers to a scenario, for as long as the state is right.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Wrong {
+pub(super) struct WrongAnswers {
     /// The outputs that are wrong before the state is, by the state in which they are.
     keys: Vec<(AsState, Keys)>,
     /// Whether the state is wrong at last.
@@ -30,7 +30,7 @@ pub(super) struct Wrong {
     order: &'static [&'static str],
 }
 
-impl Wrong {
+impl WrongAnswers {
     /// What is wrong where this machine is what is expected, `late` steps late.
     pub(super) fn find(machine: &Machine, scenario: &Scenario, replies: &[Reply], late: usize) -> Self {
         let mut wrong = Self::default();
@@ -85,7 +85,7 @@ impl<'a> Blame<'a> {
     }
 
     /// The requirements that are broken in a scenario that names these.
-    pub(super) fn broken(&self, named: &[String], wrong: &Wrong) -> Vec<String> {
+    pub(super) fn broken(&self, named: &[String], wrong: &WrongAnswers) -> Vec<String> {
         let mut broken: Vec<String> = Vec::new();
         let mut add = |id: &str| {
             if !broken.iter().any(|other| other == id) {
@@ -106,8 +106,8 @@ impl<'a> Blame<'a> {
         named.iter().filter(is_broken).for_each(|id| add(id));
         let counted = || named.iter().filter(|id| !is_of_a_reading(&self.edition, id));
         for (state, keys) in &wrong.keys {
-            let is_told = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).has(key));
-            keys.iter().filter(|key| !is_told(key)).for_each(|key| add(own(key, *state)));
+            let is_covered = |key: &str| counted().any(|id| asks_for(id, *state) && shows(id).has(key));
+            keys.iter().filter(|key| !is_covered(key)).for_each(|key| add(own(key, *state)));
         }
         if wrong.loses_the_state {
             wrong.order.iter().for_each(|id| add(id));
@@ -165,7 +165,7 @@ mod tests {
 
     const NOBODY: Blame<'_> = Blame { edition: Edition::V3_0, rows: Vec::new() };
 
-    fn broken(named: &[&str], wrong: &Wrong) -> Vec<String> {
+    fn broken(named: &[&str], wrong: &WrongAnswers) -> Vec<String> {
         let named: Vec<String> = named.iter().map(ToString::to_string).collect();
         NOBODY.broken(&named, wrong)
     }
@@ -183,7 +183,7 @@ mod tests {
             ("FIN-6", "steer", AsState::Finished),
         ] {
             for state in AsState::ALL {
-                let wrong = Wrong { keys: vec![(state, Keys::of(&[key]))], ..Wrong::default() };
+                let wrong = WrongAnswers { keys: vec![(state, Keys::of(&[key]))], ..WrongAnswers::default() };
                 let expected = if state == only { id } else { own(key, state) };
                 assert_eq!(broken(&[id], &wrong), [expected], "{key} in {state}");
             }
@@ -193,14 +193,15 @@ mod tests {
     /// A program that answers otherwise when it is asked again.
     #[test]
     fn what_is_not_found_again_may_be_any_of_what_was_asked_for() {
-        let found_again = Wrong::default();
+        let found_again = WrongAnswers::default();
         assert!(found_again.is_nothing());
         assert_eq!(broken(&["HS-1", "D-43"], &found_again), ["HS-1", "D-43"]);
         assert_eq!(broken(&[], &found_again), [STATE_MACHINE]);
-        let lost = Wrong { loses_the_state: true, ..Wrong::default() };
+        let lost = WrongAnswers { loses_the_state: true, ..WrongAnswers::default() };
         assert!(!lost.is_nothing());
         assert_eq!(broken(&["HS-1"], &lost), [STATE_MACHINE]);
-        let output = Wrong { keys: vec![(AsState::Off, Keys::of(&["handshake"]))], ..Wrong::default() };
+        let output =
+            WrongAnswers { keys: vec![(AsState::Off, Keys::of(&["handshake"]))], ..WrongAnswers::default() };
         assert!(!output.is_nothing());
         assert_eq!(broken(&["HS-1", "D-43"], &output), ["HS-1"]);
     }
@@ -212,7 +213,8 @@ mod tests {
         let blame = Blame::of(&Machine::REFERENCE, &tests);
         let (mut of_their_own, mut shared) = (0, 0);
         for (row, ids) in &blame.rows {
-            let lost = |why| Wrong { loses_the_state: true, state: Some(why), ..Wrong::default() };
+            let lost =
+                |why| WrongAnswers { loses_the_state: true, state: Some(why), ..WrongAnswers::default() };
             let not_taken = blame.broken(&[], &lost(Why::NotTaken(row.clone())));
             let about_the_state = |id: &&String| shows(id).has(STATE) && !is_of_a_reading(&Edition::V3_0, id);
             let mut expected: Vec<String> = ids.iter().filter(about_the_state).cloned().collect();

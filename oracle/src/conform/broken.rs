@@ -189,7 +189,7 @@ pub(super) fn why(machine: &Machine, outputs: &Outputs, reply: &Reply) -> Why {
     }
 }
 
-/// The alternative from the state before a step to another one that was taken, as far as can be told, and the conditions
+/// The alternative from the state before a step to another one that was taken, as far as the answer shows it, and the conditions
 /// that it lacks: of those with the fault that the program tells as its cause, the one that lacks the fewest.
 fn nearest(
     machine: &Machine,
@@ -206,8 +206,8 @@ fn nearest(
         term.literals().filter_map(as_it_was).collect()
     };
     let tells_another = |term: &Term| match (cause.and_then(Fault::of_cause), term.fault) {
-        (Some(told), Some(fault)) => told != fault,
-        (Some(told), None) => !Faults::OPENING.has(told),
+        (Some(shown), Some(fault)) => shown != fault,
+        (Some(shown), None) => !Faults::OPENING.has(shown),
         (None, _) => false,
     };
     let leading =

@@ -10,7 +10,7 @@ static RUNNING: std::sync::Mutex<Vec<rustix::process::Pid>> = std::sync::Mutex::
 
 /// Kills every program under test that runs at present, with all that it started and that has stayed in its group.
 ///
-/// For whoever is told to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it.
+/// For whoever has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it.
 #[cfg(unix)]
 pub fn stop_programs() {
     let running = RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner);

@@ -5,10 +5,10 @@ use adsdv_spec::{AsState, Control, Faults, Inputs, Machine, Outputs};
 
 use crate::suite::{Scenario, Step};
 
-/// More cycles than this in one step of a scenario are not told: the longest time of the document is 15 s.
+/// One step of a scenario never becomes more cycles than this: the longest time of the document is 15 s.
 const MOST: u32 = 20_000;
 
-/// A scenario in steps of one cycle; `None` if it cannot be told in them.
+/// A scenario in steps of one cycle; `None` if they cannot express it.
 ///
 /// A time that is no multiple of the cycle becomes the next one on the same side of the nearest multiple: just below a
 /// limit stays just below it. Until the time is over the inputs are as they were before, or, where that would not do, as
@@ -69,11 +69,11 @@ mod tests {
 
     #[test]
     fn a_time_of_too_many_cycles_is_left_out() {
-        let told = |dt_ms| {
+        let steps = |dt_ms| {
             let scenario = Scenario { steps: vec![Step { dt_ms, inputs: Inputs::default() }] };
             in_cycles(&Machine::REFERENCE, &scenario, 1).map(|scenario| scenario.steps.len())
         };
-        assert_eq!((told(15_001), told(u32::MAX)), (Some(15_001), None));
+        assert_eq!((steps(15_001), steps(u32::MAX)), (Some(15_001), None));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use adsdv_spec::{Choice, Machine};
 
-use super::blame::{Blame, Wrong};
+use super::blame::{Blame, WrongAnswers};
 use super::broken::Break;
 use super::options::{ConformProgress, Phase};
 use super::program_error::ProgramError;
@@ -15,20 +15,20 @@ use super::suite::Suite;
 use super::vcu::{Reply, Vcu as _};
 use crate::suite::{Scenario, Test};
 
-/// So many things that are wrong are told; of more only how many there are.
-pub(super) const TOLD: usize = 20;
+/// The report lists so many things that are wrong; of more only how many there are.
+pub(super) const LISTED: usize = 20;
 
 /// What failed in the suite.
 #[derive(Debug, Default)]
 pub(super) struct Failures {
     /// Each thing that is wrong, shortened.
-    pub(super) told: Vec<Failure>,
-    /// Those that are too many to be told.
+    pub(super) listed: Vec<Failure>,
+    /// Those that are too many to be listed.
     pub(super) more: Vec<Failure>,
     /// The tests of which the states are wrong for a reason for which some test fails whatever the readings are.
     pub(super) wrong: Vec<String>,
     /// By the place of the test, what is wrong in it, and the requirements that are broken.
-    pub(super) broken: Vec<(usize, Wrong, Vec<String>)>,
+    pub(super) broken: Vec<(usize, WrongAnswers, Vec<String>)>,
 }
 
 /// What a failed test answered when it was asked again.
@@ -60,10 +60,10 @@ impl Run<'_> {
         let named: Vec<(&str, &Scenario)> =
             failed.iter().map(|(_, test, scenario, _)| (test.name.as_str(), *scenario)).collect();
         let mut again: Vec<Again> = Vec::with_capacity(named.len());
-        let mut broken: Vec<(usize, Wrong, Vec<String>)> = Vec::with_capacity(named.len());
+        let mut broken: Vec<(usize, WrongAnswers, Vec<String>)> = Vec::with_capacity(named.len());
         self.asked.ask(&named, &mut |asked, replies| {
             let Some(&(place, test, scenario, _)) = failed.get(asked) else { return };
-            let wrong = Wrong::find(&machine, scenario, replies, suite.late);
+            let wrong = WrongAnswers::find(&machine, scenario, replies, suite.late);
             let requirements = blame.broken(&test.requirements, &wrong);
             broken.push((place, wrong, requirements));
             let found = Break::find(&machine, scenario, replies, suite.late);
@@ -117,15 +117,15 @@ impl Run<'_> {
             states_tell.filter_map(|(place, ..)| Some(tests.get(*place)?.name.as_str())).collect();
         wrong.retain(|name| !states_tell.contains(&name.as_str()));
         groups.sort_by_key(|failure| failure.found.as_ref().map_or((usize::MAX, "\u{7f}"), Break::order));
-        let more = groups.split_off(TOLD.min(groups.len()));
+        let more = groups.split_off(LISTED.min(groups.len()));
         let all = groups.len();
-        let mut told = Vec::with_capacity(all);
+        let mut listed = Vec::with_capacity(all);
         for (done, failure) in groups.into_iter().enumerate() {
             self.report(ConformProgress { phase: Phase::Shrinking, done, all });
             let share = share(self.shrinking, done, all);
-            told.push(self.shortest(failure, &machine, suite.late, share)?);
+            listed.push(self.shortest(failure, &machine, suite.late, share)?);
         }
-        Ok(Failures { told, more, wrong, broken })
+        Ok(Failures { listed, more, wrong, broken })
     }
 
     /// The failure with the shortest scenario that is found in this time.

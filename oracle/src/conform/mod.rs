@@ -73,7 +73,7 @@ pub use line_program::LineProgram;
 pub use lines::{LineBuffer, TooLong};
 pub use options::{ConformOptions, ConformProgress, Phase};
 pub use program::Program;
-pub use program_error::{Place, ProgramError, ProgramErrorKind, Work, excerpt};
+pub use program_error::{ProgramError, ProgramErrorKind, SentLine, Work, excerpt};
 pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
 pub use run::conform;

@@ -1,7 +1,7 @@
 //! The AI Computer's answers to the handshake, for a program whose bit is not the specification's.
 //!
 //! A scenario has the AI Computer's bit as one that the specification would be answered with. A program whose bit is another at some
-//! step would seem to lose communication there, and nothing behind it would be told. So such a program is asked one step after
+//! step would seem to lose communication there, and nothing behind it would be judged. So such a program is asked one step after
 //! the other, and where the scenario answers the specification's bit its own is answered.
 
 use adsdv_spec::{Edition, Machine};

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use adsdv_spec::{Edition, Inputs};
 
 use super::line_program::LineProgram;
-use super::program_error::{Place, ProgramError, ProgramErrorKind};
+use super::program_error::{ProgramError, ProgramErrorKind, SentLine};
 use super::vcu::{Reply, Vcu};
 use super::wall_clock::PATIENCE;
 use crate::protocol::{About, Answer, Protocol, Request, UNSAID};
@@ -79,7 +79,7 @@ impl Program {
         let sent = protocol.line(request).to_string();
         self.lines.write(format!("{sent}\n").into_bytes());
         self.lines.line().and_then(|line| read(line, &protocol)).map_err(|what| {
-            let place = Some(Box::new(Place { scenario: "the diagnosis".to_owned(), step: 1, sent }));
+            let place = Some(Box::new(SentLine { scenario: "the diagnosis".to_owned(), step: 1, sent }));
             ProgramError { place, what, stderr: self.lines.last_words() }
         })
     }
@@ -118,13 +118,13 @@ impl Program {
     fn trouble(&self, what: ProgramErrorKind, name: &str, scenario: &Scenario, step: usize) -> ProgramError {
         let sent = scenario.requests().nth(step).map(|request| self.protocol.line(&request).to_string());
         let sent = sent.unwrap_or_default();
-        let place = Some(Box::new(Place { scenario: name.to_owned(), step, sent }));
+        let place = Some(Box::new(SentLine { scenario: name.to_owned(), step, sent }));
         ProgramError { place, what, stderr: self.lines.last_words() }
     }
 }
 
 impl Vcu for Program {
-    /// One that is asked about [`UNSAID`] is told nothing: so programs that know no hello are judged as they always were.
+    /// One that is asked about [`UNSAID`] gets no hello: so programs that know no hello are judged as they always were.
     fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         self.protocol = Arc::new(Protocol::of(edition));
         let protocol = Arc::clone(&self.protocol);
@@ -147,13 +147,13 @@ impl Vcu for Program {
                 }
             });
             answered.map_err(|what| {
-                let place = Some(Box::new(Place { scenario: String::new(), step: 0, sent }));
+                let place = Some(Box::new(SentLine { scenario: String::new(), step: 0, sent }));
                 ProgramError { place, what, stderr: self.lines.last_words() }
             })?;
         }
         let first = self.first_reset().map_err(|what| {
             let sent = Request::Reset.to_string();
-            let place = Some(Box::new(Place { scenario: "the beginning".to_owned(), step: 0, sent }));
+            let place = Some(Box::new(SentLine { scenario: "the beginning".to_owned(), step: 0, sent }));
             ProgramError { place, what, stderr: self.lines.last_words() }
         })?;
         let about = about.or(first).unwrap_or_default();

@@ -12,7 +12,7 @@ use crate::protocol::BadLine;
 #[derive(Debug)]
 pub struct ProgramError {
     /// Where; `None` before the first line and after the last.
-    pub place: Option<Box<Place>>,
+    pub place: Option<Box<SentLine>>,
     /// What is wrong.
     pub what: ProgramErrorKind,
     /// The last lines of the program's standard error.
@@ -21,7 +21,7 @@ pub struct ProgramError {
 
 /// The line of which the answer is wrong, or missing.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SentLine {
     /// The test, or the random scenario; empty where it is the hello before all of them.
     pub scenario: String,
     /// The step, from 1; 0 is the reset before the first.
@@ -148,7 +148,7 @@ impl fmt::Display for ProgramError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { place, what, stderr } = self;
         write!(f, "{what}")?;
-        if let Some(Place { scenario, step, sent }) = place.as_deref() {
+        if let Some(SentLine { scenario, step, sent }) = place.as_deref() {
             match step {
                 _ if scenario.is_empty() => {}
                 0 => write!(f, "\n  in        {scenario}, the reset")?,

@@ -2,10 +2,10 @@
 
 use adsdv_spec::{Inputs, Machine, Readings};
 
-use super::blame::{Blame, Wrong};
+use super::blame::{Blame, WrongAnswers};
 use super::broken::Break;
 use super::explain::Explain;
-use super::failures::{Failures, TOLD, share};
+use super::failures::{Failures, LISTED, share};
 use super::options::{ConformProgress, Phase};
 use super::program_error::ProgramError;
 use super::report::{Failure, is_observation};
@@ -27,7 +27,7 @@ pub(super) struct RandomRuns {
     pub(super) readings: Vec<Readings>,
     /// Each thing that is wrong and that the suite has not found, shortened.
     pub(super) failures: Vec<Failure>,
-    /// Those that are too many to be told.
+    /// Those that are too many to be listed.
     pub(super) more: Vec<Break>,
     /// How many scenarios failed.
     pub(super) failed: u32,
@@ -66,7 +66,7 @@ impl Run<'_> {
     ) -> Result<RandomRuns, ProgramError> {
         let options = self.options;
         let known: Vec<&Break> =
-            known.told.iter().chain(&known.more).filter_map(|failure| failure.found.as_ref()).collect();
+            known.listed.iter().chain(&known.more).filter_map(|failure| failure.found.as_ref()).collect();
         let mut explain = Explain::new(&options.edition, suite.readings.clone());
         let mut random = RandomRuns {
             readings: suite.readings.clone(),
@@ -96,8 +96,8 @@ impl Run<'_> {
             let mut alive = explain.all();
             let mut new: Vec<New> = Vec::new();
             let RandomRuns { failures, more, failed, observed, broken, .. } = &mut random;
-            let told = failures.iter().filter_map(|failure| failure.found.as_ref()).chain(more.iter());
-            let told: Vec<&Break> = known.iter().copied().chain(told).collect();
+            let listed = failures.iter().filter_map(|failure| failure.found.as_ref()).chain(more.iter());
+            let listed: Vec<&Break> = known.iter().copied().chain(listed).collect();
             self.ask(&named, Phase::Random, run as usize, options.runs as usize, &mut |place, replies| {
                 let Some((name, scenario)) = named.get(place) else { return };
                 let left = alive.and(&explain.explaining(scenario, replies, suite.late));
@@ -108,7 +108,7 @@ impl Run<'_> {
                 let Some(machine) = alive.iter().next().and_then(|first| explain.machine(first)) else {
                     return;
                 };
-                let wrong = Wrong::find(&machine, scenario, replies, suite.late);
+                let wrong = WrongAnswers::find(&machine, scenario, replies, suite.late);
                 let requirements = blame.broken(&[], &wrong);
                 let only_decided = are_decisions(&requirements);
                 if options.strict || wrong.is_nothing() || !only_decided {
@@ -122,7 +122,7 @@ impl Run<'_> {
                     }
                 }
                 let Some(found) = Break::find(&machine, scenario, replies, suite.late) else { return };
-                let mut all = told.iter().copied().chain(new.iter().map(|one| &one.found));
+                let mut all = listed.iter().copied().chain(new.iter().map(|one| &one.found));
                 if !all.any(|one| one.is_like(&found)) {
                     new.push(New { place, replies: replies.to_vec(), found, requirements });
                 }
@@ -132,7 +132,7 @@ impl Run<'_> {
             let judge = readings.first().map_or(machine, |&readings| Machine::new(options.edition, readings));
             for New { place, replies, found, requirements } in new {
                 let Some((name, scenario)) = scenarios.get(place) else { continue };
-                if random.failures.len() >= TOLD {
+                if random.failures.len() >= LISTED {
                     random.more.push(found);
                     continue;
                 }

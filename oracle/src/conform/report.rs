@@ -41,12 +41,12 @@ pub struct ConformReport {
     pub failures: Vec<Failure>,
     /// What is otherwise than we decided where the document is silent, likewise.
     pub observations: Vec<Failure>,
-    /// How many more things are wrong that are not told.
+    /// How many more things are wrong that the report does not list.
     pub more_failures: usize,
     /// The outputs that it never shows.
     pub not_shown: Vec<&'static str>,
-    /// The tests that were not run: that cannot be told at its cycle, need an input that it does not have, or more time than there was.
-    pub not_told: Vec<String>,
+    /// The tests that were not run: that steps of its cycle cannot express, need an input that it does not have, or more time than there was.
+    pub not_run: Vec<String>,
     /// What else is worth knowing.
     pub notes: Vec<String>,
     /// Whether it answered alike what it was asked again. What is said of a program that does not may be otherwise the next time.

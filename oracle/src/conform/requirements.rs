@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use adsdv_spec::Edition;
 
 use super::about::shows;
-use super::blame::Wrong;
+use super::blame::WrongAnswers;
 use super::keys::Keys;
 use crate::suite::{Test, is_decision, is_of_a_reading, order};
 
@@ -62,16 +62,16 @@ pub(super) struct Ran {
     /// The outputs that all of its answers show.
     pub(super) shown: Keys,
     /// What is wrong, if anything is, and the requirements that are broken by that.
-    pub(super) wrong: Option<(Wrong, Vec<String>)>,
+    pub(super) wrong: Option<(WrongAnswers, Vec<String>)>,
 }
 
 impl Ran {
-    /// Whether the test told anything of a requirement that it names.
+    /// Whether the test showed anything of a requirement that it names.
     fn checks(&self, id: &str, edition: &Edition) -> bool {
         let is_shown = || self.shown.has_all(shows(id).and(Keys::of_edition(edition)));
         match &self.wrong {
             Some((_, broken)) if broken.iter().any(|other| other == id) => true,
-            // It is about what follows a wrong state, of which nothing is told.
+            // It is about what follows a wrong state, of which the test says nothing.
             Some((wrong, _)) if wrong.loses_the_state => false,
             _ => is_shown(),
         }
@@ -82,7 +82,7 @@ impl Ran {
 pub(super) fn ran(
     tests: &[Test],
     shown: impl Iterator<Item = (usize, Keys)>,
-    broken: Vec<(usize, Wrong, Vec<String>)>,
+    broken: Vec<(usize, WrongAnswers, Vec<String>)>,
 ) -> Vec<Option<Ran>> {
     let mut ran: Vec<Option<Ran>> = tests.iter().map(|_| None).collect();
     for (place, shown) in shown {

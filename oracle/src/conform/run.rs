@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use adsdv_spec::{Inputs, Machine};
 
-use super::blame::{Blame, Wrong};
+use super::blame::{Blame, WrongAnswers};
 use super::failures::Failures;
 use super::keys::Keys;
 use super::options::{ConformOptions, ConformProgress, Phase};
@@ -55,7 +55,7 @@ pub fn conform(
         trouble.after(Work { at: run.at, steps: run.steps, suite_steps: run.suite_steps, runs })
     })?;
     let left_out = tests.iter().filter(|test| !askable.iter().any(|one| one.name == test.name));
-    report.not_told.extend(left_out.map(|test| test.name.clone()));
+    report.not_run.extend(left_out.map(|test| test.name.clone()));
     report.notes.extend(said(&about, &report));
     report.about = about;
     Ok(report)
@@ -129,10 +129,10 @@ impl Run<'_> {
         let in_random = self.random(&suite, &in_suite, &blame)?;
         notes.extend(self.asked.end()?);
 
-        let Failures { told, more, wrong, broken } = in_suite;
+        let Failures { listed, more, wrong, broken } = in_suite;
         let strict = options.strict;
         let is_observed =
-            |wrong: &Wrong, ids: &[String]| !strict && !wrong.is_nothing() && are_decisions(ids);
+            |wrong: &WrongAnswers, ids: &[String]| !strict && !wrong.is_nothing() && are_decisions(ids);
         let repeats = broken.iter().all(|(_, wrong, _)| !wrong.is_nothing());
         if !repeats {
             notes.push(
@@ -145,13 +145,13 @@ impl Run<'_> {
         } else {
             verdict::mixes(&options.edition, &suite.explain, &suite.names, &suite.explained_by_state, &wrong)
         };
-        let found = told.into_iter().chain(in_random.failures);
+        let found = listed.into_iter().chain(in_random.failures);
         let (observations, failures): (Vec<Failure>, Vec<Failure>) =
             found.partition(|failure| failure.observed);
-        let Suite { failed, late, not_told, asked, shown, .. } = suite;
+        let Suite { failed, late, not_run, asked, shown, .. } = suite;
         let ran = requirements::ran(tests, asked.into_iter().zip(shown), broken);
         Ok(ConformReport {
-            tests: tests.len() - not_told.len(),
+            tests: tests.len() - not_run.len(),
             failed_tests: failed.len() - observed_tests,
             observed_tests,
             runs: options.runs,
@@ -171,7 +171,7 @@ impl Run<'_> {
                 .filter(|field| field.is_in(&options.edition) && !self.shown.has(field.key))
                 .map(|field| field.key)
                 .collect(),
-            not_told,
+            not_run,
             notes,
             repeats,
             cycle_ms: options.cycle_ms,

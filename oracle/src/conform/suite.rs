@@ -40,8 +40,8 @@ pub(super) struct Suite {
     pub(super) shown: Vec<Keys>,
     /// The scenarios as they were asked for.
     pub(super) scenarios: Vec<Option<Scenario>>,
-    /// The tests that cannot be told at the cycle.
-    pub(super) not_told: Vec<String>,
+    /// The tests that steps of the cycle cannot express.
+    pub(super) not_run: Vec<String>,
     /// Whether some answers that nothing explains have another handshake bit than the default readings.
     pub(super) another_bit: bool,
 }
@@ -118,12 +118,12 @@ impl Run<'_> {
         let options = self.options;
         let explain = Explain::every(&options.edition, options.possible);
         let reference = Machine::new(options.edition, options.edition.readings);
-        let told = |test: &Test| match options.cycle_ms {
+        let stepped = |test: &Test| match options.cycle_ms {
             Some(cycle_ms) => in_cycles(&reference, &test.scenario, cycle_ms),
             None => Some(test.scenario.clone()),
         };
         let scenarios: Vec<Option<Scenario>> =
-            tests.iter().map(|test| Some(with_tail(&told(test)?, latency))).collect();
+            tests.iter().map(|test| Some(with_tail(&stepped(test)?, latency))).collect();
         let asked: Vec<(usize, &str, &Scenario)> = tests
             .iter()
             .zip(&scenarios)
@@ -147,8 +147,8 @@ impl Run<'_> {
                     explained.push(by);
                 }
                 // Of the first answers a late program need not show more than AS_OFF.
-                let told = replies.iter().skip(latency).map(Keys::given);
-                shown.push(told.fold(Keys::ALL, Keys::and));
+                let given = replies.iter().skip(latency).map(Keys::given);
+                shown.push(given.fold(Keys::ALL, Keys::and));
             }
         })?;
 
@@ -179,7 +179,7 @@ impl Run<'_> {
             explained_by: failing().map(|(_, set)| needed(&explain, best, set)).collect(),
             names: asked.iter().map(|&(_, name, _)| name.to_owned()).collect(),
             readings,
-            not_told: tests
+            not_run: tests
                 .iter()
                 .zip(&scenarios)
                 .filter(|(_, scenario)| scenario.is_none())

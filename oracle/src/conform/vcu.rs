@@ -9,7 +9,7 @@ use crate::suite::{Scenario, Step};
 
 /// A VCU that is asked: a program, or a machine in this process.
 pub trait Vcu {
-    /// Is told, before anything else, which edition all that follows is about, and tells about itself.
+    /// Learns, before anything else, which edition all that follows is about, and tells about itself.
     ///
     /// Errors: it is of another one.
     fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError>;
@@ -223,13 +223,13 @@ mod tests {
     fn a_machine_answers_each_step_and_ends_without_a_word() {
         let step = crate::suite::Step { dt_ms: 10, inputs: adsdv_spec::Inputs::default() };
         let scenario = Scenario { steps: vec![step; 3] };
-        let mut told = Vec::new();
+        let mut calls = Vec::new();
         let mut machine = InProcess(Machine::REFERENCE);
         let asked = machine.ask(&[("a", &scenario), ("b", &scenario)], &mut |place, replies| {
-            told.push((place, replies.len(), replies.iter().all(Reply::is_initial)));
+            calls.push((place, replies.len(), replies.iter().all(Reply::is_initial)));
         });
         assert!(asked.is_ok() && machine.end().is_ok_and(|notes| notes.is_empty()));
-        assert_eq!(told, [(0, 3, true), (1, 3, true)]);
+        assert_eq!(calls, [(0, 3, true), (1, 3, true)]);
     }
 
     #[test]

@@ -370,12 +370,12 @@ mod tests {
         assert!(scenario.steps.iter().all(|step| step.dt_ms == 20));
     }
 
-    /// What is found with a seed is found with it again, on every machine: another walk is a change that people are told of.
+    /// What is found with a seed is found with it again, on every machine: another walk is a change that the changelog names.
     #[test]
     fn the_walks_of_a_seed_are_these() {
         let readings = Edition::V3_0.choices.iter().fold(Readings::DEFAULT, Readings::with);
         let other = Machine::new(*Edition::DEFAULT, readings);
-        let mut told = String::new();
+        let mut text = String::new();
         for (machine, cycle_ms) in
             [(&Machine::REFERENCE, None), (&Machine::REFERENCE, Some(10)), (&other, None), (&other, Some(50))]
         {
@@ -387,7 +387,7 @@ mod tests {
                     sum.write(format!("{} {}\n", step.dt_ms, InputsAsJson(step.inputs)).as_bytes());
                 }
             }
-            let _ = writeln!(told, "{cycle_ms:?}: {steps} steps, {:016X}", sum.finish());
+            let _ = writeln!(text, "{cycle_ms:?}: {steps} steps, {:016X}", sum.finish());
         }
         expect![[r"
             None: 3988 steps, 986DC06D91E4392F
@@ -395,6 +395,6 @@ mod tests {
             None: 4210 steps, 804BDF964887A243
             Some(50): 116868 steps, 3A26165977378DBC
         "]]
-        .assert_eq(&told);
+        .assert_eq(&text);
     }
 }

@@ -18,8 +18,8 @@ pub(super) const PATIENCE: Duration = Duration::from_millis(2);
 /// The places of the tests that are run: those that a clock can tell, by how many requirements more they check in how much time, as
 /// many as there is time for.
 pub(super) fn chosen(machine: &Machine, tests: &[Test], time: Duration) -> Vec<usize> {
-    let told = |(place, test): (usize, &Test)| is_told(machine, &test.scenario).then_some(place);
-    let mut left: Vec<usize> = tests.iter().enumerate().filter_map(told).collect();
+    let steady = |(place, test): (usize, &Test)| is_steady(machine, &test.scenario).then_some(place);
+    let mut left: Vec<usize> = tests.iter().enumerate().filter_map(steady).collect();
     let mut chosen = Vec::new();
     let mut checked: Vec<&str> = Vec::new();
     let mut time = time;
@@ -57,7 +57,7 @@ pub(super) fn takes(scenario: &Scenario) -> Duration {
 }
 
 /// Whether a scenario shows the same if its steps take a little longer.
-fn is_told(machine: &Machine, scenario: &Scenario) -> bool {
+fn is_steady(machine: &Machine, scenario: &Scenario) -> bool {
     let usual: Vec<Shown> = scenario.shown(machine).collect();
     LONGER_MS.iter().all(|longer| {
         let mut control = Control::INITIAL;

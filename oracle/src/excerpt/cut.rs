@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Cut;
-use super::recent::{Line, Recent};
+use super::recent::{LogLine, Recent};
 use crate::judge::{Finding, Party};
 use crate::log::{LogOptions, judge_readable};
 
@@ -23,7 +23,7 @@ pub(super) fn cut(recent: &Recent, finding: Finding, options: &LogOptions) -> Cu
     for same in [has_the_words, is_alike] {
         for (before, after) in WIDTHS_MS.map(|(before, after)| (before * MS, after * MS)) {
             let lines = recent.between(finding.t_ns - before, finding.t_ns + after);
-            let shows = |lines: &[Line]| shows(lines, &finding, options, same);
+            let shows = |lines: &[LogLine]| shows(lines, &finding, options, same);
             if shows(&lines) {
                 let lines = thinned(lines, shows);
                 return of(finding, &lines, before, true);
@@ -47,17 +47,17 @@ fn has_the_words(one: &Finding, other: &Finding) -> bool {
     is_alike(one, other) && (one.party == Party::Log || words(one) == words(other))
 }
 
-fn of(finding: Finding, lines: &[Line], before_ns: i64, shows: bool) -> Cut {
+fn of(finding: Finding, lines: &[LogLine], before_ns: i64, shows: bool) -> Cut {
     Cut { finding, log: text(lines), frames: lines.len(), before_ns, shows }
 }
 
-fn text(lines: &[Line]) -> Vec<u8> {
+fn text(lines: &[LogLine]) -> Vec<u8> {
     lines.iter().flat_map(|line| line.text.iter().copied()).collect()
 }
 
 /// Whether these lines alone give the finding, or one that is the same, at that time.
 fn shows(
-    lines: &[Line],
+    lines: &[LogLine],
     finding: &Finding,
     options: &LogOptions,
     same: fn(&Finding, &Finding) -> bool,
@@ -69,10 +69,10 @@ fn shows(
 }
 
 /// The same without the identifiers that the finding does not need.
-fn thinned(mut lines: Vec<Line>, shows: impl Fn(&[Line]) -> bool) -> Vec<Line> {
+fn thinned(mut lines: Vec<LogLine>, shows: impl Fn(&[LogLine]) -> bool) -> Vec<LogLine> {
     let ids: BTreeSet<Option<u32>> = lines.iter().map(|line| line.id).collect();
     for id in ids.into_iter().take(IDS) {
-        let fewer: Vec<Line> = lines.iter().filter(|line| line.id != id).cloned().collect();
+        let fewer: Vec<LogLine> = lines.iter().filter(|line| line.id != id).cloned().collect();
         if shows(&fewer) {
             lines = fewer;
         }

@@ -98,12 +98,12 @@ pub fn judge_with_excerpts(
         judge: options.judge.under(judged.recognised.edition),
         ..options.clone()
     };
-    let told = &mut cutter;
+    let watching = &mut cutter;
     let (judged, _) = judge_all(source, judge(options.clone()), progress, |log, entry| {
-        told.recent.keep(log.judged_at(), entry);
-        told.lines += 1;
-        if told.lines.is_multiple_of(LOOK) {
-            told.look(log);
+        watching.recent.keep(log.judged_at(), entry);
+        watching.lines += 1;
+        if watching.lines.is_multiple_of(LOOK) {
+            watching.look(log);
         }
     })?;
     let options = options_under(&judged);

@@ -12,7 +12,7 @@ const MOST: usize = 150_000;
 /// What was read in the last seconds.
 #[derive(Debug, Default)]
 pub(super) struct Recent {
-    lines: VecDeque<Line>,
+    lines: VecDeque<LogLine>,
     /// The time of the first frame by the clock of the log.
     origin: Option<i64>,
     /// The last time that was given.
@@ -21,7 +21,7 @@ pub(super) struct Recent {
 
 /// A line of the log.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(super) struct LogLine {
     /// When, by the time that the judge gives it.
     pub(super) t_ns: i64,
     /// The identifier, if it is a frame.
@@ -61,16 +61,16 @@ impl Recent {
         };
         // A frame of CAN XL cannot be written, and is not judged either.
         if written.is_ok() {
-            self.lines.push_back(Line { t_ns: self.now, id, text: text.into_boxed_slice() });
+            self.lines.push_back(LogLine { t_ns: self.now, id, text: text.into_boxed_slice() });
         }
-        let old = |line: &Line| line.t_ns < self.now - KEPT_NS;
+        let old = |line: &LogLine| line.t_ns < self.now - KEPT_NS;
         while self.lines.len() > MOST || self.lines.front().is_some_and(old) {
             self.lines.pop_front();
         }
     }
 
     /// The lines of some time.
-    pub(super) fn between(&self, from: i64, until: i64) -> Vec<Line> {
+    pub(super) fn between(&self, from: i64, until: i64) -> Vec<LogLine> {
         let begin = self.lines.partition_point(|line| line.t_ns < from);
         let end = self.lines.partition_point(|line| line.t_ns <= until);
         self.lines.range(begin.min(end)..end).cloned().collect()

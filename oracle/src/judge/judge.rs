@@ -30,7 +30,7 @@ pub struct Judge {
     senders: Senders,
     /// No shorter time without a frame is a silence.
     pause: i64,
-    /// When the last frame came, if time has been told to pass since.
+    /// When the last frame came, if time has passed without one since.
     quiet_since: Option<i64>,
     started: bool,
     /// Whether it was said that frames do not come in the order of time.
@@ -139,30 +139,31 @@ impl Judge {
                     rules.go_shown_on(est, t);
                 }
             }
-            Says::This { said, .. } => match said.message {
+            Says::This { content, .. } => match content.message {
                 AnyMessage::Vcu2AiStatus(status) => {
-                    let last = est.vcu.status.filter(|_| est.vcu.state.is_some() && !said.is_bad("as_state"));
+                    let last =
+                        est.vcu.status.filter(|_| est.vcu.state.is_some() && !content.is_bad("as_state"));
                     if self.senders.several() || last.is_some_and(|last| self.is_of_another(t, last, status))
                     {
                         return;
                     }
                     let Self { est, book, rules, .. } = self;
-                    let shown = est.shows(came, said, status);
+                    let shown = est.shows(came, content, status);
                     rules.shown(est, book, t, &shown);
                 }
-                AnyMessage::Ai2VcuStatus(status) if said.bad == 0 => {
+                AnyMessage::Ai2VcuStatus(status) if content.bad == 0 => {
                     let previous = est.ai_says(came, status);
                     rules.ai_says(est, book, t, status, previous);
                     rules.answered(est, book, t, status.handshake);
                 }
                 _ => {
-                    est.learns(came, said);
+                    est.learns(came, content);
                     if came.index == LOG_STATUS {
                         est.sampled(t);
-                        rules.assi(est, book, t, Some(said));
+                        rules.assi(est, book, t, Some(content));
                     }
                     if came.index == VCU_STATUS && !self.senders.several() {
-                        rules.vcu_status(est, book, t, Some((said, came)));
+                        rules.vcu_status(est, book, t, Some((content, came)));
                     }
                 }
             },
@@ -253,7 +254,7 @@ impl Judge {
     }
 
     /// There is no further frame: settles what is still open. What is reported from now on has the time of the last one,
-    /// whatever time has been told to pass since.
+    /// whatever time has passed since.
     pub(crate) fn end(&mut self) {
         let end = self.quiet_since.take().unwrap_or(self.est.now);
         self.est.now = end;
@@ -288,7 +289,7 @@ impl Judge {
     }
 
     /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to
-    /// settle may be told after what happened later.
+    /// settle may come after what happened later.
     ///
     /// Of the findings of one rule that the report only counts, because there are too many to be listed, one in a second is
     /// among it; the first of them comes behind a finding of [`Rule::Repeated`] that says so. These the report does not have.
@@ -358,7 +359,7 @@ impl Judge {
             self.est.now
         };
         if self.started && (t - heard).is_positive() {
-            // A frame that was on its way while time was told to pass comes late, but in order; so may the next.
+            // A frame that was on its way while `time_passes` was called comes late, but in order; so may the next.
             self.quiet_since = Some(heard);
             self.next_event = i64::MIN;
         }
@@ -379,8 +380,8 @@ impl Judge {
         // Each event is settled when it comes up; the bound only guards against a mistake that would loop.
         for _ in 0..10_000 {
             let est = &self.est;
-            let told_at = self.loss.told_at(self.pause);
-            self.next_event = est.sampler.next().min(est.next()).min(self.rules.next(est)).min(told_at);
+            let loss_due_at = self.loss.due_at(self.pause);
+            self.next_event = est.sampler.next().min(est.next()).min(self.rules.next(est)).min(loss_due_at);
             if self.next_event > t {
                 break;
             }
@@ -415,7 +416,7 @@ impl Judge {
         if rules.held(est, book, t) {
             return;
         }
-        if self.loss.told_at(self.pause) <= t {
+        if self.loss.due_at(self.pause) <= t {
             return book.found(self.loss.tell());
         }
         // In a silence a timer may have been put off instead.
@@ -462,7 +463,7 @@ impl Judge {
         if self.loss.ends(since, until) {
             self.est.sampler.forget_values();
         }
-        self.next_event = self.next_event.min(self.loss.told_at(self.pause));
+        self.next_event = self.next_event.min(self.loss.due_at(self.pause));
     }
 
     /// Nothing is known any more.

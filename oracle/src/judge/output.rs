@@ -24,7 +24,7 @@ pub(super) struct Output {
     unlisted: Vec<Finding>,
     transitions_left_out: u64,
     /// How many transitions and findings have been handed out as news.
-    told: (usize, usize),
+    handed_out: (usize, usize),
     /// Identifiers that have been reported, once for nobody and once for the AI Computer.
     reported_ids: [HashSet<u32>; 2],
     pub(super) responses: ResponseTimes,
@@ -48,7 +48,7 @@ impl Default for Output {
             left_out: vec![None; Rule::ALL.len()],
             unlisted: Vec::new(),
             transitions_left_out: 0,
-            told: (0, 0),
+            handed_out: (0, 0),
             reported_ids: [HashSet::new(), HashSet::new()],
             responses: ResponseTimes::default(),
         }
@@ -74,7 +74,7 @@ impl Output {
                 let news_at = finding.t_ns.saturating_add(NEWS_NS);
                 *none = Some(LeftOut { count: 1, first: finding.clone(), news_at });
                 let seen = format!(
-                    "further findings of {} are counted, and no longer listed; one in a second is told",
+                    "further findings of {} are counted, and no longer listed; one in a second is reported",
                     finding.rule.id()
                 );
                 self.unlisted.push(repeated(&finding, seen));
@@ -103,18 +103,19 @@ impl Output {
 
     /// What is new since this was last asked.
     pub(super) fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
-        let told = std::mem::replace(&mut self.told, (self.transitions.len(), self.findings.len()));
-        let mut findings = self.findings.get(told.1..).unwrap_or_default().to_vec();
+        let handed_out =
+            std::mem::replace(&mut self.handed_out, (self.transitions.len(), self.findings.len()));
+        let mut findings = self.findings.get(handed_out.1..).unwrap_or_default().to_vec();
         findings.append(&mut self.unlisted);
         findings.sort_by_key(|finding| finding.t_ns);
-        let mut transitions = self.transitions.get(told.0..).unwrap_or_default().to_vec();
+        let mut transitions = self.transitions.get(handed_out.0..).unwrap_or_default().to_vec();
         transitions.sort_by_key(|transition| transition.t_ns);
         (transitions, findings)
     }
 
     pub(super) fn take(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.listed.fill(0);
-        self.told = (0, 0);
+        self.handed_out = (0, 0);
         self.unlisted.clear();
         (std::mem::take(&mut self.transitions), std::mem::take(&mut self.findings))
     }
@@ -130,7 +131,7 @@ impl Output {
         }
         self.findings.sort_by_key(|finding| finding.t_ns);
         self.transitions.sort_by_key(|transition| transition.t_ns);
-        // A frame that was on its way while time was told to pass is judged when it comes, which is later than it was sent.
+        // A frame that was on its way while `time_passes` was called is judged when it comes, which is later than it was sent.
         let finding = self.findings.last().map(|finding| finding.t_ns);
         let transition = self.transitions.last().map(|transition| transition.t_ns);
         let latest = finding.max(transition).unwrap_or(duration_ns);

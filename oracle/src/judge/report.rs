@@ -54,7 +54,7 @@ impl Verdict {
 pub struct Report {
     /// How many frames could be read.
     pub frames: u64,
-    /// The time from the first frame to the last, in nanoseconds; on a live bus, on which time was told to pass, to the last
+    /// The time from the first frame to the last, in nanoseconds; on a live bus, where time passes without frames, to the last
     /// that is reported if that is later.
     pub duration_ns: i64,
     /// The transitions seen, in order.

@@ -92,8 +92,8 @@ impl Senders {
         }
         // Where the log's times are coarse, many frames are of one moment.
         let too_often = often.excess > TOO_OFTEN_NS && t - often.since > TOO_OFTEN_NS;
-        let told = too_often && !self.several && !std::mem::replace(&mut often.reported, true);
-        told.then(|| often.finding(t, cycle))
+        let reports = too_often && !self.several && !std::mem::replace(&mut often.reported, true);
+        reports.then(|| often.finding(t, cycle))
     }
 }
 
@@ -169,7 +169,7 @@ mod tests {
         Vcu2AiStatus { as_state, ..Vcu2AiStatus::default() }
     }
 
-    /// What is told when 520h shows these, one after the other and again, each so long after the one before; and at the how manieth.
+    /// What the judge reports when 520h shows these, one after the other and again, each so long after the one before; and at the how manieth.
     fn turns(between: i64, shown: &[Vcu2AiStatus]) -> Option<(usize, String)> {
         let mut senders = Senders::new(BUS);
         let next = shown.iter().cycle().skip(1);
@@ -182,16 +182,16 @@ mod tests {
 
     #[test]
     fn states_in_turn_within_a_cycle_are_of_two_vcus() {
-        let (told, seen) = turns(CYCLE / 2, &[shows(Off), shows(Driving)]).expect("told");
-        assert_eq!(told, STATE_TURNS as usize);
+        let (turn, seen) = turns(CYCLE / 2, &[shows(Off), shows(Driving)]).expect("a report");
+        assert_eq!(turn, STATE_TURNS as usize);
         assert!(seen.contains("AS_DRIVING and AS_OFF in turn, 5 times in 25 ms"), "{seen}");
     }
 
     #[test]
     fn what_else_is_shown_in_turn_is_of_two_vcus_if_it_is_for_longer() {
         let other = Vcu2AiStatus { ami_state: AmiState::Skidpad, ..shows(Ready) };
-        let (told, seen) = turns(CYCLE / 2, &[shows(Ready), other]).expect("told");
-        assert_eq!(told, STATUS_TURNS as usize);
+        let (turn, seen) = turns(CYCLE / 2, &[shows(Ready), other]).expect("a report");
+        assert_eq!(turn, STATUS_TURNS as usize);
         assert!(seen.starts_with("520h shows AMI_STATE NOT_SELECTED and SKIDPAD in turn"), "{seen}");
     }
 
@@ -219,7 +219,7 @@ mod tests {
         }
     }
 
-    /// When it is told that 520h comes too often, if it comes at these times.
+    /// When the judge reports that 520h comes too often, if it comes at these times.
     fn often(times: impl IntoIterator<Item = i64>) -> Option<(i64, String)> {
         let mut senders = Senders::new(BUS);
         times.into_iter().find_map(|t| Some((t, senders.came(t)?.message())))
@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn two_cars_that_show_the_same_come_twice_as_often() {
         let (t, message) =
-            often((0..).map(|frame| frame / 2 * CYCLE + frame % 2 * MS).take(4000)).expect("told");
+            often((0..).map(|frame| frame / 2 * CYCLE + frame % 2 * MS).take(4000)).expect("a report");
         assert!((9_900 * MS..10_100 * MS).contains(&t), "{t}");
         assert!(message.contains("2.0 times as often as from one VCU"), "{message}");
         assert!(message.ends_with("unless one VCU sends it that often"), "{message}");
@@ -237,8 +237,8 @@ mod tests {
     #[test]
     fn it_is_told_once() {
         let mut senders = Senders::new(BUS);
-        let told = (0..10_000).filter(|frame| senders.came(frame * CYCLE / 2).is_some()).count();
-        assert_eq!(told, 1);
+        let count = (0..10_000).filter(|frame| senders.came(frame * CYCLE / 2).is_some()).count();
+        assert_eq!(count, 1);
     }
 
     /// One VCU, in a recording that stands still for `held` every now and then and has all that came meanwhile at once.

@@ -1,4 +1,4 @@
-//! The judge of a log that is told frame by frame.
+//! The judge of a log that comes frame by frame.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ use crate::recognise::{Hearing, Held, Later, Recognised};
 use crate::rules::RuleError;
 use crate::why::Stay;
 
-/// The judge of a log that is told frame by frame; [`judge_log`](super::judge_log) reads one with it.
+/// The judge of a log that comes frame by frame; [`judge_log`](super::judge_log) reads one with it.
 ///
 /// ```
 /// use adsdv_oracle::candump::{FrameKind, Record};
@@ -68,7 +68,7 @@ impl LogJudge {
         self.judge.edition()
     }
 
-    /// Nothing has been told yet.
+    /// No frame has come yet.
     pub fn new(options: LogOptions) -> Self {
         let mut judge = Self {
             judge: Judge::new(options.judge),
@@ -91,7 +91,7 @@ impl LogJudge {
         judge
     }
 
-    /// Nothing has been told yet, and the frames are to tell the edition. The one of the options is for frames that do not.
+    /// No frame has come yet, and the frames are to tell the edition. The one of the options is for frames that do not.
     ///
     /// Nothing is judged before enough was heard; then all of it is. That takes a second, or up to ten where the frames of the
     /// first do not tell, such as those of an AI Computer alone.
@@ -136,7 +136,7 @@ impl LogJudge {
         self.recognised.as_ref()
     }
 
-    /// No frame has come up to this time, which is told by the clock of the frames: what waited for it is judged.
+    /// No frame has come up to this time, by the clock of the frames: what waited for it is judged.
     ///
     /// Before the first frame there is nothing to wait for, and a time before that of the last frame changes nothing.
     pub fn time_passes(&mut self, time_ns: i64) {

@@ -92,7 +92,7 @@ fn is_spelt(name: &str, text: &str) -> bool {
     name.len() == text.len() && name.bytes().map(plain).eq(text.bytes().map(plain))
 }
 
-/// The bus in whose words values are told. It is no part of what they are: what is equal in numbers is equal.
+/// The bus in whose words values are written. It is no part of what they are: what is equal in numbers is equal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words(pub(super) Bus);
 

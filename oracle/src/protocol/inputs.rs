@@ -1,4 +1,4 @@
-//! The inputs of a step that a program under test is told: everything that decides what it shows.
+//! The inputs of a step that a program under test gets: everything that decides what it shows.
 
 use adsdv_spec::messages::SignalValue;
 use adsdv_spec::{Bus, Edition, Inputs};
@@ -59,7 +59,7 @@ const fn is_silence(part: &str) -> bool {
 
 /// The values of the input with this key, with the range or the names that a bus gives to its signal.
 const fn on_bus(of_type: Domain, key: &str, bus: &Bus) -> Domain {
-    // The mission that is selected is told on the bus under another name.
+    // The bus shows the mission that is selected under another name.
     let field = if matches!(key.as_bytes(), b"ami") { "ami_state" } else { key };
     of_type.on_bus(field, bus)
 }

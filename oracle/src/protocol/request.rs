@@ -1,4 +1,4 @@
-//! What a program under test is told: which edition it is about, to begin anew, or to step.
+//! What a program under test gets: which edition all is about, the order to begin anew, or a step.
 
 use std::borrow::Cow;
 use std::fmt;

@@ -89,7 +89,7 @@ impl Protocol {
         Value { domain: field.domain_on(&self.bus), raw: Some((field.get)(inputs)) }
     }
 
-    /// A request as the edition has it, without the end of the line. What it does not have is not told.
+    /// A request as the edition has it, without the end of the line. It leaves out what the edition does not have.
     pub fn line<'a>(&'a self, request: &'a Request) -> impl fmt::Display + 'a {
         fmt::from_fn(move |f| request.write(f, self))
     }

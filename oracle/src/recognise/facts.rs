@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{MessageDef, Node};
 
 use super::devices::Devices;
-use super::seen::{EditionFit, LONGEST, Seen};
+use super::seen::{EditionFit, FrameStats, LONGEST};
 
 /// Milliseconds as nanoseconds.
 pub(super) const MS: i64 = 1_000_000;
@@ -46,7 +46,7 @@ const CYCLES: i64 = 10;
 const CYCLE_FACTOR: i64 = 3;
 
 /// Everything that was seen and does not fit every edition.
-pub(super) fn facts(seen: &[(u16, Seen)], devices: &Devices) -> Vec<Fact> {
+pub(super) fn facts(seen: &[(u16, FrameStats)], devices: &Devices) -> Vec<Fact> {
     let mut facts: Vec<Fact> = devices.fact().into_iter().collect();
     for (id, one) in seen {
         if one.count() == 0 {
@@ -76,22 +76,22 @@ impl Fact {
 }
 
 /// What each edition that has the message says of it instead.
-fn instead(seen: &Seen, of: impl Fn(&'static MessageDef) -> Option<String>) -> Vec<Option<String>> {
+fn instead(seen: &FrameStats, of: impl Fn(&'static MessageDef) -> Option<String>) -> Vec<Option<String>> {
     seen.editions.iter().map(|said| said.message.and_then(&of)).collect()
 }
 
-fn sender(seen: &Seen) -> Option<Node> {
+fn sender(seen: &FrameStats) -> Option<Node> {
     seen.editions.iter().find_map(|said| said.message.map(|message| message.sender))
 }
 
-fn present(id: u16, seen: &Seen) -> Fact {
+fn present(id: u16, seen: &FrameStats) -> Fact {
     let no = |said: &EditionFit| said.message.is_none().then(|| "no such message".to_owned());
     let instead = seen.editions.iter().map(no).collect();
     Fact { text: format!("{id:03X}h is there"), instead, weight: weight::PRESENT }
 }
 
 /// A message that only some editions have, and that should have come: others of its sender did.
-fn absent(id: u16, one: &Seen, seen: &[(u16, Seen)]) -> Option<Fact> {
+fn absent(id: u16, one: &FrameStats, seen: &[(u16, FrameStats)]) -> Option<Fact> {
     let node = sender(one)?;
     let heard_ms = seen
         .iter()
@@ -108,7 +108,7 @@ fn absent(id: u16, one: &Seen, seen: &[(u16, Seen)]) -> Option<Fact> {
 }
 
 /// The length of most frames, and those of others.
-fn lengths(id: u16, seen: &Seen, facts: &mut Vec<Fact>) {
+fn lengths(id: u16, seen: &FrameStats, facts: &mut Vec<Fact>) {
     let other_than = |len: usize| {
         instead(seen, move |message| (usize::from(message.len) != len).then(|| message.len.to_string()))
     };
@@ -122,7 +122,7 @@ fn lengths(id: u16, seen: &Seen, facts: &mut Vec<Fact>) {
 }
 
 /// Bits that are used, and that only some editions have signals for.
-fn bits(id: u16, seen: &Seen) -> Option<Fact> {
+fn bits(id: u16, seen: &FrameStats) -> Option<Fact> {
     let used = |message: &'static MessageDef| {
         message.signals.iter().filter(|signal| mask(signal.start, signal.width) & seen.bits != 0)
     };
@@ -156,7 +156,7 @@ const fn mask(start: u8, width: u8) -> u64 {
 }
 
 /// A value that some editions allow and others do not.
-fn values(id: u16, seen: &Seen) -> Option<Fact> {
+fn values(id: u16, seen: &FrameStats) -> Option<Fact> {
     let (signal, raw) = seen.editions.iter().find_map(|said| said.refused)?;
     let refused = |said: &EditionFit| {
         let same = said.message?.signal_of(signal.field)?;
@@ -171,7 +171,7 @@ fn values(id: u16, seen: &Seen) -> Option<Fact> {
     seen.editions.iter().any(allows).then_some(Fact { text, instead, weight: weight::VALUE })
 }
 
-fn cycle(id: u16, seen: &Seen) -> Option<Fact> {
+fn cycle(id: u16, seen: &FrameStats) -> Option<Fact> {
     let ms = seen.cycle_ms()?;
     let instead = instead(seen, |message| {
         let expected = i64::from(message.cycle_ms);

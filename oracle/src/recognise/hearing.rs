@@ -1,4 +1,4 @@
-//! What comes before it is known by which edition to judge: it is kept, and told again.
+//! What comes before it is known by which edition to judge: it is kept, and replayed to the judge.
 
 use adsdv_spec::Edition;
 
@@ -6,10 +6,10 @@ use super::later::Later;
 use super::{Recognised, Recogniser};
 use crate::candump::{Direction, Dropped, FrameKind, LineError, Record};
 
-/// After this time the frames may have told enough, and after each further such time: ten frames of the slowest message.
+/// After this time the frames may have shown enough, and after each further such time: ten frames of the slowest message.
 const LOOK_NS: i64 = 1_000_000_000;
 
-/// After this time it is decided, whatever they have told: who looks at a live bus waits for it.
+/// After this time it is decided, whatever they have shown: who looks at a live bus waits for it.
 const LONGEST_NS: i64 = 10 * LOOK_NS;
 
 /// After so many frames as well, several times what tells enough: the log's clock may stand.
@@ -23,7 +23,7 @@ pub(crate) struct Hearing {
     interface: Option<String>,
     /// The time of the first frame.
     began: Option<i64>,
-    /// So long after it, it is seen next whether the frames have told enough.
+    /// So long after it, it is seen next whether the frames have shown enough.
     look_ns: i64,
     held: Vec<Held>,
     /// How many of those are no passing of time.
@@ -98,7 +98,7 @@ impl Hearing {
     /// Something happened. Tells whether that is so much that enough has been heard.
     pub(crate) fn hear(&mut self, held: Held) -> bool {
         match (&held, self.held.last_mut()) {
-            // Silence is told again and again, and the last time says it all.
+            // Silence is reported again and again, and the last time says it all.
             (Held::TimePasses(now), Some(Held::TimePasses(before))) => *before = (*before).max(*now),
             (Held::TimePasses(_), _) => self.held.push(held),
             (Held::Frame(frame), _) => {
@@ -128,7 +128,7 @@ impl Hearing {
         }
     }
 
-    /// What was recognised, what is to be told again, and what looks at the frames behind that.
+    /// What was recognised, what the judge has to hear again, and what looks at the frames behind that.
     pub(crate) fn end(self) -> (Recognised, Vec<Held>, Later) {
         (self.recogniser.recognise(), self.held, Later::new(self.recogniser))
     }

@@ -11,12 +11,12 @@ pub(crate) struct Later {
     recogniser: Recogniser,
     /// The length of the last frame of each identifier; none yet where that is longer than any.
     lens: Box<[u8; IDS]>,
-    told: bool,
+    reported: bool,
 }
 
 impl Later {
     pub(super) fn new(recogniser: Recogniser) -> Self {
-        Self { recogniser, lens: Box::new([u8::MAX; IDS]), told: false }
+        Self { recogniser, lens: Box::new([u8::MAX; IDS]), reported: false }
     }
 
     /// A frame came. Where it shows for the first time that another edition fits better than the one that is judged by, it is
@@ -25,7 +25,7 @@ impl Later {
     pub(crate) fn frame(&mut self, id: u32, data: &[u8], judged: &str) -> Option<Recognised> {
         let len = u8::try_from(data.len()).unwrap_or(u8::MAX);
         let last = self.lens.get_mut(id as usize)?;
-        if std::mem::replace(last, len) == len || self.told {
+        if std::mem::replace(last, len) == len || self.reported {
             return None;
         }
         self.changed(id, data, judged)
@@ -35,7 +35,7 @@ impl Later {
     fn changed(&mut self, id: u32, data: &[u8], judged: &str) -> Option<Recognised> {
         self.recogniser.is_now(id, data);
         let now = self.recogniser.recognise();
-        self.told = now.certain && now.edition.version != judged;
-        self.told.then_some(now)
+        self.reported = now.certain && now.edition.version != judged;
+        self.reported.then_some(now)
     }
 }

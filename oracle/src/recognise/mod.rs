@@ -1,4 +1,4 @@
-//! Which edition of the interface a bus speaks, told by its frames.
+//! Which edition of the interface a bus speaks, as its frames show.
 //!
 //! No frame names the version. What tells is how the frames look: how long they are, which messages there are and how often
 //! they come, and which bits and values they use. What is expected of each stands in the editions' own tables, so that a
@@ -40,7 +40,7 @@ pub(crate) use later::Later;
 use adsdv_spec::Edition;
 use devices::Devices;
 use facts::facts;
-use seen::Seen;
+use seen::FrameStats;
 
 /// Takes down what tells the edition, frame by frame, in memory that does not grow.
 #[derive(Debug)]
@@ -48,7 +48,7 @@ pub struct Recogniser {
     editions: &'static [&'static Edition],
     default: &'static Edition,
     /// What was seen of each identifier that is a message of some edition, by ascending identifier.
-    seen: Vec<(u16, Seen)>,
+    seen: Vec<(u16, FrameStats)>,
     devices: Devices,
 }
 
@@ -61,7 +61,7 @@ impl Recogniser {
     /// Recognises one of these editions.
     pub fn among(editions: &'static [&'static Edition], default: &'static Edition) -> Self {
         let ids = editions.iter().flat_map(|edition| edition.bus.messages).map(|message| message.id);
-        let mut seen: Vec<(u16, Seen)> = ids.map(|id| (id, Seen::new(editions, id))).collect();
+        let mut seen: Vec<(u16, FrameStats)> = ids.map(|id| (id, FrameStats::new(editions, id))).collect();
         seen.sort_by_key(|(id, _)| *id);
         seen.dedup_by_key(|(id, _)| *id);
         Self { editions, default, seen, devices: Devices::new(editions) }

@@ -55,7 +55,7 @@ impl Recognised {
         if self.certain {
             return None;
         }
-        // Where nothing speaks for an edition, nothing has told.
+        // Where nothing speaks for an edition, no other is ruled out by it.
         if self.evidence.is_empty() || self.alike.is_empty() {
             return Some("as the frames do not tell which".to_owned());
         }

@@ -13,7 +13,7 @@ const ENOUGH: u64 = 5;
 
 /// What was seen of the frames of one identifier.
 #[derive(Debug)]
-pub(super) struct Seen {
+pub(super) struct FrameStats {
     /// How many frames of each length there were.
     pub(super) lens: [u64; LONGEST + 1],
     /// When the first and the last frame came.
@@ -36,7 +36,7 @@ pub(super) struct EditionFit {
     pub(super) refused: Option<(&'static SignalDef, i32)>,
 }
 
-impl Seen {
+impl FrameStats {
     pub(super) fn new(editions: &[&Edition], id: u16) -> Self {
         let editions = editions
             .iter()

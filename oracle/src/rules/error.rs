@@ -48,12 +48,12 @@ impl Span {
 
 /// What is wrong with a line, and where in it.
 #[derive(Clone, Debug)]
-pub(super) struct Wrong {
+pub(super) struct SpannedError {
     pub(super) span: Span,
     pub(super) why: String,
 }
 
-impl Wrong {
+impl SpannedError {
     pub(super) fn new(span: Span, why: impl Into<String>) -> Self {
         Self { span, why: why.into() }
     }

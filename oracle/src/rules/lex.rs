@@ -3,7 +3,7 @@
 use std::fmt;
 use std::iter::Peekable;
 
-use super::error::{Span, Wrong};
+use super::error::{Span, SpannedError};
 
 /// A piece of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ impl fmt::Display for Token {
 const SIGNS: [&str; 12] = [">=", "<=", "==", "!=", ">", "<", "=", "(", ")", ",", ":", "."];
 
 /// The pieces of a line; the last of them is its end.
-pub(super) fn line(text: &str) -> Result<Vec<(Token, Span)>, Wrong> {
+pub(super) fn line(text: &str) -> Result<Vec<(Token, Span)>, SpannedError> {
     let characters: Vec<char> = text.chars().collect();
     let mut tokens = Vec::new();
     let mut start = 0;
@@ -53,7 +53,7 @@ pub(super) fn line(text: &str) -> Result<Vec<(Token, Span)>, Wrong> {
 }
 
 /// The piece at the beginning, unless it is a blank, and how long it is; `None` at the end.
-fn next(rest: &[char], at: usize) -> Result<Option<(Option<Token>, usize)>, Wrong> {
+fn next(rest: &[char], at: usize) -> Result<Option<(Option<Token>, usize)>, SpannedError> {
     let Some(&first) = rest.first() else { return Ok(None) };
     let second = rest.get(1).copied();
     let is = |c: Option<char>, digit: fn(&char) -> bool| c.is_some_and(|c| digit(&c));
@@ -77,7 +77,7 @@ fn next(rest: &[char], at: usize) -> Result<Option<(Option<Token>, usize)>, Wron
             let sign = sign.ok_or_else(|| {
                 let why =
                     format!("found {first:?}; expected a word, a number, a comparison or a parenthesis");
-                Wrong::new(Span { start: at, width: 1 }, why)
+                SpannedError::new(Span { start: at, width: 1 }, why)
             })?;
             Some((Some(Token::Sign(sign)), sign.len()))
         }
@@ -121,12 +121,12 @@ fn digits(rest: &mut Peekable<impl Iterator<Item = char>>, number: &mut String) 
     }
 }
 
-fn quoted(rest: &[char], at: usize) -> Result<(Option<Token>, usize), Wrong> {
+fn quoted(rest: &[char], at: usize) -> Result<(Option<Token>, usize), SpannedError> {
     let inside: String = rest.iter().skip(1).take_while(|&&c| c != '"').collect();
     let width = inside.chars().count() + 2;
     if width > rest.len() {
         let span = Span { start: at, width: rest.len() };
-        return Err(Wrong::new(span, "a text in quotes does not end; expected \" at its end"));
+        return Err(SpannedError::new(span, "a text in quotes does not end; expected \" at its end"));
     }
     Ok((Some(Token::Text(inside)), width))
 }

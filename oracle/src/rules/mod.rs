@@ -78,7 +78,7 @@ pub(crate) use runner::Runner;
 /// ```
 #[derive(Clone, Debug)]
 pub struct RuleFile {
-    rules: Arc<[syntax::Line]>,
+    rules: Arc<[syntax::RuleLine]>,
 }
 
 impl RuleFile {

@@ -6,12 +6,12 @@
 use adsdv_spec::messages::{MessageDef, SignalDef};
 use adsdv_spec::{Atom, Edition};
 
-/// So many names are told where one is not known.
+/// The error lists so many names where one is not known.
 const NEAR: usize = 6;
 
 /// A signal in its message.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct SignalPlace {
     pub(super) message: &'static MessageDef,
     pub(super) signal: &'static SignalDef,
 }
@@ -39,8 +39,8 @@ pub(super) fn atom(name: &str) -> Option<Atom> {
 }
 
 /// The signal of this name, in this message if one is named; or what is wrong.
-pub(super) fn signal(edition: &Edition, message: Option<&str>, name: &str) -> Result<Place, String> {
-    let mut found: Vec<Place> = of_name(edition, message, name).collect();
+pub(super) fn signal(edition: &Edition, message: Option<&str>, name: &str) -> Result<SignalPlace, String> {
+    let mut found: Vec<SignalPlace> = of_name(edition, message, name).collect();
     let mut elsewhere = Vec::new();
     if found.is_empty() {
         for other in Edition::ALL.iter().filter(|other| other.version != edition.version) {
@@ -77,14 +77,14 @@ fn of_name<'a>(
     edition: &'a Edition,
     message: Option<&'a str>,
     name: &'a str,
-) -> impl Iterator<Item = Place> + 'a {
+) -> impl Iterator<Item = SignalPlace> + 'a {
     let messages = edition.bus.messages.iter().copied();
     let messages = messages.filter(move |known| message.is_none_or(|message| is_message(known, message)));
     messages.flat_map(move |message| {
         let meant = |signal: &&SignalDef| {
             [signal.name, signal.field].iter().any(|known| known.eq_ignore_ascii_case(name))
         };
-        message.signals.iter().filter(meant).map(move |signal| Place { message, signal })
+        message.signals.iter().filter(meant).map(move |signal| SignalPlace { message, signal })
     })
 }
 
@@ -98,9 +98,9 @@ fn is_message(message: &MessageDef, name: &str) -> bool {
 }
 
 /// What an edition calls a signal of another one.
-fn same(edition: &Edition, place: Place) -> Option<Place> {
+fn same(edition: &Edition, place: SignalPlace) -> Option<SignalPlace> {
     let message = edition.bus.message(place.message.id)?;
-    Some(Place { message, signal: message.signal_of(place.signal.field)? })
+    Some(SignalPlace { message, signal: message.signal_of(place.signal.field)? })
 }
 
 /// Nothing has this name.

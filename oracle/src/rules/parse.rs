@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::error::{RuleError, Span, Wrong};
+use super::error::{RuleError, Span, SpannedError};
 use super::lex::{self, Token};
 use super::limits::{CHARACTERS, LINES, LONGEST_NS};
 use super::number;
-use super::syntax::{Expression, Form, Line, Spanned};
+use super::syntax::{Expression, Form, RuleLine, Spanned};
 
 /// What a rule can begin with.
 const FORMS: &str = "always, never, after, or a condition with until or for at most behind it";
 
 /// The rules of a text.
-pub(super) fn file(text: &str) -> Result<Vec<Line>, RuleError> {
+pub(super) fn file(text: &str) -> Result<Vec<RuleLine>, RuleError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let (mut rules, mut names) = (Vec::new(), BTreeMap::new());
     let mut last = 1;
@@ -25,20 +25,20 @@ pub(super) fn file(text: &str) -> Result<Vec<Line>, RuleError> {
     }
     if rules.is_empty() {
         let why = "found no rule; expected a line such as \"calm: never VEH_SPEED_ACTUAL > 20 km/h\"";
-        return Err(Wrong::new(Span { start: 0, width: 1 }, why).in_line(last, ""));
+        return Err(SpannedError::new(Span { start: 0, width: 1 }, why).in_line(last, ""));
     }
     Ok(rules)
 }
 
 /// The rule of a line, if it has one. The names are those before, with their lines.
-fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Option<Line>, Wrong> {
+fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Option<RuleLine>, SpannedError> {
     if number > LINES {
         let why = format!("found a further line; expected at most {LINES}");
-        return Err(Wrong::new(Span { start: 0, width: 1 }, why));
+        return Err(SpannedError::new(Span { start: 0, width: 1 }, why));
     }
     if text.chars().nth(CHARACTERS).is_some() {
         let why = format!("found a longer line; expected at most {CHARACTERS} characters");
-        return Err(Wrong::new(Span { start: CHARACTERS - 1, width: 1 }, why));
+        return Err(SpannedError::new(Span { start: CHARACTERS - 1, width: 1 }, why));
     }
     let mut parser = Parser { tokens: lex::line(text)?, place: 0, depth: 0 };
     if matches!(parser.token(), Token::End) {
@@ -47,7 +47,7 @@ fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Opt
     let name = parser.word("the name of a rule")?;
     if let Some(before) = names.get(&name.value) {
         let why = format!("line {before} has a rule of this name; expected another one");
-        return Err(Wrong::new(name.span, why));
+        return Err(SpannedError::new(name.span, why));
     }
     parser.sign(":", "a colon behind the name of the rule")?;
     let start = parser.span().start;
@@ -59,7 +59,7 @@ fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Opt
     }
     let rule: String = text.chars().skip(start).take(end.saturating_sub(start)).collect();
     let rule = rule.trim().to_owned();
-    Ok(Some(Line { number, text: text.to_owned(), name: name.value, rule, note, form }))
+    Ok(Some(RuleLine { number, text: text.to_owned(), name: name.value, rule, note, form }))
 }
 
 /// Reads the tokens of a line, one after the other.
@@ -88,8 +88,8 @@ impl Parser {
     }
 
     /// What comes next is something else than this.
-    pub(super) fn expected(&self, what: &str) -> Wrong {
-        Wrong::new(self.span(), format!("found {}; expected {what}", self.token()))
+    pub(super) fn expected(&self, what: &str) -> SpannedError {
+        SpannedError::new(self.span(), format!("found {}; expected {what}", self.token()))
     }
 
     /// Whether this keyword is next, in upper or lower case.
@@ -111,11 +111,11 @@ impl Parser {
         next
     }
 
-    pub(super) fn sign(&mut self, sign: &str, what: &str) -> Result<(), Wrong> {
+    pub(super) fn sign(&mut self, sign: &str, what: &str) -> Result<(), SpannedError> {
         if self.has_sign(sign) { Ok(()) } else { Err(self.expected(what)) }
     }
 
-    pub(super) fn word(&mut self, what: &str) -> Result<Spanned<String>, Wrong> {
+    pub(super) fn word(&mut self, what: &str) -> Result<Spanned<String>, SpannedError> {
         let Token::Word(word) = self.token() else { return Err(self.expected(what)) };
         let word = Spanned { value: word.clone(), span: self.span() };
         self.advance();
@@ -129,7 +129,7 @@ impl Parser {
         Some(note)
     }
 
-    fn form(&mut self) -> Result<Form<Expression>, Wrong> {
+    fn form(&mut self) -> Result<Form<Expression>, SpannedError> {
         if self.keyword("always") {
             return self.expression().map(Form::Always);
         }
@@ -154,7 +154,7 @@ impl Parser {
     }
 
     /// What is behind `after`.
-    fn response(&mut self) -> Result<Form<Expression>, Wrong> {
+    fn response(&mut self) -> Result<Form<Expression>, SpannedError> {
         let premise = self.expression()?;
         self.sign(",", "a comma, and what is to be after that")?;
         let wanted = self.expression()?;
@@ -173,7 +173,7 @@ impl Parser {
     }
 
     /// A number of seconds or milliseconds.
-    fn time(&mut self) -> Result<i64, Wrong> {
+    fn time(&mut self) -> Result<i64, SpannedError> {
         let Token::Number(number) = self.token() else { return Err(self.expected("a time, such as 3 s")) };
         let (number, start) = (number.clone(), self.span());
         self.advance();
@@ -181,12 +181,18 @@ impl Parser {
         let ns = match unit.value.as_str() {
             "s" => 1_000_000_000,
             "ms" => 1_000_000,
-            _ => return Err(Wrong::new(unit.span, format!("found {:?}; expected s or ms", unit.value))),
+            _ => {
+                return Err(SpannedError::new(
+                    unit.span,
+                    format!("found {:?}; expected s or ms", unit.value),
+                ));
+            }
         };
         let span = start.to(unit.span);
-        let number = number::decimal(&number).map_err(|why| Wrong::new(start, why))?;
+        let number = number::decimal(&number).map_err(|why| SpannedError::new(start, why))?;
         let time = i64::try_from(number.mantissa * ns / number.power).ok();
-        time.filter(|time| (1_000_000..=LONGEST_NS).contains(time))
-            .ok_or_else(|| Wrong::new(span, "found a time out of range; expected 1 ms to 3600 s".to_owned()))
+        time.filter(|time| (1_000_000..=LONGEST_NS).contains(time)).ok_or_else(|| {
+            SpannedError::new(span, "found a time out of range; expected 1 ms to 3600 s".to_owned())
+        })
     }
 }

@@ -2,26 +2,26 @@
 
 use adsdv_spec::{Atom, Knowledge, Truth};
 
-use super::names::Place;
-use super::syntax::Comparison;
+use super::names::SignalPlace;
+use super::syntax::Relation;
 
 /// A signal or a condition that rules are about, and what is known of it now.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Subject {
     pub(super) what: SubjectKind,
-    pub(super) value: Value,
+    pub(super) value: RawValue,
     /// Whether anything was ever known of it.
     pub(super) came: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SubjectKind {
-    Signal(Place),
+    Signal(SignalPlace),
     Atom(Atom),
 }
 
 /// The raw value of a signal; of a condition 1 or 0. `None`: unknown.
-pub(super) type Value = Option<i32>;
+pub(super) type RawValue = Option<i32>;
 
 impl Subject {
     pub(super) const fn new(what: SubjectKind) -> Self {
@@ -29,7 +29,7 @@ impl Subject {
     }
 
     /// What is left of it when some of the messages have become too old.
-    pub(super) fn aged(&self, known: Knowledge, fresh: &impl Fn(u16) -> bool) -> Value {
+    pub(super) fn aged(&self, known: Knowledge, fresh: &impl Fn(u16) -> bool) -> RawValue {
         match self.what {
             SubjectKind::Signal(place) => self.value.filter(|_| fresh(place.message.id)),
             SubjectKind::Atom(atom) => of(known, atom),
@@ -37,9 +37,13 @@ impl Subject {
     }
 
     /// What is known of it when messages show this.
-    pub(super) fn shown(&self, known: Knowledge, data: &impl Fn(u16) -> Option<([u8; 8], usize)>) -> Value {
+    pub(super) fn shown(
+        &self,
+        known: Knowledge,
+        data: &impl Fn(u16) -> Option<([u8; 8], usize)>,
+    ) -> RawValue {
         match self.what {
-            SubjectKind::Signal(Place { message, signal }) => {
+            SubjectKind::Signal(SignalPlace { message, signal }) => {
                 let (data, len) = data(message.id)?;
                 signal.raw(data.get(..len).unwrap_or(&data))
             }
@@ -48,7 +52,7 @@ impl Subject {
     }
 }
 
-fn of(known: Knowledge, atom: Atom) -> Value {
+fn of(known: Knowledge, atom: Atom) -> RawValue {
     match known.of(atom) {
         Truth::True => Some(1),
         Truth::False => Some(0),
@@ -71,7 +75,7 @@ pub(super) enum Check {
     /// Whether it is this one, or means it; `false`: whether it is another.
     Is { raw: i32, equal: bool },
     /// How it compares, times `left`, with `right`.
-    Number { comparison: Comparison, abs: bool, left: i128, right: i128 },
+    Number { comparison: Relation, abs: bool, left: i128, right: i128 },
 }
 
 impl Predicate {

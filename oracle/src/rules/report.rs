@@ -7,7 +7,7 @@ pub enum RuleVerdict {
     Holds,
     /// It was broken.
     Broken,
-    /// It cannot be told, or there was nothing to keep it in.
+    /// The recording does not decide it, or there was nothing to keep it in.
     Undecided,
 }
 
@@ -47,7 +47,7 @@ pub struct RuleReport {
     pub held: u64,
     /// How many times it was broken.
     pub broken: u64,
-    /// How many times it came up and cannot be told: something was unknown, or the recording ended before.
+    /// How many times it came up and stayed undecided: something was unknown, or the recording ended before.
     pub undecided: u64,
     /// The first twenty times that it was broken, in order.
     pub breaches: Vec<Breach>,

@@ -3,15 +3,15 @@
 use adsdv_spec::Edition;
 use adsdv_spec::messages::SignalDef;
 
-use super::error::{RuleError, Wrong};
-use super::names::{self, Place};
+use super::error::{RuleError, SpannedError};
+use super::names::{self, SignalPlace};
 use super::number;
 use super::predicate::{Check, Predicate, Subject, SubjectKind};
-use super::syntax::{Comparison, Expression, Form, Line, Spanned, Term, Test};
+use super::syntax::{Expression, Form, Relation, RuleLine, Spanned, Term, TermTest};
 
 /// All rules under an edition, and what they are about.
 pub(super) fn all(
-    lines: &[Line],
+    lines: &[RuleLine],
     edition: &Edition,
 ) -> Result<(Vec<Form<Predicate>>, Vec<Subject>), RuleError> {
     let mut resolver = Resolver { edition, subjects: Vec::new() };
@@ -29,7 +29,7 @@ struct Resolver<'a> {
 }
 
 impl Resolver<'_> {
-    fn predicate(&mut self, expression: &Expression) -> Result<Predicate, Wrong> {
+    fn predicate(&mut self, expression: &Expression) -> Result<Predicate, SpannedError> {
         Ok(match expression {
             Expression::All(all) => Predicate::All(self.predicates(all)?),
             Expression::Any(all) => Predicate::Any(self.predicates(all)?),
@@ -38,11 +38,11 @@ impl Resolver<'_> {
         })
     }
 
-    fn predicates(&mut self, all: &[Expression]) -> Result<Vec<Predicate>, Wrong> {
+    fn predicates(&mut self, all: &[Expression]) -> Result<Vec<Predicate>, SpannedError> {
         all.iter().map(|one| self.predicate(one)).collect()
     }
 
-    fn term(&mut self, term: &Term) -> Result<Predicate, Wrong> {
+    fn term(&mut self, term: &Term) -> Result<Predicate, SpannedError> {
         let message = term.message.as_ref().map(|message| message.value.as_str());
         let atom = names::atom(&term.name.value).filter(|_| message.is_none());
         if let Some(atom) = atom {
@@ -54,7 +54,7 @@ impl Resolver<'_> {
             None => term.name.span,
         };
         let place = names::signal(self.edition, message, &term.name.value);
-        let place = place.map_err(|why| Wrong::new(span, why))?;
+        let place = place.map_err(|why| SpannedError::new(span, why))?;
         let check = check(self.edition, place, term)?;
         Ok(Predicate::Test(self.subject(SubjectKind::Signal(place)), check))
     }
@@ -69,37 +69,37 @@ impl Resolver<'_> {
 }
 
 /// What is asked of something that is on or off.
-fn switched(term: &Term, what: &str) -> Result<Check, Wrong> {
-    let refused = |span| Wrong::new(span, format!("{what}; expected on or off behind it"));
+fn switched(term: &Term, what: &str) -> Result<Check, SpannedError> {
+    let refused = |span| SpannedError::new(span, format!("{what}; expected on or off behind it"));
     match &term.test {
-        Test::Bare => Ok(Check::Is { raw: 1, equal: true }),
-        Test::Word(equal, word) => match names::switch(&word.value) {
+        TermTest::Bare => Ok(Check::Is { raw: 1, equal: true }),
+        TermTest::Word(equal, word) => match names::switch(&word.value) {
             Some(on) => Ok(Check::Is { raw: on.into(), equal: *equal }),
             None => Err(refused(word.span)),
         },
-        Test::Number(_, number, _) => Err(refused(number.span)),
+        TermTest::Number(_, number, _) => Err(refused(number.span)),
     }
 }
 
-fn check(edition: &Edition, place: Place, term: &Term) -> Result<Check, Wrong> {
-    let Place { signal, .. } = place;
+fn check(edition: &Edition, place: SignalPlace, term: &Term) -> Result<Check, SpannedError> {
+    let SignalPlace { signal, .. } = place;
     let is_flag = (signal.min, signal.max) == (0, 1);
     match &term.test {
-        Test::Number(comparison, number, unit) if signal.values.is_empty() || is_flag => {
+        TermTest::Number(comparison, number, unit) if signal.values.is_empty() || is_flag => {
             number_check(signal, term.abs, *comparison, number, unit.as_ref())
         }
-        Test::Number(comparison, number, unit) => {
+        TermTest::Number(comparison, number, unit) => {
             let equal = match comparison {
-                Comparison::Equal => true,
-                Comparison::NotEqual => false,
-                _ => return Err(Wrong::new(number.span, has_words(signal))),
+                Relation::Equal => true,
+                Relation::NotEqual => false,
+                _ => return Err(SpannedError::new(number.span, has_words(signal))),
             };
             let raw =
                 number.value.parse().ok().filter(|raw| signal.allows(*raw) && unit.is_none() && !term.abs);
-            let raw = raw.ok_or_else(|| Wrong::new(number.span, has_words(signal)))?;
+            let raw = raw.ok_or_else(|| SpannedError::new(number.span, has_words(signal)))?;
             Ok(Check::Is { raw, equal })
         }
-        Test::Word(equal, word) => match named(edition, place, &word.value) {
+        TermTest::Word(equal, word) => match named(edition, place, &word.value) {
             Some(Ok(raw)) => Ok(Check::Is { raw, equal: *equal }),
             None if is_flag && names::switch(&word.value).is_some() => switched(term, signal.name),
             Some(Err(version)) => {
@@ -107,29 +107,29 @@ fn check(edition: &Edition, place: Place, term: &Term) -> Result<Check, Wrong> {
                     "found {:?}, and edition {} has no such word of {}; expected one that it has, or the edition that has this: {version}",
                     word.value, edition.version, signal.name
                 );
-                Err(Wrong::new(word.span, why))
+                Err(SpannedError::new(word.span, why))
             }
             None if signal.values.is_empty() => {
                 let unit =
                     if signal.unit.is_empty() { String::new() } else { format!(" in {}", signal.unit) };
                 let why =
                     format!("found {:?}, and {} is a number; expected one{unit}", word.value, signal.name);
-                Err(Wrong::new(word.span, why))
+                Err(SpannedError::new(word.span, why))
             }
             None => {
                 let near = words(signal);
                 let why =
                     format!("found {:?}, which is no word of {}; expected {near}", word.value, signal.name);
-                Err(Wrong::new(word.span, why))
+                Err(SpannedError::new(word.span, why))
             }
         },
-        Test::Bare if is_flag => switched(term, signal.name),
-        Test::Bare => {
+        TermTest::Bare if is_flag => switched(term, signal.name),
+        TermTest::Bare => {
             let why = match signal.values {
                 [] => format!("{} is a number; expected a comparison behind it, such as > 5", signal.name),
                 _ => has_words(signal),
             };
-            Err(Wrong::new(term.name.span, why))
+            Err(SpannedError::new(term.name.span, why))
         }
     }
 }
@@ -137,13 +137,13 @@ fn check(edition: &Edition, place: Place, term: &Term) -> Result<Check, Wrong> {
 fn number_check(
     signal: &SignalDef,
     abs: bool,
-    comparison: Comparison,
+    comparison: Relation,
     number: &Spanned<String>,
     unit: Option<&Spanned<String>>,
-) -> Result<Check, Wrong> {
-    let decimal = number::decimal(&number.value).map_err(|why| Wrong::new(number.span, why))?;
+) -> Result<Check, SpannedError> {
+    let decimal = number::decimal(&number.value).map_err(|why| SpannedError::new(number.span, why))?;
     let (num, den) = match unit {
-        Some(unit) => number::factor(&unit.value, signal).map_err(|why| Wrong::new(unit.span, why))?,
+        Some(unit) => number::factor(&unit.value, signal).map_err(|why| SpannedError::new(unit.span, why))?,
         None => (1, 1),
     };
     // raw * scale against mantissa / power * num / den, without a fraction.
@@ -153,7 +153,7 @@ fn number_check(
 }
 
 /// The raw value of a word: in this edition, or as another one spells it; the version of one whose word this has not.
-fn named(edition: &Edition, place: Place, word: &str) -> Option<Result<i32, &'static str>> {
+fn named(edition: &Edition, place: SignalPlace, word: &str) -> Option<Result<i32, &'static str>> {
     let raw_in = |signal: &SignalDef| {
         signal.values.iter().find(|(_, name)| plain(name) == plain(word)).map(|(raw, _)| *raw)
     };

@@ -9,11 +9,11 @@ use super::limits::BREACHES;
 use super::predicate::{Predicate, Subject, SubjectKind};
 use super::report::{Breach, RuleReport};
 use super::syntax::Form;
-use super::track::{Outcome, Track};
+use super::track::{RuleOutcome, Track};
 use super::{RuleFile, resolve};
 use crate::judge::{Finding, Party, Rule, Section};
 
-/// So many values are told of a rule that is broken.
+/// A finding lists so many values of a rule that is broken.
 const VALUES: usize = 8;
 
 /// The rules of a file under an edition, and what became of them so far.
@@ -21,13 +21,13 @@ const VALUES: usize = 8;
 pub(crate) struct Runner {
     edition: Edition,
     subjects: Vec<Subject>,
-    rules: Vec<Running>,
+    rules: Vec<RunningRule>,
     now: i64,
     findings: Vec<Finding>,
 }
 
 #[derive(Debug)]
-struct Running {
+struct RunningRule {
     form: Form<Predicate>,
     track: Track,
     /// What it is about, each once.
@@ -45,10 +45,10 @@ impl Runner {
         let rules = file.rules.iter().zip(forms).map(|(line, form)| {
             let mut subjects = Vec::new();
             form.predicates().for_each(|predicate| predicate.subjects(&mut subjects));
-            let mut told = Vec::new();
+            let mut kept = Vec::new();
             subjects.retain(|place| {
-                !told.contains(place) && {
-                    told.push(*place);
+                !kept.contains(place) && {
+                    kept.push(*place);
                     true
                 }
             });
@@ -63,7 +63,7 @@ impl Runner {
                 breaches: Vec::new(),
                 why: None,
             };
-            Running { track: Track::of(&form), form, subjects, begun: false, ended: 0, report }
+            RunningRule { track: Track::of(&form), form, subjects, begun: false, ended: 0, report }
         });
         Ok(Self { edition: *edition, subjects, rules: rules.collect(), now: i64::MIN, findings: Vec::new() })
     }
@@ -83,7 +83,7 @@ impl Runner {
     pub(crate) fn pass(&mut self, t: i64) {
         self.now = self.now.max(t);
         for running in &mut self.rules {
-            let Running { track, report, ended, .. } = running;
+            let RunningRule { track, report, ended, .. } = running;
             track.pass(self.now, &mut |outcome| {
                 let seen = || values(&self.edition, &self.subjects, &running.subjects);
                 self.findings.extend(count(report, ended, outcome, seen));
@@ -91,7 +91,7 @@ impl Runner {
         }
     }
 
-    fn step(&mut self, t: i64, value: impl Fn(&Subject) -> super::predicate::Value) {
+    fn step(&mut self, t: i64, value: impl Fn(&Subject) -> super::predicate::RawValue) {
         self.pass(t);
         let mut changed = false;
         for subject in &mut self.subjects {
@@ -104,7 +104,7 @@ impl Runner {
             return;
         }
         let Self { edition, subjects, rules, now, findings } = self;
-        for Running { form, track, subjects: about, begun, ended, report } in rules {
+        for RunningRule { form, track, subjects: about, begun, ended, report } in rules {
             let mut truths = [Truth::Unknown; 3];
             for (truth, predicate) in truths.iter_mut().zip(form.predicates()) {
                 *truth = predicate.truth(subjects);
@@ -126,7 +126,7 @@ impl Runner {
         self.pass(t);
         let Self { edition, subjects, rules, now, findings } = self;
         for running in rules {
-            let Running { track, report, ended, subjects: about, .. } = running;
+            let RunningRule { track, report, ended, subjects: about, .. } = running;
             track.end(*now, &mut |outcome| {
                 findings.extend(count(report, ended, outcome, || values(edition, subjects, about)));
             });
@@ -146,17 +146,17 @@ impl Runner {
 fn count(
     report: &mut RuleReport,
     ended: &mut u64,
-    outcome: Outcome,
+    outcome: RuleOutcome,
     seen: impl FnOnce() -> String,
 ) -> Option<Finding> {
     match outcome {
-        Outcome::Held => report.held += 1,
-        Outcome::Unknown => report.undecided += 1,
-        Outcome::Ended => {
+        RuleOutcome::Held => report.held += 1,
+        RuleOutcome::Unknown => report.undecided += 1,
+        RuleOutcome::Ended => {
             report.undecided += 1;
             *ended += 1;
         }
-        Outcome::Broken(t_ns) => {
+        RuleOutcome::Broken(t_ns) => {
             report.broken += 1;
             if report.breaches.len() < BREACHES {
                 let seen = seen();
@@ -193,7 +193,7 @@ fn values(edition: &Edition, subjects: &[Subject], about: &[usize]) -> String {
 }
 
 /// Why nothing can be said of a rule.
-fn why(edition: &Edition, subjects: &[Subject], running: &Running) -> String {
+fn why(edition: &Edition, subjects: &[Subject], running: &RunningRule) -> String {
     let missing = running.subjects.iter().filter_map(|place| subjects.get(*place)).find(|one| !one.came);
     match missing.map(|subject| subject.what) {
         Some(SubjectKind::Signal(place)) => {

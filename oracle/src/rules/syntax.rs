@@ -4,7 +4,7 @@ use super::error::Span;
 
 /// A line with a rule.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(super) struct RuleLine {
     /// Its number, from 1.
     pub(super) number: usize,
     /// All of it.
@@ -81,18 +81,18 @@ pub(super) struct Term {
     pub(super) name: Spanned<String>,
     /// Whether the size counts, and not the sign.
     pub(super) abs: bool,
-    pub(super) test: Test,
+    pub(super) test: TermTest,
 }
 
 /// What is asked.
 #[derive(Clone, Debug)]
-pub(super) enum Test {
+pub(super) enum TermTest {
     /// Whether it is on: nothing else was said.
     Bare,
     /// Whether it is this word; `false`: whether it is another. Or on and off.
     Word(bool, Spanned<String>),
     /// How it compares with a number, in a unit if one is said.
-    Number(Comparison, Spanned<String>, Option<Spanned<String>>),
+    Number(Relation, Spanned<String>, Option<Spanned<String>>),
 }
 
 #[derive(Clone, Debug)]
@@ -102,7 +102,7 @@ pub(super) struct Spanned<T> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Comparison {
+pub(super) enum Relation {
     Greater,
     GreaterOrEqual,
     Less,
@@ -111,7 +111,7 @@ pub(super) enum Comparison {
     NotEqual,
 }
 
-impl Comparison {
+impl Relation {
     /// Whether the left number compares so with the right one.
     pub(super) fn holds(self, left: i128, right: i128) -> bool {
         match self {

@@ -1,16 +1,16 @@
 //! Reads what is true or not at a moment: signals and conditions, joined by `and`, `or` and `not`.
 
-use super::error::Wrong;
+use super::error::SpannedError;
 use super::lex::Token;
 use super::limits::DEPTH;
 use super::parse::Parser;
-use super::syntax::{Comparison, Expression, Spanned, Term, Test};
+use super::syntax::{Expression, Relation, Spanned, Term, TermTest};
 
 /// The words that have a meaning of their own where a name may be.
 const KEYWORDS: [&str; 10] = ["always", "never", "after", "within", "for", "until", "and", "or", "not", "is"];
 
 impl Parser {
-    pub(super) fn expression(&mut self) -> Result<Expression, Wrong> {
+    pub(super) fn expression(&mut self) -> Result<Expression, SpannedError> {
         let mut all = vec![self.conjunction()?];
         while self.keyword("or") {
             all.push(self.conjunction()?);
@@ -18,7 +18,7 @@ impl Parser {
         Ok(single(all, Expression::Any))
     }
 
-    fn conjunction(&mut self) -> Result<Expression, Wrong> {
+    fn conjunction(&mut self) -> Result<Expression, SpannedError> {
         let mut all = vec![self.unary()?];
         while self.keyword("and") {
             all.push(self.unary()?);
@@ -26,7 +26,7 @@ impl Parser {
         Ok(single(all, Expression::All))
     }
 
-    fn unary(&mut self) -> Result<Expression, Wrong> {
+    fn unary(&mut self) -> Result<Expression, SpannedError> {
         let negated = self.is_next("not");
         if !negated && !matches!(self.token(), Token::Sign("(")) {
             return self.term().map(Expression::Term);
@@ -47,7 +47,7 @@ impl Parser {
         Ok(inner)
     }
 
-    fn term(&mut self) -> Result<Term, Wrong> {
+    fn term(&mut self) -> Result<Term, SpannedError> {
         let first = self.name()?;
         if first.value.eq_ignore_ascii_case("abs") && self.has_sign("(") {
             let first = self.name()?;
@@ -64,7 +64,7 @@ impl Parser {
         Ok(Term { message, name, abs: false, test })
     }
 
-    fn name(&mut self) -> Result<Spanned<String>, Wrong> {
+    fn name(&mut self) -> Result<Spanned<String>, SpannedError> {
         let what = "the name of a signal or a condition";
         if KEYWORDS.iter().any(|keyword| self.is_next(keyword)) {
             return Err(self.expected(what));
@@ -76,7 +76,7 @@ impl Parser {
     fn qualified(
         &mut self,
         first: Spanned<String>,
-    ) -> Result<(Option<Spanned<String>>, Spanned<String>), Wrong> {
+    ) -> Result<(Option<Spanned<String>>, Spanned<String>), SpannedError> {
         if !self.has_sign(".") {
             return Ok((None, first));
         }
@@ -84,15 +84,15 @@ impl Parser {
         Ok((Some(first), name))
     }
 
-    fn comparison(&mut self) -> Result<Option<Comparison>, Wrong> {
+    fn comparison(&mut self) -> Result<Option<Relation>, SpannedError> {
         let Token::Sign(sign) = self.token() else { return Ok(None) };
         let comparison = match *sign {
-            ">" => Comparison::Greater,
-            ">=" => Comparison::GreaterOrEqual,
-            "<" => Comparison::Less,
-            "<=" => Comparison::LessOrEqual,
-            "==" => Comparison::Equal,
-            "!=" => Comparison::NotEqual,
+            ">" => Relation::Greater,
+            ">=" => Relation::GreaterOrEqual,
+            "<" => Relation::Less,
+            "<=" => Relation::LessOrEqual,
+            "==" => Relation::Equal,
+            "!=" => Relation::NotEqual,
             "=" => return Err(self.expected("==, or another comparison")),
             _ => return Ok(None),
         };
@@ -100,22 +100,22 @@ impl Parser {
         Ok(Some(comparison))
     }
 
-    fn test(&mut self) -> Result<Test, Wrong> {
+    fn test(&mut self) -> Result<TermTest, SpannedError> {
         let comparison = match self.comparison()? {
             Some(comparison) => comparison,
             None if self.keyword("is") => {
                 if self.keyword("not") {
-                    Comparison::NotEqual
+                    Relation::NotEqual
                 } else {
-                    Comparison::Equal
+                    Relation::Equal
                 }
             }
             None => return Ok(self.switch()),
         };
         let equal = match (self.token(), comparison) {
             (Token::Number(_), _) => return self.number(comparison),
-            (_, Comparison::Equal) => true,
-            (_, Comparison::NotEqual) => false,
+            (_, Relation::Equal) => true,
+            (_, Relation::NotEqual) => false,
             _ => return Err(self.expected("a number")),
         };
         let (Token::Word(word) | Token::Text(word)) = self.token() else {
@@ -123,22 +123,22 @@ impl Parser {
         };
         let word = Spanned { value: word.clone(), span: self.span() };
         self.advance();
-        Ok(Test::Word(equal, word))
+        Ok(TermTest::Word(equal, word))
     }
 
     /// `on` or `off`, if it is said.
-    fn switch(&mut self) -> Test {
+    fn switch(&mut self) -> TermTest {
         match self.token() {
             Token::Word(word) if super::names::switch(word).is_some() => {
                 let word = Spanned { value: word.clone(), span: self.span() };
                 self.advance();
-                Test::Word(true, word)
+                TermTest::Word(true, word)
             }
-            _ => Test::Bare,
+            _ => TermTest::Bare,
         }
     }
 
-    fn number(&mut self, comparison: Comparison) -> Result<Test, Wrong> {
+    fn number(&mut self, comparison: Relation) -> Result<TermTest, SpannedError> {
         let Token::Number(number) = self.token() else { return Err(self.expected("a number")) };
         let number = Spanned { value: number.clone(), span: self.span() };
         self.advance();
@@ -151,7 +151,7 @@ impl Parser {
             }
             _ => None,
         };
-        Ok(Test::Number(comparison, number, unit))
+        Ok(TermTest::Number(comparison, number, unit))
     }
 }
 

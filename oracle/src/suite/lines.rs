@@ -69,11 +69,11 @@ impl fmt::Display for BadTest {
 
 impl std::error::Error for BadTest {}
 
-/// The longest line that is read, in bytes: a test of thousands of steps. A longer one is passed over, and told; without a limit,
+/// The longest line that is read, in bytes: a test of thousands of steps. A longer one is passed over, and reported; without a limit,
 /// a file without line ends would fill the memory.
 pub const MAX_LINE: usize = 4 << 20;
 
-/// So many lines that are no tests are told in full; the others are counted.
+/// So many lines that are no tests are reported in full; the others are counted.
 pub const MAX_BAD: usize = 1000;
 
 /// So many steps all tests have together at most: repeated steps are short to write.
@@ -207,7 +207,7 @@ fn next_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<End> 
 /// A line before it is looked at. A test needs steps; all else can be left out by who writes one by hand.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Line<'a> {
+struct TestLine<'a> {
     #[serde(default)]
     schema: Option<u32>,
     #[serde(default)]
@@ -280,7 +280,7 @@ fn read_line(
     if line.is_empty() {
         return Ok(None);
     }
-    let line: Line<'_> = serde_json::from_str(line).map_err(|error| {
+    let line: TestLine<'_> = serde_json::from_str(line).map_err(|error| {
         // The place in the line, without a line number of its own.
         let error = printable(&error.to_string().replace("line 1 column", "column"));
         format!("{error}; expected a test as one JSON object")

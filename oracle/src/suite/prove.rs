@@ -32,10 +32,7 @@ const EQUIVALENT: [(&str, &str); 4] = [
     ("3.1 term 0: in every reading", "what asks for both implies what the other two readings ask for"),
     ("3.7 term 4: in every reading", "under the other reading no change of MISSION_STATUS is recorded"),
     ("3.7 term 6: in every reading", "under the other reading no change of DIRECTION_REQUEST is recorded"),
-    (
-        "3.7 term 9: fault dropped",
-        "a fault of the battery is one that opens the circuit, and is told as that",
-    ),
+    ("3.7 term 9: fault dropped", "a fault of the battery is one that opens the circuit, and shows as that"),
 ];
 
 /// Tries every mutation of a version of the interface: it is killed if some test shows something else than the
@@ -50,7 +47,7 @@ pub fn prove(edition: &Edition, tests: &[Test]) -> Proof {
             tests.iter().any(|test| test.scenario.shown(&specified).ne(test.scenario.shown(&mutant)))
         });
         match EQUIVALENT.iter().find(|(equivalent, _)| *equivalent == name) {
-            // One that is told apart after all is a mutant like any other.
+            // One that a test distinguishes after all is a mutant like any other.
             Some(&(_, reason)) if !killed => proof.equivalent.push((name, reason)),
             _ => {
                 proof.mutants += 1;

@@ -5,7 +5,7 @@ use adsdv_spec::{Atom, Control, Inputs, Machine};
 
 use super::{Scenario, Step};
 
-/// A machine that is walked, with the inputs as they stand. The AI Computer answers the handshake, unless it is told not to.
+/// A machine that is walked, with the inputs as they stand. The AI Computer answers the handshake, unless the walk silences it.
 #[derive(Clone, Debug)]
 pub(super) struct Walk<'a> {
     machine: &'a Machine,

@@ -22,4 +22,4 @@ pub use go::GoPress;
 pub use mover::{Mover, Place, next_of_mission, place_of};
 
 pub(crate) use shown::EDGES;
-pub(crate) use stays::Why;
+pub(crate) use stays::StayRecorder;

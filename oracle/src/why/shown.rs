@@ -19,13 +19,13 @@ pub(crate) const EDGES: Atoms = {
 
 /// What was shown last of each condition.
 #[derive(Debug)]
-pub(super) struct Shown {
+pub(super) struct LastKnown {
     known: Knowledge,
     /// Since when each condition is not known any more.
     unknown_since: [i64; Atom::ALL.len()],
 }
 
-impl Shown {
+impl LastKnown {
     pub(super) const fn new() -> Self {
         Self { known: Knowledge::NOTHING, unknown_since: [i64::MIN; Atom::ALL.len()] }
     }
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn what_was_shown_counts_for_half_a_second() {
-        let mut shown = Shown::new();
+        let mut shown = LastKnown::new();
         let asms = Knowledge::NOTHING.set(Atom::Asms, Truth::True).set(Atom::DwellElapsed, Truth::True);
         assert_eq!(shown.at(0, asms, Atoms::NONE), asms);
         let late = Atoms::NONE.with(Atom::Asms);

@@ -5,7 +5,7 @@ use adsdv_spec::{AsState, Atom, Atoms, Choices, Edition, Knowledge};
 
 use super::arrows::{Arrow, Arrows, Miss};
 use super::go::{self, GoPress};
-use super::shown::Shown;
+use super::shown::LastKnown;
 use super::{Blocked, Condition, Stay, Untaken, place_of};
 
 /// So many states are kept; of more, the first and the last.
@@ -22,27 +22,34 @@ pub(crate) type Last<'a> = &'a dyn Fn(u16) -> Option<[u8; 8]>;
 
 /// Follows a VCU from state to state, and takes down what blocks its arrows.
 #[derive(Debug)]
-pub(crate) struct Why {
+pub(crate) struct StayRecorder {
     edition: &'static Edition,
     arrows: Arrows,
-    shown: Shown,
-    running: Option<Running>,
+    shown: LastKnown,
+    running: Option<OngoingStay>,
     stays: Vec<Stay>,
     presses: Vec<GoPress>,
 }
 
 /// The state that lasts.
 #[derive(Debug)]
-struct Running {
+struct OngoingStay {
     stay: Stay,
     /// What blocks each arrow now.
     misses: Vec<Option<Miss>>,
 }
 
-impl Why {
+impl StayRecorder {
     pub(crate) fn new(edition: &'static Edition, readings: Choices) -> Self {
         let arrows = Arrows::new(edition, readings);
-        Self { edition, arrows, shown: Shown::new(), running: None, stays: Vec::new(), presses: Vec::new() }
+        Self {
+            edition,
+            arrows,
+            shown: LastKnown::new(),
+            running: None,
+            stays: Vec::new(),
+            presses: Vec::new(),
+        }
     }
 
     /// The VCU shows a state, or none that is known, and this is known. `late` are the conditions of the messages that should have
@@ -57,7 +64,7 @@ impl Why {
         let known = self.shown.at(t, known, late);
         if self.running.as_ref().map(|running| running.stay.state) != state {
             self.ends(t, state);
-            self.running = state.map(|state| Running::new(t, state, self.arrows.of(state)));
+            self.running = state.map(|state| OngoingStay::new(t, state, self.arrows.of(state)));
         }
         let Some(running) = &mut self.running else { return };
         let arrows = self.arrows.of(running.stay.state);
@@ -86,7 +93,7 @@ impl Why {
     }
 
     fn ends(&mut self, t: i64, left_to: Option<AsState>) {
-        let Some(Running { mut stay, .. }) = self.running.take() else { return };
+        let Some(OngoingStay { mut stay, .. }) = self.running.take() else { return };
         if (stay.state, left_to) == (AsState::Ready, Some(AsState::Driving)) {
             // That one did start it.
             self.presses.pop_if(|press| press.t_ns >= stay.since_ns && !press.is_in_vain());
@@ -118,7 +125,7 @@ impl Why {
     }
 }
 
-impl Running {
+impl OngoingStay {
     fn new(t: i64, state: AsState, arrows: &[Arrow]) -> Self {
         let untaken = |arrow: &Arrow| Untaken {
             to: arrow.to,

@@ -18,7 +18,7 @@ fn some() -> ConformOptions {
 #[test]
 fn a_cycle_that_a_program_tells_is_the_one_at_which_it_is_asked() {
     let report = judged(&["--about", r#"{"cycle_ms":50}"#], &some()).expect("it answers");
-    assert!(report.conforms() && report.cycle_ms == Some(50) && !report.not_told.is_empty());
+    assert!(report.conforms() && report.cycle_ms == Some(50) && !report.not_run.is_empty());
     let asked = ConformOptions { cycle_ms: Some(20), ..some() };
     let report = judged(&["--about", r#"{"cycle_ms":50}"#], &asked).expect("it answers");
     assert_eq!(report.cycle_ms, Some(20), "what is asked for comes first");
@@ -31,9 +31,9 @@ fn an_input_that_a_program_does_not_have_is_never_given() {
     let args = ["--about", about.as_str(), "--only", "as_state"];
     let report = judged(&args, &some()).expect("it answers");
     assert!(report.conforms(), "{:?}", report.failures);
-    let needs = |name: &str| report.not_told.iter().any(|left_out| left_out == name);
-    assert!(needs("3.5-sdc-open") && !needs("3.6"), "{:?}", report.not_told);
-    assert_eq!(report.tests + report.not_told.len(), tests().len());
+    let needs = |name: &str| report.not_run.iter().any(|left_out| left_out == name);
+    assert!(needs("3.5-sdc-open") && !needs("3.6"), "{:?}", report.not_run);
+    assert_eq!(report.tests + report.not_run.len(), tests().len());
     assert!(
         report.notes.iter().any(|note| note.contains("never shows them: go_signal")),
         "{:?}",

@@ -158,7 +158,7 @@ fn a_requirement_about_several_outputs_asks_for_all_of_them() {
     );
 }
 
-/// No program is told that it does not conform without a requirement that it breaks.
+/// No report says that a program does not conform without a requirement that it breaks.
 #[test]
 fn whatever_is_wrong_breaks_something() {
     let options = ConformOptions { runs: 60, strict: true, ..ConformOptions::default() };

@@ -24,7 +24,7 @@ fn more_delay_than_is_allowed_fails() {
     let report = late(&["--latency", "2"], 1);
     assert!(!report.conforms() && report.failed_tests > 100, "{}", report.failed_tests);
     let note = "with outputs 2 steps late 0 tests would fail: --latency 2 allows for that";
-    assert!(report.notes.iter().any(|told| told == note), "{:?}", report.notes);
+    assert!(report.notes.iter().any(|reported| reported == note), "{:?}", report.notes);
 }
 
 #[test]
@@ -69,10 +69,10 @@ fn at_a_fixed_cycle_every_step_takes_it() {
         let report =
             adsdv_oracle::conform::conform(&mut vcu, tests, &options, &mut |_| {}).expect("it answers");
         assert!(report.conforms(), "{cycle_ms} ms");
-        assert!(report.not_told.len() <= at_most, "{cycle_ms} ms: {:?}", report.not_told);
-        assert_eq!(report.tests + report.not_told.len(), tests.len());
-        let told = report.follows.iter().filter(|follows| follows.possible.len() == 1).count();
-        assert!(told >= 10, "{cycle_ms} ms: {:?}", report.follows);
+        assert!(report.not_run.len() <= at_most, "{cycle_ms} ms: {:?}", report.not_run);
+        assert_eq!(report.tests + report.not_run.len(), tests.len());
+        let reported = report.follows.iter().filter(|follows| follows.possible.len() == 1).count();
+        assert!(reported >= 10, "{cycle_ms} ms: {:?}", report.follows);
     }
 }
 
@@ -85,7 +85,7 @@ fn a_mutant_at_a_fixed_cycle_fails_in_its_row() {
     let report = machine(&Machine::new(mutant, adsdv_spec::Readings::DEFAULT), &options);
     let rows: Vec<_> = report.failures.iter().filter_map(|one| one.found.as_ref()?.why.row()).collect();
     assert!(!rows.is_empty() && rows.iter().all(|row| row.section == "3.7"), "{rows:?}");
-    // What goes on and on is told in a few lines.
+    // What goes on and on takes a few lines.
     let steps = report.failures[0].scenario.steps.len();
     assert!(steps > 50 && report.failures[0].timeline().len() < 12, "{:?}", report.failures[0].timeline());
 }

@@ -96,12 +96,12 @@ fn programs_that_are_slow() {
     };
     let steps: usize = tests().iter().map(|test| test.scenario.steps.len()).sum();
     let said = slow(&ConformOptions::default(), "150", Duration::from_secs(1)).expect_err("it is slow");
-    let told = |part: &str| assert!(said.contains(part), "{part:?} is missing: {said}");
-    told("not done within the time limit of 1 s: ");
-    told(&format!(" of {} tests (", tests().len()));
-    told(&format!(" of {steps} steps) were done, and 0 of 300 random scenarios"));
-    told("\n  sent      {\"op\":");
-    told("\nhint: raise --time-limit");
+    let reported = |part: &str| assert!(said.contains(part), "{part:?} is missing: {said}");
+    reported("not done within the time limit of 1 s: ");
+    reported(&format!(" of {} tests (", tests().len()));
+    reported(&format!(" of {steps} steps) were done, and 0 of 300 random scenarios"));
+    reported("\n  sent      {\"op\":");
+    reported("\nhint: raise --time-limit");
 
     // It is fast, and asked for very much.
     let endless = ConformOptions { runs: u32::MAX, ..ConformOptions::default() };

@@ -1,4 +1,4 @@
-//! Which readings a program follows is told, and which it mixes.
+//! The report names which readings a program follows, and which it mixes.
 
 use adsdv_oracle::conform::{ConformOptions, ConformReport, Follows, Outcome};
 use adsdv_spec::{Choice, Choices, Edition, Machine, Mutation, Reading, Readings};
@@ -22,7 +22,7 @@ fn open_choices(edition: &Edition) -> impl Iterator<Item = Choice> {
 }
 
 fn of(report: &ConformReport, reading: Reading) -> &Follows {
-    report.follows.iter().find(|follows| follows.reading == reading).expect("every reading is told of")
+    report.follows.iter().find(|follows| follows.reading == reading).expect("the report has every reading")
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn mixed_readings_are_named() {
             report.failures.iter().filter_map(|one| Some(one.found.as_ref()?.why.row()?.guard.join(" ")));
         guards.filter(|guard| ids.iter().all(|id| guard.contains(id))).count()
     };
-    assert!(about(&["DIRECTION_REQUEST"]) > 0, "the fault itself is told: {:?}", report.failures);
+    assert!(about(&["DIRECTION_REQUEST"]) > 0, "the fault itself is reported: {:?}", report.failures);
 
     for (mutation, choice, needed) in [
         // FINISHED as a level, NEUTRAL as a change.

@@ -91,7 +91,7 @@ fn what_is_wrong_in_a_state_of_the_vehicle_breaks_what_asks_for_that_alone() {
         ),
         (|_, _, outputs| outputs["op_state"] = json!("OP_INIT"), &["MSG-106", "D-71"]),
         (|_, _, outputs| outputs["ts_state"] = json!("TS_FAULT"), &["MSG-107", "D-72"]),
-        // It is not told that the EBS brakes.
+        // The VCU does not show that the EBS brakes.
         (
             |_, inputs, outputs| {
                 if outputs["as_state"] == "EMERGENCY_BRAKE" {

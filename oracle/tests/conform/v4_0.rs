@@ -119,16 +119,16 @@ fn a_program_that_follows_the_rules_of_3_0_does_not_conform() {
     for id in ["HS-17", "HS-18", "DTE-11", "DTE-13"] {
         assert!(found.contains(&id), "{id}: {found:?}");
     }
-    let told: Vec<String> = report
+    let reported: Vec<String> = report
         .failures
         .iter()
         .flat_map(Failure::timeline)
         .map(|moment| format!("{:?}", moment.changes))
         .collect();
-    assert!(told.iter().any(|changes| changes.contains("silence_ms")), "{told:?}");
+    assert!(reported.iter().any(|changes| changes.contains("silence_ms")), "{reported:?}");
 }
 
-/// Names are told as 4.0 spells them.
+/// Names are as 4.0 spells them.
 #[test]
 fn a_failure_is_told_in_the_words_of_its_edition() {
     let options = suite_only();
@@ -141,9 +141,9 @@ fn a_failure_is_told_in_the_words_of_its_edition() {
     let report = report.expect("it answers");
     let differences =
         report.failures.iter().filter_map(|one| one.found.as_ref()).flat_map(|one| &one.differences);
-    let told: Vec<String> = differences.map(ToString::to_string).collect();
+    let reported: Vec<String> = differences.map(ToString::to_string).collect();
     let cause = "shutdown_cause is NO_SHUTDOWN; expected BRAKE_PLAUSIBILITY_FAULT";
-    assert!(told.iter().any(|one| one == cause), "{told:?}");
+    assert!(reported.iter().any(|one| one == cause), "{reported:?}");
     let changes = report.failures.iter().flat_map(Failure::timeline).flat_map(|moment| moment.changes);
     let missions: Vec<String> =
         changes.filter(|(key, _)| *key == "ami").map(|(_, value)| value.to_string()).collect();

@@ -8,8 +8,8 @@ use std::io;
 use std::time::Duration;
 
 use adsdv_oracle::conform::{
-    ConformOptions, ConformProgress, ConformReport, Failure, Outcome, Phase, Place, ProgramError,
-    ProgramErrorKind, Work, conform,
+    ConformOptions, ConformProgress, ConformReport, Failure, Outcome, Phase, ProgramError, ProgramErrorKind,
+    SentLine, Work, conform,
 };
 use adsdv_oracle::protocol::{Answer, SHOWN, Value};
 use adsdv_spec::{Choice, Choices, Edition, Inputs, Machine, Mutation, Readings};
@@ -33,7 +33,7 @@ fn by_default() -> ConformOptions {
 }
 
 fn name(name: &str, mut program: Erring, options: &ConformOptions) -> String {
-    // For each phase how often it was told how much was done, and all of it together.
+    // For each phase how often progress was reported, and all that was done together.
     let mut phases = [(0_usize, 0_usize); 3];
     let mut progress = |now: ConformProgress| {
         assert!(now.done <= now.all, "{now:?}");
@@ -42,7 +42,7 @@ fn name(name: &str, mut program: Erring, options: &ConformOptions) -> String {
         *done += now.done;
     };
     let report = conform(&mut program, tests(), options, &mut progress).expect("it answers");
-    format!("================ {name}\n{}told how far it is: {phases:?}\n\n", printed(&report))
+    format!("================ {name}\n{}progress reports: {phases:?}\n\n", printed(&report))
 }
 
 fn printed(report: &ConformReport) -> String {
@@ -80,10 +80,10 @@ fn printed(report: &ConformReport) -> String {
     }
     let _ = writeln!(
         text,
-        "{} more; not shown [{}]; not told {}; notes {:?}",
+        "{} more; not shown [{}]; not run {}; notes {:?}",
         report.more_failures,
         report.not_shown.join(" "),
-        few(&report.not_told),
+        few(&report.not_run),
         report.notes
     );
     text
@@ -282,7 +282,7 @@ fn tampered() -> String {
     let (_, tampers) = TAMPERINGS[9];
     let program = Erring { tampers, ..Erring::new(&Machine::REFERENCE) };
     text += &name(
-        "so much is wrong that not all is told",
+        "so much is wrong that not all is listed",
         program,
         &ConformOptions { runs: 200, ..by_default() },
     );
@@ -361,7 +361,7 @@ fn troubles() -> Vec<ProgramError> {
         ProgramErrorKind::NoReset(line(), None),
         ProgramErrorKind::TooMany(line()),
     ];
-    let place = |step| Place { scenario: "3.1".to_owned(), step, sent: "{\"op\":\"reset\"}".to_owned() };
+    let place = |step| SentLine { scenario: "3.1".to_owned(), step, sent: "{\"op\":\"reset\"}".to_owned() };
     let mut step = 0;
     let troubles = whats.into_iter().map(|what| {
         step += 1;

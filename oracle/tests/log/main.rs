@@ -33,8 +33,8 @@ fn what_came_before_a_failure_is_judged() {
     let failing = || log.as_bytes().chain(Failing);
     let (report, failure) = judge_readable(failing(), &LogOptions::default(), |_| {}).expect("frames");
     assert_eq!(report.frames, 2);
-    let told = warnings(&report);
-    assert!(told.len() == 2 && told[1].starts_with("cannot read on after line 3: "), "{told:?}");
+    let warnings = warnings(&report);
+    assert!(warnings.len() == 2 && warnings[1].starts_with("cannot read on after line 3: "), "{warnings:?}");
     assert_eq!(
         failure.map(|failure| (failure.line, failure.source.kind())),
         Some((3, io::ErrorKind::TimedOut))
@@ -62,9 +62,9 @@ fn a_log_in_which_no_time_passes_is_reported() {
         (format!("(1.000002) {FRAME}") + &log(101, ""), Some("no time passes in 102 frames, ")),
     ] {
         let report = judge_log(log.as_bytes(), &LogOptions::default(), |_| {}).expect("frames");
-        let told = warnings(&report);
-        assert_eq!(told.len(), usize::from(says.is_some()), "{told:?}");
-        assert!(told.iter().zip(says).all(|(told, says)| told.starts_with(says)), "{told:?}");
+        let warnings = warnings(&report);
+        assert_eq!(warnings.len(), usize::from(says.is_some()), "{warnings:?}");
+        assert!(warnings.iter().zip(says).all(|(warnings, says)| warnings.starts_with(says)), "{warnings:?}");
     }
 }
 
@@ -98,6 +98,6 @@ fn the_judge_of_a_live_bus_reports_news_as_time_passes() {
     heard(&mut judge, 120, 2);
     let report = judge.finish(0).expect("frames");
     assert_eq!((report.frames, report.duration_ns, report.transitions.len()), (3, 120_000_000, 1));
-    let told = warnings(&report);
-    assert!(told.len() == 1 && told[0].starts_with("3 frames lost here, "), "{told:?}");
+    let warnings = warnings(&report);
+    assert!(warnings.len() == 1 && warnings[0].starts_with("3 frames lost here, "), "{warnings:?}");
 }

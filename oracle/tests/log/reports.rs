@@ -77,7 +77,7 @@ fn logs() -> Vec<(&'static str, String)> {
             "the first interface has none",
             "(1.000000) can0 123#00\n".to_owned() + &status(1010, "can1", 1, ""),
         ),
-        ("more interfaces than are told", good() + &many),
+        ("more interfaces than are listed", good() + &many),
         ("dropped frames", with("DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 3)")),
         ("one dropped frame", with("DROPCOUNT: dropped 1 CAN frame on 'can0' socket (total drops 1)")),
         (

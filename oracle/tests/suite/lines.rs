@@ -1,4 +1,4 @@
-//! A suite is read as it is written, and of what is no test of it the line is told, and what was found and expected.
+//! A suite is read as it is written, and the error names the line of what is no test of it, what was found and what was expected.
 
 use std::io::{self, BufReader};
 
@@ -181,7 +181,7 @@ fn a_repeated_name_is_reported_however_far_away_the_other_one_is() {
     );
 }
 
-/// A line as long as a line may be is read; a longer one is told, and is not kept in memory, however long it is.
+/// A line as long as a line may be is read; a longer one is reported, and is not kept in memory, however long it is.
 #[test]
 fn a_line_that_is_too_long_costs_itself_alone() {
     let good = tests();
@@ -201,10 +201,10 @@ fn a_line_that_is_too_long_costs_itself_alone() {
         let read = suite::read(reader, &Machine::REFERENCE).unwrap();
         assert_eq!(read.tests, [good[0].clone(), good[2].clone(), good[3].clone()]);
         let said: Vec<String> = read.bad.iter().map(ToString::to_string).collect();
-        let told = |line: u64| {
+        let errors = |line: u64| {
             format!("line {line}: is longer than 4194304 bytes; expected a test as one JSON object")
         };
-        assert_eq!(said, [told(2), told(4), told(6)]);
+        assert_eq!(said, [errors(2), errors(4), errors(6)]);
     }
 }
 

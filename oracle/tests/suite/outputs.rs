@@ -208,7 +208,7 @@ fn whatever_is_shown_wrong_fails_a_test_of_a_requirement_about_it() {
     }
 }
 
-/// The tests of what is shown are needed for that: without them much is not told.
+/// The tests of what is shown are needed for that: without them much goes unnoticed.
 #[test]
 fn without_the_tests_of_outputs_wrong_outputs_are_not_found() {
     let less: Vec<Test> = tests().into_iter().filter(|test| test.kind != Kind::Output).collect();

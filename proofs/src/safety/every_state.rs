@@ -105,15 +105,15 @@ pub fn actuators() {
 #[cfg_attr(kani, kani::proof, kani::unwind(13))]
 pub fn go_signal() {
     let step = any_step();
-    let told = step.outputs.go_signal;
+    let shown = step.outputs.go_signal;
     let accepted = step.before.state == Driving || step.before.state == Ready && step.before.go_seen_low;
-    kani::cover!(told && step.before.state == Ready, "told at the edge itself");
+    kani::cover!(shown && step.before.state == Ready, "shown at the edge itself");
     kani::cover!(
-        !told && step.inputs.go && step.after.state == Ready,
+        !shown && step.inputs.go && step.after.state == Ready,
         "\"Go\" is on, and no edge is accepted"
     );
-    assert!(told == (step.after.state == Driving && step.inputs.go), "1 in AS_DRIVING while \"Go\" is on");
-    assert!(!told || accepted, "the edge has been accepted");
+    assert!(shown == (step.after.state == Driving && step.inputs.go), "1 in AS_DRIVING while \"Go\" is on");
+    assert!(!shown || accepted, "the edge has been accepted");
 }
 
 /// **What the VCU remembers is what has been.** The invariant is kept. The time in a state goes on by the time since the last

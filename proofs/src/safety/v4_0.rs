@@ -2,7 +2,7 @@
 //! messages that are missed.
 //!
 //! The machine is that of 4.0 with its default readings. Each of the ten alternatives of Figure 2 has its theorem; that
-//! there is no other, and which cause is told, is said once for all ten.
+//! there is no other, and which cause the VCU shows, one theorem says for all ten.
 //!
 //! The bound of the loops is that of a step: up to 12 arrows lead out of AS_DRIVING, and there are 11 faults.
 

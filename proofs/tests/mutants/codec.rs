@@ -7,6 +7,7 @@ use adsdv_spec::messages::{Ai2VcuDriveF, Ai2VcuStatus, Frame, MessageDef, Node, 
 use adsdv_spec::{AiMessages, Bus, Edition, Machine};
 
 use crate::Mutant;
+use crate::otherwise::{Received, Sent};
 
 const BUS: &Bus = &Edition::DEFAULT.bus;
 
@@ -27,43 +28,23 @@ pub(crate) fn mutants() -> Vec<Mutant> {
     mutants
 }
 
-/// Data that reaches the decoder otherwise than it came.
-#[derive(Clone)]
-struct Received<F>(F);
-
-impl<F: Fn(u16, [u8; 9]) -> [u8; 9]> Subject for Received<F> {
-    fn received(&self, id: u16, data: [u8; 9]) -> [u8; 9] {
-        (self.0)(id, data)
-    }
-}
-
-/// Frames that go out otherwise than they were encoded.
-#[derive(Clone)]
-struct Sent<F>(F);
-
-impl<F: Fn(Frame) -> Frame> Subject for Sent<F> {
-    fn sent(&self, frame: Frame) -> Frame {
-        (self.0)(frame)
-    }
-}
-
 fn received(
     theorem: &'static str,
     what: &str,
     change: impl Fn(u16, [u8; 9]) -> [u8; 9] + Clone + 'static,
 ) -> Mutant {
-    Mutant::new(theorem, what, Received(change))
+    Mutant::new(theorem, what, Received::new(change))
 }
 
 fn sent(theorem: &'static str, what: &str, change: impl Fn(Frame) -> Frame + Clone + 'static) -> Mutant {
-    Mutant::new(theorem, what, Sent(change))
+    Mutant::new(theorem, what, Sent::new(change))
 }
 
 /// A codec that has a signal otherwise, the same way in as out: what it writes it reads.
 #[derive(Clone)]
-struct Otherwise<F>(F);
+struct BothWays<F>(F);
 
-impl<F: Fn([u8; 8]) -> [u8; 8]> Subject for Otherwise<F> {
+impl<F: Fn([u8; 8]) -> [u8; 8]> Subject for BothWays<F> {
     fn received(&self, _id: u16, data: [u8; 9]) -> [u8; 9] {
         head(data, &self.0)
     }
@@ -126,7 +107,7 @@ fn of_signal(theorem: &'static str, signal: &'static SignalDef) -> Vec<Mutant> {
         Mutant::new(
             theorem,
             &format!("{name}: from the highest to the lowest"),
-            Otherwise(move |data: [u8; 8]| {
+            BothWays(move |data: [u8; 8]| {
                 let mirrored = |raw| signal.allows(raw).then_some(signal.min + signal.max - raw);
                 signal.raw(&data).and_then(mirrored).map_or(data, |raw| signal.put(data, raw))
             }),

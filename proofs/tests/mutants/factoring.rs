@@ -8,7 +8,11 @@ use crate::Mutant;
 
 pub(crate) fn mutants() -> Vec<Mutant> {
     vec![
-        Mutant::new("inputs_matter_through_their_observation", "a wheel of exactly 77 rpm brakes", Looks(77)),
+        Mutant::new(
+            "inputs_matter_through_their_observation",
+            "a wheel of exactly 77 rpm brakes",
+            LooksAtWheel(77),
+        ),
         Mutant::new("a_step_is_the_reaction_to_its_observation", "react knows no E-stop", NoEstop),
         Mutant::new("the_next_state_depends_on_the_atoms_alone", "a fault of the BMS is overlooked", NoBms),
         Mutant::new("what_is_not_read_does_not_matter", "reads forgets the EBS", ReadsLess(Atom::EbsArmed)),
@@ -26,9 +30,9 @@ pub(crate) fn mutants() -> Vec<Mutant> {
 
 /// A step changed by what it looks at.
 #[derive(Clone)]
-struct Looks(i32);
+struct LooksAtWheel(i32);
 
-impl Subject for Looks {
+impl Subject for LooksAtWheel {
     fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
         let (mut after, outputs) = Machine::REFERENCE.step(before, inputs, dt_ms);
         after.go_seen_low ^= inputs.vehicle.wheel_speeds.fl_wheel_speed.raw() == self.0;

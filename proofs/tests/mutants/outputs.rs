@@ -12,6 +12,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Actuation, AsState, Control, Inputs, Machine, Outputs, VcuMessages};
 
 use crate::Mutant;
+use crate::otherwise::{Sending, Sent};
 
 pub(crate) fn mutants() -> Vec<Mutant> {
     let mut mutants = of_each_signal();
@@ -21,18 +22,6 @@ pub(crate) fn mutants() -> Vec<Mutant> {
     mutants.extend(of_the_assi());
     mutants.extend(of_4_0());
     mutants
-}
-
-/// What the VCU sends, changed.
-#[derive(Clone)]
-struct Sending<F>(F);
-
-impl<F: Fn(&mut VcuMessages, &Outputs, &Inputs)> Subject for Sending<F> {
-    fn messages(&self, outputs: &Outputs, inputs: &Inputs) -> VcuMessages {
-        let mut messages = outputs.messages(inputs);
-        (self.0)(&mut messages, outputs, inputs);
-        messages
-    }
 }
 
 /// The theorem that speaks of a signal of the VCU.
@@ -170,18 +159,9 @@ fn of_messages() -> Vec<Mutant> {
     ]
 }
 
-/// Frames that go out otherwise than they were encoded.
-#[derive(Clone)]
-struct Sent(fn(Frame) -> Frame);
-
-impl Subject for Sent {
-    fn sent(&self, frame: Frame) -> Frame {
-        (self.0)(frame)
-    }
-}
-
 fn of_frames() -> Vec<Mutant> {
-    let of = |what, change| Mutant::new("each_message_goes_out_in_its_frame", what, Sent(change));
+    let theorem = "each_message_goes_out_in_its_frame";
+    let of = |what, change: fn(Frame) -> Frame| Mutant::new(theorem, what, Sent::new(change));
     vec![
         of("521h is sent as 522h", |frame| match frame.id {
             0x521 => Frame { id: 0x522, ..frame },

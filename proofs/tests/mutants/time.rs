@@ -19,7 +19,7 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         Mutant::new(
             "a_faster_cycle_takes_nothing_that_a_slower_one_forbids",
             "a long step forgets the time before it",
-            Forgets,
+            LongStepForgets,
         ),
     ]
 }
@@ -67,9 +67,9 @@ impl Subject for GoesOn {
 
 /// A step of more than a second counts from zero.
 #[derive(Clone)]
-struct Forgets;
+struct LongStepForgets;
 
-impl Subject for Forgets {
+impl Subject for LongStepForgets {
     fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
         let forgets = (1001..5000).contains(&dt_ms);
         let in_state_ms = if forgets { 0 } else { before.in_state_ms };

@@ -7,6 +7,7 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{Bus, Choice, Edition, Inputs, Machine, Outputs, VcuMessages};
 
+use crate::otherwise::{Received, Sending, Sent};
 use crate::{Changed, Mutant};
 
 pub(crate) fn mutants() -> Vec<Mutant> {
@@ -143,38 +144,6 @@ fn of_the_devices() -> Vec<Mutant> {
     mutants
 }
 
-/// What the VCU sends, changed.
-#[derive(Clone)]
-struct Sending<F>(F);
-
-impl<F: Fn(&mut VcuMessages, &Outputs, &Inputs)> Subject for Sending<F> {
-    fn messages(&self, outputs: &Outputs, inputs: &Inputs) -> VcuMessages {
-        let mut messages = outputs.messages(inputs);
-        (self.0)(&mut messages, outputs, inputs);
-        messages
-    }
-}
-
-/// A frame that goes out otherwise than it was encoded.
-#[derive(Clone)]
-struct Sent(fn(Frame) -> Frame);
-
-impl Subject for Sent {
-    fn sent(&self, frame: Frame) -> Frame {
-        (self.0)(frame)
-    }
-}
-
-/// Data that reaches the decoder otherwise than it came.
-#[derive(Clone)]
-struct Received(fn(u16, [u8; 9]) -> [u8; 9]);
-
-impl Subject for Received {
-    fn received(&self, id: u16, data: [u8; 9]) -> [u8; 9] {
-        (self.0)(id, data)
-    }
-}
-
 /// Frames that are read or written otherwise than what they carry.
 fn of_any() -> Vec<Mutant> {
     let theorem = "what_2026_does_not_lay_out_anew_is_as_in_4_0";
@@ -182,7 +151,7 @@ fn of_any() -> Vec<Mutant> {
         Mutant::new(
             theorem,
             "524h: no EBS is read",
-            Received(|id, mut data| {
+            Received::new(|id, mut data| {
                 if id == 0x524 {
                     data[4] &= 0x0F;
                 }
@@ -192,7 +161,7 @@ fn of_any() -> Vec<Mutant> {
         Mutant::new(
             theorem,
             "520h: no mode is read",
-            Received(|id, mut data| {
+            Received::new(|id, mut data| {
                 if id == 0x520 {
                     data[0] &= 0x0F;
                 }
@@ -202,7 +171,7 @@ fn of_any() -> Vec<Mutant> {
         Mutant::new(
             theorem,
             "523h has eight bytes",
-            Sent(|frame| match frame.id {
+            Sent::new(|frame| match frame.id {
                 0x523 => Frame { len: 8, ..frame },
                 _ => frame,
             }),
@@ -240,7 +209,7 @@ fn of_the_outputs() -> Vec<Mutant> {
         Mutant::new(
             frames,
             "521h is sent as 522h",
-            Sent(|frame| match frame.id {
+            Sent::new(|frame| match frame.id {
                 0x521 => Frame { id: 0x522, ..frame },
                 _ => frame,
             }),
@@ -248,7 +217,7 @@ fn of_the_outputs() -> Vec<Mutant> {
         Mutant::new(
             frames,
             "502h has eight bytes",
-            Sent(|frame| match frame.id {
+            Sent::new(|frame| match frame.id {
                 0x502 => Frame { len: 8, ..frame },
                 _ => frame,
             }),

@@ -5,7 +5,7 @@
 //! - `compare`: one step of both, side by side.
 //! - `random`: long runs of random raw inputs, boundary values among them.
 //! - `exhaustive`: every combination of the conditions that a state looks at, from every control state on a grid of time.
-//! - `mutants`: the specification with one thing changed; each must be told apart from the transcription, which shows
+//! - `mutants`: the specification with one thing changed; the transcription must differ from each, which shows
 //!   that the two comparisons see what they claim to see.
 
 mod compare;

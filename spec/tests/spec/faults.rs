@@ -10,7 +10,7 @@ type Cause = fn(&mut Inputs);
 /// Reads a flag.
 type Flag = fn(&Vcu2AiStatus) -> bool;
 
-/// What opens the shutdown circuit, as a press or a removal rather than as a flag of its own: all are told as cause 2.
+/// What opens the shutdown circuit, as a press or a removal rather than as a flag of its own: the VCU reports them all as cause 2.
 const OPENING: [(&str, Cause); 6] = [
     ("remote E-stop", |i| i.sdc.remote_estop = true),    //= RTE-2
     ("remote link", |i| i.sdc.res_link_lost = true),     //= RTE-3
@@ -133,9 +133,9 @@ fn what_the_ai_computer_must_not_do_at_speed() {
         (neutral, (true, false), ShutdownCause::AutonomousBrakingFault),
         (finished, (false, true), ShutdownCause::MissionStatusFault),
     ];
-    for (cause, told, number) in cases {
+    for (cause, shown, number) in cases {
         let (after, status) = from(AsState::Driving, cause);
-        assert_eq!((after.state, flags(&status)), (AsState::EmergencyBrake, told));
+        assert_eq!((after.state, flags(&status)), (AsState::EmergencyBrake, shown));
         assert_eq!(status.shutdown_cause, number);
         for state in [AsState::Off, AsState::Ready, AsState::Finished, AsState::EmergencyBrake] {
             assert_eq!(flags(&from(state, cause).1), (false, false), "{state}");

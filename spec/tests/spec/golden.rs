@@ -133,7 +133,7 @@ fn of(term: &Term) -> String {
         write!(words, ", if {reading}").expect("a string can be written");
     }
     if let Some(fault) = fault {
-        write!(words, ", told as {fault:?}").expect("a string can be written");
+        write!(words, ", shown as {fault:?}").expect("a string can be written");
     }
     format!("{words} ({section})")
 }

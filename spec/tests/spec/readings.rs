@@ -1,4 +1,4 @@
-//! The readings: how they are told, and all answers that can be given.
+//! The readings: how they are printed, and all answers that can be given.
 
 use std::collections::HashSet;
 
@@ -8,8 +8,8 @@ use adsdv_spec::{Choice, Choices, Reading, Readings};
 fn readings_print_what_is_not_the_default() {
     assert_eq!(Readings::DEFAULT.to_string(), "");
     let readings = Readings::DEFAULT.with(Choice::FaultEdge).with(Choice::GoEdgeEnough);
-    let told = readings.to_string();
-    let mut parts: Vec<_> = told.split(' ').collect();
+    let printed = readings.to_string();
+    let mut parts: Vec<_> = printed.split(' ').collect();
     parts.sort_unstable();
     assert_eq!(parts, ["fault-trigger=edge", "go-edge=edge"]);
     let read =

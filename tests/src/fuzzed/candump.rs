@@ -47,7 +47,7 @@ enum Kept {
     },
     Broken {
         line: u64,
-        told: String,
+        error: String,
     },
 }
 
@@ -61,7 +61,7 @@ impl Kept {
             Entry::Dropped(Dropped { line, interface, count, total }) => {
                 Self::Dropped { line, interface: interface.to_owned(), count, total }
             }
-            Entry::Broken(error) => Self::Broken { line: error.line, told: error.to_string() },
+            Entry::Broken(error) => Self::Broken { line: error.line, error: error.to_string() },
         }
     }
 
@@ -110,9 +110,9 @@ fn same_again(all: &[Kept]) {
                 let dropped = Dropped { line: 0, interface, count: *count, total: *total };
                 (write_dropped(&mut log, &dropped), interface, false)
             }
-            Kept::Broken { told, .. } => {
+            Kept::Broken { error, .. } => {
                 // Rubbish in a log does not reach a terminal.
-                assert!(told.bytes().all(|byte| (b' '..=b'~').contains(&byte)), "{told:?}");
+                assert!(error.bytes().all(|byte| (b' '..=b'~').contains(&byte)), "{error:?}");
                 continue;
             }
         };
@@ -148,6 +148,6 @@ pub fn body(bytes: &[u8]) {
     }
     let blank = |line: &[u8]| line.len() <= MAX_LINE && line.iter().all(|byte| b" \t\r".contains(byte));
     let expected = (1..).zip(&lines).filter(|(_, line)| !blank(line)).map(|(number, _)| number);
-    let told: Vec<u64> = all.iter().map(Kept::line).collect();
-    assert_eq!(told, expected.collect::<Vec<u64>>());
+    let lines: Vec<u64> = all.iter().map(Kept::line).collect();
+    assert_eq!(lines, expected.collect::<Vec<u64>>());
 }

@@ -80,7 +80,7 @@ fn right(readings: Readings, tests: &[Test], options: &ConformOptions) {
 
 /// What holds of each report.
 fn sound(report: &ConformReport, tests: &[Test], options: &ConformOptions) {
-    assert_eq!(report.tests + report.not_told.len(), tests.len());
+    assert_eq!(report.tests + report.not_run.len(), tests.len());
     assert!(report.failed_tests <= report.tests && report.failed_runs <= report.runs);
     assert_eq!(report.runs, options.runs);
     assert!(report.late <= options.latency);

@@ -57,7 +57,7 @@ fn any_text(log: &[u8], options: &LogOptions) {
     }
 }
 
-/// What is told is text for a terminal.
+/// What is printed is text for a terminal.
 fn printed(text: &impl ToString) {
     let text = text.to_string();
     assert!(!text.is_empty() && !text.contains(|c: char| c.is_control()), "{text:?}");
@@ -82,11 +82,11 @@ fn sound(report: &Report) {
     assert_eq!(report.verdict() == Verdict::Violates, violates);
 }
 
-/// What is written for a log and told to a judge at once.
+/// What is written for a log and given to a judge at once.
 struct LiveLog {
     judge: LogJudge,
     log: Vec<u8>,
-    /// Whether the log has all that the judge was told.
+    /// Whether the log has all that the judge got.
     complete: bool,
     news: (usize, Vec<Finding>),
 }

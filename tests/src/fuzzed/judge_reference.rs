@@ -111,6 +111,6 @@ fn contradictions(report: &Report, did: Did, excused: bool) -> Vec<&Finding> {
         (Party::Ai, Rule::NeutralMoving) => did.neutral,
         (Party::Ai, rule) => rule == Rule::ReadyHeld && did.held,
     };
-    let told = report.findings.iter().filter(|finding| finding.severity != Severity::Note);
-    told.filter(|finding| !is_so(finding)).collect()
+    let weighed = report.findings.iter().filter(|finding| finding.severity != Severity::Note);
+    weighed.filter(|finding| !is_so(finding)).collect()
 }

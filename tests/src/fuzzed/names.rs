@@ -35,8 +35,8 @@ fn named<T: FromStr<Err = UnknownName> + Display + PartialEq + Debug>(name: &str
     match name.parse::<T>() {
         Ok(one) => assert_eq!(one.to_string(), name),
         Err(unknown) => {
-            let told = unknown.to_string();
-            assert!(!told.is_empty() && !told.contains(|c: char| c.is_control()), "{told:?}");
+            let message = unknown.to_string();
+            assert!(!message.is_empty() && !message.contains(|c: char| c.is_control()), "{message:?}");
         }
     }
 }

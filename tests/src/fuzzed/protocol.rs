@@ -3,7 +3,7 @@
 use std::fmt::{Debug, Display};
 use std::str::FromStr;
 
-use adsdv_oracle::conform::{LineBuffer, Place, ProgramError, ProgramErrorKind, Reply, TooLong};
+use adsdv_oracle::conform::{LineBuffer, ProgramError, ProgramErrorKind, Reply, SentLine, TooLong};
 use adsdv_oracle::protocol::{Answer, BadLine, INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
 use adsdv_spec::{AiSilence, Control, Edition, Inputs, Machine};
 
@@ -27,7 +27,7 @@ pub fn body(bytes: &[u8]) {
     }
 }
 
-/// What a program writes comes as the same lines in whatever pieces; each is an answer, or told as what it is.
+/// What a program writes comes as the same lines in whatever pieces; each is an answer, or reported as what it is.
 fn of_a_program(written: &[u8]) {
     let mut lines = LineBuffer::default();
     let mut left = written;
@@ -65,7 +65,7 @@ fn of_a_program(written: &[u8]) {
 /// An answer to a step, to a reset, or neither.
 fn answered(line: &[u8]) {
     let given = |what: ProgramErrorKind| {
-        let place = Place { scenario: "any".to_owned(), step: 1, sent: "{}".to_owned() };
+        let place = SentLine { scenario: "any".to_owned(), step: 1, sent: "{}".to_owned() };
         let trouble = ProgramError { place: Some(Box::new(place)), what, stderr: Vec::new() };
         for text in [trouble.to_string(), trouble.hint().to_string()] {
             assert!(!text.contains(|c: char| c.is_control() && c != '\n'), "{text:?}");
@@ -122,7 +122,7 @@ fn same_again<T: FromStr<Err = BadLine> + Display + PartialEq + Debug>(line: &st
     }
 }
 
-/// Any step, told to a program, is the step that it gets; and what it shows is read as it was shown.
+/// Any step that is sent to a program is the step that it gets; and what it shows is read as it was shown.
 fn any_step(bytes: &mut Bytes<'_>) {
     let readings = bytes.readings();
     let machine = Machine::new(*Edition::DEFAULT, readings);

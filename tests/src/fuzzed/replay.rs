@@ -35,7 +35,7 @@ pub fn files(fuzz: &Path, target: &str, body: fn(&[u8])) -> usize {
     run
 }
 
-/// An input that is run, and told if it goes wrong.
+/// An input that is run, and reported if it goes wrong.
 struct Running<'a> {
     bytes: &'a [u8],
     from: From<'a>,

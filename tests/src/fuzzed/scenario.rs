@@ -25,12 +25,12 @@ pub fn body(bytes: &[u8]) {
     }
 }
 
-/// What is wrong is told in lines that a terminal can show, each of a place that there is.
+/// What is wrong is reported in lines that a terminal can show, each of a place that there is.
 fn wrong(text: &[u8], error: &Unreadable) {
-    let told = error.to_string();
+    let message = error.to_string();
     assert!(
-        told.lines().all(|line| !line.is_empty() && !line.contains(|c: char| c.is_control())),
-        "{told:?}"
+        message.lines().all(|line| !line.is_empty() && !line.contains(|c: char| c.is_control())),
+        "{message:?}"
     );
     if let Unreadable::Lines { errors, more } = error {
         assert!(errors.len() <= MAX_ERRORS && (*more == 0 || errors.len() == MAX_ERRORS));
@@ -56,8 +56,8 @@ fn action(words: &str) {
             }
         }
         Err(error) => {
-            let told = error.to_string();
-            assert!(!told.contains(|c: char| c.is_control()), "{told:?}");
+            let message = error.to_string();
+            assert!(!message.contains(|c: char| c.is_control()), "{message:?}");
             assert!(words.get(error.at..).is_some_and(|rest| rest.starts_with(&error.found)), "{error:?}");
         }
     }

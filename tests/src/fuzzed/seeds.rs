@@ -249,9 +249,9 @@ fn pieces(log: &str) -> impl Iterator<Item = String> + '_ {
 /// Lines that the logs do not have.
 fn other_lines() -> [(&'static str, String); 7] {
     let mut dropped = Vec::new();
-    let told = Dropped { line: 0, interface: "can0", count: 3, total: 7 };
+    let dropped_frames = Dropped { line: 0, interface: "can0", count: 3, total: 7 };
     // Memory can be written to.
-    let _ = write_dropped(&mut dropped, &told);
+    let _ = write_dropped(&mut dropped, &dropped_frames);
     [
         ("dropped", String::from_utf8_lossy(&dropped).into_owned()),
         ("extended", "(1.000000) can0 18FF50E5#0011 R\n".to_owned()),
@@ -281,8 +281,8 @@ fn line(test: &Test) -> String {
 fn exchange(test: &Test) -> Vec<String> {
     let shown = test.scenario.shown(&Machine::REFERENCE).map(|shown: Shown| shown.to_string());
     let asked = test.scenario.requests().map(|request: Request| request.to_string());
-    let told = test.scenario.steps.last().map(|step| InputsAsJson(step.inputs).to_string());
-    shown.take(2).chain(asked.take(3)).chain(told).collect()
+    let last = test.scenario.steps.last().map(|step| InputsAsJson(step.inputs).to_string());
+    shown.take(2).chain(asked.take(3)).chain(last).collect()
 }
 
 /// A value of each type that is read from JSON.

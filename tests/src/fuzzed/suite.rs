@@ -10,8 +10,8 @@ pub fn body(bytes: &[u8]) {
     let lines: Vec<&[u8]> = bytes.split_inclusive(|&byte| byte == b'\n').collect();
     let blank = |line: &&&[u8]| std::str::from_utf8(line).is_ok_and(|line| line.trim().is_empty());
     let bad = read.bad.len() as u64 + read.more_bad;
-    let told = read.tests.len() as u64 + bad + lines.iter().filter(blank).count() as u64;
-    assert_eq!(told, lines.len() as u64, "each line is a test, wrong, or blank");
+    let counted = read.tests.len() as u64 + bad + lines.iter().filter(blank).count() as u64;
+    assert_eq!(counted, lines.len() as u64, "each line is a test, wrong, or blank");
     assert!(read.bad.is_sorted_by_key(|bad| bad.line));
     for bad in &read.bad {
         let text = bad.to_string();

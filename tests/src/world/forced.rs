@@ -1,4 +1,4 @@
-//! A VCU that does what it is told instead of what the table says.
+//! A VCU that does what a test forces on it instead of what the table says.
 
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{AsState, Choice, Control, Machine, Table};

@@ -4,7 +4,7 @@
 //! later. What it records can be jittered and thinned as a real recorder does.
 //!
 //! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `deeds.rs` does anything at all, `forced.rs`
-//! is a VCU that does what it is told instead of what the table says, and `recording.rs` is what a recorder and the judge
+//! is a VCU that does what a test forces on it instead of what the table says, and `recording.rs` is what a recorder and the judge
 //! make of it all.
 
 mod atoms;

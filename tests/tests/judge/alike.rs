@@ -5,11 +5,11 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Truth};
 use adsdv_tests::world::World;
 
-/// Something that happens.
-type Happens = fn(&mut World);
+/// What brings the vehicle to EMERGENCY_BRAKE.
+type Trigger = fn(&mut World);
 
 /// The arrow to EMERGENCY_BRAKE in a world that was driving, when this has happened.
-fn brake(happens: Happens) -> Transition {
+fn brake(happens: Trigger) -> Transition {
     let mut world = World::reference();
     world.driving();
     happens(&mut world);
@@ -26,7 +26,7 @@ fn alternatives(transition: &Transition) -> Vec<Atom> {
 
 #[test]
 fn go_off_and_an_open_circuit_are_reported_together() {
-    let cases: [(Happens, Atom); 3] = [
+    let cases: [(Trigger, Atom); 3] = [
         (|world| world.inputs.go = false, Atom::GoOn),
         (|world| world.inputs.asms = false, Atom::Asms),
         (|world| world.inputs.sdc.remote_estop = true, Atom::SdcOpen),

@@ -1,4 +1,4 @@
-//! Whatever may come: a VCU that errs, that does what it is told or shows what is not so, an AI Computer and an operator who do
+//! Whatever may come: a VCU that errs, that does what a test forces on it or shows what is not so, an AI Computer and an operator who do
 //! anything, and a recorder that pauses, is set back, has a coarse clock, loses frames and cuts some off.
 //!
 //! What is said of it need not be right, since nobody could know. But the judge never fails, what it tells while the bus goes on is

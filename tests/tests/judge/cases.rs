@@ -48,7 +48,7 @@ impl Case {
         self.term.readings.iter().chain(shown_by)
     }
 
-    /// The judge, told these choices and nothing else.
+    /// The judge with these choices and nothing else.
     pub(crate) fn options(&self) -> JudgeOptions {
         let open = JudgeOptions::of(self.edition);
         JudgeOptions { readings: self.choices().fold(open.readings, Choices::pin), ..open }

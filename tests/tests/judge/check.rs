@@ -27,12 +27,12 @@ pub(crate) fn recordings_of_a_kind() -> u64 {
     })
 }
 
-/// The judge, told that the VCU follows this choice.
+/// The judge of a VCU that follows this choice.
 pub(crate) fn pinned(choice: Choice) -> JudgeOptions {
     all_pinned(Choices::NONE.with(choice))
 }
 
-/// The judge, told that the VCU follows these choices.
+/// The judge of a VCU that follows these choices.
 pub(crate) fn all_pinned(choices: Choices) -> JudgeOptions {
     JudgeOptions { readings: choices.iter().fold(Choices::ALL, Choices::pin), ..JudgeOptions::default() }
 }

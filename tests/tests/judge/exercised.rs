@@ -15,11 +15,11 @@ fn exercised(world: &World) -> Exercised {
     world.judge(JudgeOptions::of(edition)).exercised
 }
 
-/// What is told of these requirements.
-fn told<const N: usize>(exercised: &Exercised, ids: [&str; N]) -> [Standing; N] {
+/// How these requirements stand.
+fn standings<const N: usize>(exercised: &Exercised, ids: [&str; N]) -> [Standing; N] {
     ids.map(|id| {
         let found = exercised.requirements.iter().find(|requirement| requirement.id == id);
-        found.unwrap_or_else(|| panic!("no log can show {id}")).told
+        found.unwrap_or_else(|| panic!("no log can show {id}")).standing
     })
 }
 
@@ -29,17 +29,17 @@ fn a_mission_shows_its_arrows_and_nothing_of_an_emergency() {
     world.finished();
     let exercised = exercised(&world);
     let held = ["SM-9", "RDY-1", "RDY-5", "SM-11", "DRV-4", "DRV-9", "DRV-12", "SM-14", "FIN-3", "FIN-4"];
-    assert_eq!(told(&exercised, held), [Standing::Held; 10]);
-    assert_eq!(told(&exercised, ["SM-18", "HS-4", "HS-5", "HS-6", "HS-7"]), [Standing::Held; 5]);
+    assert_eq!(standings(&exercised, held), [Standing::Held; 10]);
+    assert_eq!(standings(&exercised, ["SM-18", "HS-4", "HS-5", "HS-6", "HS-7"]), [Standing::Held; 5]);
     assert_eq!(
-        told(&exercised, ["DRV-2", "DRV-3", "FIN-5"]),
+        standings(&exercised, ["DRV-2", "DRV-3", "FIN-5"]),
         [Standing::NotCertain; 3],
         "no message shows it"
     );
     let never = ["SM-13", "DTE-1", "DTE-4", "HS-9", "MSG-54", "ETO-1", "SM-16", "D-43"];
-    assert_eq!(told(&exercised, never), [Standing::NotExercised; 8]);
+    assert_eq!(standings(&exercised, never), [Standing::NotExercised; 8]);
     assert_eq!(exercised.count(Standing::Violated), 0);
-    let all: usize = Standing::ALL.iter().map(|&told| exercised.count(told)).sum();
+    let all: usize = Standing::ALL.iter().map(|&standing| exercised.count(standing)).sum();
     assert_eq!(all, exercised.requirements.len());
     assert_eq!((exercised.lacks(), exercised.states.len()), (vec![], 4));
 }
@@ -48,8 +48,8 @@ fn a_mission_shows_its_arrows_and_nothing_of_an_emergency() {
 fn an_open_circuit_is_shown_by_a_flag_whose_own_reason_no_message_shows() {
     let mut world = World::reference();
     world.braking();
-    let told = told(&exercised(&world), ["SM-13", "DTE-1", "MSG-55", "DTE-4"]);
-    assert_eq!(told, [Standing::Held, Standing::Held, Standing::NotCertain, Standing::NotExercised]);
+    let found = standings(&exercised(&world), ["SM-13", "DTE-1", "MSG-55", "DTE-4"]);
+    assert_eq!(found, [Standing::Held, Standing::Held, Standing::NotCertain, Standing::NotExercised]);
 }
 
 #[test]
@@ -59,8 +59,8 @@ fn finished_at_speed_holds_for_the_vcu_and_not_for_the_ai_computer() {
     world.ai.status.mission_status = MissionStatus::Finished;
     world.wait(500);
     let exercised = exercised(&world);
-    assert_eq!(told(&exercised, ["DTE-7", "IMP-5", "IMP-4", "MSG-61"]), [Standing::Held; 4]);
-    assert_eq!(told(&exercised, ["FIN-3", "DTE-8"]), [Standing::Violated, Standing::NotExercised]);
+    assert_eq!(standings(&exercised, ["DTE-7", "IMP-5", "IMP-4", "MSG-61"]), [Standing::Held; 4]);
+    assert_eq!(standings(&exercised, ["FIN-3", "DTE-8"]), [Standing::Violated, Standing::NotExercised]);
 }
 
 #[test]
@@ -71,8 +71,8 @@ fn a_condition_that_was_passed_over_is_violated_and_its_row() {
     world.inputs.go = true;
     world.force(AsState::Driving);
     world.wait(500);
-    let told = told(&exercised(&world), ["DRV-5", "SM-11", "DRV-6", "SM-18"]);
-    assert_eq!(told, [Standing::Violated, Standing::Violated, Standing::NotExercised, Standing::Held]);
+    let found = standings(&exercised(&world), ["DRV-5", "SM-11", "DRV-6", "SM-18"]);
+    assert_eq!(found, [Standing::Violated, Standing::Violated, Standing::NotExercised, Standing::Held]);
 }
 
 /// Where the readings differ in what an arrow needs, only what all of them ask for is certain to be broken.
@@ -84,9 +84,9 @@ fn a_condition_that_only_some_readings_have_is_not_violated() {
     world.wait(500);
     world.force(AsState::Ready);
     world.wait(500);
-    let told = told(&exercised(&world), ["SM-9", "RDY-2", "RDY-4", "RDY-3", "RDY-1"]);
+    let found = standings(&exercised(&world), ["SM-9", "RDY-2", "RDY-4", "RDY-3", "RDY-1"]);
     let broken = [Standing::Violated; 3];
-    assert_eq!((&told[..3], &told[3..]), (&broken[..], &[Standing::NotExercised; 2][..]));
+    assert_eq!((&found[..3], &found[3..]), (&broken[..], &[Standing::NotExercised; 2][..]));
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn an_arrow_that_was_not_taken_is_violated() {
     world.hold_state();
     world.inputs.asms = false;
     world.wait(500);
-    assert_eq!(told(&exercised(&world), ["SM-10", "RTO-1"]), [Standing::Violated; 2]);
+    assert_eq!(standings(&exercised(&world), ["SM-10", "RTO-1"]), [Standing::Violated; 2]);
 }
 
 #[test]
@@ -109,8 +109,8 @@ fn an_arrow_that_comes_first_is_the_one_that_is_violated() {
     world.inputs.go = true;
     world.force(AsState::Driving);
     world.wait(500);
-    let told = told(&exercised(&world), ["SM-10", "SM-11"]);
-    assert_eq!(told, [Standing::Violated, Standing::NotExercised]);
+    let found = standings(&exercised(&world), ["SM-10", "SM-11"]);
+    assert_eq!(found, [Standing::Violated, Standing::NotExercised]);
 }
 
 #[test]
@@ -119,7 +119,7 @@ fn an_arrow_that_there_is_not_violates_that_there_are_no_others() {
     world.ready();
     world.force(AsState::Finished);
     world.wait(500);
-    assert_eq!(told(&exercised(&world), ["SM-18"]), [Standing::Violated]);
+    assert_eq!(standings(&exercised(&world), ["SM-18"]), [Standing::Violated]);
 }
 
 /// AS_DRIVING, and the AI Computer does not answer any more.
@@ -136,13 +136,13 @@ fn silent(vcu: fn(&mut World)) -> World {
 fn the_handshake_when_an_edge_is_lost() {
     let right = silent(|_| {});
     let exercised_right = right.judge(pinned(Choice::CommsEveryState)).exercised;
-    assert_eq!(told(&exercised_right, ["HS-9", "HS-16", "MSG-59"]), [Standing::Held; 3]);
-    assert_eq!(told(&exercised_right, ["HS-5", "HS-10"]), [Standing::Violated, Standing::NotCertain]);
+    assert_eq!(standings(&exercised_right, ["HS-9", "HS-16", "MSG-59"]), [Standing::Held; 3]);
+    assert_eq!(standings(&exercised_right, ["HS-5", "HS-10"]), [Standing::Violated, Standing::NotCertain]);
     let wrong = silent(|world| {
         world.hold_state();
         world.shows = |status| (status.ai_comms_lost, status.fault_status) = (false, false);
     });
-    assert_eq!(told(&exercised(&wrong), ["HS-9", "HS-16"]), [Standing::Violated; 2]);
+    assert_eq!(standings(&exercised(&wrong), ["HS-9", "HS-16"]), [Standing::Violated; 2]);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn a_bit_that_changes_without_an_answer_is_not_held() {
     let shown = world.log.iter().rev().find(|recorded| recorded.frame.id == message.id).expect("520h");
     let bit = message.signal("HANDSHAKE").and_then(|signal| signal.raw(shown.frame.data())).expect("a bit");
     world.falsify(message, "HANDSHAKE", since, 1 - bit);
-    let held = told(&exercised(&world), ["HS-7", "HS-6"]);
+    let held = standings(&exercised(&world), ["HS-7", "HS-6"]);
     assert_eq!(held[usize::try_from(bit).expect("a bit")], Standing::Violated);
     assert_eq!(held[usize::try_from(1 - bit).expect("a bit")], Standing::Held);
 }
@@ -167,13 +167,13 @@ fn a_message_that_is_missed() {
     world.wait(500);
     let right = exercised(&world);
     assert_eq!(
-        told(&right, ["HS-17", "HS-18", "MSG-59"]),
+        standings(&right, ["HS-17", "HS-18", "MSG-59"]),
         [Standing::NotExercised, Standing::Held, Standing::Held]
     );
     wrong.hold_state();
     wrong.shows = |status| (status.ai_comms_lost, status.fault_status) = (false, false);
     wrong.wait(500);
-    assert_eq!(told(&exercised(&wrong), ["HS-18"]), [Standing::Violated]);
+    assert_eq!(standings(&exercised(&wrong), ["HS-18"]), [Standing::Violated]);
 }
 
 #[test]
@@ -183,11 +183,11 @@ fn a_flag_without_its_reason_and_a_reason_without_its_flag() {
     let mut other = world.clone();
     world.shows = |status| (status.ai_estop_request, status.fault_status) = (true, true);
     world.wait(500);
-    assert_eq!(told(&exercised(&world), ["MSG-54"]), [Standing::Violated]);
+    assert_eq!(standings(&exercised(&world), ["MSG-54"]), [Standing::Violated]);
     other.set(Atom::AiEstop, true);
     other.shows = |status| status.ai_estop_request = false;
     other.wait(500);
-    assert_eq!(told(&exercised(&other), ["MSG-54"]), [Standing::Violated]);
+    assert_eq!(standings(&exercised(&other), ["MSG-54"]), [Standing::Violated]);
 }
 
 #[test]
@@ -254,7 +254,7 @@ fn what_a_log_can_show_are_requirements_of_its_edition() {
 #[test]
 fn what_no_log_can_show_is_refused_with_what_is_near() {
     let error = |text: &str| text.parse::<Required>().expect_err(text).to_string();
-    for (text, told) in [
+    for (text, expected) in [
         ("DTE-99", "nothing has that name; expected ai, vcu, AS_OFF, AS_READY"),
         ("rdy", "the nearest are RDY-1, RDY-2, RDY-3, RDY-4"),
         ("drv_8", "the nearest are DRV-8, "),
@@ -263,7 +263,7 @@ fn what_no_log_can_show_is_refused_with_what_is_near() {
         ("-", ", such as DRV-4"),
         ("\u{2603}-1", ", such as DRV-4"),
     ] {
-        assert!(error(text).contains(told), "{text}: {}", error(text));
+        assert!(error(text).contains(expected), "{text}: {}", error(text));
     }
     let of_3_0: Required = "DTE-4".parse().expect("a requirement of 3.0");
     assert_eq!(of_3_0.is_shown_in(&Edition::V3_0), Ok(()));

@@ -89,7 +89,7 @@ fn an_emergency_stop_that_is_ignored() {
     assert_eq!(found, both);
 }
 
-/// How long it is ignored is told to the millisecond, and exactly the deadline is not too long.
+/// How long it is ignored is reported to the millisecond, and exactly the deadline is not too long.
 #[test]
 fn an_emergency_stop_that_is_ignored_for_the_deadline() {
     let world = ignored_emergency_stop();

@@ -1,4 +1,4 @@
-//! What is told once, and what is only counted because there is too much of it.
+//! What is reported once, and what is only counted because there is too much of it.
 
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::messages::{AsState, Vcu2AiStatus};
@@ -21,10 +21,10 @@ fn each_reserved_identifier_is_reported_once_for_each_sender() {
         }
     }
     let report = judge.finish();
-    let told: Vec<(Severity, Party)> =
+    let reported: Vec<(Severity, Party)> =
         of(&report, Rule::Reserved).iter().map(|finding| (finding.severity, finding.party)).collect();
     let (seen, sent) = ((Severity::Note, Party::Log), (Severity::Violation, Party::Ai));
-    assert_eq!(told, [seen, sent, seen, sent]);
+    assert_eq!(reported, [seen, sent, seen, sent]);
 }
 
 #[test]

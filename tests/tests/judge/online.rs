@@ -87,9 +87,9 @@ fn passing_time_changes_nothing_while_frames_come() {
         judge.frame(t, recorded.frame.id.into(), recorded.frame.data());
         judge.time_passes(t + MS / 10);
     }
-    let told = judge.finish();
-    assert_eq!((told.frames, told.duration_ns), (plain.frames, plain.duration_ns));
-    assert_eq!((told.transitions, told.findings), (plain.transitions, plain.findings));
+    let reported = judge.finish();
+    assert_eq!((reported.frames, reported.duration_ns), (plain.frames, plain.duration_ns));
+    assert_eq!((reported.transitions, reported.findings), (plain.transitions, plain.findings));
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn losses_one_after_the_other_are_reported_as_one() {
     assert_eq!(gaps(&report.findings), expected);
 }
 
-/// What is wrong behind a loss is told again, once for all losses that follow one another.
+/// What is wrong behind a loss is reported again, once for all losses that follow one another.
 #[test]
 fn what_is_still_wrong_behind_losses_is_reported_again_once() {
     let mut world = World::reference();
@@ -204,11 +204,11 @@ fn losses_without_end_are_reported_every_ten_seconds() {
         judge.lost(1);
         judge.other_frame(last + place * 10 * MS);
     }
-    let told: Vec<i64> = gaps(&judge.finish().findings).iter().map(|gap| (gap.0 - last) / MS).collect();
-    assert_eq!(told, [0, 10_000, 20_000]);
+    let reported: Vec<i64> = gaps(&judge.finish().findings).iter().map(|gap| (gap.0 - last) / MS).collect();
+    assert_eq!(reported, [0, 10_000, 20_000]);
 }
 
-/// A frame that was on its way while time was told to pass: what is said of it when it comes is said of a time in the report.
+/// A frame that was on its way while `time_passes` was called: what is said of it when it comes is said of a time in the report.
 #[test]
 fn what_is_reported_late_is_no_later_than_the_report() {
     let (mut judge, last, world) = driving();
@@ -217,6 +217,6 @@ fn what_is_reported_late_is_no_later_than_the_report() {
     judge.frame(last - MS, frame.id.into(), frame.data());
     let report = judge.finish();
     let back =
-        report.findings.iter().find(|finding| finding.rule == Rule::TimeBackwards).expect("it is told");
+        report.findings.iter().find(|finding| finding.rule == Rule::TimeBackwards).expect("it is reported");
     assert_eq!((back.t_ns, report.duration_ns), (last + 500 * MS, last + 500 * MS));
 }

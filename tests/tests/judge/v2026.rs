@@ -441,7 +441,7 @@ fn nothing_is_said_of_a_devices_frame_whatever_its_length() {
     }
     let report = judge(&world.log, options(&[]));
     assert_eq!(report.findings, [], "no database of 2026 leaves these out");
-    // They are reserved where nobody has told whose they are.
+    // They are reserved where nobody says whose they are.
     let report = judge(&world.log, JudgeOptions::of(&Edition::V4_0));
     let reserved = report.findings.iter().filter(|finding| finding.rule == Rule::Reserved).count();
     let known = |id| Edition::V4_0.bus.is_reserved(id);

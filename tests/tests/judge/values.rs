@@ -95,7 +95,7 @@ fn the_start_value_of_the_ebs_is_a_note_in_524h_too() {
     assert!(finding.message().contains(status.name), "{}", finding.message());
 }
 
-/// Behind a step back of time it is another recording: what is wrong there as well is told again.
+/// Behind a step back of time it is another recording: what is wrong there as well is reported again.
 #[test]
 fn what_is_still_wrong_in_another_recording_is_reported_again() {
     let mut world = World::reference();
@@ -137,7 +137,7 @@ fn the_vcu_is_not_blamed_for_returning_a_request_out_of_range() {
     let mut both = echo.clone();
     refuse(&mut both, Ai2VcuDriveF::ID, "");
     for (name, log, weighs) in
-        [("a request", &echo, Severity::Violation), ("a request that is told back", &both, Severity::Note)]
+        [("a request", &echo, Severity::Violation), ("a request that is shown back", &both, Severity::Note)]
     {
         let findings = judge(log, JudgeOptions::default()).findings;
         let of_the_vcu: Vec<Severity> =

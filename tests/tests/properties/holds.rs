@@ -1,4 +1,4 @@
-//! A property of this folder is tried, and what breaks it is told.
+//! A property of this folder is tried, and what breaks it is reported.
 
 use std::fmt::Debug;
 

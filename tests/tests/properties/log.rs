@@ -193,7 +193,7 @@ fn what_is_news_comes_once() {
         if transitions != report.transitions {
             return Err(format!("news: {transitions:#?}\nreport: {:#?}", report.transitions));
         }
-        // Some findings are told at the end alone.
+        // Some findings come at the end alone.
         let mut listed = report.findings.iter();
         findings.sort_by_key(|finding| finding.t_ns);
         match findings.iter().find(|news| !listed.any(|finding| finding == *news)) {

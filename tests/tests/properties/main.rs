@@ -1,9 +1,9 @@
 //! Properties of whole runs, of reports and of exports: what no theorem about a single step says, tried on random runs and
-//! values. The first example that breaks a property is shrunk to a short one before it is told.
+//! values. The first example that breaks a property is shrunk to a short one before it is reported.
 //!
 //! - `operations`: a run is a list of short operations, which are drawn along the way of a mission and an emergency.
 //! - `run`: a run takes place, step by step, for properties to see.
-//! - `timeline`: a run is told as a scenario that `adsdv demo --scenario` and `adsdv vcu --scenario` read, with what the AI
+//! - `timeline`: a run is written as a scenario that `adsdv demo --scenario` and `adsdv vcu --scenario` read, with what the AI
 //!   Computer, the vehicle and the state machine do as comments in between.
 //! - `holds`: proptest tries a property, and shows what breaks it.
 //! - `runs`: what holds at every moment of every run: `second_opinion`, `clocks`, `power` and `handshake`.

@@ -25,7 +25,7 @@ pub(crate) trait Property {
     fn see(&mut self, seen: &Seen<'_>) -> Result<(), String>;
 }
 
-/// Holds always: for a run that is told to its end.
+/// Holds always: for a run that is written to its end.
 pub(crate) struct Silent;
 
 impl Property for Silent {

@@ -21,8 +21,8 @@ pub(in crate::screen) fn frames(status: &Status, theme: Theme, all: bool) -> Vec
     if !all && wrong.iter().all(|&(_, count)| count == 0) {
         pieces.push(vec![Span::styled("none lost or wrong", QUIET)]);
     } else {
-        let told = wrong.into_iter().filter(|&(_, count)| all || count > 0);
-        pieces.extend(told.map(|(name, count)| named(name, &count, theme.well(count == 0))));
+        let listed = wrong.into_iter().filter(|&(_, count)| all || count > 0);
+        pieces.extend(listed.map(|(name, count)| named(name, &count, theme.well(count == 0))));
     }
     pieces
 }

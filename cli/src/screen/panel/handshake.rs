@@ -56,14 +56,14 @@ mod tests {
     /// How long an answer may take is the edition's to say.
     #[test]
     fn silent_is_who_says_nothing_for_longer_than_the_edition_allows() {
-        let told = |silent, answer_limit_ms| {
+        let text = |silent, answer_limit_ms| {
             let status = Status { ai_silent_ms: Some(silent), answer_limit_ms, ..Status::default() };
             silence(&status, Theme::new(false))
                 .iter()
                 .map(|span| span.content.to_string())
                 .collect::<String>()
         };
-        assert_eq!(told(60, 100), "heard 60 ms ago");
-        assert!(told(60, 50).starts_with("silent for "), "{}", told(60, 50));
+        assert_eq!(text(60, 100), "heard 60 ms ago");
+        assert!(text(60, 50).starts_with("silent for "), "{}", text(60, 50));
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn a_program_that_cannot_be_examined() {
         "./tests: is a directory; expected a program",
         "the program in it",
     );
-    for (script, told, hint) in [
+    for (script, expected, hint) in [
         ("exit 3".to_owned(), "the program ended early (exit status 3)", "until its input ends"),
         ("exec 1>&-; sleep 60".to_owned(), "closed its standard output", "until its input ends"),
         ("sleep 60".to_owned(), "no answer within 0.5 s", "flush standard output"),
@@ -47,7 +47,7 @@ pub(super) fn a_program_that_cannot_be_examined() {
     ] {
         let start = Instant::now();
         let outcome = examined(&script);
-        assert!(outcome.stderr.contains(told), "{script}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(expected), "{script}: {}", outcome.stderr);
         refused(&outcome, "", hint);
         assert!(start.elapsed() < Duration::from_secs(20), "{script}");
         if script.starts_with(BEGINS) {

@@ -1,4 +1,4 @@
-//! Files that are missing, directories, empty, or rubbish: told by each command that is given one.
+//! Files that are missing, directories, empty, or rubbish: each command that gets one says so.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
@@ -24,8 +24,8 @@ fn given<'a>(reader: &[&'a str], file: &'a str) -> Vec<&'a str> {
 #[test]
 pub(super) fn a_missing_file() {
     for (reader, what) in READERS {
-        let told = format!("no-such-file: cannot open the {what}: ");
-        refused(&run(&given(reader, "no-such-file")), &told, "check the path");
+        let expected = format!("no-such-file: cannot open the {what}: ");
+        refused(&run(&given(reader, "no-such-file")), &expected, "check the path");
     }
     refused(
         &run(&["conform", "--", "no/such/vcu"]),
@@ -49,8 +49,8 @@ pub(super) fn a_directory() {
         refused(&outcome, &format!("tests: is a directory; expected a {what}"), "");
     }
     for program in ["./tests", "tests"] {
-        let told = format!("{program}: is a directory; expected a program");
-        refused(&run(&["conform", "--", program]), &told, "the program in it");
+        let expected = format!("{program}: is a directory; expected a program");
+        refused(&run(&["conform", "--", program]), &expected, "the program in it");
     }
     refused(&run(&["demo", "--log", "tests"]), "tests: cannot write the log: ", "name a file in it");
 }
@@ -58,14 +58,14 @@ pub(super) fn a_directory() {
 #[test]
 pub(super) fn an_empty_file() {
     let empty = temporary("bad-input-empty", b"");
-    for (reader, told) in READERS.map(|(reader, _)| reader).iter().zip([
+    for (reader, expected) in READERS.map(|(reader, _)| reader).iter().zip([
         "the log is empty; expected lines of candump -L, such as ",
         "BAD, ",
         "is no scenario",
         "is no scenario",
         "the suite is empty; expected one test a line",
     ]) {
-        refused(&run(&given(reader, text(&empty))), told, "");
+        refused(&run(&given(reader, text(&empty))), expected, "");
     }
     fs::set_permissions(&empty, fs::Permissions::from_mode(0o755)).expect("it is ours");
     let outcome = run(&["conform", "--", text(&empty)]);
@@ -76,7 +76,7 @@ pub(super) fn an_empty_file() {
 #[test]
 pub(super) fn binary_rubbish() {
     let file = temporary("bad-input-rubbish", &rubbish());
-    for (reader, told) in READERS.map(|(reader, _)| reader).iter().zip([
+    for (reader, expected) in READERS.map(|(reader, _)| reader).iter().zip([
         ": no readable frame in ",
         ": no readable frame in ",
         ": is no scenario",
@@ -84,13 +84,13 @@ pub(super) fn binary_rubbish() {
         " lines that are no tests",
     ]) {
         let outcome = run(&given(reader, text(&file)));
-        refused(&outcome, told, "");
+        refused(&outcome, expected, "");
         assert!(
             outcome.stderr.contains("line 1") && outcome.stderr.contains("expected "),
             "{}",
             outcome.stderr
         );
-        assert!(outcome.stderr.len() < 10_000, "all of it is told");
+        assert!(outcome.stderr.len() < 10_000, "all of it is printed");
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) fn standard_input_for_both_logs() {
     refused(&empty, "GOOD, standard input: the log is empty", "candump -L");
 }
 
-/// What a compressed log, and one that was copied through the wrong program, begin with is known, and told.
+/// What a compressed log, and one that was copied through the wrong program, begin with is known, and named.
 #[test]
 pub(super) fn logs_in_another_wrapping() {
     refused(&check(b"\x1f\x8b\x08\0rest\n"), ": no readable frame in 1 line", "zcat ");
@@ -132,7 +132,7 @@ pub(super) fn logs_in_another_wrapping() {
     judged(&check(&[b"\xef\xbb\xbf\r\n", &lines(3)[..]].concat()), 3, &["no violations, no warnings"]);
 }
 
-/// One line that is wrong among good ones is told with its number; a scenario or a suite of which it is part is not run.
+/// One line that is wrong among good ones is reported with its number; a scenario or a suite of which it is part is not run.
 #[test]
 pub(super) fn rubbish_between_good_lines() {
     let mission = crate::run::file("can/scenarios/mission.txt");

@@ -1,4 +1,4 @@
-//! Logs that are cut off, broken in the middle, or have odd times: every frame that can be read is judged, and the rest is told.
+//! Logs that are cut off, broken in the middle, or have odd times: every frame that can be read is judged, and the rest is reported.
 
 use std::io::Write as _;
 use std::os::fd::OwnedFd;
@@ -40,7 +40,7 @@ pub(super) fn rubbish_in_the_middle() {
     judged(&outcome, 32_535, &["(2 violations, ", "broken-line line 1, column 1: found "]);
 }
 
-/// Cut off at each byte of its last line: the frames before are there, and what is missing is told.
+/// Cut off at each byte of its last line: the frames before are there, and the report says what is missing.
 #[test]
 pub(super) fn a_truncated_log() {
     const WHOLE: usize = 50;
@@ -152,7 +152,7 @@ pub(super) fn a_comparison_with_a_broken_log() {
     let cut = compared(&[&lines(1500)[..], b"(1795209996.4"].concat());
     assert!(cut.contains("  broken-line\n") && cut.contains("line 1501, column"), "{cut}");
     assert!(compared(&file(MISSION).repeat(2)).contains("  time-backwards\n"));
-    // A log that fails: what came before is compared, and that it is not all of it is told.
+    // A log that fails: what came before is compared, and the error says that it is not all of it.
     let Outcome { status, stdout, stderr } = failing(&["compare", "-", MISSION], &lines(1000));
     assert_eq!(status, Some(2), "{stdout}");
     explained(

@@ -79,14 +79,14 @@ pub(super) fn in_a_suite() {
         stdin.write_all(b"\nrubbish\n")
     });
     refused(&outcome, ": 2 lines that are no tests", "correct these lines");
-    for told in
+    for expected in
         ["line 202: is longer than 4194304 bytes; expected a test", "line 203: expected value at column 1"]
     {
-        assert!(outcome.stderr.contains(told), "{told:?} is not in {}", outcome.stderr);
+        assert!(outcome.stderr.contains(expected), "{expected:?} is not in {}", outcome.stderr);
     }
 }
 
-/// Lines that are no tests, so many that even what is wrong with them would not fit: the first are told, the others counted.
+/// Lines that are no tests, so many that even what is wrong with them would not fit: the first are listed, the others counted.
 #[test]
 pub(super) fn a_suite_of_bad_lines() {
     const LINES: usize = 5_000_000;
@@ -110,5 +110,5 @@ pub(super) fn of_a_program() {
     );
     let outcome = says("2");
     refused(&outcome, ": the program ended early", "until the end of its input");
-    assert!(outcome.stderr.len() < 10_000, "all of it is told");
+    assert!(outcome.stderr.len() < 10_000, "all of it is printed");
 }

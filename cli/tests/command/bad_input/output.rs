@@ -73,8 +73,8 @@ pub(super) fn a_closed_pipe() {
             adsdv(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
         drop(child.stdout.take());
         let output = child.wait_with_output().expect("the command ends");
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!((output.status.code(), &*told), (Some(status), ""), "{args:?}");
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*stderr), (Some(status), ""), "{args:?}");
     }
 }
 
@@ -89,8 +89,8 @@ pub(super) fn a_pipe_that_is_closed_after_a_line() {
         reader.read_line(&mut line).expect("a line");
         drop(reader);
         let output = child.wait_with_output().expect("the command ends");
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!((output.status.code(), &*told), (Some(status), ""), "{args:?}");
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), &*stderr), (Some(status), ""), "{args:?}");
         assert!(line.len() > 1, "{args:?}: {line:?}");
     }
 }
@@ -162,7 +162,7 @@ pub(super) fn a_full_disk_for_errors() {
     }
 }
 
-/// The log of a demo for which there is not enough room: told, and what there was room for can be judged.
+/// The log of a demo for which there is not enough room: the command says so, and what there was room for can be judged.
 #[test]
 pub(super) fn a_full_disk_for_the_log_of_a_demo() {
     refused(&run(&["demo", "--log", "/dev/full"]), "/dev/full: cannot write the log: ", "free some space");
@@ -181,7 +181,7 @@ pub(super) fn a_full_disk_for_the_log_of_a_demo() {
     reported(&check_input(&[], &written).stdout, whole, &["(0 violations, ", &format!("line {}", whole + 1)]);
 }
 
-/// What was explored is told, though the log of a counterexample cannot be written; those that can be are.
+/// What was explored is reported, though the log of a counterexample cannot be written; those that can be are.
 #[test]
 pub(super) fn a_full_disk_for_counterexamples() {
     let folder = folder_with("bad-input-counterexamples", "unrelated", b"");
@@ -197,14 +197,14 @@ pub(super) fn a_full_disk_for_counterexamples() {
     );
     let rows = |text: &str| text.lines().filter(|line| line.contains("FAILS in ")).count();
     assert_eq!(rows(&outcome.stdout), 2, "{}", outcome.stdout);
-    for told in ["  ready-sdc ", "FAILS driving-finished\n"] {
-        assert!(outcome.stdout.contains(told), "{told:?} is not in {}", outcome.stdout);
+    for expected in ["  ready-sdc ", "FAILS driving-finished\n"] {
+        assert!(outcome.stdout.contains(expected), "{expected:?} is not in {}", outcome.stdout);
     }
     let written = fs::read(folder.join("counterexample-driving-finished.log")).expect("it is there");
     assert!(written.len() > lines(100).len() && written.ends_with(b"\n"));
 }
 
-/// The report is told, and which excerpt could not be written; a file in the place of the directory is refused before all.
+/// The report is printed, and which excerpt could not be written; a file in the place of the directory is refused before all.
 #[test]
 pub(super) fn excerpts_that_cannot_be_written() {
     let folder = folder_with("bad-input-excerpts", "unrelated", b"");
@@ -231,7 +231,7 @@ impl Drop for Running {
     }
 }
 
-/// The Explorer serves, whether or not anybody could be told where.
+/// The Explorer serves, whether or not anybody could read where.
 #[test]
 pub(super) fn an_explorer_that_cannot_print_its_address() {
     let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
@@ -254,9 +254,9 @@ pub(super) fn an_explorer_that_cannot_print_its_address() {
     drop(explorer.0.stdout.take());
     serves_on(&mut explorer);
     explorer.0.kill().expect("it runs");
-    let mut told = String::new();
-    explorer.0.stderr.take().expect("a pipe").read_to_string(&mut told).expect("text");
-    assert_eq!(told, "");
+    let mut stderr = String::new();
+    explorer.0.stderr.take().expect("a pipe").read_to_string(&mut stderr).expect("text");
+    assert_eq!(stderr, "");
 }
 
 fn serves_on(explorer: &mut Running) {

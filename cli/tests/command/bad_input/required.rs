@@ -34,19 +34,19 @@ pub(super) fn what_is_required_stands_in_the_json() {
 
 #[test]
 pub(super) fn what_no_log_can_show() {
-    for (required, told) in [
+    for (required, expected) in [
         ("DRV-99", "the nearest are DRV-15, "),
         ("AS_PARKED", "expected ai, vcu, AS_OFF, AS_READY, AS_DRIVING, EMERGENCY_BRAKE, AS_FINISHED or "),
         ("DRV-1", "no log can show that requirement"),
     ] {
         let outcome = run(&["check", "--require", required, MISSION]);
         assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
-        assert!(outcome.stderr.contains(required) && outcome.stderr.contains(told), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(required) && outcome.stderr.contains(expected), "{}", outcome.stderr);
     }
     // A requirement of another edition: of the one that is named, and of the one that the log speaks.
-    let told = "--require DTE-4: edition 4.0 has no such requirement; ";
+    let expected = "--require DTE-4: edition 4.0 has no such requirement; ";
     for edition in [&["--edition", "4.0"][..], &[]] {
         let outcome = run(&[&["check", "--require", "DTE-4"], edition, &[MISSION]].concat());
-        refused(&outcome, told, "--edition names another");
+        refused(&outcome, expected, "--edition names another");
     }
 }

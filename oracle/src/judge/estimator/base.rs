@@ -12,7 +12,7 @@ use crate::judge::options::JudgeOptions;
 use crate::judge::sampler::Sampler;
 use crate::judge::sampler::places::STATUS;
 use crate::judge::time::MS;
-use crate::why::Why;
+use crate::why::StayRecorder;
 
 /// What is known of both sides, and the samples that tell it: what every rule sees.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub(crate) struct Estimator {
     /// Whether that, or the state, has changed since the rules looked at it last.
     pub(crate) changed: bool,
     pub(crate) history: History,
-    pub(crate) vcu: Vcu,
+    pub(crate) vcu: ObservedVcu,
     /// When conditions change because time passes.
     pub(super) timers: Vec<Timer>,
     pub(crate) handshake: Watch,
@@ -40,12 +40,12 @@ pub(crate) struct Estimator {
     pub(crate) remote: RemoteSide,
     /// Changes that count, which the rules have not looked at: the condition, and whether it does count.
     pub(crate) edges: Vec<(Atom, Truth)>,
-    pub(crate) why: Why,
+    pub(crate) why: StayRecorder,
 }
 
 /// The VCU as the bus shows it.
 #[derive(Debug, Default)]
-pub(crate) struct Vcu {
+pub(crate) struct ObservedVcu {
     /// The last AS state; `None` if it is not known.
     pub(crate) state: Option<AsState>,
     /// The last 520h.
@@ -108,7 +108,7 @@ impl Estimator {
             known: Knowledge::NOTHING,
             changed: false,
             history: History::new(),
-            vcu: Vcu::default(),
+            vcu: ObservedVcu::default(),
             timers: Vec::new(),
             handshake: Watch::default(),
             silences: Silences::new(missed, window, always),
@@ -116,7 +116,7 @@ impl Estimator {
             ai: None,
             remote: RemoteSide::default(),
             edges: Vec::new(),
-            why: Why::new(options.edition, options.readings),
+            why: StayRecorder::new(options.edition, options.readings),
         }
     }
 
@@ -125,7 +125,7 @@ impl Estimator {
         self.known = Knowledge::NOTHING;
         self.history.clear();
         self.why.forget(self.now);
-        self.vcu = Vcu::default();
+        self.vcu = ObservedVcu::default();
         self.timers.clear();
         (self.handshake, self.comms_at) = (Watch::default(), i64::MAX);
         self.silences.forget();

@@ -9,7 +9,7 @@ use adsdv_spec::{Term, Truth};
 
 /// A way out of a state: one alternative of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Way {
+pub(crate) struct WayOut {
     pub(crate) to: AsState,
     pub(crate) section: &'static str,
     pub(crate) term: Term,
@@ -20,7 +20,7 @@ pub(crate) struct Way {
 struct Leaving {
     machines: Vec<Machine>,
     /// Every way under some reading, each once.
-    ways: Vec<Way>,
+    ways: Vec<WayOut>,
 }
 
 /// What leads out of every state.
@@ -53,7 +53,7 @@ impl Readings {
     }
 
     /// Every way out of a state under some reading.
-    pub(crate) fn ways(&self, state: AsState) -> &[Way] {
+    pub(crate) fn ways(&self, state: AsState) -> &[WayOut] {
         self.0.get(state as usize - 1).map_or(&[], |leaving| &leaving.ways)
     }
 
@@ -74,7 +74,7 @@ impl Readings {
     }
 
     /// The way that is certainly open: under every reading the state is left. Tells that of the first.
-    pub(crate) fn due(&self, state: AsState, known: Knowledge) -> Option<Way> {
+    pub(crate) fn due(&self, state: AsState, known: Knowledge) -> Option<WayOut> {
         if !self.ways(state).iter().any(|way| way.term.truth(known) == Truth::True) {
             return None;
         }
@@ -104,30 +104,34 @@ pub(crate) fn section_of(edition: &Edition, fault: Fault) -> &'static str {
 }
 
 /// What is taken for certain: what is taken if nothing is that only may be, unless the state may stay.
-pub(crate) fn forced(machine: &Machine, from: AsState, known: Knowledge) -> Option<Way> {
+pub(crate) fn forced(machine: &Machine, from: AsState, known: Knowledge) -> Option<WayOut> {
     way(machine, machine.outcomes(from, known).last()?.taken?.0)
 }
 
 /// The first alternative of an arrow that may be taken.
-pub(crate) fn possible(machine: &Machine, (from, to): (AsState, AsState), known: Knowledge) -> Option<Way> {
+pub(crate) fn possible(
+    machine: &Machine,
+    (from, to): (AsState, AsState),
+    known: Knowledge,
+) -> Option<WayOut> {
     let taken = machine.outcomes(from, known).filter_map(|outcome| outcome.taken);
     way(machine, { taken }.find(|(_, leads)| *leads == to)?.0)
 }
 
 /// The alternatives of an arrow under the readings of a machine.
-pub(crate) fn guard(machine: &Machine, from: AsState, to: AsState) -> Vec<Way> {
+pub(crate) fn guard(machine: &Machine, from: AsState, to: AsState) -> Vec<WayOut> {
     ways(machine, from).filter(|way| way.to == to).collect()
 }
 
 /// The ways out of a state under the readings of a machine, in the order of evaluation.
-pub(crate) fn ways(machine: &Machine, from: AsState) -> impl Iterator<Item = Way> {
+pub(crate) fn ways(machine: &Machine, from: AsState) -> impl Iterator<Item = WayOut> {
     machine.arrows(from).filter_map(|taken| way(machine, taken))
 }
 
-fn way(machine: &Machine, taken: Taken) -> Option<Way> {
+fn way(machine: &Machine, taken: Taken) -> Option<WayOut> {
     let table = &machine.edition().rules.table;
     let Row { to, section, .. } = *taken.row(table)?;
-    Some(Way { to, section, term: *taken.term(table)? })
+    Some(WayOut { to, section, term: *taken.term(table)? })
 }
 
 /// The readings that change the table, rather than what an atom means.

@@ -8,8 +8,8 @@ use adsdv_spec::{Atom, Choice, Reading, Truth};
 use super::base::{Estimator, is_active};
 use super::silences::place_of;
 use crate::judge::sampler::Came;
+use crate::judge::sampler::content::FrameContent;
 use crate::judge::sampler::places::{AI_STATUS, REMOTE, STATUS, VCU_STATUS, scope};
-use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::SILENCE_NS;
 use crate::remote::Switches;
 
@@ -44,14 +44,14 @@ impl Estimator {
     }
 
     /// A message of requests, or of what the VCU measures, says something else than before.
-    pub(crate) fn learns(&mut self, came: &Came, said: &FrameContent) {
+    pub(crate) fn learns(&mut self, came: &Came, content: &FrameContent) {
         let &Came { index, t, before, was_fresh, .. } = came;
-        let atoms = said.atoms(&self.edition.rules.thresholds);
+        let atoms = content.atoms(&self.edition.rules.thresholds);
         let scope = self.sampler.scope(index);
         // In EMERGENCY_BRAKE it is TRIGGERED whatever the EBS itself reports, and a 520h may be missing that would
         // have shown that state; none but AS_OFF is safe from it.
         //= D-28, D-61
-        let hidden = matches!(said.message, AnyMessage::Vcu2AiBrake(brake) if brake.status_ebs == EbsState::Triggered)
+        let hidden = matches!(content.message, AnyMessage::Vcu2AiBrake(brake) if brake.status_ebs == EbsState::Triggered)
             && self.vcu.state != Some(AsState::Off);
         let Some(slot) = self.sampler.slots.get_mut(index) else { return };
         let last = std::mem::replace(&mut slot.atoms, atoms.filter(|_| !hidden));
@@ -65,7 +65,7 @@ impl Estimator {
         self.learn(t, self.known.learn(scope, atoms));
     }
 
-    /// 502h shows the state: a moment of its own, so that a change until the next sample can be told from this one.
+    /// 502h shows the state: a moment of its own, so that a change until the next sample can be distinguished from this one.
     pub(crate) fn sampled(&mut self, t: i64) {
         self.history.push(t, self.known, self.vcu.state);
     }

@@ -1,7 +1,7 @@
 //! Missed messages: whether one of the AI Computer's has been silent for too long (section 2.4 of version 4.0).
 //!
 //! A recorder loses frames as well. So a silence that is about as long as the limit, give or take the window, may be one or
-//! not; and that nothing at all comes from the AI Computer may be the recorder's doing: what becomes of that is told by the
+//! not; and that nothing at all comes from the AI Computer may be the recorder's doing: what becomes of that, the judge learns from the
 //! handshake.
 
 use adsdv_spec::Truth;

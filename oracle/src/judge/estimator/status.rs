@@ -3,11 +3,11 @@
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Choice, Faults, Knowledge, Observation, Reading, Truth};
 
-use super::base::{Estimator, Left, Vcu, is_active};
+use super::base::{Estimator, Left, ObservedVcu, is_active};
 use super::watch::Suspect;
 use crate::judge::sampler::Came;
+use crate::judge::sampler::content::FrameContent;
 use crate::judge::sampler::places::STATUS;
-use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::{MS, SILENCE_NS};
 
 /// The changes that only count in `AS_DRIVING`.
@@ -15,7 +15,7 @@ const IN_DRIVING: [Atom; 2] = [Atom::MissionFinishedEdge, Atom::DirectionNeutral
 
 /// A 520h that came with something new.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shown {
+pub(crate) struct StatusChange {
     pub(crate) status: Vcu2AiStatus,
     /// The one before, unless a silence lies between; and whether a frame may be missing in between.
     pub(crate) previous: Option<Vcu2AiStatus>,
@@ -51,14 +51,20 @@ pub(crate) struct SeenChange {
 
 impl Estimator {
     /// 520h came with something new.
-    pub(crate) fn shows(&mut self, came: &Came, said: &FrameContent, mut status: Vcu2AiStatus) -> Shown {
+    pub(crate) fn shows(
+        &mut self,
+        came: &Came,
+        content: &FrameContent,
+        mut status: Vcu2AiStatus,
+    ) -> StatusChange {
         let t = came.t;
-        if said.is_bad("shutdown_cause") {
+        if content.is_bad("shutdown_cause") {
             // A cause that cannot be read says nothing about the one before.
             status.shutdown_cause = self.vcu.status.map_or(status.shutdown_cause, |s| s.shutdown_cause);
         }
         let readable = self.sampler.scope(STATUS);
-        let readable = if said.is_bad("ami_state") { readable.without(Atom::AmiSelected) } else { readable };
+        let readable =
+            if content.is_bad("ami_state") { readable.without(Atom::AmiSelected) } else { readable };
         let silence = came.before.map(|before| t - before).filter(|&silence| silence >= SILENCE_NS);
         if silence.is_some() {
             self.vcu_was_silent(t);
@@ -66,7 +72,7 @@ impl Estimator {
         let gap = self.vcu.gap_since.take().is_some();
         let previous = self.vcu.status.replace(status);
         let (old, answered) = (self.vcu.state, self.handshake.is_answered());
-        let new = Some(status.as_state).filter(|_| !said.is_bad("as_state"));
+        let new = Some(status.as_state).filter(|_| !content.is_bad("as_state"));
         if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
             self.handshake.restart();
         }
@@ -74,7 +80,7 @@ impl Estimator {
         let before = self.known;
         self.learn_status(t, status, readable, previous, new, gap);
         let last = came.before.unwrap_or(t);
-        let mut shown = Shown {
+        let mut shown = StatusChange {
             status,
             previous,
             gap,
@@ -109,7 +115,7 @@ impl Estimator {
 
     /// The VCU was silent: what it is, and what it remembers, is unknown.
     fn vcu_was_silent(&mut self, t: i64) {
-        self.vcu = Vcu::default();
+        self.vcu = ObservedVcu::default();
         self.timers.clear();
         self.handshake.vcu_gone();
         self.learn(t, self.known.forget(Atoms::ALL.difference(Observation::SCOPE)));

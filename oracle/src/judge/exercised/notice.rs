@@ -24,19 +24,19 @@ impl Book {
             return self.tally.mark(&[ONLY_ARROWS], Standing::NotCertain);
         };
         self.tally.mark(&[ONLY_ARROWS], Standing::Held);
-        let told = match justified {
+        let standing = match justified {
             Truth::True => Standing::Held,
             Truth::Unknown => Standing::NotCertain,
             // What it broke stands in the finding.
             Truth::False => return,
         };
         for (term, known) in decided {
-            self.tally.mark(&cited::of_term(&row, term), told);
+            self.tally.mark(&cited::of_term(&row, term), standing);
             for (atom, needed) in term.literals() {
                 // What was known of a single condition does not depend on the others.
                 let holds = known.of(atom) == Truth::from(needed) || window.of(atom) == Truth::from(needed);
-                let told = if holds { Standing::Held } else { Standing::NotCertain };
-                self.tally.mark(term.requirements_of(atom).unwrap_or_default(), told);
+                let standing = if holds { Standing::Held } else { Standing::NotCertain };
+                self.tally.mark(term.requirements_of(atom).unwrap_or_default(), standing);
             }
         }
     }
@@ -63,25 +63,25 @@ impl Book {
             Some(_) if est.silences.silent != Truth::False => Some(Standing::NotCertain),
             _ => None,
         };
-        if let Some(told) = edge {
-            self.tally.mark(UNANSWERED, told);
+        if let Some(standing) = edge {
+            self.tally.mark(UNANSWERED, standing);
         }
-        if let Some(told) = missed {
-            self.tally.mark(&[MISSED], told);
+        if let Some(standing) = missed {
+            self.tally.mark(&[MISSED], standing);
         }
-        if let Some(told) = edge.max(missed) {
-            self.tally.mark(&[Fault::AiCommsFault.requirement()], told);
+        if let Some(standing) = edge.max(missed) {
+            self.tally.mark(&[Fault::AiCommsFault.requirement()], standing);
         }
     }
 
     /// A flag was raised: could its reason have been there?
     pub(in crate::judge) fn exercise_flag(&mut self, fault: Fault, reason: Truth) {
-        let told = match reason {
+        let standing = match reason {
             Truth::True => Standing::Held,
             // Which is a finding.
             _ => Standing::NotCertain,
         };
-        self.tally.mark(&[fault.requirement()], told);
+        self.tally.mark(&[fault.requirement()], standing);
     }
 
     /// The AI Computer declared FINISHED in AS_DRIVING, at rest as far as is known.

@@ -9,7 +9,7 @@ use super::required::Required;
 pub enum Standing {
     /// Nothing: what it is about never happened.
     NotExercised,
-    /// What it is about happened, and whether it was kept cannot be told.
+    /// What it is about happened, and the recording does not show whether it was kept.
     NotCertain,
     /// It was kept at least once, and never seen broken.
     Held,
@@ -38,7 +38,7 @@ pub struct RequirementStanding {
     /// As `spec/REQUIREMENTS.md` numbers it, such as `RDY-5`.
     pub id: &'static str,
     /// What the recording tells of it.
-    pub told: Standing,
+    pub standing: Standing,
 }
 
 /// Something without which a recording tells little.
@@ -80,9 +80,9 @@ pub struct Exercised {
 }
 
 impl Exercised {
-    /// Of how many requirements this is told.
-    pub fn count(&self, told: Standing) -> usize {
-        self.requirements.iter().filter(|requirement| requirement.told == told).count()
+    /// How many requirements stand so.
+    pub fn count(&self, standing: Standing) -> usize {
+        self.requirements.iter().filter(|requirement| requirement.standing == standing).count()
     }
 
     /// What was not there, so that the verdict is about less than a run.
@@ -104,7 +104,7 @@ impl Exercised {
             Required::Vcu => self.vcu,
             Required::State(state) => self.states.contains(&state),
             Required::Requirement(id) => {
-                self.requirements.iter().any(|one| one.id == id && one.told != Standing::NotExercised)
+                self.requirements.iter().any(|one| one.id == id && one.standing != Standing::NotExercised)
             }
         }
     }

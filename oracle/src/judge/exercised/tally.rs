@@ -22,11 +22,11 @@ pub(in crate::judge) struct Tally {
 }
 
 impl Tally {
-    /// This is told of these; what weighs more than what was told before counts.
-    pub(super) fn mark<'a>(&mut self, ids: impl IntoIterator<Item = &'a &'static str>, told: Standing) {
+    /// These stand so; what weighs more than what was marked before counts.
+    pub(super) fn mark<'a>(&mut self, ids: impl IntoIterator<Item = &'a &'static str>, standing: Standing) {
         for id in ids {
-            let mark = self.marks.entry(id).or_insert(told);
-            *mark = told.max(*mark);
+            let mark = self.marks.entry(id).or_insert(standing);
+            *mark = standing.max(*mark);
         }
     }
 
@@ -59,7 +59,7 @@ impl Tally {
         shown.map(|(&state, _)| state).collect()
     }
 
-    /// What is told of each requirement of an edition.
+    /// How each requirement of an edition stands.
     pub(super) fn requirements(mut self, edition: &Edition, answers: bool) -> Vec<RequirementStanding> {
         for (id, _) in HOLDS.iter().zip(self.turned).filter(|(_, turned)| *turned) {
             self.mark(&[*id, ALTERNATES], Standing::Held);
@@ -70,14 +70,14 @@ impl Tally {
         for state in self.states() {
             self.mark(Actuation::requirements(state), Standing::NotCertain);
         }
-        let mut told: BTreeMap<&str, Standing> = BTreeMap::new();
+        let mut standing: BTreeMap<&str, Standing> = BTreeMap::new();
         for (id, mark) in &self.marks {
             for id in cited::of_edition(edition, &[*id]) {
-                let one = told.entry(id).or_insert(*mark);
+                let one = standing.entry(id).or_insert(*mark);
                 *one = (*one).max(*mark);
             }
         }
-        let of = |id| told.get(id).copied().unwrap_or(Standing::NotExercised);
-        cited::all(edition).into_iter().map(|id| RequirementStanding { id, told: of(id) }).collect()
+        let of = |id| standing.get(id).copied().unwrap_or(Standing::NotExercised);
+        cited::all(edition).into_iter().map(|id| RequirementStanding { id, standing: of(id) }).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use adsdv_spec::Fault;
 
-use crate::judge::estimator::readings::Way;
+use crate::judge::estimator::readings::WayOut;
 use crate::judge::sampler::places;
 
 /// What is forbidden to the AI Computer while the vehicle is moving.
@@ -33,7 +33,7 @@ pub(super) fn lower(kept: &mut Option<Peak>, peak: Peak) {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reaction {
     pub(super) took: Peak,
-    pub(super) way: Way,
+    pub(super) way: WayOut,
     pub(super) from: adsdv_spec::AsState,
 }
 
@@ -58,7 +58,7 @@ pub(in crate::judge) struct Kept {
     pub(super) slowest: Option<Reaction>,
     pub(super) fastest: Option<Reaction>,
     /// What was due before the frame that shows a change of state: since when, and whether that was reported.
-    pub(in crate::judge) due: Option<(i64, Way, bool)>,
+    pub(in crate::judge) due: Option<(i64, WayOut, bool)>,
     /// The highest speeds at FINISHED and at NEUTRAL.
     pub(super) speeds: [Option<Peak>; 2],
     /// Those past the limit, as long as they are not judged.

@@ -6,7 +6,7 @@
 use adsdv_spec::messages::{EbsStage, EbsState, Vcu2LogStatus};
 use adsdv_spec::{AsState, Atom, Truth};
 
-use super::pending::Lasting;
+use super::pending::Persisting;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::finding::{Finding, Party, Rule};
 use crate::judge::sampler::places::{BRAKE, LOG_STATUS, STATUS};
@@ -19,7 +19,7 @@ const ASSI: &str = "MSG-35"; //= MSG-35
 pub(super) struct Assi {
     shown: Option<AsState>,
     /// It differs from that of 520h.
-    differs: Lasting,
+    differs: Persisting,
 }
 
 impl Assi {
@@ -58,7 +58,7 @@ pub(super) struct Ebs {
     pub(super) stage: Option<EbsStage>,
     /// In 524h.
     pub(super) status: Option<EbsState>,
-    differs: Lasting,
+    differs: Persisting,
 }
 
 /// Whether both may be shown at once: D-73. Before it is armed, or where it is faulty, it is not available.

@@ -6,10 +6,10 @@ use adsdv_spec::{AsState, Atom, Choice, Fault, Knowledge, Machine, Term, Truth};
 
 use super::likely::{Likely, likely_unjustified, no_frame};
 use super::pending::Pending;
-use super::texts::{Wrong, not_left, unjustified};
+use super::texts::{Mismatch, not_left, unjustified};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::{Way, forced, guard, of_terms, possible, ways};
+use crate::judge::estimator::readings::{WayOut, forced, guard, of_terms, possible, ways};
 use crate::judge::estimator::status::{MEMORY, SeenChange};
 use crate::judge::evidence::Frames;
 use crate::judge::exercised::{ONLY_ARROWS, broken_by};
@@ -22,7 +22,7 @@ use crate::judge::time::MS;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Due {
     pub(super) since: i64,
-    pub(super) way: Way,
+    pub(super) way: WayOut,
     /// The last frames when it came to be.
     frames: Frames,
     /// Whether the guard held in a step that is over: then it does not matter that it holds no more.
@@ -31,7 +31,7 @@ pub(super) struct Due {
 }
 
 impl Due {
-    fn new(est: &Estimator, since: i64, way: Way, held: bool) -> Self {
+    fn new(est: &Estimator, since: i64, way: WayOut, held: bool) -> Self {
         Self { since, way, frames: est.sampler.frames(), held, reported: false }
     }
 
@@ -44,7 +44,7 @@ impl Due {
 
 /// What three-valued judgement says of a change under some readings.
 #[derive(Clone, Copy)]
-struct Judged {
+struct Judgement {
     truth: Truth,
     /// The alternative that decided, or may have, and what was known of it; of a change that cannot be: another that comes first.
     decided: Option<(Term, Knowledge)>,
@@ -108,7 +108,7 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
         est.moments(start, t).filter(|moment| moment.state == Some(from)).map(|moment| moment.known);
     let instants: Vec<Knowledge> = moments.chain([at_step]).map(|known| known.forget(between)).collect();
     let machines = est.readings.of(from);
-    let judged: Vec<Judged> =
+    let judged: Vec<Judgement> =
         machines.iter().map(|machine| judge(machine, (from, to), window, &instants)).collect();
     let mut justified = judged.iter().map(|j| j.truth).reduce(Truth::agree).unwrap_or(Truth::False);
     let between_missed =
@@ -142,9 +142,9 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
         _ if between_missed => {
             let gap = no_frame(Vcu2AiStatus::ID, before, t);
             let stays =
-                Wrong::stays(format!("by all that was recorded {from} -> {to}, without a reason"), from);
+                Mismatch::stays(format!("by all that was recorded {from} -> {to}, without a reason"), from);
             let excuse = format!("a state between was missed ({gap})");
-            Some(stays.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse))
+            Some(stays.describe(found(Severity::Warning, Rule::Unjustified)).unless(excuse))
         }
         (None, Truth::False) => {
             let finding = found(Severity::Violation, Rule::NoArrow).against(&[ONLY_ARROWS]);
@@ -159,10 +159,13 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
             let terms: Vec<Term> = guard.iter().map(|way| way.term).collect();
             let wrong = unjustified(&est.edition.rules, (from, to), &terms, window, overtaking);
             let broken = broken_by(est, from, to, &deciding, window);
-            Some(wrong.told(found(Severity::Violation, Rule::Unjustified)).against(&broken))
+            Some(wrong.describe(found(Severity::Violation, Rule::Unjustified)).against(&broken))
         }
-        (_, Truth::Unknown) => likely_unjustified(est, t, (from, to), shown, lasted)
-            .map(|(wrong, excuse)| wrong.told(found(Severity::Warning, Rule::Unjustified)).unless(excuse)),
+        (_, Truth::Unknown) => {
+            likely_unjustified(est, t, (from, to), shown, lasted).map(|(wrong, excuse)| {
+                wrong.describe(found(Severity::Warning, Rule::Unjustified)).unless(excuse)
+            })
+        }
         _ => None,
     };
     book.found(finding);
@@ -181,19 +184,19 @@ fn judge(
     (from, to): (AsState, AsState),
     window: Knowledge,
     instants: &[Knowledge],
-) -> Judged {
-    let leads = |way: &Way| way.to == to;
+) -> Judgement {
+    let leads = |way: &WayOut| way.to == to;
     let Some(way) = possible(machine, (from, to), window) else {
         // Another that comes first, if there is such an arrow at all.
         let earlier = ways(machine, from).take_while(|way| !leads(way));
         let first = { earlier }.find(|way| way.term.truth(window) == Truth::True);
         let first = first.filter(|_| ways(machine, from).any(|way| leads(&way)));
-        return Judged { truth: Truth::False, decided: first.map(|way| (way.term, window)) };
+        return Judgement { truth: Truth::False, decided: first.map(|way| (way.term, window)) };
     };
     let certain = |&known: &Knowledge| Some((forced(machine, from, known).filter(leads)?.term, known));
     match instants.iter().rev().find_map(certain) {
-        Some(decided) => Judged { truth: Truth::True, decided: Some(decided) },
-        None => Judged { truth: Truth::Unknown, decided: Some((way.term, window)) },
+        Some(decided) => Judgement { truth: Truth::True, decided: Some(decided) },
+        None => Judgement { truth: Truth::Unknown, decided: Some((way.term, window)) },
     }
 }
 

@@ -20,9 +20,9 @@ pub(super) struct Comms {
     pub(super) meter: Meter,
     /// Whether the silence of each message that is watched was reported.
     reported: [bool; WATCHED.len()],
-    /// Whether it was reported that the VCU does not tell of it, and when the VCU last told of it.
+    /// Whether it was reported that the VCU does not show it, and when the VCU last showed it.
     reported_vcu: bool,
-    told_at: Option<i64>,
+    shown_at: Option<i64>,
 }
 
 impl Comms {
@@ -62,8 +62,8 @@ impl Comms {
         }
         if let Some(late) = est.handshake.response().filter(|&response| changes && response > limit) {
             // Too late on the bus. If the VCU saw it in time all the same, it is no more than worth a look.
-            let told = est.shows_comms_lost();
-            ai_is_late(est, book, t, if told { Severity::Violation } else { Severity::Warning });
+            let shown = est.shows_comms_lost();
+            ai_is_late(est, book, t, if shown { Severity::Violation } else { Severity::Warning });
             book.margins.answered(t, late);
         }
     }
@@ -76,8 +76,8 @@ impl Comms {
         if waited >= limit + est.window && wrong {
             ai_is_late(est, book, t, Severity::Violation);
         }
-        let told = est.shows_comms_lost() && est.sampler.last(AI_STATUS).is_some();
-        if waited >= limit && told {
+        let shown = est.shows_comms_lost() && est.sampler.last(AI_STATUS).is_some();
+        if waited >= limit && shown {
             ai_is_late(est, book, t, by_state(est));
         }
         self.judge_missed(est, book, t);
@@ -94,10 +94,10 @@ impl Comms {
         for (place, reported) in self.reported.iter_mut().enumerate() {
             let Some(last) = Silences::heard_at(place, &est.sampler) else { continue };
             let flagged = est.silences.vcu_tells(place, &est.sampler);
-            let told =
+            let shown =
                 (est.shows_comms_lost() || flagged) && est.silences.others_come(place, t, &est.sampler);
             let silent =
-                t - last >= limit && told || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
+                t - last >= limit && shown || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
             if silent && !std::mem::replace(reported, true) {
                 report_missed(est, book, place, (t, last, limit));
             }
@@ -113,19 +113,19 @@ impl Comms {
     /// 520h still says that communication is present: has a message been silent for too long?
     fn missed_due(&mut self, est: &Estimator, t: i64) -> Option<Finding> {
         let limit = est.silences.limit?;
-        let told = est.shows_comms_lost();
-        if told {
-            self.told_at = Some(t);
+        let shown = est.shows_comms_lost();
+        if shown {
+            self.shown_at = Some(t);
         }
-        if est.silences.silent == Truth::False || told || !est.vcu_is_seen() {
+        if est.silences.silent == Truth::False || shown || !est.vcu_is_seen() {
             self.reported_vcu = false;
             return None;
         }
-        // It told of it a moment ago: the frame that ended the silence may be recorded behind the 520h that says so.
+        // It showed it a moment ago: the frame that ended the silence may be recorded behind the 520h that says so.
         let late = t - est.deadline;
-        let just_told = self.told_at.is_some_and(|told_at| t - told_at <= est.window);
+        let just_shown = self.shown_at.is_some_and(|shown_at| t - shown_at <= est.window);
         let watching = est.silences.is_watching(late, est.known.of(Atom::Tsms));
-        if just_told || self.reported_vcu || watching != Truth::True || !est.sampler.is_fresh(AI_STATUS) {
+        if just_shown || self.reported_vcu || watching != Truth::True || !est.sampler.is_fresh(AI_STATUS) {
             return None;
         }
         // Where 510h is silent itself, the handshake tells.
@@ -177,32 +177,32 @@ fn by_state(est: &Estimator) -> Severity {
     if matches!(est.vcu.state, Some(AsState::Off) | None) { Severity::Warning } else { Severity::Violation }
 }
 
-fn and_told(est: &Estimator) -> &'static str {
+fn and_raised(est: &Estimator) -> &'static str {
     if est.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
 }
 
 /// The same of one message: 120h may tell of it as well, and is evidence then.
-fn and_told_of(est: &Estimator, place: usize, index: usize) -> (String, Vec<usize>) {
+fn and_raised_of(est: &Estimator, place: usize, index: usize) -> (String, Vec<usize>) {
     let flag = TIMEOUTS.get(place).filter(|_| est.silences.vcu_tells(place, &est.sampler));
     match (flag, est.shows_comms_lost()) {
         (Some(field), false) => {
             (format!(", and the VCU has raised {}", name_of(est, field)), vec![index, VCU_STATUS])
         }
-        (Some(_), true) => (and_told(est).to_owned(), vec![index, VCU_STATUS]),
-        (None, _) => (and_told(est).to_owned(), vec![index]),
+        (Some(_), true) => (and_raised(est).to_owned(), vec![index, VCU_STATUS]),
+        (None, _) => (and_raised(est).to_owned(), vec![index]),
     }
 }
 
-/// The AI Computer has not answered in time; that is told once of an edge.
+/// The AI Computer has not answered in time; the judge reports that once of an edge.
 fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) {
     let Some(edge) = est.handshake.edge_at() else { return };
     if std::mem::replace(&mut est.handshake.reported_ai, true) {
         return;
     }
-    let (limit, waited, told) = (est.handshake_limit(), milliseconds(t - edge), and_told(est));
+    let (limit, waited, and_shown) = (est.handshake_limit(), milliseconds(t - edge), and_raised(est));
     let finding = Finding::new(severity, Party::Ai, "2.4", Rule::HandshakeLate, t.min(edge + limit))
         .against(&[ANSWERS])
-        .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{told}"))
+        .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{and_shown}"))
         .expected(format!("an answer within {} ms", limit / MS))
         .shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS]));
     book.found(finding);
@@ -212,10 +212,10 @@ fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit
     let index = WATCHED.get(place).copied().unwrap_or_default();
     let Some(def) = est.sampler.def(index) else { return };
     book.margins.gap(index, t - last, t);
-    let (silent, (told, shows)) = (milliseconds(t - last), and_told_of(est, place, index));
+    let (silent, (and_shown, shows)) = (milliseconds(t - last), and_raised_of(est, place, index));
     let what = format!("{} ({:03X}h)", def.name, def.id);
     let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
-        .seen(format!("{what} has not come for {silent:.0} ms while others have{told}"))
+        .seen(format!("{what} has not come for {silent:.0} ms while others have{and_shown}"))
         .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
         .shown_by(est.sampler.last_frames(&shows));
     book.found(finding);

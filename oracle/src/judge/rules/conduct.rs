@@ -10,7 +10,7 @@ use super::pending::{Awaited, Pending};
 use super::texts::conditions;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::{Way, of_terms, section_of, ways};
+use crate::judge::estimator::readings::{WayOut, of_terms, section_of, ways};
 use crate::judge::exercised::FINISHES_AT_REST;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::margins::AT_SPEED;
@@ -38,9 +38,9 @@ pub(super) const fn deciding(fault: Fault) -> Atoms {
 pub(super) struct Conduct {
     /// Whether the AI Computer was doing what is forbidden already, as far as that is reported or looked at.
     does: [bool; FORBIDDEN.len()],
-    /// Since when requests hold the vehicle in AS_READY, and whether that was told.
+    /// Since when requests hold the vehicle in AS_READY, and whether that was reported.
     held_since: Option<i64>,
-    held_told: bool,
+    held_reported: bool,
 }
 
 impl Conduct {
@@ -73,7 +73,7 @@ impl Conduct {
         begins
     }
 
-    /// What may have been forbidden, and its window has passed. Tells for how long to wait on where that cannot be told yet.
+    /// What may have been forbidden, and its window has passed. Returns for how long to wait on where that is not known yet.
     pub(super) fn judge(
         &mut self,
         est: &Estimator,
@@ -86,14 +86,14 @@ impl Conduct {
         if est.left_unseen(t) {
             return None;
         }
-        let told = est.vcu.status.is_some_and(|status| status.brake_plausibility_fault);
+        let flagged = est.vcu.status.is_some_and(|status| status.brake_plausibility_fault);
         let known = if fault != BOTH {
             if !shown {
                 // What the VCU's state was then shows only in its next frame, if one comes before all is forgotten.
                 return Some(est.now - t + est.window.max(est.cycle()));
             }
             before.set(Atom::Moving, est.throughout(t - est.window, t + est.window).of(Atom::Moving))
-        } else if told {
+        } else if flagged {
             before
         } else if shown && est.moments(t, est.now).all(|moment| moment.state == Some(AsState::Driving)) {
             // The VCU was still driving for certain.
@@ -101,18 +101,18 @@ impl Conduct {
         } else {
             return None;
         };
-        let holds = |way: &Way| way.term.fault == Some(fault) && way.term.truth(known) == Truth::True;
+        let holds = |way: &WayOut| way.term.fault == Some(fault) && way.term.truth(known) == Truth::True;
         let machines = est.readings.of(AsState::Driving);
         let terms: Vec<_> =
             machines.iter().map(|machine| ways(machine, AsState::Driving).find(holds)).collect();
-        let Some(Way { term, .. }) = terms.iter().find_map(|way| *way) else {
+        let Some(WayOut { term, .. }) = terms.iter().find_map(|way| *way) else {
             // It may go on, and show more clearly later.
             if let Some(does) = FORBIDDEN.iter().position(|&other| other == fault && fault != BOTH) {
                 self.does[does] = false;
             }
             return None;
         };
-        let certain = fault == BOTH && told || terms.iter().all(Option::is_some);
+        let certain = fault == BOTH && flagged || terms.iter().all(Option::is_some);
         let (severity, reservation) = if certain {
             (Severity::Violation, "")
         } else {
@@ -139,13 +139,13 @@ impl Conduct {
 
     /// When requests have held the vehicle for too long.
     pub(super) fn next(&self, est: &Estimator) -> i64 {
-        self.held_since.filter(|_| !self.held_told).map_or(i64::MAX, |since| since + est.deadline)
+        self.held_since.filter(|_| !self.held_reported).map_or(i64::MAX, |since| since + est.deadline)
     }
 
     /// Requests have held the vehicle for too long, if they have.
     pub(super) fn held(&mut self, est: &Estimator) -> Option<Finding> {
         let since = self.held_since?;
-        self.held_told = true;
+        self.held_reported = true;
         let text = |atom| est.edition.rules.text(atom, false).to_string();
         let failed: Vec<String> = requests(est).intersection(est.known.off()).iter().map(text).collect();
         let finding = Finding::warning(Party::Ai, "3.2", Rule::ReadyHeld, since).seen(format!(

@@ -4,12 +4,12 @@ use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Truth};
 
 use super::conduct::deciding;
-use super::pending::{Lasting, Pending};
+use super::pending::{Pending, Persisting};
 use super::texts::conditions;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::{Estimator, is_active};
 use crate::judge::estimator::readings::of_terms;
-use crate::judge::estimator::status::Shown;
+use crate::judge::estimator::status::StatusChange;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::sampler::places::STATUS;
 use crate::judge::time::milliseconds;
@@ -37,8 +37,8 @@ pub(super) struct Flags {
     /// Since when there is an emergency, and whether it is certain that its cause has a number.
     pub(super) brake: Option<(i64, bool)>,
     /// `FAULT_STATUS` and `WARNING_STATUS` contradict the flags that they sum up.
-    fault_sum: Lasting,
-    warning_sum: Lasting,
+    fault_sum: Persisting,
+    warning_sum: Persisting,
     /// Since when the AI Computer asks for an emergency stop and the flag is not shown.
     pub(super) estop_since: Option<i64>,
 }
@@ -65,7 +65,7 @@ fn shows_wrongly(
 }
 
 /// The faults whose flags have been raised, and whose conditions the bus shows.
-pub(super) fn risen(shown: &Shown) -> impl Iterator<Item = Fault> {
+pub(super) fn risen(shown: &StatusChange) -> impl Iterator<Item = Fault> {
     let new = shown
         .previous
         .filter(|_| !shown.gap)
@@ -75,8 +75,8 @@ pub(super) fn risen(shown: &Shown) -> impl Iterator<Item = Fault> {
 
 impl Flags {
     /// 520h shows something else.
-    pub(super) fn shown(&mut self, est: &Estimator, book: &mut Book, t: i64, shown: &Shown) {
-        let &Shown { status, gap, .. } = shown;
+    pub(super) fn shown(&mut self, est: &Estimator, book: &mut Book, t: i64, shown: &StatusChange) {
+        let &StatusChange { status, gap, .. } = shown;
         if let Some(state) = shown.entered {
             let from_another = shown.change.is_some();
             self.brake = (state == AsState::EmergencyBrake && from_another).then_some((t, false));
@@ -104,7 +104,7 @@ impl Flags {
         book: &mut Book,
         t: i64,
         previous: &Vcu2AiStatus,
-        shown: &Shown,
+        shown: &StatusChange,
     ) {
         let (old, new) = (previous.shutdown_cause, shown.status.shutdown_cause);
         if old == ShutdownCause::NoShutdown {
@@ -216,7 +216,7 @@ pub(super) fn judge_flag(
     if let Some(reason) = reason {
         return book.exercise_flag(fault, reason);
     }
-    // Told in the words of the first alternative, by the section of the last: those of section 3.7, and section 4 where the
+    // Reported in the words of the first alternative, by the section of the last: those of section 3.7, and section 4 where the
     // reading that it stands for is possible.
     let section = terms().last().map_or("2.2", |term| term.section);
     let off = window.of(Atom::Tsms) == Truth::False
@@ -242,7 +242,7 @@ pub(super) fn judge_flag(
     book.found(finding);
 }
 
-/// How long to wait until it can be told whether a flag was raised rightly.
+/// How long to wait until it is known whether a flag was raised rightly.
 pub(super) fn wait_for(est: &Estimator, fault: Fault) -> i64 {
     est.sampler.wait_for(deciding(fault))
 }

@@ -7,7 +7,7 @@
 
 use adsdv_spec::{AsState, Choice, Reading};
 
-use super::pending::Lasting;
+use super::pending::Persisting;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::sampler::places::{REMOTE, STATUS};
@@ -20,7 +20,7 @@ const DETECTED: &str = "DRV-14"; //= DRV-14
 /// What is kept of it.
 #[derive(Debug, Default)]
 pub(super) struct GoSignal {
-    differs: Lasting,
+    differs: Persisting,
     /// When 520h came last.
     at: Option<i64>,
 }

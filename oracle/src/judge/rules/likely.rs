@@ -1,14 +1,14 @@
 //! What only an unseen frame could excuse: a transition that every recorded frame says was due.
 //!
 //! A violation is what is one whatever the unknown is, and a frame that may be missing makes a condition unknown. But where all that
-//! was shown says that a guard held, and the VCU stayed, only such a frame can have told it otherwise. That is a warning, and it
+//! was shown says that a guard held, and the VCU stayed, only such a frame can have shown it otherwise. That is a warning, and it
 //! names the time of which nothing was recorded.
 
 use adsdv_spec::{AsState, Atom, Atoms, Knowledge, Term, Truth};
 
-use super::texts::{Wrong, not_left, unjustified};
+use super::texts::{Mismatch, not_left, unjustified};
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::{Way, guard, of_terms};
+use crate::judge::estimator::readings::{WayOut, guard, of_terms};
 use crate::judge::estimator::status::MEMORY;
 use crate::judge::finding::{Finding, Severity};
 use crate::judge::sampler::slot::Slot;
@@ -19,7 +19,7 @@ use crate::why::EDGES;
 #[derive(Clone, Copy, Debug)]
 struct LikelyDue {
     since: i64,
-    way: Way,
+    way: WayOut,
     /// Whether it is "Go" that was accepted, which is there for one step only.
     by_go: bool,
 }
@@ -74,7 +74,7 @@ pub(super) fn likely_unjustified(
     (from, to): (AsState, AsState),
     before: Knowledge,
     lasted: i64,
-) -> Option<(Wrong, String)> {
+) -> Option<(Mismatch, String)> {
     // Before a state that has only just been seen there may have been anything.
     if est.options.complete || lasted < 3 * est.window {
         return None;
@@ -91,7 +91,7 @@ pub(super) fn likely_unjustified(
     let guard: Vec<Term> = { guard }.find(|guard| !guard.is_empty())?.iter().map(|way| way.term).collect();
     let wrong = unjustified(&est.edition.rules, (from, to), &guard, shown, None);
     let excuse = excuse(est, of_terms(guard.iter()), t - est.window, est.now);
-    Some((Wrong { seen: format!("by all that was recorded {}", wrong.seen), ..wrong }, excuse))
+    Some((Mismatch { seen: format!("by all that was recorded {}", wrong.seen), ..wrong }, excuse))
 }
 
 /// What could excuse the VCU: the frames of these conditions that may have been lost between these times.

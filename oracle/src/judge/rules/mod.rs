@@ -30,9 +30,9 @@ use vcu_status::StatusWatch;
 
 use super::book::Book;
 use super::estimator::base::Estimator;
-use super::estimator::status::Shown;
+use super::estimator::status::StatusChange;
 use super::finding::{Finding, Party, Rule};
-use super::sampler::said::FrameContent;
+use super::sampler::content::FrameContent;
 use super::sampler::{Came, Says};
 use super::time::milliseconds;
 
@@ -55,14 +55,14 @@ impl Rules {
     /// A frame came that says something else than the one before, and nothing of it has been looked at yet.
     pub(super) fn came(&mut self, est: &Estimator, book: &mut Book, came: &Came, says: &Says) {
         values::judge(&est.sampler, book, came, says);
-        if let Says::This { said, .. } = says {
-            match said.message {
+        if let Says::This { content, .. } = says {
+            match content.message {
                 AnyMessage::Vcu2AiStatus(message) => {
-                    let readable = est.sampler.stage && !said.is_bad("ebs_state");
+                    let readable = est.sampler.stage && !content.is_bad("ebs_state");
                     self.ebs.stage = Some(message.ebs_state).filter(|_| readable);
                 }
                 AnyMessage::Vcu2AiBrake(message) => {
-                    self.ebs.status = Some(message.status_ebs).filter(|_| !said.is_bad("status_ebs"));
+                    self.ebs.status = Some(message.status_ebs).filter(|_| !content.is_bad("status_ebs"));
                 }
                 _ => {}
             }
@@ -71,7 +71,7 @@ impl Rules {
     }
 
     /// 520h shows something else.
-    pub(super) fn shown(&mut self, est: &mut Estimator, book: &mut Book, t: i64, shown: &Shown) {
+    pub(super) fn shown(&mut self, est: &mut Estimator, book: &mut Book, t: i64, shown: &StatusChange) {
         if let Some(silence) = shown.silence {
             let seconds = milliseconds(silence) / 1e3;
             let seen = format!("no frame of the VCU for {seconds:.3} s; what it did meanwhile is unknown");
@@ -171,13 +171,13 @@ impl Rules {
         t: i64,
         new: Option<(&FrameContent, &Came)>,
     ) {
-        if let Some((said, came)) = new
-            && let AnyMessage::VcuStatus(shown) = said.message
+        if let Some((content, came)) = new
+            && let AnyMessage::VcuStatus(shown) = content.message
         {
             est.silences.vcu_shows(t, Some(vcu_status::timeouts(&shown)));
             self.comms.judge_missed(est, book, t);
             let before = came.before.filter(|_| came.was_fresh);
-            for rise in self.vcu_status.shown(said, shown, before) {
+            for rise in self.vcu_status.shown(content, shown, before) {
                 self.wait(est, book, t, vcu_status::wait_for(est, rise), Awaited::Raised(rise));
             }
         }
@@ -185,8 +185,8 @@ impl Rules {
     }
 
     /// 502h came, with something new if that can be read.
-    pub(super) fn assi(&mut self, est: &Estimator, book: &mut Book, t: i64, said: Option<&FrameContent>) {
-        let shown = match said.map(|said| (said.message, said.is_bad("state_assi"))) {
+    pub(super) fn assi(&mut self, est: &Estimator, book: &mut Book, t: i64, content: Option<&FrameContent>) {
+        let shown = match content.map(|content| (content.message, content.is_bad("state_assi"))) {
             Some((AnyMessage::Vcu2LogStatus(message), false)) => Some(message.state_assi),
             Some(_) => return,
             None => None,

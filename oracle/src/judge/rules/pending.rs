@@ -69,32 +69,32 @@ impl Queue {
     }
 }
 
-/// Something that must not last: since when it does, and whether that was told.
+/// Something that must not last: since when it does, and whether that was reported.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Lasting {
+pub(super) struct Persisting {
     pub(super) since: Option<i64>,
-    told: bool,
+    reported: bool,
 }
 
-impl Lasting {
+impl Persisting {
     /// It is so now, or is not. Behind a gap it may not have been so in between.
     pub(super) fn is(&mut self, t: i64, so: bool, gap: bool) {
         if !so {
             *self = Self::default();
-        } else if self.since.is_none() || gap && !self.told {
+        } else if self.since.is_none() || gap && !self.reported {
             self.since = Some(t);
         }
     }
 
-    /// Whether it is so is not known for a while; what was told is not told again behind that.
+    /// Whether it is so is not known for a while; what was reported is not reported again behind that.
     pub(super) fn pauses(&mut self) {
-        self.since = self.since.filter(|_| self.told);
+        self.since = self.since.filter(|_| self.reported);
     }
 
-    /// Since when it has been so, if that is before `late`; this is told once.
+    /// Since when it has been so, if that is before `late`; once only.
     pub(super) fn overdue(&mut self, late: i64) -> Option<i64> {
-        let since = self.since.filter(|&since| since < late && !self.told)?;
-        self.told = true;
+        let since = self.since.filter(|&since| since < late && !self.reported)?;
+        self.reported = true;
         Some(since)
     }
 }

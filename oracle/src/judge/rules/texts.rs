@@ -3,22 +3,22 @@
 use adsdv_spec::{AsState, Atoms, Knowledge, Rules, Term, Truth};
 
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::readings::{Way, row_of};
+use crate::judge::estimator::readings::{WayOut, row_of};
 use crate::judge::exercised::of_term;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 
 /// What was seen of a transition that is wrong, and what was expected.
-pub(super) struct Wrong {
+pub(super) struct Mismatch {
     pub(super) seen: String,
     pub(super) expected: String,
 }
 
-impl Wrong {
+impl Mismatch {
     pub(super) fn stays(seen: String, state: AsState) -> Self {
         Self { seen, expected: format!("{state} to stay") }
     }
 
-    pub(super) fn told(self, finding: Finding) -> Finding {
+    pub(super) fn describe(self, finding: Finding) -> Finding {
         finding.seen(self.seen).expected(self.expected)
     }
 }
@@ -30,19 +30,19 @@ pub(super) fn unjustified(
     terms: &[Term],
     window: Knowledge,
     overtaking: Option<Term>,
-) -> Wrong {
+) -> Mismatch {
     let fails = terms.iter().all(|term| term.truth(window) == Truth::False);
     if let Some(term) = overtaking.filter(|_| !fails) {
         let conditions = conditions(rules, &term, window);
         let seen = format!("{from} -> {to}, though {conditions}: another arrow comes first");
-        return Wrong { seen, expected: "that one".to_owned() };
+        return Mismatch { seen, expected: "that one".to_owned() };
     }
     let all = |of: fn(&Term) -> Atoms| terms.iter().fold(Atoms::NONE, |all, term| all.union(of(term)));
     let off = all(|term| term.on).intersection(window.off());
     let on = all(|term| term.off).intersection(window.on());
     let text = |value| move |atom| rules.text(atom, value).to_string();
     let failed: Vec<String> = off.iter().map(text(false)).chain(on.iter().map(text(true))).collect();
-    Wrong::stays(format!("{from} -> {to}, but {}", failed.join(" and ")), from)
+    Mismatch::stays(format!("{from} -> {to}, but {}", failed.join(" and ")), from)
 }
 
 /// A term's conditions with their values, as far as they are known.
@@ -59,11 +59,11 @@ pub(super) fn not_left(
     est: &Estimator,
     severity: Severity,
     state: AsState,
-    way: &Way,
+    way: &WayOut,
     since: i64,
     so_long: &str,
 ) -> Finding {
-    let Way { to, section, term } = way;
+    let WayOut { to, section, term } = way;
     let requirements = row_of(&est.edition, state, *to).map(|row| of_term(row, term)).unwrap_or_default();
     let conditions = conditions(&est.edition.rules, term, Knowledge::exact(term.on));
     Finding::new(severity, Party::Vcu, *section, Rule::Due, since + est.deadline)

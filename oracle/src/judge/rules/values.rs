@@ -86,7 +86,7 @@ fn bad_values(sampler: &Sampler, book: &mut Book, came: &Came, def: &MessageDef,
 }
 
 /// Whether a value that the edition does not allow is the limit of another edition, or within that limit as the VCU shows it.
-/// Then it is no fault of anybody's that could be told.
+/// Then the judge can blame nobody for it.
 fn is_within_another_limit(sampler: &Sampler, signal: &SignalDef, raw: i32) -> bool {
     let shown = || {
         let slot = sampler.slot(STEER).filter(|slot| slot.last.is_some())?;

@@ -9,13 +9,13 @@ use adsdv_spec::messages::{SmAs, SmSys, SysActionState, VcuStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Faults, Knowledge, Truth};
 
 use super::alike::stood;
-use super::pending::{Lasting, Pending};
+use super::pending::{Pending, Persisting};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::WATCHED;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
+use crate::judge::sampler::content::FrameContent;
 use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
-use crate::judge::sampler::said::FrameContent;
 use crate::judge::time::MS;
 
 /// The state of the Autonomous System.
@@ -72,12 +72,12 @@ pub(super) struct StatusWatch {
     sm_as: Option<SmAs>,
     sm_sys: Option<SmSys>,
     action: Option<SysActionState>,
-    state_differs: Lasting,
-    mode_differs: Lasting,
-    warnings_differ: [Lasting; WARNINGS.len()],
+    state_differs: Persisting,
+    mode_differs: Persisting,
+    warnings_differ: [Persisting; WARNINGS.len()],
     /// A flag is not raised, though its message is missed, or the handshake not answered.
-    timeouts_missing: [Lasting; WATCHED.len()],
-    handshake_missing: Lasting,
+    timeouts_missing: [Persisting; WATCHED.len()],
+    handshake_missing: Persisting,
 }
 
 /// The timeouts, in the order of the messages that are watched.
@@ -112,10 +112,15 @@ fn wrong(
 impl StatusWatch {
     /// 120h came with something new, the one before having come at `before`, where no frame may be missing in between. Tells which
     /// flags were raised.
-    pub(super) fn shown(&mut self, said: &FrameContent, shown: VcuStatus, before: Option<i64>) -> Vec<Rise> {
-        self.sm_as = Some(shown.sm_as).filter(|_| !said.is_bad("sm_as"));
-        self.sm_sys = Some(shown.sm_sys).filter(|_| !said.is_bad("sm_sys"));
-        self.action = Some(shown.sys_action_state).filter(|_| !said.is_bad("sys_action_state"));
+    pub(super) fn shown(
+        &mut self,
+        content: &FrameContent,
+        shown: VcuStatus,
+        before: Option<i64>,
+    ) -> Vec<Rise> {
+        self.sm_as = Some(shown.sm_as).filter(|_| !content.is_bad("sm_as"));
+        self.sm_sys = Some(shown.sm_sys).filter(|_| !content.is_bad("sm_sys"));
+        self.action = Some(shown.sys_action_state).filter(|_| !content.is_bad("sys_action_state"));
         let Some((was, since)) = self.shown.replace(shown).zip(before) else { return Vec::new() };
         let rises = |of: fn(&VcuStatus) -> bool| of(&shown) && !of(&was);
         let (new, old) = (timeouts(&shown), timeouts(&was));
@@ -234,7 +239,7 @@ impl StatusWatch {
     }
 }
 
-/// How long to wait until it can be told whether a flag was raised rightly.
+/// How long to wait until it is known whether a flag was raised rightly.
 pub(super) fn wait_for(est: &Estimator, rise: Rise) -> i64 {
     match rise.raised {
         Raised::Timeout(_) | Raised::Handshake => est.window,

@@ -2,9 +2,9 @@
 //!
 //! It knows how recorders jitter and lose frames, and nothing of the state machine.
 
+pub(crate) mod content;
 pub(crate) mod loss;
 pub(crate) mod places;
-pub(crate) mod said;
 pub(crate) mod slot;
 
 use adsdv_spec::messages::{
@@ -13,8 +13,8 @@ use adsdv_spec::messages::{
 use adsdv_spec::{Atom, Atoms, Bus, Edition};
 
 use crate::remote::{Remote, Switches};
+use content::FrameContent;
 use places::{AI_BRAKE, BRAKE, COUNT, LOG_STATUS, REMOTE, STATUS, SlotOf, scope};
-use said::FrameContent;
 use slot::Slot;
 
 /// The last frame of every message.
@@ -53,7 +53,7 @@ pub(crate) enum Says {
     /// It is too short; the first such, or another.
     TooShort { first: bool },
     /// This, with these signals wrong that were not wrong before; and whether its length is another for the first time.
-    This { said: FrameContent, newly_bad: u32, other_length: bool },
+    This { content: FrameContent, newly_bad: u32, other_length: bool },
     /// The remote control's switches, if it can be read.
     Remote(Option<Switches>),
 }
@@ -130,7 +130,7 @@ impl Sampler {
         (slot.word, slot.len) = (word, len);
         let mut stale_at = if same && !slot.is_lossy() { i64::MAX } else { slot.stale_at() };
         if missing {
-            // Of a frame that is clearly missing nobody has told: others may be where it does not show.
+            // The recorder says nothing of a frame that is clearly missing: others may be where it does not show.
             self.slots.iter_mut().for_each(|slot| slot.becomes_lossy(t));
             stale_at = i64::MIN;
         }
@@ -153,9 +153,9 @@ impl Sampler {
             return Some(Says::TooShort { first: !was_too_short });
         }
         let other_length = len != def.len && !std::mem::replace(&mut slot.length_noted, true);
-        let said = FrameContent::of(&self.bus, def, data)?;
-        let newly_bad = said.bad & !std::mem::replace(&mut slot.bad, said.bad);
-        Some(Says::This { said, newly_bad, other_length })
+        let content = FrameContent::of(&self.bus, def, data)?;
+        let newly_bad = content.bad & !std::mem::replace(&mut slot.bad, content.bad);
+        Some(Says::This { content, newly_bad, other_length })
     }
 
     /// Nothing is known any more of what came.
@@ -165,7 +165,7 @@ impl Sampler {
         }
     }
 
-    /// That values were bad is not known any more, either: if they still are, it is told again.
+    /// That values were bad is not known any more, either: if they still are, the judge reports it again.
     pub(crate) fn forget_values(&mut self) {
         self.slots.iter_mut().for_each(|slot| slot.bad = 0);
     }

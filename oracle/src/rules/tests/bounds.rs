@@ -4,31 +4,31 @@ use adsdv_spec::Truth::{self, False, True, Unknown};
 
 use super::super::limits::OPEN;
 use super::super::syntax::Form;
-use super::super::track::{Outcome, Track};
-use Outcome::{Broken, Ended, Held, Unknown as NotKnown};
+use super::super::track::{RuleOutcome, Track};
+use RuleOutcome::{Broken, Ended, Held, Unknown as NotKnown};
 
-/// What is told of a recording of these steps that ends then.
-pub(super) fn told(form: &Form<()>, steps: &[(i64, [Truth; 3])], end: i64) -> Vec<Outcome> {
-    let (mut track, mut told) = (Track::of(form), Vec::new());
+/// What the rule makes of a recording of these steps that ends then.
+pub(super) fn outcomes(form: &Form<()>, steps: &[(i64, [Truth; 3])], end: i64) -> Vec<RuleOutcome> {
+    let (mut track, mut out) = (Track::of(form), Vec::new());
     for &(t, truths) in steps {
-        track.pass(t, &mut |outcome| told.push(outcome));
-        track.step(t, truths, &mut |outcome| told.push(outcome));
+        track.pass(t, &mut |outcome| out.push(outcome));
+        track.step(t, truths, &mut |outcome| out.push(outcome));
     }
-    track.pass(end, &mut |outcome| told.push(outcome));
-    track.end(end, &mut |outcome| told.push(outcome));
-    told
+    track.pass(end, &mut |outcome| out.push(outcome));
+    track.end(end, &mut |outcome| out.push(outcome));
+    out
 }
 
 /// Of a form with one predicate.
-fn one(form: &Form<()>, steps: &[(i64, Truth)], end: i64) -> Vec<Outcome> {
+fn one(form: &Form<()>, steps: &[(i64, Truth)], end: i64) -> Vec<RuleOutcome> {
     let steps: Vec<_> = steps.iter().map(|&(t, truth)| (t, [truth, Unknown, Unknown])).collect();
-    told(form, &steps, end)
+    outcomes(form, &steps, end)
 }
 
 /// Of a form with two.
-fn two(form: &Form<()>, steps: &[(i64, Truth, Truth)], end: i64) -> Vec<Outcome> {
+fn two(form: &Form<()>, steps: &[(i64, Truth, Truth)], end: i64) -> Vec<RuleOutcome> {
     let steps: Vec<_> = steps.iter().map(|&(t, first, second)| (t, [first, second, Unknown])).collect();
-    told(form, &steps, end)
+    outcomes(form, &steps, end)
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn what_may_have_lasted_longer_is_not_decided() {
     assert_eq!(about(10, 40, 60, 111), [NotKnown]);
     assert_eq!(about(10, 40, 140, 200), [NotKnown]);
     assert_eq!(about(10, 40, 141, 200), [Broken(140)], "what is certain of it is too long");
-    // Two times that may be one are no breach, and once it is one, it is told once.
+    // Two times that may be one are no breach, and once it is one, it is reported once.
     let broken =
         [(0, False), (10, True), (100, Unknown), (101, True), (202, Unknown), (203, True), (400, False)];
     assert_eq!(one(&form, &broken, 500), [Broken(201)]);
@@ -155,7 +155,7 @@ fn until_is_kept_up_to_its_end() {
     let run = |steps: &[(i64, Truth, Truth)], end| {
         let first = [(0, [False, False, False]), (10, [True, True, False])];
         let steps = steps.iter().map(|&(t, kept, end)| (t, [True, kept, end]));
-        told(&form, &first.into_iter().chain(steps).collect::<Vec<_>>(), end)
+        outcomes(&form, &first.into_iter().chain(steps).collect::<Vec<_>>(), end)
     };
     assert_eq!(run(&[(110, False, True)], 500), [Held], "at its end it need not be so any more");
     assert_eq!(run(&[(111, True, True)], 500), [Broken(110)]);
@@ -173,7 +173,7 @@ fn until_is_kept_up_to_its_end() {
     assert_eq!(run(&[], 109), [Ended]);
     assert_eq!(run(&[], 110), [Broken(110)]);
     let unknown = [(0, [False, True, False]), (10, [Unknown, True, False]), (60, [True, True, False])];
-    let ends = |t| told(&form, &[&unknown[..], &[(t, [True, True, True])]].concat(), 500);
+    let ends = |t| outcomes(&form, &[&unknown[..], &[(t, [True, True, True])]].concat(), 500);
     assert_eq!([ends(110), ends(111), ends(161)], [[Held], [NotKnown], [Broken(160)]]);
 }
 
@@ -181,9 +181,9 @@ fn until_is_kept_up_to_its_end() {
 fn until_without_a_bound_waits() {
     let form = Form::Until(Some(()), (), (), None);
     let first = [(0, [False, False, False]), (10, [True, True, False])];
-    assert_eq!(told(&form, &first, 1 << 60), [Ended]);
+    assert_eq!(outcomes(&form, &first, 1 << 60), [Ended]);
     let ends = [&first[..], &[(1 << 60, [False, False, True])]].concat();
-    assert_eq!(told(&form, &ends, 1 << 61), [Held]);
+    assert_eq!(outcomes(&form, &ends, 1 << 61), [Held]);
 }
 
 #[test]
@@ -207,7 +207,7 @@ fn what_cannot_be_followed_is_not_decided() {
         let edges = (0..=open).flat_map(|n| [(2 * n, [False; 3]), (2 * n + 1, [True, True, False])]);
         let kept = if matches!(form, Form::Within(..)) { False } else { True };
         let edges = edges.map(|(t, [premise, _, end])| (t, [premise, kept, end]));
-        let outcomes = told(&form, &edges.collect::<Vec<_>>(), 1 << 50);
+        let outcomes = outcomes(&form, &edges.collect::<Vec<_>>(), 1 << 50);
         assert_eq!(outcomes.iter().filter(|one| **one == NotKnown).count(), 1);
         assert_eq!(outcomes.len(), OPEN + 1);
     }

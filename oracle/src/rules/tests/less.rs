@@ -3,13 +3,13 @@
 use adsdv_spec::Truth::{self, False, True, Unknown};
 
 use super::super::syntax::Form;
-use super::super::track::Outcome;
-use super::bounds::told;
+use super::super::track::RuleOutcome;
+use super::bounds::outcomes;
 use super::parse::numbers;
 
-fn count(outcomes: &[Outcome]) -> [usize; 2] {
-    let of = |is: fn(&&Outcome) -> bool| outcomes.iter().filter(is).count();
-    [of(|one| matches!(one, Outcome::Held)), of(|one| matches!(one, Outcome::Broken(_)))]
+fn count(outcomes: &[RuleOutcome]) -> [usize; 2] {
+    let of = |is: fn(&&RuleOutcome) -> bool| outcomes.iter().filter(is).count();
+    [of(|one| matches!(one, RuleOutcome::Held)), of(|one| matches!(one, RuleOutcome::Broken(_)))]
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn what_is_unknown_for_a_while_changes_no_verdict_to_its_opposite() {
                 truths[which] = Unknown;
             }
         }
-        let (of_whole, of_less) = (count(&told(form, &whole, end)), count(&told(form, &less, end)));
+        let (of_whole, of_less) = (count(&outcomes(form, &whole, end)), count(&outcomes(form, &less, end)));
         for verdict in 0..2 {
             all[verdict] += of_whole[verdict];
             fewer[verdict] += of_less[verdict];

@@ -16,7 +16,7 @@ h: after Go on, ASMS on until TSMS off
 
    i : Go on until ASMS off";
     let file: RuleFile = text.parse().expect("every form");
-    let told = file.rules.iter().map(|line| {
+    let found = file.rules.iter().map(|line| {
         let form = match &line.form {
             Form::Always(_) => "always".to_owned(),
             Form::Never(_) => "never".to_owned(),
@@ -38,7 +38,7 @@ h: after Go on, ASMS on until TSMS off
         "9 h until true None",
         "11 i until false None",
     ];
-    assert!(told.eq(expected), "{file:#?}");
+    assert!(found.eq(expected), "{file:#?}");
     assert_eq!(file.rules[1].note.as_deref(), Some("of two words"));
     assert_eq!(file.rules[1].rule, "NEVER Go on and not (ASMS off or TSMS is off)");
     assert_eq!((file.len(), file.is_empty()), (9, false));

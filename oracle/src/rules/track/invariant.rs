@@ -2,7 +2,7 @@
 
 use adsdv_spec::Truth;
 
-use super::Outcome;
+use super::RuleOutcome;
 
 /// Something that is to be so all the time.
 #[derive(Clone, Debug)]
@@ -18,11 +18,11 @@ impl Invariant {
         Self { wanted, last: Truth::Unknown }
     }
 
-    pub(super) fn step(&mut self, t: i64, now: Truth, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn step(&mut self, t: i64, now: Truth, out: &mut impl FnMut(RuleOutcome)) {
         if now == Truth::Unknown || now == self.last {
             return;
         }
         self.last = now;
-        out(if now == self.wanted { Outcome::Held } else { Outcome::Broken(t) });
+        out(if now == self.wanted { RuleOutcome::Held } else { RuleOutcome::Broken(t) });
     }
 }

@@ -23,7 +23,7 @@ pub(super) use until::Until;
 
 /// What became of a rule once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
+pub(super) enum RuleOutcome {
     Held,
     /// At this time.
     Broken(i64),
@@ -55,7 +55,7 @@ impl Track {
     }
 
     /// Time passes up to `t`, with everything as it was.
-    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(RuleOutcome)) {
         match self {
             Self::Invariant(_) => {}
             Self::Lasting(lasting) => lasting.pass(t, out),
@@ -65,7 +65,7 @@ impl Track {
     }
 
     /// From `t` on, up to which time has passed, the predicates are these, in the order in which they stand in the form.
-    pub(super) fn step(&mut self, t: i64, truths: [Truth; 3], out: &mut impl FnMut(Outcome)) {
+    pub(super) fn step(&mut self, t: i64, truths: [Truth; 3], out: &mut impl FnMut(RuleOutcome)) {
         let [first, second, third] = truths;
         match self {
             Self::Invariant(invariant) => invariant.step(t, first, out),
@@ -77,17 +77,17 @@ impl Track {
     }
 
     /// The recording ends at `t`, up to which time has passed. What ends with it is over.
-    pub(super) fn end(&mut self, t: i64, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn end(&mut self, t: i64, out: &mut impl FnMut(RuleOutcome)) {
         match self {
             Self::Invariant(_) => {}
             Self::Lasting(lasting) => lasting.end(out),
             Self::Response(response) => {
                 response.pass(t.saturating_add(1), out);
-                response.open().for_each(|()| out(Outcome::Ended));
+                response.open().for_each(|()| out(RuleOutcome::Ended));
             }
             Self::Until(until) => {
                 until.pass(t.saturating_add(1), out);
-                until.open().for_each(|()| out(Outcome::Ended));
+                until.open().for_each(|()| out(RuleOutcome::Ended));
             }
         }
     }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use adsdv_spec::Truth;
 
-use super::{Edge, Outcome, Start, has_room};
+use super::{Edge, RuleOutcome, Start, has_room};
 
 /// What is to follow a premise.
 #[derive(Clone, Debug)]
@@ -15,12 +15,12 @@ pub(in crate::rules) struct Response {
     edge: Edge,
     /// Whether Q may have been what decides since the premise was known to be false.
     maybe: bool,
-    open: VecDeque<Open>,
+    open: VecDeque<OpenResponse>,
 }
 
 /// A premise that became true.
 #[derive(Clone, Copy, Debug)]
-struct Open {
+struct OpenResponse {
     start: Start,
     /// Whether Q may have been what decides.
     maybe: bool,
@@ -39,28 +39,28 @@ impl Response {
         Self::new(bound, Truth::False)
     }
 
-    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(RuleOutcome)) {
         while let Some(first) = self.open.front() {
             let over = first.start.by.saturating_add(self.bound);
             if over >= t {
                 return;
             }
             out(match (first.maybe, self.decides) {
-                (true, _) => Outcome::Unknown,
-                (false, Truth::True) => Outcome::Broken(over),
-                (false, _) => Outcome::Held,
+                (true, _) => RuleOutcome::Unknown,
+                (false, Truth::True) => RuleOutcome::Broken(over),
+                (false, _) => RuleOutcome::Held,
             });
             self.open.pop_front();
         }
     }
 
-    pub(super) fn step(&mut self, t: i64, premise: Truth, wanted: Truth, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn step(&mut self, t: i64, premise: Truth, wanted: Truth, out: &mut impl FnMut(RuleOutcome)) {
         let was_open = self.edge.is_open();
         if let Some(start) = self.edge.step(t, premise) {
             if has_room(self.open.len()) {
-                self.open.push_back(Open { start, maybe: was_open && self.maybe });
+                self.open.push_back(OpenResponse { start, maybe: was_open && self.maybe });
             } else {
-                out(Outcome::Unknown);
+                out(RuleOutcome::Unknown);
             }
         }
         if self.edge.is_open() {
@@ -74,9 +74,9 @@ impl Response {
                 // Wherever the premise became true, it is within the bound.
                 let certain = t <= open.start.after.saturating_add(self.bound);
                 out(match (certain, self.decides) {
-                    (false, _) => Outcome::Unknown,
-                    (true, Truth::True) => Outcome::Held,
-                    (true, _) => Outcome::Broken(t),
+                    (false, _) => RuleOutcome::Unknown,
+                    (true, Truth::True) => RuleOutcome::Held,
+                    (true, _) => RuleOutcome::Broken(t),
                 });
             }
         }

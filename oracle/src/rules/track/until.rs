@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use adsdv_spec::Truth;
 
-use super::{Edge, Outcome, Start, has_room};
+use super::{Edge, RuleOutcome, Start, has_room};
 
 /// What is to be so until something else is.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub(in crate::rules) struct Until {
     edge: Result<Edge, bool>,
     /// What was unknown since the premise was known to be false.
     maybe: Unseen,
-    open: VecDeque<Open>,
+    open: VecDeque<OpenUntil>,
 }
 
 /// What may have been otherwise than it is to be.
@@ -27,7 +27,7 @@ struct Unseen {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Open {
+struct OpenUntil {
     start: Start,
     maybe: Unseen,
 }
@@ -42,14 +42,14 @@ impl Until {
         self.edge.is_ok()
     }
 
-    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(Outcome)) {
+    pub(super) fn pass(&mut self, t: i64, out: &mut impl FnMut(RuleOutcome)) {
         let Some(bound) = self.bound else { return };
         while let Some(first) = self.open.front() {
             let over = first.start.by.saturating_add(bound);
             if over >= t {
                 return;
             }
-            out(if first.maybe.end { Outcome::Unknown } else { Outcome::Broken(over) });
+            out(if first.maybe.end { RuleOutcome::Unknown } else { RuleOutcome::Broken(over) });
             self.open.pop_front();
         }
     }
@@ -60,7 +60,7 @@ impl Until {
         premise: Truth,
         kept: Truth,
         end: Truth,
-        out: &mut impl FnMut(Outcome),
+        out: &mut impl FnMut(RuleOutcome),
     ) {
         self.begin_anew(t, kept, end);
         self.begin(t, premise, kept, end, out);
@@ -68,10 +68,10 @@ impl Until {
         self.open.retain_mut(|open| {
             let certain = bound.is_none_or(|bound| t <= open.start.after.saturating_add(bound));
             let outcome = match (kept, end) {
-                (_, Truth::True) if open.maybe.kept || !certain => Outcome::Unknown,
-                (_, Truth::True) => Outcome::Held,
-                (Truth::False, Truth::False) if !open.maybe.end => Outcome::Broken(t),
-                (Truth::False, _) => Outcome::Unknown,
+                (_, Truth::True) if open.maybe.kept || !certain => RuleOutcome::Unknown,
+                (_, Truth::True) => RuleOutcome::Held,
+                (Truth::False, Truth::False) if !open.maybe.end => RuleOutcome::Broken(t),
+                (Truth::False, _) => RuleOutcome::Unknown,
                 _ => {
                     open.maybe.kept |= kept == Truth::Unknown;
                     open.maybe.end |= end == Truth::Unknown;
@@ -94,7 +94,7 @@ impl Until {
     }
 
     /// Follows the premise.
-    fn begin(&mut self, t: i64, premise: Truth, kept: Truth, end: Truth, out: &mut impl FnMut(Outcome)) {
+    fn begin(&mut self, t: i64, premise: Truth, kept: Truth, end: Truth, out: &mut impl FnMut(RuleOutcome)) {
         let start = match &mut self.edge {
             Err(begun) => {
                 // It begins with the first moment that tells something.
@@ -115,8 +115,10 @@ impl Until {
             }
         };
         match start {
-            Some((start, maybe)) if has_room(self.open.len()) => self.open.push_back(Open { start, maybe }),
-            Some(_) => out(Outcome::Unknown),
+            Some((start, maybe)) if has_room(self.open.len()) => {
+                self.open.push_back(OpenUntil { start, maybe })
+            }
+            Some(_) => out(RuleOutcome::Unknown),
             None => {}
         }
     }

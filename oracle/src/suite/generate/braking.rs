@@ -1,4 +1,4 @@
-//! Torque and hydraulic braking at once: which requests exclude each other, where, and what it is told as.
+//! Torque and hydraulic braking at once: which requests exclude each other, where, and which cause the VCU shows.
 
 use adsdv_spec::messages::{AsState, AxleTorqueRequest, BrakePressure};
 use adsdv_spec::{Atom, Fault, Inputs, Machine};
@@ -40,7 +40,7 @@ fn brake(inputs: &mut Inputs, (_, front, rear): (&str, bool, bool)) {
 
 const NONE: (&str, bool, bool) = ("none", false, false);
 
-/// The requirements of the rows, and of what is told.
+/// The requirements of the rows, and of what the VCU shows.
 fn requirements(machine: &Machine) -> impl Iterator<Item = &'static str> {
     let rows = braking_by(machine, Atom::BrakeRequestZero).flat_map(|term| term.cites.requirements).copied();
     rows.chain([FAULT.requirement(), "MSG-85", "D-64"])

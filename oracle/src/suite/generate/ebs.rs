@@ -1,4 +1,4 @@
-//! The Emergency Braking System while driving: what its status is told as.
+//! The Emergency Braking System while driving: what the VCU shows as its status.
 
 use adsdv_spec::messages::{AsState, EbsState};
 use adsdv_spec::{Atom, Machine};

@@ -112,7 +112,7 @@ fn switches(machine: &Machine) -> Vec<Test> {
     [Atom::Asms, Atom::GoOn]
         .map(|atom| {
             let walk = Walk::to(machine, AsState::Driving).show(atom, false).cycle().show(atom, true).cycle();
-            let about = format!("{} in AS_DRIVING is told as an open circuit", words(machine, atom, false));
+            let about = format!("{} in AS_DRIVING shows as an open circuit", words(machine, atom, false));
             let rows = braking_by(machine, atom).flat_map(|term| term.cites.requirements).copied();
             test(Kind::Fault, format!("fault-{atom}-off"), about, "3.7", walk)
                 .checks(rows.chain(["D-13", "D-17"]))

@@ -47,7 +47,7 @@ What holds only in an edition that the code does not have yet is counted, and ma
 Exit status: 0 all is well, 1 a citation is wrong or a requirement lacks something, 2 wrong usage or a file
 cannot be read or written.";
 
-/// The requirements, as duvet is told to read them.
+/// The requirements, as duvet reads them.
 const REQUIREMENTS: &str = "spec/REQUIREMENTS.md";
 /// Where the annotations go: `.duvet/config.toml` names this folder to duvet.
 const ANNOTATIONS: &str = "target/duvet/annotations";

@@ -54,15 +54,15 @@ fn sensitivity(edition: &'static Edition) {
         }
         let runs: Vec<Run> = missions(edition, &mutation.apply(edition));
         // What shows in no recording at all, with nothing late and nothing lost, nobody can tell from the bus.
-        let told = |profile: &Profile| {
+        let detected = |profile: &Profile| {
             runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Detection::Nothing)
         };
-        if !matches!(told(&Profile::PERFECT), Detection::Violation { .. }) {
+        if !matches!(detected(&Profile::PERFECT), Detection::Violation { .. }) {
             unseen += 1;
             continue;
         }
         for (profile, tally) in PROFILES.iter().zip(&mut tallies) {
-            match told(profile) {
+            match detected(profile) {
                 Detection::Violation { delay_ms } => {
                     tally.violations += 1;
                     tally.delays_ms.push(delay_ms);

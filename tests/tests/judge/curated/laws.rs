@@ -39,12 +39,12 @@ pub(crate) fn live_is_the_same(log: &[Recorded], options: JudgeOptions) -> Resul
     let whole = judge(log, options);
     let mut judge = Judge::new(options);
     let origin = log.first().map_or(0, |first| first.t);
-    let (mut transitions, mut told) = (Vec::new(), Vec::new());
+    let (mut transitions, mut reported) = (Vec::new(), Vec::new());
     for recorded in log {
         judge.frame(recorded.t - origin, recorded.frame.id.into(), recorded.frame.data());
         let (taken, found) = judge.news();
         transitions.extend(taken);
-        told.extend(found);
+        reported.extend(found);
     }
     let report = judge.finish();
     if (&report.transitions, &report.findings) != (&whole.transitions, &whole.findings) {
@@ -56,11 +56,11 @@ pub(crate) fn live_is_the_same(log: &[Recorded], options: JudgeOptions) -> Resul
             "the live judge tells of a transition that the report does not have: {strange:?}"
         ));
     }
-    // Of what the report only counts, one a second is told, behind a finding that says so.
+    // Of what the report only counts, one a second is reported, behind a finding that says so.
     let counted = |rule: Rule| {
         whole.findings.iter().any(|one| one.rule == Rule::Repeated && one.message().contains(rule.id()))
     };
-    let strange = told
+    let strange = reported
         .iter()
         .find(|one| !whole.findings.contains(one) && one.rule != Rule::Repeated && !counted(one.rule));
     strange.map_or(Ok(()), |one| Err(format!("the live judge tells what the report does not have: {one:?}")))

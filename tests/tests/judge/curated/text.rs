@@ -36,13 +36,13 @@ pub(super) fn printed(run: &Run) -> String {
         let _ = writeln!(text, "{} responses: {min} to {max} ms, median {median} ms", responses.count());
     }
     for line in transitions.iter().map(transition).chain(findings.iter().map(finding)) {
-        let place = news.iter().position(|(told, _)| *told == line);
-        let told = place.map(|place| news.swap_remove(place).1);
-        let told = told.map_or("at the end".to_owned(), |t| format!("at {}", seconds(t)));
-        let _ = writeln!(text, "{line} [told {told}]");
+        let place = news.iter().position(|(one, _)| *one == line);
+        let reported = place.map(|place| news.swap_remove(place).1);
+        let reported = reported.map_or("at the end".to_owned(), |t| format!("at {}", seconds(t)));
+        let _ = writeln!(text, "{line} [reported {reported}]");
     }
     for (line, t) in news {
-        let _ = writeln!(text, "{line} [told at {}, and not in the report]", seconds(t));
+        let _ = writeln!(text, "{line} [reported at {}, and not in the report]", seconds(t));
     }
     text
 }

@@ -25,13 +25,15 @@ pub(super) struct ExercisedJson {
     ai: bool,
     vcu: bool,
     states: Vec<&'static str>,
-    requirements: Vec<RequirementJson>,
+    requirements: Vec<RequirementStandingJson>,
 }
 
 #[derive(Serialize)]
-struct RequirementJson {
+struct RequirementStandingJson {
     id: &'static str,
-    told: &'static str,
+    /// The key is older than the name.
+    #[serde(rename = "told")]
+    standing: &'static str,
 }
 
 #[derive(Serialize)]
@@ -64,14 +66,14 @@ impl From<&Exercised> for ExercisedJson {
             ai: exercised.ai,
             vcu: exercised.vcu,
             states: exercised.states.iter().map(|state| state.name()).collect(),
-            requirements: exercised.requirements.iter().map(RequirementJson::from).collect(),
+            requirements: exercised.requirements.iter().map(RequirementStandingJson::from).collect(),
         }
     }
 }
 
-impl From<&RequirementStanding> for RequirementJson {
-    fn from(RequirementStanding { id, told }: &RequirementStanding) -> Self {
-        Self { id, told: told.name() }
+impl From<&RequirementStanding> for RequirementStandingJson {
+    fn from(RequirementStanding { id, standing }: &RequirementStanding) -> Self {
+        Self { id, standing: standing.name() }
     }
 }
 
