@@ -80,7 +80,7 @@ pub fn diagnose_within(
         }
         let before = search.found.clone();
         if search.is_explained_by_experiments(round)?
-            && search.is_told_from_others()?
+            && search.differs_from_others()?
             && search.is_explained_by_walks()?
         {
             break;
@@ -128,7 +128,7 @@ impl Search<'_> {
     }
 
     /// Whether a program does what these deviations do, and not what others do that explain as much.
-    fn is_told_from_others(&mut self) -> Result<bool, ProgramError> {
+    fn differs_from_others(&mut self) -> Result<bool, ProgramError> {
         let model = self.model();
         let alike = self.a_fit().alternatives(&self.found);
         let mut asked = Vec::new();

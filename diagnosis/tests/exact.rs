@@ -40,7 +40,7 @@ fn one_deviation_does_not_hide_the_others() {
 }
 
 #[test]
-fn what_a_program_needs_besides_is_told_from_an_arrow_that_it_lacks() {
+fn what_a_program_needs_besides_is_distinguished_from_an_arrow_that_it_lacks() {
     let row = |from, to| row(&Edition::V3_0, from, to);
     let dropped = Deviation::Changed(Change::RowDropped(row(EmergencyBrake, Off)));
     let needs = Deviation::Needs { from: EmergencyBrake, to: Off, key: "mission_status", raw: 0, is: true };
@@ -89,7 +89,7 @@ fn a_timer_that_runs_otherwise_is_found_behind_an_arrow_that_is_late() {
 }
 
 #[test]
-fn alternatives_that_have_to_hold_at_once_are_told_apart() {
+fn alternatives_that_have_to_hold_at_once_are_distinguished() {
     let edition = &Edition::V3_0;
     let row = row(edition, Ready, EmergencyBrake);
     let joined = |one, other| Deviation::Joined { row, one, other };
@@ -107,7 +107,7 @@ fn a_state_that_lasts_for_one_step_shows_what_is_wrong_there() {
 }
 
 #[test]
-fn what_is_remembered_and_what_is_shown_are_told_apart() {
+fn what_is_remembered_and_what_is_shown_are_distinguished() {
     let written = Deviation::Writes { key: "shutdown_cause", value: 2, raw: 7 };
     let outside = Deviation::Writes { key: "as_state", value: 5, raw: 6 };
     let shown = Deviation::Shows { state: Driving, key: "handshake", raw: 0 };

@@ -43,8 +43,8 @@ fn each_mutant_fails_with_its_requirements_as_the_table_says() {
             let expected: Vec<&str> = mutant.breaks.iter().copied().filter(|id| known.contains(id)).collect();
             let failed = failed(&report);
             // The vehicle of 2026 lets torque and brakes come at once (D-67).
-            let is_told = mutant.name != "brakes-and-drives" || edition.version != "2026";
-            if is_told && !expected.iter().all(|id| failed.contains(id)) {
+            let can_show = mutant.name != "brakes-and-drives" || edition.version != "2026";
+            if can_show && !expected.iter().all(|id| failed.contains(id)) {
                 wrong.push(format!("{} {}: {failed:?}, not {expected:?}", edition.version, mutant.name));
             }
             let cell = match (&failed[..], report.passes()) {
@@ -69,7 +69,7 @@ fn one_without_a_mistake_passes() {
 }
 
 #[test]
-fn a_flood_is_told_in_an_edition_without_cycles() {
+fn a_flood_is_reported_in_an_edition_without_cycles() {
     let floods = MUTANTS.iter().find(|mutant| mutant.name == "floods").expect("a mutant");
     let report = examined(floods, &Edition::V3_0);
     assert!(!report.passes());

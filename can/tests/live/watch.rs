@@ -131,7 +131,7 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
             let case = format!("edition {}, case {place}", edition.version);
             let mut watch = Watch::recognising("vcan0", LogOptions::default());
             let mut log = Vec::new();
-            let mut told_after = None;
+            let mut named_after = None;
             let mut now = ORIGIN;
             let (mut transitions, mut findings): (Vec<Transition>, Vec<Finding>) = Default::default();
             for frame in frames {
@@ -142,8 +142,8 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
                 }
                 now = frame.time_ns;
                 write_record(&mut log, &watch.frame(frame).record("vcan0"))?;
-                if watch.recognised().is_some() && told_after.is_none() {
-                    told_after = Some(watch.since_first(now));
+                if watch.recognised().is_some() && named_after.is_none() {
+                    named_after = Some(watch.since_first(now));
                 }
                 let (new_transitions, new_findings) = watch.news();
                 transitions.extend(new_transitions);
@@ -165,8 +165,8 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
             );
             let length = frames.last().map_or(0, |frame| frame.time_ns) - ORIGIN;
             let bound = 10_100 * MS;
-            assert!(told_after.is_none_or(|reported| reported <= bound), "{case}: {told_after:?}");
-            assert!(told_after.is_some() || length < bound, "{case}: it takes too long");
+            assert!(named_after.is_none_or(|reported| reported <= bound), "{case}: {named_after:?}");
+            assert!(named_after.is_some() || length < bound, "{case}: it takes too long");
             if live.certain {
                 assert_eq!(live.edition, *edition, "{case}: {live}");
             }

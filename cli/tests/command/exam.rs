@@ -57,7 +57,7 @@ fn the_reference_passes_through_standard_input_as_well() {
 
 /// What is wrong stands in the first screen.
 #[test]
-fn each_mistake_is_told_first() {
+fn each_mistake_is_printed_first() {
     for (edition, mistake, expected) in [
         ("4.0", "silent", "MSG-5   sends AI2VCU_Status (510h)"),
         ("4.0", "never-selects", "RDY-7   confirms the mission that is selected"),
@@ -67,9 +67,9 @@ fn each_mistake_is_told_first() {
         ("4.0", "sends-a-reserved-identifier", "ID-8    does not send 301h"),
         ("4.0", "brakes-and-drives", "IMP-8   does not drive and brake at once"),
     ] {
-        let told_all = examined(&["--edition", edition, "--only", "mission-skidpad"], &[mistake]);
-        assert_eq!((told_all.status, told_all.stderr.as_str()), (Some(1), ""), "{mistake}");
-        let screen: Vec<&str> = told_all.stdout.lines().take(24).collect();
+        let outcome = examined(&["--edition", edition, "--only", "mission-skidpad"], &[mistake]);
+        assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(1), ""), "{mistake}");
+        let screen: Vec<&str> = outcome.stdout.lines().take(24).collect();
         assert!(screen[0].starts_with(&format!("edition {edition}")), "{}", screen[0]);
         assert!(screen.iter().any(|line| line.contains(expected)), "{mistake}: {screen:#?}");
     }

@@ -100,11 +100,11 @@ fn the_properties() {
     for mutation in Mutation::all(&SHORTENED).step_by(9) {
         let machine = Machine::new(mutation.apply(&SHORTENED), Readings::DEFAULT);
         let Report { exploration, runs, .. } = verified(&machine);
-        let (told_now, others): (Vec<_>, Vec<_>) = left
+        let (broken, others): (Vec<_>, Vec<_>) = left
             .into_iter()
-            .partition(|&property| exploration.broken.iter().any(|broken| broken.name == property.name));
+            .partition(|&property| exploration.broken.iter().any(|other| other.name == property.name));
         left = others;
-        for property in told_now {
+        for property in broken {
             let _ = write!(
                 printed,
                 "{} ({}), {}: {}\n{mutation}\n",

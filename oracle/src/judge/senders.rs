@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_told_once() {
+    fn it_is_reported_once() {
         let mut senders = Senders::new(BUS);
         let count = (0..10_000).filter(|frame| senders.came(frame * CYCLE / 2).is_some()).count();
         assert_eq!(count, 1);

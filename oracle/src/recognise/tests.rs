@@ -127,7 +127,7 @@ fn what_fits_two_editions_alike_is_not_certain() {
 }
 
 #[test]
-fn a_length_that_no_edition_has_is_told_and_decides_nothing() {
+fn a_length_that_no_edition_has_is_named_and_decides_nothing() {
     let odd = among(&[&Edition::V3_0, &Edition::V4_0], every(10, 0x511, &[0; 5]));
     assert_eq!((odd.edition.version, odd.certain), ("3.0", false));
     assert_eq!(

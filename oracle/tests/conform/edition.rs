@@ -62,7 +62,7 @@ fn a_program_of_another_edition_or_none_gets_no_verdict() {
 
 /// The specification of 3.0 is not asked a single step where 4.0 is asked for, nor the other way round.
 #[test]
-fn a_program_of_3_0_is_told_that_it_is_not_of_4_0() {
+fn the_report_says_that_a_program_of_3_0_is_not_of_4_0() {
     let options = ConformOptions::of(&Edition::V4_0);
     let error = example("mutant", &["--hello", r#"{"edition":"3.0"}"#], &options, TIMEOUT);
     let error = error.expect_err("it is of 3.0").to_string();

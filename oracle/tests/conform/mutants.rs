@@ -61,9 +61,9 @@ fn fail_in_their_rows(edition: &Edition) -> usize {
     let mut fail = 0;
     for mutation in Mutation::all(edition) {
         let mutant = Machine::new(mutation.apply(edition), edition.readings);
-        let is_told = |test: &suite::Test| test.scenario.shown(&reference).ne(test.scenario.shown(&mutant));
+        let differs = |test: &suite::Test| test.scenario.shown(&reference).ne(test.scenario.shown(&mutant));
         let report = machine(&mutant, &by_default_of(edition));
-        assert_eq!(!report.conforms(), tests_of(edition).iter().any(is_told), "{mutation}");
+        assert_eq!(!report.conforms(), tests_of(edition).iter().any(differs), "{mutation}");
         if report.conforms() {
             // It concerns other readings only.
             continue;

@@ -130,7 +130,7 @@ fn a_program_that_follows_the_rules_of_3_0_does_not_conform() {
 
 /// Names are as 4.0 spells them.
 #[test]
-fn a_failure_is_told_in_the_words_of_its_edition() {
+fn a_failure_prints_in_the_words_of_its_edition() {
     let options = suite_only();
     let report = example(
         "mutant",

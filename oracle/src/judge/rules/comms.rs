@@ -199,10 +199,10 @@ fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) 
     if std::mem::replace(&mut est.handshake.reported_ai, true) {
         return;
     }
-    let (limit, waited, and_shown) = (est.handshake_limit(), milliseconds(t - edge), and_raised(est));
+    let (limit, waited, raised) = (est.handshake_limit(), milliseconds(t - edge), and_raised(est));
     let finding = Finding::new(severity, Party::Ai, "2.4", Rule::HandshakeLate, t.min(edge + limit))
         .against(&[ANSWERS])
-        .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{and_shown}"))
+        .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{raised}"))
         .expected(format!("an answer within {} ms", limit / MS))
         .shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS]));
     book.found(finding);
@@ -212,10 +212,10 @@ fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit
     let index = WATCHED.get(place).copied().unwrap_or_default();
     let Some(def) = est.sampler.def(index) else { return };
     book.margins.gap(index, t - last, t);
-    let (silent, (and_shown, shows)) = (milliseconds(t - last), and_raised_of(est, place, index));
+    let (silent, (raised, shows)) = (milliseconds(t - last), and_raised_of(est, place, index));
     let what = format!("{} ({:03X}h)", def.name, def.id);
     let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
-        .seen(format!("{what} has not come for {silent:.0} ms while others have{and_shown}"))
+        .seen(format!("{what} has not come for {silent:.0} ms while others have{raised}"))
         .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
         .shown_by(est.sampler.last_frames(&shows));
     book.found(finding);

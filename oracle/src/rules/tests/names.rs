@@ -39,7 +39,7 @@ fn a_signal_is_known_by_its_name_its_field_and_what_other_editions_call_it() {
 }
 
 #[test]
-fn what_an_edition_lacks_is_told_with_those_that_have_it() {
+fn what_an_edition_lacks_is_reported_with_those_that_have_it() {
     let error = impossible(&Edition::V3_0, "a: always Go\nb: after SM_AS == 3, Go within 1 s");
     assert_eq!((error.line, error.column, error.width), (2, 10, 5));
     assert!(error.why.ends_with("the edition that has this: 4.0"), "{error}");
@@ -56,7 +56,7 @@ fn what_an_edition_lacks_is_told_with_those_that_have_it() {
 }
 
 #[test]
-fn what_is_no_name_is_told_with_the_nearest() {
+fn what_is_no_name_is_reported_with_the_nearest() {
     let cases = [
         ("a: never speed > 5", 10, 5, "Speed_actual, Speed_target, FL_WHEEL_SPEED, "),
         ("a: never as_stat is AS_OFF", 10, 7, "expected AS_STATE, "),

@@ -46,7 +46,7 @@ h: after Go on, ASMS on until TSMS off
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_place() {
+fn what_is_wrong_is_reported_with_its_place() {
     let deep = format!("a: always {}Go", "not ".repeat(DEPTH + 1));
     let cases = [
         ("", 1, 1, 1, "found no rule; expected a line such as "),

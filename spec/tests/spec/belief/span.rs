@@ -84,7 +84,7 @@ fn a_time_that_passes_is_a_range_that_is_not_empty() {
 }
 
 #[test]
-fn a_span_is_told_in_words() {
+fn a_span_prints_in_words() {
     assert_eq!(Span::exact(40).to_string(), "40 ms");
     assert_eq!(Span::between(40, 50).to_string(), "40 to 50 ms");
 }
