@@ -33,8 +33,8 @@ fn what_came_before_a_failure_is_judged() {
     let failing = || log.as_bytes().chain(Failing);
     let (report, failure) = judge_readable(failing(), &LogOptions::default(), |_| {}).expect("frames");
     assert_eq!(report.frames, 2);
-    let warnings = warnings(&report);
-    assert!(warnings.len() == 2 && warnings[1].starts_with("cannot read on after line 3: "), "{warnings:?}");
+    let found = warnings(&report);
+    assert!(found.len() == 2 && found[1].starts_with("cannot read on after line 3: "), "{found:?}");
     assert_eq!(
         failure.map(|failure| (failure.line, failure.source.kind())),
         Some((3, io::ErrorKind::TimedOut))
