@@ -45,8 +45,10 @@ impl Difference {
     /// What the second edition changes of the first.
     pub(super) fn between(from: &Edition, to: &Edition) -> Self {
         // Without `..`, so that a further field has to be compared before this compiles. How frames are read and written
-        // follows from the messages, and where the answers by default matter they stand with their questions.
-        let Edition { version, document: _, rules, faults, choices: _, readings: _, bus } = from;
+        // follows from the messages, and where the answers by default matter they stand with their questions. The requirements
+        // say in sentences what all the others are.
+        let Edition { version, document: _, rules, faults, choices: _, readings: _, bus, requirements: _ } =
+            from;
         let Rules { table: _, priorities: _, timing, thresholds } = rules;
         let Bus { messages, devices, reserved: _, read: _, write: _, holds: _ } = bus;
         let (arrows, order) = figure2::compare(from, to);

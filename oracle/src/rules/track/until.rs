@@ -116,7 +116,7 @@ impl Until {
         };
         match start {
             Some((start, maybe)) if has_room(self.open.len()) => {
-                self.open.push_back(OpenUntil { start, maybe })
+                self.open.push_back(OpenUntil { start, maybe });
             }
             Some(_) => out(RuleOutcome::Unknown),
             None => {}
