@@ -135,6 +135,9 @@ rules! {
     /// A message of the AI Computer did not come for too long.
     MessageMissed = "message-missed"
         unless "a frame of it was on the bus that was not recorded";
+    /// Nothing came from the AI Computer any more, and the VCU went on as if it had.
+    AiSilent = "ai-silent"
+        unless "its frames were on the bus and were not recorded";
     /// Requests that are not zero hold the vehicle in `AS_READY`.
     ReadyHeld = "ready-held"
         unless "the vehicle was not meant to drive yet";

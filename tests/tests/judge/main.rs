@@ -31,6 +31,7 @@ mod no_arrow;
 mod not_taken;
 mod priorities;
 mod recognise;
+mod silent;
 mod thresholds;
 mod timers;
 mod v2026;
