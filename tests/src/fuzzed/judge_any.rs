@@ -1,19 +1,19 @@
-//! The judge of logs, on any bytes as text, and on frames at any time, with silences and losses.
+//! The judge of logs, by any edition, on any bytes as text, and on frames at any time, with silences and losses.
 
 use adsdv_oracle::candump::{Direction, Dropped, FrameKind, Record, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{LogJudge, LogOptions, judge_log};
 use adsdv_spec::messages::{AnyMessage, Frame};
+use adsdv_spec::{Bus, Edition};
 
 use super::Bytes;
-use crate::bus::{BUS, encoded};
 use crate::world::{Chance, MS};
 
 /// The interfaces of the logs.
 const INTERFACES: [&str; 3] = ["can0", "vcan0", "x"];
 
-/// The choices that make the rest of the bytes the text of a log, judged as usual.
-pub const AS_TEXT: [u8; 4] = [1, 7, 1, 0];
+/// The choices that make the rest of the bytes the text of a log, judged as usual by the first edition.
+pub const AS_TEXT: [u8; 5] = [0, 1, 7, 1, 0];
 
 /// The body.
 pub fn body(bytes: &[u8]) {
@@ -34,16 +34,17 @@ pub fn text(bytes: &[u8]) -> Option<(LogOptions, &[u8])> {
 }
 
 fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
-    let readings = if bytes.one_in(2) { bytes.any() } else { adsdv_spec::Edition::DEFAULT.choices };
+    let judge = JudgeOptions::of(bytes.pick(Edition::ALL));
+    let readings = if bytes.one_in(2) { bytes.any() } else { judge.readings };
     let mut below = |n| u32::try_from(bytes.below(n)).unwrap_or(0);
     let (window_ms, deadline_ms) = match below(8) {
         0 => (bytes.any(), bytes.any()),
         1 => (below(200), below(200)),
-        _ => (JudgeOptions::default().window_ms, JudgeOptions::default().deadline_ms),
+        _ => (judge.window_ms, judge.deadline_ms),
     };
     let interface = bytes.one_in(8).then(|| bytes.pick(&INTERFACES).to_owned());
     let options = LogOptions {
-        judge: JudgeOptions { window_ms, deadline_ms, readings, ..JudgeOptions::default() },
+        judge: JudgeOptions { window_ms, deadline_ms, readings, ..judge },
         interface,
         ..LogOptions::default()
     };
@@ -110,7 +111,8 @@ fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
     let mut all = LiveLog { judge, log: Vec::new(), complete: true, news: (0, Vec::new()) };
     let mut time_ns: i64 = 1_000_000_000;
     let mut fed = 0;
-    let mut data = [[0; 8]; BUS.messages.len()];
+    let bus = &options.judge.edition.bus;
+    let mut data = vec![[0; 8]; bus.messages.len()];
     while bytes.are_left() && fed < 4000 {
         time_ns = match bytes.below(16) {
             0 => bytes.any(),
@@ -137,7 +139,7 @@ fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
             _ => {}
         }
         fed += 1;
-        let (id, sent, len) = any_frame(bytes, &mut data);
+        let (id, sent, len) = any_frame(bytes, bus, &mut data);
         let extended = bytes.one_in(64);
         let direction = match bytes.below(16) {
             0 => Some(Direction::Rx),
@@ -159,15 +161,15 @@ fn any_frames(bytes: &mut Bytes<'_>, options: &LogOptions) {
 }
 
 /// The identifier, the data and its length: mostly a message with what it said last, or one signal changed.
-fn any_frame(bytes: &mut Bytes<'_>, said: &mut [[u8; 8]; BUS.messages.len()]) -> (u32, [u8; 8], usize) {
-    let place = usize::try_from(bytes.below(BUS.messages.len() as u64)).unwrap_or(0);
-    let (def, last) = (BUS.messages[place], &mut said[place]);
+fn any_frame(bytes: &mut Bytes<'_>, bus: &Bus, said: &mut [[u8; 8]]) -> (u32, [u8; 8], usize) {
+    let place = usize::try_from(bytes.below(bus.messages.len() as u64)).unwrap_or(0);
+    let (def, last) = (bus.messages[place], &mut said[place]);
     match bytes.below(16) {
         0 => return (bytes.any(), bytes.any(), usize::try_from(bytes.below(9)).unwrap_or(8)),
         1 => *last = bytes.any(),
         2 => {
             let allowed = bytes.0.arbitrary::<AnyMessage>().ok().filter(|message| message.id() == def.id);
-            let frame = allowed.map(encoded);
+            let frame = allowed.and_then(|message| bus.encode(message));
             frame.iter().flat_map(Frame::data).zip(last).for_each(|(byte, place)| *place = *byte);
             return (def.id.into(), said[place], def.len.into());
         }

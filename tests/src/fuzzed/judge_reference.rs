@@ -106,7 +106,7 @@ fn contradictions(report: &Report, did: Did, excused: bool) -> Vec<&Finding> {
         (Party::Vcu, Rule::Due | Rule::Unjustified) => excused && finding.severity == Severity::Warning,
         (Party::Vcu | Party::Own, _) => false,
         (Party::Log, _) => finding.severity != Severity::Violation,
-        (Party::Ai, Rule::HandshakeLate) => did.silent,
+        (Party::Ai, Rule::HandshakeLate | Rule::AiSilent) => did.silent,
         (Party::Ai, Rule::FinishedMoving) => did.finished,
         (Party::Ai, Rule::NeutralMoving) => did.neutral,
         (Party::Ai, rule) => rule == Rule::ReadyHeld && did.held,
