@@ -165,27 +165,39 @@ fn a_mutant_fails_the_property_that_was_written_for_it() {
     }
 }
 
-/// What version 4.0 added to Figure 2.
+/// Each alternative of the way from AS_DRIVING into EMERGENCY_BRAKE of version 4.0, and the time of its handshake. How long a message is
+/// missed is decided outside of the states that are explored, by `silence.rs` of `spec`, and a theorem's.
 #[test]
 fn a_mutant_of_a_later_edition_fails_the_property_that_was_written_for_it() {
     let edition = Edition::find("4.0").expect("it has these alternatives");
     let short = edition.with_timing(short_timers(edition));
     let cases = [
+        ("3.7 term 0: dropped", "driving-sdc", None),
+        ("3.7 term 1: dropped", "driving-asms", None),
+        ("3.7 term 2: dropped", "driving-go-off", None),
+        ("3.7 term 3: dropped", "driving-finished", None),
+        ("3.7 term 4: dropped", "driving-neutral", None),
+        ("3.7 term 7: dropped", "driving-estop", None),
+        ("3.7 term 8: dropped", "driving-comms", None),
+        ("handshake +1", "driving-comms", None),
         ("3.7 term 5: dropped", "driving-front-brake", None),
         ("3.7 term 6: dropped", "driving-rear-brake", None),
         ("3.7 term 9: dropped", "driving-bms", Some(Choice::BmsDriving)),
         ("3.7 term 10: dropped", "driving-ebs", None),
     ];
+    let by_default = failed(&short, edition.readings);
     for (name, property, choice) in cases {
         let readings = choice.into_iter().fold(edition.readings, Readings::with);
         let mutation = Mutation::all(&short).find(|mutation| mutation.to_string() == name);
         let mutant = mutation.unwrap_or_else(|| panic!("there is no mutant {name}")).apply(&short);
-        let (usual, failed) = (failed(&short, readings), failed(&mutant, readings));
+        let usual = if choice.is_some() { failed(&short, readings) } else { by_default.clone() };
+        let failed = failed(&mutant, readings);
         assert!(!usual.contains(property) && failed.contains(property), "{name}: {usual:?}, {failed:?}");
     }
     let lacking = properties(Edition::DEFAULT).map(|property| property.name).collect::<BTreeSet<_>>();
     let added = properties(edition).map(|property| property.name).filter(|name| !lacking.contains(name));
-    assert_eq!(added.collect::<Vec<_>>(), cases.map(|(_, property, _)| property));
+    let tried = |name: &&str| cases.iter().any(|(_, property, _)| property == name);
+    assert_eq!(added.filter(|name| !tried(name)).collect::<Vec<_>>(), Vec::<&str>::new());
 }
 
 /// A part of the table that decides nothing is reported: a term that stands there twice, and one that cannot hold.
