@@ -36,6 +36,7 @@ mod explore;
 mod interrupt;
 mod json;
 mod layout;
+mod markdown;
 mod operate;
 mod output;
 mod pins;

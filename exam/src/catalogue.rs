@@ -147,6 +147,22 @@ pub(crate) fn of_edition(edition: &Edition) -> Vec<Entry> {
 }
 
 impl Entry {
+    /// The section of the document that asks for it.
+    pub(crate) fn section(&self) -> &'static str {
+        match self.id.split_once('-').unwrap_or((self.id, "")) {
+            ("ID", "20") => "2.2",
+            ("ID", _) => "2.3",
+            ("HS", "13") => "Figure 1",
+            ("HS", _) => "2.4",
+            ("RDY", _) => "3.1",
+            ("DRV", _) => "3.2",
+            ("FIN", _) => "3.3",
+            ("DTE", _) => "3.7",
+            ("IMP", _) => "4",
+            _ => "2.1",
+        }
+    }
+
     /// Why it was not exercised, by what was sent; `None` if it was.
     pub(crate) fn lacks(&self, tally: &Tally, is_expected: bool) -> Option<String> {
         match self.by {
@@ -271,6 +287,17 @@ mod tests {
                 let count = entries.iter().filter(|entry| entry.id == untested.id).count();
                 assert_eq!(count, 1, "{} in {}", untested.id, edition.version);
             }
+        }
+    }
+
+    #[test]
+    fn the_section_of_each_is_one_where_the_document_has_it() {
+        let document = include_str!("../../spec/REQUIREMENTS.md");
+        for entry in ENTRIES {
+            let line = document.lines().find(|line| line.starts_with(&format!("- **{}** ", entry.id)));
+            let (_, places) = line.and_then(|line| line.rsplit_once('(')).expect("a line with its places");
+            let mut places = places.split([',', ';', ':', ')']).map(str::trim);
+            assert!(places.any(|place| place == entry.section()), "{}: {}", entry.id, entry.section());
         }
     }
 

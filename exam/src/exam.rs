@@ -118,6 +118,8 @@ impl Outcome {
 pub struct Examined {
     /// As `REQUIREMENTS.md` names it.
     pub id: &'static str,
+    /// The section of the document that asks for it.
+    pub section: &'static str,
     /// What it asks for, in a few words.
     pub about: &'static str,
     /// What came of it.
@@ -257,7 +259,7 @@ impl Marks {
             } else {
                 Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
             };
-            Examined { id: entry.id, about: entry.about, outcome }
+            Examined { id: entry.id, section: entry.section(), about: entry.about, outcome }
         };
         self.entries.iter().map(one).collect()
     }

@@ -35,6 +35,9 @@ EXAMPLES
   A stack that drives for longer than a minute:
       adsdv exam --stdio --mission-time 300 -- ./my_stack
 
+  In CI (exam/examples/workflow.yml is a whole workflow for GitHub):
+      adsdv exam --stdio --junit exam.xml --summary \"$GITHUB_STEP_SUMMARY\" -- ./my_stack
+
   The requirements that failed, for a program:
       adsdv exam --stdio --json -- ./my_stack | jq '.requirements[] | select(.outcome == \"fail\")'
 
@@ -66,7 +69,7 @@ pub(crate) struct ExamArgs {
     pub(crate) stdio: bool,
 
     /// List the scenarios.
-    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs"])]
+    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs", "junit", "summary"])]
     pub(crate) list: bool,
 
     /// Only the scenarios whose names begin so; may be repeated.
@@ -78,6 +81,17 @@ pub(crate) struct ExamArgs {
     /// The directory is made if it is not there. `adsdv check` judges each log again.
     #[arg(long, value_name = "DIR")]
     pub(crate) logs: Option<PathBuf>,
+
+    /// Write a JUnit XML file for CI: a test case for each requirement.
+    ///
+    /// A failure has the words of the finding that shows soonest, its scenario and its frames; what was not exercised is skipped,
+    /// with the reason.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) junit: Option<PathBuf>,
+
+    /// Write a summary in Markdown for the page of a CI run; on GitHub: --summary "$GITHUB_STEP_SUMMARY".
+    #[arg(long, value_name = "FILE")]
+    pub(crate) summary: Option<PathBuf>,
 
     /// How long a mission may take, from AS_DRIVING to FINISHED.
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_negative_numbers = true)]

@@ -12,6 +12,7 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
     let name = |place: usize| names.get(place).copied().unwrap_or_default();
     let requirements = report.requirements.iter().map(|one| RequirementJson {
         id: one.id,
+        section: one.section,
         about: one.about,
         outcome: one.outcome.name(),
         findings: match &one.outcome {
@@ -74,6 +75,7 @@ struct ScenarioJson<'a> {
 #[derive(Serialize)]
 struct RequirementJson<'a> {
     id: &'a str,
+    section: &'a str,
     about: &'a str,
     outcome: &'static str,
     findings: &'a [usize],

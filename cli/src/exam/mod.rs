@@ -1,12 +1,16 @@
 //! `adsdv exam`: examines an AI Computer, and tells what came of it.
 //!
 //! ```text
-//! scenarios ---> exam ---> text or json, and logs
+//! scenarios ---> exam ---> text or json; JUnit, a summary and logs in files
 //!                  |
 //!   a program that does not keep to the protocol: an error
 //! ```
 
+mod files;
+mod finding;
 mod json;
+mod junit;
+mod summary;
 mod text;
 
 use std::fs::{self, File};
@@ -52,6 +56,7 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     } else {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
     }
+    files::write(&subject, &report)?;
     Ok(if report.passes() { Status::Conforms } else { Status::Violates })
 }
 

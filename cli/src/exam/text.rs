@@ -2,16 +2,15 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome, Sent};
+use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome};
 
 use super::Examinee;
+use super::finding::{FINDINGS, FRAMES, Pieces, ms_to_ns, scenarios, shown, words};
 use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
 
 /// The columns of a requirement.
 const ID: usize = 7;
-/// So many findings are told in full.
-const FINDINGS: usize = 12;
 
 /// The scenarios, a line each.
 pub(super) fn list(scenarios: &[ExamScenario]) -> String {
@@ -35,7 +34,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     writeln!(out, "{}", subject.edition)?;
     let time_ms: u64 = report.scenarios.iter().map(|scenario| scenario.duration_ms).sum();
     let scenarios = counted(report.scenarios.len() as u64, "scenario");
-    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ns(time_ms)))?;
+    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ms_to_ns(time_ms)))?;
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
@@ -47,40 +46,16 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     verdict(out, subject, report)
 }
 
-/// The findings that are told: of each requirement that failed the one that shows soonest, and all that are against none, once.
-fn shown(report: &ExamReport) -> Vec<usize> {
-    let soonest = report.requirements.iter().filter_map(|one| match &one.outcome {
-        Outcome::Fail(places) => places.first().copied(),
-        _ => None,
-    });
-    let mut shown: Vec<usize> = soonest.collect();
-    for (place, finding) in report.findings.iter().enumerate() {
-        let is_told = |other: &usize| {
-            report.findings.get(*other).is_some_and(|other| other.found_by == finding.found_by)
-        };
-        if finding.requirements.is_empty() && !shown.iter().any(is_told) {
-            shown.push(place);
-        }
-    }
-    let mut seen = std::collections::HashSet::new();
-    shown.retain(|place| seen.insert(*place));
-    shown
-}
-
 fn failed(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
     if report.findings.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "FAILED"))?;
-    for Examined { id, about, outcome } in &report.requirements {
+    for Examined { id, about, outcome, .. } in &report.requirements {
         let Outcome::Fail(places) = outcome else { continue };
-        let mut names: Vec<usize> =
-            places.iter().filter_map(|place| Some(report.findings.get(*place)?.scenario)).collect();
-        names.sort_unstable();
-        names.dedup();
         let number = places.first().and_then(|first| shown.iter().position(|place| place == first));
         let number = number.map_or(String::new(), |number| format!("; finding {}", number + 1));
-        let scenarios = counted(names.len() as u64, "scenario");
+        let scenarios = counted(scenarios(report, places), "scenario");
         let line = format!("{about} ({scenarios}{number})");
         write!(out, "  {} ", Styled(style::BAD, format!("{id:ID$}")))?;
         let mut text = String::new();
@@ -121,8 +96,6 @@ fn one(
     finding: &ExamFinding,
     width: usize,
 ) -> fmt::Result {
-    let scenario = report.scenarios.get(finding.scenario);
-    let (name, about) = scenario.map_or(("", ""), |one| (one.name.as_str(), one.about.as_str()));
     if number > 1 {
         writeln!(out)?;
     }
@@ -134,22 +107,16 @@ fn one(
         finding.found_by.id(),
         finding.requirements.join(" "),
     )?;
-    wrapped(out, format!("{}; expected {}", finding.seen, finding.expected).split(' '), 6, width);
-    field(out, "scenario", &format!("{name}: {about}"), width);
-    let did: Vec<String> =
-        finding.operator.iter().map(|(ms, what)| format!("{} s {what}", Seconds(ns(*ms)))).collect();
-    field(out, "operator", &did.join("; "), width);
-    field(out, "car", &finding.car, width);
-    let frames: Vec<String> = finding.frames.iter().map(shown_frame).collect();
-    for (place, frames) in frames.chunks(3).enumerate() {
+    wrapped(out, words(finding).split(' '), 6, width);
+    let pieces = Pieces::of(report, finding);
+    field(out, "scenario", &pieces.scenario, width);
+    field(out, "operator", &pieces.operator, width);
+    field(out, "car", pieces.car, width);
+    for (place, frames) in pieces.frames.chunks(FRAMES).enumerate() {
         let label = if place == 0 { "frames" } else { "" };
         writeln!(out, "      {label:9} {}", frames.join("   "))?;
     }
     Ok(())
-}
-
-fn shown_frame(sent: &Sent) -> String {
-    format!("{} {}", Seconds(sent.t_ns), sent.frame)
 }
 
 fn field(out: &mut String, label: &str, value: &str, width: usize) {
@@ -216,8 +183,4 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
     } else {
         writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
     }
-}
-
-fn ns(ms: u64) -> i64 {
-    i64::try_from(ms).unwrap_or(i64::MAX / 1_000_000).saturating_mul(1_000_000)
 }

@@ -141,3 +141,118 @@ fn the_examples_pass() {
         assert_eq!(told.status, Some(0), "{}{}", told.stdout, told.stderr);
     }
 }
+
+/// The attributes and the text of a test case, or of a tag in it.
+fn cases(xml: &str) -> Vec<&str> {
+    xml.split("<testcase ")
+        .skip(1)
+        .map(|case| case.split("</testsuite>").next().unwrap_or_default())
+        .collect()
+}
+
+/// A file of a folder of this test, which is new.
+fn new_file(name: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("exam-files");
+    std::fs::create_dir_all(&folder).expect("it can be made");
+    let file = folder.join(name);
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_file(&file);
+    file.to_str().expect("text").to_owned()
+}
+
+#[test]
+fn junit_has_a_test_case_for_each_requirement() {
+    for (edition, mistake, others) in
+        [("4.0", "looks-at-one-wheel", false), ("3.0", "sends-for-the-vcu", true), ("2026", "", false)]
+    {
+        let file = new_file(&format!("junit-{edition}.xml"));
+        let options = ["--edition", edition, "--only", "wheel-spins", "--only", "ready", "--junit", &file];
+        let report = report(&options, &[mistake]);
+        let xml = std::fs::read_to_string(&file).expect("it is written");
+        let cases = cases(&xml);
+        let requirements = report["requirements"].as_array().expect("a list");
+        assert_eq!(cases.len(), requirements.len() + 1);
+        for (case, one) in cases.iter().zip(requirements) {
+            let [id, section, why] =
+                ["id", "section", "why"].map(|key| one[key].as_str().unwrap_or_default());
+            assert!(case.starts_with(&format!("name=\"{id} ")), "{case}");
+            let section = section.replace(['.', ' '], "_");
+            let edition = edition.replace('.', "_");
+            assert!(
+                case.contains(&format!("classname=\"adsdv.edition_{edition}.section_{section}\"")),
+                "{case}"
+            );
+            let outcome = one["outcome"].as_str().expect("a name");
+            assert_eq!(case.contains("<failure "), outcome == "fail", "{case}");
+            assert_eq!(
+                case.contains("<skipped message=\"not exercised: "),
+                outcome == "not exercised",
+                "{case}"
+            );
+            assert!(case.contains(why), "{case}");
+        }
+        let last = cases.last().expect("one more");
+        assert!(last.starts_with("name=\"nothing else is wrong\""), "{last}");
+        assert_eq!(last.contains("<failure "), others, "{last}");
+        if mistake == "looks-at-one-wheel" {
+            for words in [
+                "type=\"finished-while-moving\"",
+                "scenario  wheel-spins: ",
+                "operator  0.000 s ebs ARMED",
+                "frames    ",
+            ] {
+                assert!(xml.contains(words), "{words} is not in {xml}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_summary_begins_with_the_verdict_and_what_failed() {
+    let file = new_file("summary.md");
+    let options = ["--edition", "4.0", "--only", "wheel-spins", "--summary", &file];
+    examined(&options, &["looks-at-one-wheel"]);
+    let text = std::fs::read_to_string(&file).expect("it is written");
+    for words in [
+        "## adsdv exam: fails\n",
+        "edition 4.0, 1 scenario: 1 requirements failed, ",
+        "\n| FIN-3 | 3.3 | tells FINISHED once the vehicle has stopped | 1 |\n",
+        "<summary>FIN-3: MISSION_STATUS == FINISHED and a wheel speed > 10 rpm",
+        "- scenario wheel-spins: ",
+    ] {
+        assert!(text.contains(words), "{words} is not in {text}");
+    }
+    examined(&options, &[]);
+    let text = std::fs::read_to_string(&file).expect("it is written");
+    assert!(text.starts_with("## adsdv exam: passes\n") && !text.contains("| failed |"), "{text}");
+}
+
+/// The verdict is printed all the same.
+#[test]
+fn a_file_that_cannot_be_written_is_named() {
+    for option in ["--junit", "--summary"] {
+        for (file, hint) in
+            [("/dev/full", "free some space"), ("no-such-folder/file", "a directory that is there")]
+        {
+            let told = examined(&["--only", "ready", option, file], &[]);
+            assert_eq!(told.status, Some(2));
+            assert!(told.stdout.ends_with("passes\n"), "{}", told.stdout);
+            let why = format!("{file}: cannot write what {option} asks for: ");
+            assert!(told.stderr.contains(&why) && told.stderr.contains(hint), "{}", told.stderr);
+        }
+    }
+}
+
+/// What the workflow for teams asks for, there is.
+#[test]
+fn the_workflow_has_options_that_there_are() {
+    let workflow = std::fs::read_to_string(workspace().join("exam/examples/workflow.yml")).expect("it is there");
+    let (_, command) = workflow.split_once("adsdv exam ").expect("the command");
+    let (options, _) = command.split_once(" -- ").expect("the program");
+    let help = run(&["exam", "--help"]).stdout;
+    let options: Vec<&str> = options.split_whitespace().filter(|word| word.starts_with("--")).collect();
+    assert!(options.len() > 3, "{options:?}");
+    for option in options {
+        assert!(help.contains(&format!(" {option}")), "{option} is not in {help}");
+    }
+}
