@@ -22,6 +22,7 @@
 
 #![forbid(unsafe_code)]
 
+mod accept;
 mod ai;
 mod args;
 mod check;

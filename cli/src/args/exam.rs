@@ -38,6 +38,10 @@ EXAMPLES
   In CI (exam/examples/workflow.yml is a whole workflow for GitHub):
       adsdv exam --stdio --junit exam.xml --summary \"$GITHUB_STEP_SUMMARY\" -- ./my_stack
 
+  In CI, where some failures are known:
+      adsdv exam --stdio --write-accept known.txt -- ./my_stack    # then give each a reason
+      adsdv exam --stdio --accept known.txt -- ./my_stack
+
   The requirements that failed, for a program:
       adsdv exam --stdio --json -- ./my_stack | jq '.requirements[] | select(.outcome == \"fail\")'
 
@@ -55,7 +59,7 @@ ENVIRONMENT
   NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
-  0  nothing is wrong
+  0  nothing is wrong, or only what --accept accepts
   1  a requirement failed, or something else is wrong
   2  no verdict: the program could not be started, ended early, did not answer in
      time, or does not speak the protocol; or the arguments are wrong")]
@@ -69,7 +73,7 @@ pub(crate) struct ExamArgs {
     pub(crate) stdio: bool,
 
     /// List the scenarios.
-    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs", "junit", "summary"])]
+    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs", "junit", "summary", "accept", "write_accept"])]
     pub(crate) list: bool,
 
     /// Only the scenarios whose names begin so; may be repeated.
@@ -81,6 +85,17 @@ pub(crate) struct ExamArgs {
     /// The directory is made if it is not there. `adsdv check` judges each log again.
     #[arg(long, value_name = "DIR")]
     pub(crate) logs: Option<PathBuf>,
+
+    /// Accept the failures of this file: the verdict is about all others.
+    ///
+    /// A line is the id of a requirement, and why it may fail; for findings that are against no single requirement it is their rule.
+    /// One that does not fail any more is a warning.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) accept: Option<PathBuf>,
+
+    /// Write what fails into a file for --accept; reasons that --accept has stay.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) write_accept: Option<PathBuf>,
 
     /// Write a JUnit XML file for CI: a test case for each requirement.
     ///

@@ -15,6 +15,10 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         section: one.section,
         about: one.about,
         outcome: one.outcome.name(),
+        accepted: match one.outcome {
+            Outcome::Fail(_) => subject.verdict.reason(one.id),
+            _ => None,
+        },
         findings: match &one.outcome {
             Outcome::Fail(places) => places,
             _ => &[],
@@ -38,10 +42,18 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         scenarios: scenarios.collect(),
         requirements: requirements.collect(),
-        findings: report.findings.iter().map(|one| FindingJson::of(one, name(one.scenario))).collect(),
+        findings: report
+            .findings
+            .iter()
+            .map(|one| FindingJson {
+                accepted: subject.verdict.accepts(one),
+                ..FindingJson::of(one, name(one.scenario))
+            })
+            .collect(),
         slowest_answer_ms: report.slowest.as_ref().and_then(adsdv_oracle::judge::ResponseTimes::max_ms),
         notes: &report.notes,
-        passes: report.passes(),
+        unused: subject.verdict.unused(report).into_iter().map(|(id, _)| id).collect(),
+        passes: subject.verdict.passes(report),
     })
 }
 
@@ -59,6 +71,7 @@ struct ExamJson<'a> {
     findings: Vec<FindingJson<'a>>,
     slowest_answer_ms: Option<f64>,
     notes: &'a [String],
+    unused: Vec<&'a str>,
     passes: bool,
 }
 
@@ -78,6 +91,7 @@ struct RequirementJson<'a> {
     section: &'a str,
     about: &'a str,
     outcome: &'static str,
+    accepted: Option<&'a str>,
     findings: &'a [usize],
     why: Option<&'a String>,
 }
@@ -89,6 +103,7 @@ struct FindingJson<'a> {
     section: &'a str,
     rule: &'static str,
     requirements: &'a [&'static str],
+    accepted: bool,
     seen: &'a str,
     expected: &'a str,
     operator: Vec<ActionJson<'a>>,
@@ -122,6 +137,7 @@ impl<'a> FindingJson<'a> {
             section: &finding.section,
             rule: finding.found_by.id(),
             requirements: &finding.requirements,
+            accepted: false,
             seen: &finding.seen,
             expected: &finding.expected,
             operator: finding.operator.iter().map(|(time, did)| ActionJson { t: ms(*time), did }).collect(),

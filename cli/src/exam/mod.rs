@@ -12,6 +12,7 @@ mod json;
 mod junit;
 mod summary;
 mod text;
+mod verdict;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write as _};
@@ -23,12 +24,15 @@ use adsdv_exam::{
 use adsdv_oracle::candump::{Direction, FrameKind, Record, write_record};
 use adsdv_oracle::conform::ProgramErrorKind;
 
+use crate::accept::Accepted;
 use crate::args::{ChosenEdition, ExamArgs};
 use crate::conform::{program_name, stops_the_program};
 use crate::error::Error;
 use crate::output;
 use crate::progress::Line;
 use crate::status::Status;
+
+use verdict::Verdict;
 
 /// The name of the bus in logs.
 const BUS: &str = "exam";
@@ -49,15 +53,20 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
+    let read = |path| Accepted::read(path, &verdict::ACCEPTABLE);
+    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
     let report = examine(args, edition, &scenarios, &name)?;
-    let subject = Examinee { edition, name: &name, args };
+    if let Some(path) = &args.write_accept {
+        accepted.write(path, &verdict::ACCEPTABLE, verdict::wrong(&report))?;
+    }
+    let subject = Examinee { edition, name: &name, args, verdict: Verdict::new(accepted) };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
     }
     files::write(&subject, &report)?;
-    Ok(if report.passes() { Status::Conforms } else { Status::Violates })
+    Ok(if subject.verdict.passes(&report) { Status::Conforms } else { Status::Violates })
 }
 
 /// Who was examined.
@@ -65,6 +74,7 @@ struct Examinee<'a> {
     edition: ChosenEdition,
     name: &'a str,
     args: &'a ExamArgs,
+    verdict: Verdict,
 }
 
 fn examine(

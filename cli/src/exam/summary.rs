@@ -18,7 +18,11 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
 }
 
 fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
-    let verdict = if report.passes() { "passes" } else { "fails" };
+    let verdict = match (report.passes(), subject.verdict.passes(report)) {
+        (true, _) => "passes",
+        (false, true) => "passes but for what is accepted",
+        (false, false) => "fails",
+    };
     writeln!(out, "## adsdv exam: {verdict}\n")?;
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
     writeln!(
@@ -31,24 +35,35 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::
     for note in &report.notes {
         writeln!(out, "\nNote: {}", escaped(note))?;
     }
-    failed(out, report)?;
+    for (_, why) in subject.verdict.unused(report) {
+        writeln!(out, "\nWarning: {}", escaped(&why))?;
+    }
+    failed(out, subject, report)?;
     findings(out, report)?;
     not_exercised(out, report)
 }
 
-fn failed(out: &mut String, report: &ExamReport) -> fmt::Result {
+fn failed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
     if report.findings.is_empty() {
         return Ok(());
     }
-    writeln!(out, "\n| failed | section | what it asks for | scenarios |\n| --- | --- | --- | --- |")?;
+    writeln!(
+        out,
+        "\n| failed | section | what it asks for | scenarios | accepted |\n| --- | --- | --- | --- | --- |"
+    )?;
     for one in &report.requirements {
         let Outcome::Fail(places) = &one.outcome else { continue };
         let scenarios = scenarios(report, places);
-        writeln!(out, "| {} | {} | {} | {scenarios} |", one.id, one.section, escaped(one.about))?;
+        let reason = subject.verdict.reason(one.id).map_or_else(|| "no".to_owned(), escaped);
+        writeln!(out, "| {} | {} | {} | {scenarios} | {reason} |", one.id, one.section, escaped(one.about))?;
     }
     let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
     if others > 0 {
-        writeln!(out, "| - | - | {} against no single requirement | - |", counted(others as u64, "finding"))?;
+        writeln!(
+            out,
+            "| - | - | {} against no single requirement | - | - |",
+            counted(others as u64, "finding")
+        )?;
     }
     Ok(())
 }

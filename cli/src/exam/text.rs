@@ -39,14 +39,19 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
     let shown = shown(report);
-    failed(out, report, &shown, width)?;
+    failed(out, (subject, report), &shown, width)?;
     findings(out, report, &shown, width)?;
     passed(out, subject, report)?;
     not_exercised(out, report, width)?;
     verdict(out, subject, report)
 }
 
-fn failed(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+fn failed(
+    out: &mut String,
+    (subject, report): (&Examinee<'_>, &ExamReport),
+    shown: &[usize],
+    width: usize,
+) -> fmt::Result {
     if report.findings.is_empty() {
         return Ok(());
     }
@@ -57,21 +62,37 @@ fn failed(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) 
         let number = number.map_or(String::new(), |number| format!("; finding {}", number + 1));
         let scenarios = counted(scenarios(report, places), "scenario");
         let line = format!("{about} ({scenarios}{number})");
-        write!(out, "  {} ", Styled(style::BAD, format!("{id:ID$}")))?;
+        let reason = subject.verdict.reason(id);
+        let style = if reason.is_some() { style::CARE } else { style::BAD };
+        write!(out, "  {} ", Styled(style, format!("{id:ID$}")))?;
         let mut text = String::new();
         wrapped(&mut text, line.split(' '), ID + 3, width);
         out.push_str(text.trim_start());
+        accepted(out, reason, width);
     }
-    let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
-    if others > 0 {
-        let what = counted(others as u64, "finding");
-        writeln!(
-            out,
-            "  {} {what} against no single requirement",
-            Styled(style::BAD, format!("{:ID$}", "-"))
-        )?;
+    let mut rules: Vec<(&str, u64)> = Vec::new();
+    for finding in report.findings.iter().filter(|finding| finding.requirements.is_empty()) {
+        let rule = finding.found_by.id();
+        match rules.iter_mut().find(|(known, _)| *known == rule) {
+            Some((_, count)) => *count += 1,
+            None => rules.push((rule, 1)),
+        }
+    }
+    for (rule, count) in rules {
+        let what = counted(count, "finding");
+        let reason = subject.verdict.reason(rule);
+        let style = if reason.is_some() { style::CARE } else { style::BAD };
+        let id = Styled(style, format!("{:ID$}", "-"));
+        writeln!(out, "  {id} {what} of {rule}, against no single requirement")?;
+        accepted(out, reason, width);
     }
     Ok(())
+}
+
+fn accepted(out: &mut String, reason: Option<&str>, width: usize) {
+    if let Some(reason) = reason {
+        wrapped(out, format!("accepted: {reason}").split(' '), ID + 3, width);
+    }
 }
 
 fn findings(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
@@ -177,9 +198,18 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
         None => writeln!(out, "handshake: never answered, limit {limit} ms")?,
     }
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
-    writeln!(out, "requirements: {fail} failed, {pass} passed, {not} not exercised")?;
+    let accepted = match subject.verdict.count(report) {
+        0 => String::new(),
+        count => format!(" ({count} accepted)"),
+    };
+    writeln!(out, "requirements: {fail} failed{accepted}, {pass} passed, {not} not exercised")?;
+    for (_, why) in subject.verdict.unused(report) {
+        writeln!(out, "{} {why}", Styled(style::CARE, "warning:"))?;
+    }
     if report.passes() {
         writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
+    } else if subject.verdict.passes(report) {
+        writeln!(out, "{}: {} but for what is accepted", subject.name, Styled(style::GOOD, "passes"))
     } else {
         writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
     }

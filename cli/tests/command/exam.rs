@@ -216,7 +216,7 @@ fn the_summary_begins_with_the_verdict_and_what_failed() {
     for words in [
         "## adsdv exam: fails\n",
         "edition 4.0, 1 scenario: 1 requirements failed, ",
-        "\n| FIN-3 | 3.3 | tells FINISHED once the vehicle has stopped | 1 |\n",
+        "\n| FIN-3 | 3.3 | tells FINISHED once the vehicle has stopped | 1 | no |\n",
         "<summary>FIN-3: MISSION_STATUS == FINISHED and a wheel speed > 10 rpm",
         "- scenario wheel-spins: ",
     ] {
@@ -246,7 +246,8 @@ fn a_file_that_cannot_be_written_is_named() {
 /// What the workflow for teams asks for, there is.
 #[test]
 fn the_workflow_has_options_that_there_are() {
-    let workflow = std::fs::read_to_string(workspace().join("exam/examples/workflow.yml")).expect("it is there");
+    let workflow =
+        std::fs::read_to_string(workspace().join("exam/examples/workflow.yml")).expect("it is there");
     let (_, command) = workflow.split_once("adsdv exam ").expect("the command");
     let (options, _) = command.split_once(" -- ").expect("the program");
     let help = run(&["exam", "--help"]).stdout;
@@ -254,5 +255,67 @@ fn the_workflow_has_options_that_there_are() {
     assert!(options.len() > 3, "{options:?}");
     for option in options {
         assert!(help.contains(&format!(" {option}")), "{option} is not in {help}");
+    }
+}
+
+#[test]
+fn what_is_accepted_is_no_failure() {
+    let (known, junit, summary) = (new_file("known.txt"), new_file("accepted.xml"), new_file("accepted.md"));
+    let options = ["--edition", "3.0", "--only", "mission-skidpad"];
+    let accept =
+        |file| [&options[..], &["--accept", file, "--junit", &junit, "--summary", &summary]].concat();
+    for (mistake, id) in [("never-selects", "RDY-7"), ("sends-for-the-vcu", "identifier-of-others")] {
+        let told = examined(&[&options[..], &["--write-accept", &known]].concat(), &[mistake]);
+        assert_eq!(told.status, Some(1));
+        let text = std::fs::read_to_string(&known).expect("it is written");
+        assert!(text.starts_with("# Failures that are known: "), "{text}");
+        let ids: Vec<&str> =
+            text.lines().filter_map(|line| line.strip_suffix("  no reason given yet")).collect();
+        let id = if ids.contains(&id) { id } else { ids[0] };
+        std::fs::write(&known, text.replace("no reason given yet", "until <June>"))
+            .expect("it can be written");
+
+        let report = report(&accept(&known), &[mistake]);
+        assert_eq!((&report["passes"], &report["unused"]), (&Value::from(true), &Value::Array(Vec::new())));
+        let findings = report["findings"].as_array().expect("a list");
+        assert!(!findings.is_empty() && findings.iter().all(|one| one["accepted"] == true));
+        let xml = std::fs::read_to_string(&junit).expect("it is written");
+        assert!(!xml.contains("<failure") && xml.contains("<skipped message=\"accepted: "), "{xml}");
+        let text = std::fs::read_to_string(&summary).expect("it is written");
+        assert!(text.starts_with("## adsdv exam: passes but for what is accepted\n"), "{text}");
+        let told = examined(&accept(&known), &[mistake]);
+        assert!(told.stdout.contains("          accepted: until <June>\n"), "{id}: {}", told.stdout);
+        assert!(told.stdout.ends_with(": passes but for what is accepted\n"), "{}", told.stdout);
+    }
+}
+
+#[test]
+fn what_is_accepted_and_not_wrong_is_a_warning() {
+    let known = new_file("unused.txt");
+    std::fs::write(&known, "RDY-7 because\nMSG-7 because\nMSG-98 because\n").expect("it can be written");
+    let options = ["--edition", "3.0", "--only", "mission-skidpad", "--accept", &known];
+    let told = examined(&options, &[]);
+    for (id, why) in
+        [("RDY-7", "passes"), ("MSG-7", "is not exercised"), ("MSG-98", "is no requirement of the exam")]
+    {
+        assert!(told.stdout.contains(&format!("warning: {id} is accepted, and {why}")), "{}", told.stdout);
+    }
+    assert_eq!(told.status, Some(0));
+    assert_eq!(report(&options, &[])["unused"], serde_json::json!(["RDY-7", "MSG-7", "MSG-98"]));
+    // What fails beside it fails.
+    assert_eq!(examined(&options, &["never-forward"]).status, Some(1));
+}
+
+#[test]
+fn a_file_that_accepts_nothing_readable_is_refused() {
+    let known = new_file("no-reason.txt");
+    std::fs::write(&known, "RDY-7\n").expect("it can be written");
+    for (file, why) in [
+        (known.as_str(), ", line 1: \"RDY-7\" has no reason"),
+        ("no-such-file", "cannot read the accepted failures"),
+    ] {
+        let told = run(&["exam", "--stdio", "--accept", file, "--", "no-such-program"]);
+        assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""));
+        assert!(told.stderr.contains(why) && told.stderr.contains("RDY-7  the mission"), "{}", told.stderr);
     }
 }
