@@ -266,7 +266,7 @@ impl Marks {
 }
 
 /// What is wrong in a scenario: what the judge says of the AI Computer, and what was to be done and was not.
-fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
+pub(crate) fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
     let mut found = judged(ran, edition);
     if let Some((time_ms, waiting)) = ran.flood {
         found.push(ExamFinding {

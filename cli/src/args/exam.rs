@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use adsdv_exam::SEED;
 use clap::{Args, ColorChoice};
 
 use super::EditionArgs;
@@ -28,6 +29,10 @@ EXAMPLES
       adsdv exam --list
       adsdv exam --stdio --only mission-skidpad --only estop -- ./my_stack
 
+  A thousand scenarios by chance, and again the shortest one that fails:
+      adsdv exam --stdio --runs 1000 --seed 7 --logs logs -- ./my_stack
+      adsdv exam --stdio --scenario logs/finding-1.txt -- ./my_stack
+
   The logs of the scenarios, each as `adsdv check` reads it:
       adsdv exam --stdio --logs logs -- ./my_stack
       adsdv check logs/mission-skidpad.log
@@ -50,7 +55,8 @@ OUTPUT
                  what is wrong in the one in which it shows soonest
   FINDINGS       of each of these what was seen and what was expected, in the words of
                  `adsdv check` where that sees it as well; what the operator had done by
-                 then, the last frames, and what the car did
+                 then, the last frames, what the car did, and the shortest scenario that was
+                 found to show it, to be copied into a file for --scenario
   NOT EXERCISED  the requirements that nothing shows, and why
   Last comes the verdict.
 
@@ -80,9 +86,28 @@ pub(crate) struct ExamArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
 
+    /// Only the scenario of this file: one of `adsdv demo` that comes to its end, with lines of what goes wrong.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["only", "runs", "list"])]
+    pub(crate) scenario: Option<PathBuf>,
+
+    /// How many scenarios by chance follow: what an operator may do in each state, and what may go wrong meanwhile.
+    ///
+    /// Their names are random-0 and on.
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    pub(crate) runs: u32,
+
+    /// The seed of these: the same seed is the same scenarios.
+    #[arg(long, value_name = "N", default_value_t = SEED, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+
+    /// Of each finding that is shown, look for the shortest scenario in so many runs at most; with 0, do not.
+    #[arg(long, value_name = "RUNS", default_value_t = 40, allow_negative_numbers = true)]
+    pub(crate) shrink: u32,
+
     /// Write the frames of each scenario to a log of its own in this directory, as the AI Computer would have recorded them.
     ///
-    /// The directory is made if it is not there. `adsdv check` judges each log again.
+    /// The directory is made if it is not there. `adsdv check` judges each log again. The shortest scenario of each finding is there as
+    /// well, by the number of the finding, with its log.
     #[arg(long, value_name = "DIR")]
     pub(crate) logs: Option<PathBuf>,
 

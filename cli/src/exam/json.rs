@@ -45,8 +45,10 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         findings: report
             .findings
             .iter()
-            .map(|one| FindingJson {
+            .enumerate()
+            .map(|(place, one)| FindingJson {
                 accepted: subject.verdict.accepts(one),
+                shortest: subject.shorter.get(&place).map(|shortest| shortest.scenario.to_string()),
                 ..FindingJson::of(one, name(one.scenario))
             })
             .collect(),
@@ -109,6 +111,7 @@ struct FindingJson<'a> {
     operator: Vec<ActionJson<'a>>,
     car: &'a str,
     frames: Vec<FrameJson>,
+    shortest: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -138,6 +141,7 @@ impl<'a> FindingJson<'a> {
             rule: finding.found_by.id(),
             requirements: &finding.requirements,
             accepted: false,
+            shortest: None,
             seen: &finding.seen,
             expected: &finding.expected,
             operator: finding.operator.iter().map(|(time, did)| ActionJson { t: ms(*time), did }).collect(),

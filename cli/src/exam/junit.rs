@@ -39,8 +39,8 @@ fn status(subject: &Examinee<'_>, report: &ExamReport, requirement: &Examined) -
     match &requirement.outcome {
         Outcome::Pass => TestCaseStatus::success(),
         Outcome::Fail(places) => match subject.verdict.reason(requirement.id) {
-            Some(reason) => accepted(report, places, reason),
-            None => failure(report, places),
+            Some(reason) => accepted(subject, report, places, reason),
+            None => failure(subject, report, places),
         },
         Outcome::NotExercised(why) => {
             let mut status = TestCaseStatus::skipped();
@@ -58,8 +58,8 @@ fn others(subject: &Examinee<'_>, report: &ExamReport) -> TestCase {
     };
     let status = match (&places(false)[..], &places(true)[..]) {
         ([], []) => TestCaseStatus::success(),
-        ([], known) => accepted(report, known, "their rules are in the file"),
-        (wrong, _) => failure(report, wrong),
+        ([], known) => accepted(subject, report, known, "their rules are in the file"),
+        (wrong, _) => failure(subject, report, wrong),
     };
     let mut case = TestCase::new(OTHERS, status);
     case.set_classname(classname(subject.edition.edition().version, None));
@@ -67,26 +67,25 @@ fn others(subject: &Examinee<'_>, report: &ExamReport) -> TestCase {
 }
 
 /// What is known does not turn a run red, and stays to be seen.
-fn accepted(report: &ExamReport, places: &[usize], reason: &str) -> TestCaseStatus {
+fn accepted(subject: &Examinee<'_>, report: &ExamReport, places: &[usize], reason: &str) -> TestCaseStatus {
     let mut status = TestCaseStatus::skipped();
-    status.set_message(format!("accepted: {reason}")).set_description(description(report, places));
+    status.set_message(format!("accepted: {reason}")).set_description(description(subject, report, places));
     status
 }
 
-fn failure(report: &ExamReport, places: &[usize]) -> TestCaseStatus {
+fn failure(subject: &Examinee<'_>, report: &ExamReport, places: &[usize]) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
     if let Some(finding) = places.first().and_then(|place| report.findings.get(*place)) {
         status.set_type(finding.found_by.id()).set_message(words(finding));
-        status.set_description(description(report, places));
+        status.set_description(description(subject, report, places));
     }
     status
 }
 
 /// The first of these findings, and how many scenarios have one.
-fn description(report: &ExamReport, places: &[usize]) -> String {
-    let Some(finding) = places.first().and_then(|place| report.findings.get(*place)) else {
-        return String::new();
-    };
+fn description(subject: &Examinee<'_>, report: &ExamReport, places: &[usize]) -> String {
+    let Some(place) = places.first() else { return String::new() };
+    let Some(finding) = report.findings.get(*place) else { return String::new() };
     let pieces = Pieces::of(report, finding);
     let many = counted(scenarios(report, places), "scenario");
     let mut text = format!("{}\nscenario  {} ({many} in all)\n", words(finding), pieces.scenario);
@@ -95,6 +94,9 @@ fn description(report: &ExamReport, places: &[usize]) -> String {
     let _ = writeln!(text, "operator  {}\ncar       {}", pieces.operator, pieces.car);
     for frames in pieces.frames.chunks(FRAMES) {
         let _ = writeln!(text, "frames    {}", frames.join("   "));
+    }
+    if let Some(shortest) = subject.shorter.get(place) {
+        let _ = write!(text, "shortest scenario, for adsdv exam --scenario:\n{}", shortest.scenario);
     }
     text
 }

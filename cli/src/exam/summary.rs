@@ -27,7 +27,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
     writeln!(
         out,
-        "{}, edition {}, {}: {fail} requirements failed, {pass} passed, {not} not exercised.",
+        "{}, edition {}, {}; requirements: {fail} failed, {pass} passed, {not} not exercised.",
         escaped(subject.name),
         subject.edition.edition().version,
         counted(report.scenarios.len() as u64, "scenario"),
@@ -39,7 +39,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::
         writeln!(out, "\nWarning: {}", escaped(&why))?;
     }
     failed(out, subject, report)?;
-    findings(out, report)?;
+    findings(out, subject, report)?;
     not_exercised(out, report)
 }
 
@@ -68,10 +68,16 @@ fn failed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt:
     Ok(())
 }
 
-fn findings(out: &mut String, report: &ExamReport) -> fmt::Result {
+fn findings(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
     let shown = shown(report);
-    for finding in shown.iter().filter_map(|place| report.findings.get(*place)).take(FINDINGS) {
+    for place in shown.iter().take(FINDINGS) {
+        let Some(finding) = report.findings.get(*place) else { continue };
         one(out, report, finding)?;
+        if let Some(shortest) = subject.shorter.get(place) {
+            let scenario = &shortest.scenario;
+            writeln!(out, "\nThe shortest scenario that shows it, for `--scenario`:\n\n```\n{scenario}```")?;
+        }
+        writeln!(out, "\n</details>")?;
     }
     if let Some(more) = shown.len().checked_sub(FINDINGS).filter(|more| *more > 0) {
         writeln!(out, "\nAnd {more} more (`--json` has all).")?;
@@ -99,7 +105,7 @@ fn one(out: &mut String, report: &ExamReport, finding: &ExamFinding) -> fmt::Res
     writeln!(out, "- scenario {}", escaped(&pieces.scenario))?;
     writeln!(out, "- operator: {}", escaped(&pieces.operator))?;
     writeln!(out, "- car: {}", escaped(pieces.car))?;
-    writeln!(out, "\n```\n{}\n```\n\n</details>", pieces.frames.join("\n"))
+    writeln!(out, "\n```\n{}\n```", pieces.frames.join("\n"))
 }
 
 fn not_exercised(out: &mut String, report: &ExamReport) -> fmt::Result {

@@ -40,7 +40,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     }
     let shown = shown(report);
     failed(out, (subject, report), &shown, width)?;
-    findings(out, report, &shown, width)?;
+    findings(out, (subject, report), &shown, width)?;
     passed(out, subject, report)?;
     not_exercised(out, report, width)?;
     verdict(out, subject, report)
@@ -95,14 +95,22 @@ fn accepted(out: &mut String, reason: Option<&str>, width: usize) {
     }
 }
 
-fn findings(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+fn findings(
+    out: &mut String,
+    (subject, report): (&Examinee<'_>, &ExamReport),
+    shown: &[usize],
+    width: usize,
+) -> fmt::Result {
     if shown.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "FINDINGS"))?;
-    let told = shown.iter().filter_map(|place| report.findings.get(*place));
-    for (number, finding) in told.enumerate().take(FINDINGS) {
+    let found = shown.iter().filter_map(|place| Some((place, report.findings.get(*place)?)));
+    for (number, (place, finding)) in found.enumerate().take(FINDINGS) {
         one(out, report, number + 1, finding, width)?;
+        if let Some(shortest) = subject.shorter.get(place) {
+            lines(out, "shortest", &shortest.scenario.to_string());
+        }
     }
     if let Some(more) = shown.len().checked_sub(FINDINGS).filter(|more| *more > 0) {
         writeln!(out, "\n  and {more} more (--json has all)")?;
@@ -138,6 +146,15 @@ fn one(
         writeln!(out, "      {label:9} {}", frames.join("   "))?;
     }
     Ok(())
+}
+
+/// Lines that are to stay as they are, to be copied.
+fn lines(out: &mut String, label: &str, text: &str) {
+    for (place, line) in text.lines().enumerate() {
+        let label = if place == 0 { label } else { "" };
+        // Writing to a string does not fail.
+        let _ = writeln!(out, "      {label:9} {line}");
+    }
 }
 
 fn field(out: &mut String, label: &str, value: &str, width: usize) {

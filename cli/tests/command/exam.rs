@@ -215,7 +215,7 @@ fn the_summary_begins_with_the_verdict_and_what_failed() {
     let text = std::fs::read_to_string(&file).expect("it is written");
     for words in [
         "## adsdv exam: fails\n",
-        "edition 4.0, 1 scenario: 1 requirements failed, ",
+        "edition 4.0, 1 scenario; requirements: 1 failed, ",
         "\n| FIN-3 | 3.3 | tells FINISHED once the vehicle has stopped | 1 | no |\n",
         "<summary>FIN-3: MISSION_STATUS == FINISHED and a wheel speed > 10 rpm",
         "- scenario wheel-spins: ",
@@ -317,5 +317,67 @@ fn a_file_that_accepts_nothing_readable_is_refused() {
         let told = run(&["exam", "--stdio", "--accept", file, "--", "no-such-program"]);
         assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""));
         assert!(told.stderr.contains(why) && told.stderr.contains("RDY-7  the mission"), "{}", told.stderr);
+    }
+}
+
+#[test]
+fn scenarios_by_chance_are_the_same_for_the_same_seed() {
+    let list = |seed| run(&["exam", "--list", "--runs", "3", "--seed", seed, "--only", "random-"]).stdout;
+    assert_eq!(
+        list("7"),
+        "random-0  scenario 0 of seed 7\nrandom-1  scenario 1 of seed 7\nrandom-2  scenario 2 of seed 7\n"
+    );
+    let report = report(&["--edition", "4.0", "--runs", "5", "--only", "random-"], &[]);
+    assert_eq!(
+        (report["scenarios"].as_array().map(Vec::len), &report["passes"]),
+        (Some(5), &Value::from(true))
+    );
+}
+
+/// What is printed and written of a finding can be held again, and fails again.
+#[test]
+fn the_shortest_scenario_of_a_finding_can_be_held_again() {
+    let folder = PathBuf::from(new_file("finding-logs"));
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_dir_all(&folder);
+    let logs = folder.to_str().expect("text");
+    let options = ["--edition", "4.0", "--only", "wheel-spins", "--logs", logs];
+    let report = report(&options, &["looks-at-one-wheel"]);
+    let shortest = report["findings"][0]["shortest"].as_str().expect("a scenario");
+    assert!(shortest.lines().count() <= 6 && shortest.starts_with("disturb braking "), "{shortest}");
+    let file = folder.join("finding-1.txt");
+    assert_eq!(std::fs::read_to_string(&file).expect("it is written"), shortest);
+    let file = file.to_str().expect("text");
+    let again = examined(&["--edition", "4.0", "--scenario", file], &["looks-at-one-wheel"]);
+    assert_eq!(again.status, Some(1));
+    assert!(
+        again.stdout.contains("  FIN-3   tells FINISHED once the vehicle has stopped"),
+        "{}",
+        again.stdout
+    );
+    let first = shortest.lines().next().expect("a line");
+    assert!(again.stdout.contains(&format!("\n      shortest  {first}\n")), "{}", again.stdout);
+    let log = folder.join("finding-1.log");
+    let checked = run(&["check", "--edition", "4.0", log.to_str().expect("text")]);
+    assert!(checked.stdout.contains("finished-while-moving"), "{}", checked.stdout);
+    assert_eq!(examined(&["--edition", "4.0", "--scenario", file], &[]).status, Some(0));
+    let none =
+        examined(&["--edition", "4.0", "--only", "wheel-spins", "--shrink", "0"], &["looks-at-one-wheel"]);
+    assert!(!none.stdout.contains("shortest"), "{}", none.stdout);
+}
+
+#[test]
+fn a_file_that_is_no_scenario_is_refused() {
+    let file = new_file("wrong.txt");
+    std::fs::write(&file, "disturb AS_GONE +1 for 1 silences\n0 asms up\n").expect("it can be written");
+    for (file, why) in [
+        (file.as_str(), "line 1, column 9: found \"AS_GONE\", expected one of start, braking, "),
+        (file.as_str(), "line 2, column 8: found \"up\""),
+        ("no-such-file", "cannot read the scenario: "),
+        ("tests", "is a directory; expected a scenario"),
+    ] {
+        let told = run(&["exam", "--stdio", "--scenario", file, "--", "no-such-program"]);
+        assert_eq!((told.status, told.stdout.as_str()), (Some(2), ""));
+        assert!(told.stderr.contains(why) && told.stderr.contains("exam/README.md"), "{}", told.stderr);
     }
 }
