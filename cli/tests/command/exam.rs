@@ -125,8 +125,10 @@ fn what_passed_is_listed_if_somebody_asks() {
 fn the_examples_pass() {
     let python = Command::new("python3").arg("--version").output().is_ok_and(|told| told.status.success());
     if python {
-        let told = run(&["exam", "--stdio", "--edition", "4.0", "--", "python3", "exam/examples/stack.py"]);
-        assert_eq!(told.status, Some(0), "{}{}", told.stdout, told.stderr);
+        for example in [&["exam/examples/stack.py"][..], &["exam/examples/ros2_bridge.py", "--without-ros"]] {
+            let told = run(&[&["exam", "--stdio", "--edition", "4.0", "--", "python3"], example].concat());
+            assert_eq!(told.status, Some(0), "{}{}", told.stdout, told.stderr);
+        }
     }
     let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("exam-minimal");
     let built = Command::new("cc")
