@@ -121,7 +121,7 @@ pub struct Examined {
     /// The section of the document that asks for it.
     pub section: &'static str,
     /// What it asks for, in a few words.
-    pub about: &'static str,
+    pub about: String,
     /// What came of it.
     pub outcome: Outcome,
 }
@@ -228,14 +228,20 @@ pub fn exam(
 
 /// Which requirements were exercised.
 struct Marks {
+    edition: &'static Edition,
     entries: Vec<Entry>,
     expected: Vec<&'static str>,
     tally: Tally,
 }
 
 impl Marks {
-    fn new(edition: &Edition) -> Self {
-        Self { entries: catalogue::of_edition(edition), expected: Vec::new(), tally: Tally::default() }
+    fn new(edition: &'static Edition) -> Self {
+        Self {
+            edition,
+            entries: catalogue::of_edition(edition),
+            expected: Vec::new(),
+            tally: Tally::default(),
+        }
     }
 
     fn ran(&mut self, ran: &Ran) {
@@ -259,7 +265,7 @@ impl Marks {
             } else {
                 Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
             };
-            Examined { id: entry.id, section: entry.section(), about: entry.about, outcome }
+            Examined { id: entry.id, section: entry.section(), about: entry.about(self.edition), outcome }
         };
         self.entries.iter().map(one).collect()
     }

@@ -19,6 +19,7 @@
 
 #![forbid(unsafe_code)]
 
+mod about;
 mod catalogue;
 mod course;
 mod disturbance;

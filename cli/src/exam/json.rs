@@ -13,7 +13,7 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
     let requirements = report.requirements.iter().map(|one| RequirementJson {
         id: one.id,
         section: one.section,
-        about: one.about,
+        about: &one.about,
         outcome: one.outcome.name(),
         accepted: match one.outcome {
             Outcome::Fail(_) => subject.verdict.reason(one.id),

@@ -55,7 +55,7 @@ fn failed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt:
         let Outcome::Fail(places) = &one.outcome else { continue };
         let scenarios = scenarios(report, places);
         let reason = subject.verdict.reason(one.id).map_or_else(|| "no".to_owned(), escaped);
-        writeln!(out, "| {} | {} | {} | {scenarios} | {reason} |", one.id, one.section, escaped(one.about))?;
+        writeln!(out, "| {} | {} | {} | {scenarios} | {reason} |", one.id, one.section, escaped(&one.about))?;
     }
     let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
     if others > 0 {
@@ -115,7 +115,7 @@ fn not_exercised(out: &mut String, report: &ExamReport) -> fmt::Result {
     writeln!(out, "\n<details><summary>Not exercised</summary>\n")?;
     for one in &report.requirements {
         if let Outcome::NotExercised(why) = &one.outcome {
-            writeln!(out, "- {} {}: {}", one.id, escaped(one.about), escaped(why))?;
+            writeln!(out, "- {} {}: {}", one.id, escaped(&one.about), escaped(why))?;
         }
     }
     writeln!(out, "\n</details>")

@@ -62,8 +62,8 @@ fn each_mistake_is_told_first() {
         ("4.0", "silent", "MSG-5   sends AI2VCU_Status (510h)"),
         ("4.0", "never-selects", "RDY-7   confirms the mission that is selected"),
         ("4.0", "floods", "MSG-98  sends 510h to 514h every 10 ms"),
-        ("3.0", "answers-late", "HS-5    answers the HANDSHAKE bit of 520h"),
-        ("4.0", "answers-late", "HS-5    answers the HANDSHAKE bit of 520h"),
+        ("3.0", "answers-late", "HS-5    answers the HANDSHAKE bit of the VCU"),
+        ("4.0", "answers-late", "HS-5    answers the HANDSHAKE bit of the VCU"),
         ("4.0", "sends-a-reserved-identifier", "ID-8    does not send 301h"),
         ("4.0", "brakes-and-drives", "IMP-8   does not drive and brake at once"),
     ] {
