@@ -22,6 +22,7 @@
 
 #![forbid(unsafe_code)]
 
+mod accept;
 mod ai;
 mod args;
 mod check;
@@ -36,6 +37,7 @@ mod explore;
 mod interrupt;
 mod json;
 mod layout;
+mod markdown;
 mod operate;
 mod output;
 mod pins;

@@ -1,10 +1,10 @@
 //! The requirements that an AI Computer is examined on, what exercises each, and which of them a finding of the judge is against.
 
 use adsdv_oracle::judge::{Finding, Rule};
-use adsdv_oracle::suite::{Reason, untested};
 use adsdv_spec::messages::{Frame, SignalDef};
 use adsdv_spec::{AiMessages, Atom, Atoms, Edition};
 
+use crate::about::About::{self, Byte, Cycle, Cycles, Field, Missed, Reserved, Sends, Values, Words};
 use crate::tally::Tally;
 
 /// A requirement of the exam.
@@ -13,10 +13,10 @@ pub(crate) struct Entry {
     /// As `REQUIREMENTS.md` names it.
     pub(crate) id: &'static str,
     /// What it asks for, in a few words.
-    pub(crate) about: &'static str,
+    about: About,
     by: By,
-    /// The editions that have it, where the judge's list of what binds the AI Computer does not say.
-    editions: &'static [&'static str],
+    /// What says the same of an edition that has it, so that this one adds nothing there.
+    unless: &'static [&'static str],
 }
 
 /// What exercises a requirement.
@@ -34,22 +34,10 @@ enum By {
     Nothing(&'static str),
 }
 
-const ALL: &[&str] = &["3.0", "4.0", "2026"];
-const V3_0: &[&str] = &["3.0"];
-const V4_0: &[&str] = &["4.0"];
-const SINCE_4_0: &[&str] = &["4.0", "2026"];
-const V2026: &[&str] = &["2026"];
-/// The judge's list says which editions have it.
-const LISTED: &[&str] = &[];
-
 const ANY: &str = "any value is allowed, and nobody here knows which one is true";
 
-const fn entry(id: &'static str, about: &'static str, by: By) -> Entry {
-    Entry { id, about, by, editions: LISTED }
-}
-
-const fn of(editions: &'static [&'static str], id: &'static str, about: &'static str, by: By) -> Entry {
-    Entry { id, about, by, editions }
+const fn entry(id: &'static str, about: About, by: By) -> Entry {
+    Entry { id, about, by, unless: &[] }
 }
 
 /// The identifiers of the messages.
@@ -62,91 +50,109 @@ const DYNAMICS: u16 = crate::look::SENT[5];
 
 /// All of them, in the order of the document.
 const ENTRIES: &[Entry] = &[
-    entry("MSG-1", "sends AI2LOG_Dynamics2 (501h)", By::Expectation),
-    entry("MSG-2", "501h: longitudinal acceleration", By::Nothing(ANY)),
-    entry("MSG-3", "501h: lateral acceleration", By::Nothing(ANY)),
-    entry("MSG-4", "501h: yaw rate", By::Nothing(ANY)),
-    entry("MSG-5", "sends AI2VCU_Status (510h)", By::Expectation),
-    entry("MSG-6", "510h: HANDSHAKE is 0 or 1", By::Field("handshake")),
-    entry("MSG-7", "510h: ESTOP_REQUEST is 0 or 1", By::Field("estop_request")),
-    entry("MSG-8", "510h: MISSION_STATUS is 0 to 3", By::Field("mission_status")),
-    entry("MSG-10", "510h: DIRECTION_REQUEST is 0 or 1", By::Field("direction_request")),
-    entry("MSG-11", "510h: LAP_COUNTER", By::Nothing(ANY)),
-    entry("MSG-12", "510h: CONES_COUNT_ACTUAL", By::Nothing(ANY)),
-    entry("MSG-13", "510h: CONES_COUNT_ALL", By::Nothing(ANY)),
-    entry("MSG-14", "510h: actual speed", By::Nothing(ANY)),
-    entry("MSG-15", "510h: demanded speed", By::Nothing(ANY)),
-    entry("MSG-16", "sends AI2VCU_Drive_F (511h)", By::Expectation),
-    entry("MSG-17", "511h: front torque from 0 to 195 Nm", By::Field("front_axle_trq_request")),
-    entry("MSG-19", "511h: motor speed from 0 to 4000 rpm", By::Field("front_motor_speed_max")),
-    entry("MSG-20", "sends AI2VCU_Drive_R (512h)", By::Expectation),
-    entry("MSG-21", "512h: rear torque from 0 to 195 Nm", By::Field("rear_axle_trq_request")),
-    entry("MSG-22", "512h: motor speed from 0 to 4000 rpm", By::Field("rear_motor_speed_max")),
-    entry("MSG-23", "sends AI2VCU_Steer (513h)", By::Expectation),
-    entry("MSG-24", "513h: steer angle up to 24 degrees", By::Field("steer_request")),
-    entry("MSG-26", "sends AI2VCU_Brake (514h)", By::Expectation),
-    entry("MSG-27", "514h: front pressure from 0 to 100 %", By::Field("hyd_press_f_req")),
-    entry("MSG-28", "514h: rear pressure from 0 to 100 %", By::Field("hyd_press_r_req")),
-    of(V4_0, "MSG-97", "its messages are as long as they should be", By::Sending),
-    entry("MSG-98", "sends 510h to 514h every 10 ms", By::Expectation),
-    entry("MSG-99", "513h: steer angle up to 21 degrees", By::Field("steer_request")),
-    entry("MSG-102", "sends 501h every 10 ms", By::Expectation),
-    entry("MSG-105", "513h: steer angle up to 30 degrees", By::Field("steer_request")),
-    of(V2026, "MSG-113", "its messages are as long as they should be", By::Sending),
-    entry("ID-1", "does not send 000h", By::Sending),
-    entry("ID-2", "does not send 080h to 084h", By::Sending),
-    entry("ID-3", "does not send 100h", By::Sending),
-    entry("ID-4", "does not send 120h to 124h", By::Sending),
-    entry("ID-5", "does not send 181h to 184h", By::Sending),
-    entry("ID-6", "does not send 201h", By::Sending),
-    entry("ID-7", "does not send 284h", By::Sending),
-    entry("ID-8", "does not send 301h", By::Sending),
-    entry("ID-9", "does not send 410h to 41Fh", By::Sending),
-    entry("ID-10", "does not send 450h to 470h", By::Sending),
-    entry("ID-11", "does not send 4E2h", By::Sending),
-    entry("ID-12", "does not send 4FDh to 4FFh", By::Sending),
-    entry("ID-13", "does not send 550h", By::Sending),
-    entry("ID-14", "does not send 581h to 584h", By::Sending),
-    entry("ID-15", "does not send 601h", By::Sending),
-    entry("ID-16", "does not send 604h", By::Sending),
-    entry("ID-18", "does not send 600h to 640h", By::Sending),
-    entry("ID-19", "does not send 650h to 660h", By::Sending),
-    entry("ID-17", "does not send 700h to 705h", By::Sending),
-    entry("ID-20", "does not send what is the VCU's or its devices'", By::Sending),
-    entry("HS-2", "HANDSHAKE is in the first byte of 510h", By::Field("handshake")),
-    entry("HS-5", "answers the HANDSHAKE bit of 520h", By::Expectation),
-    of(V3_0, "HS-13", "may take 20 ms for an answer", By::Nothing("it is a permission")),
-    of(SINCE_4_0, "HS-18", "lets no message be missed for 100 ms", By::Sending),
-    entry("RDY-7", "confirms the mission that is selected", By::Expectation),
-    of(ALL, "DRV-5", "requests no front torque in AS_READY", By::Expectation),
-    of(ALL, "DRV-6", "requests no rear torque in AS_READY", By::Expectation),
-    of(ALL, "DRV-7", "requests no steer angle in AS_READY", By::Expectation),
-    of(ALL, "DRV-8", "requests NEUTRAL in AS_READY", By::Expectation),
-    entry("DRV-10", "requests FORWARD in AS_DRIVING", By::Expectation),
-    entry("FIN-1", "tells that the mission is completed", By::Expectation),
-    entry("FIN-2", "stops with the service brake", By::Expectation),
-    entry("FIN-3", "tells FINISHED once the vehicle has stopped", By::Expectation),
-    of(V3_0, "DTE-5", "does not request NEUTRAL while moving", By::Moving),
-    of(SINCE_4_0, "IMP-6", "does not request NEUTRAL while moving", By::Moving),
-    of(SINCE_4_0, "IMP-8", "does not drive and brake at once", By::Moving),
-    of(V3_0, "D-30", "its messages are as long as they should be", By::Sending),
-    entry("D-32", "does not send REVERSE", By::Field("direction_request")),
+    entry("MSG-1", Sends(DYNAMICS), By::Expectation),
+    entry("MSG-2", Field(DYNAMICS, "accel_longitudinal"), By::Nothing(ANY)),
+    entry("MSG-3", Field(DYNAMICS, "accel_lateral"), By::Nothing(ANY)),
+    entry("MSG-4", Field(DYNAMICS, "yaw_rate"), By::Nothing(ANY)),
+    entry("MSG-5", Sends(STATUS), By::Expectation),
+    entry("MSG-6", Values(STATUS, "handshake"), By::Field("handshake")),
+    entry("MSG-7", Values(STATUS, "estop_request"), By::Field("estop_request")),
+    entry("MSG-8", Values(STATUS, "mission_status"), By::Field("mission_status")),
+    entry("MSG-10", Values(STATUS, "direction_request"), By::Field("direction_request")),
+    entry("MSG-11", Field(STATUS, "lap_counter"), By::Nothing(ANY)),
+    entry("MSG-12", Field(STATUS, "cones_count_actual"), By::Nothing(ANY)),
+    entry("MSG-13", Field(STATUS, "cones_count_all"), By::Nothing(ANY)),
+    entry("MSG-14", Field(STATUS, "veh_speed_actual"), By::Nothing(ANY)),
+    entry("MSG-15", Field(STATUS, "veh_speed_demand"), By::Nothing(ANY)),
+    entry("MSG-16", Sends(DRIVE_F), By::Expectation),
+    entry("MSG-17", Values(DRIVE_F, "front_axle_trq_request"), By::Field("front_axle_trq_request")),
+    entry("MSG-19", Values(DRIVE_F, "front_motor_speed_max"), By::Field("front_motor_speed_max")),
+    entry("MSG-20", Sends(DRIVE_R), By::Expectation),
+    entry("MSG-21", Values(DRIVE_R, "rear_axle_trq_request"), By::Field("rear_axle_trq_request")),
+    entry("MSG-22", Values(DRIVE_R, "rear_motor_speed_max"), By::Field("rear_motor_speed_max")),
+    entry("MSG-23", Sends(STEER), By::Expectation),
+    entry("MSG-24", Values(STEER, "steer_request"), By::Field("steer_request")),
+    entry("MSG-26", Sends(BRAKE), By::Expectation),
+    entry("MSG-27", Values(BRAKE, "hyd_press_f_req"), By::Field("hyd_press_f_req")),
+    entry("MSG-28", Values(BRAKE, "hyd_press_r_req"), By::Field("hyd_press_r_req")),
+    entry("MSG-97", Words("its messages are as long as they should be"), By::Sending),
+    entry("MSG-98", Cycle(STATUS, BRAKE), By::Expectation),
+    entry("MSG-99", Values(STEER, "steer_request"), By::Field("steer_request")),
+    entry("MSG-102", Cycle(DYNAMICS, DYNAMICS), By::Expectation),
+    entry("MSG-105", Values(STEER, "steer_request"), By::Field("steer_request")),
+    entry("MSG-113", Words("its messages are as long as they should be"), By::Sending),
+    entry("ID-1", Reserved, By::Sending),
+    entry("ID-2", Reserved, By::Sending),
+    entry("ID-3", Reserved, By::Sending),
+    entry("ID-4", Reserved, By::Sending),
+    entry("ID-5", Reserved, By::Sending),
+    entry("ID-6", Reserved, By::Sending),
+    entry("ID-7", Reserved, By::Sending),
+    entry("ID-8", Reserved, By::Sending),
+    entry("ID-9", Reserved, By::Sending),
+    entry("ID-10", Reserved, By::Sending),
+    entry("ID-11", Reserved, By::Sending),
+    entry("ID-12", Reserved, By::Sending),
+    entry("ID-13", Reserved, By::Sending),
+    entry("ID-14", Reserved, By::Sending),
+    entry("ID-15", Reserved, By::Sending),
+    entry("ID-16", Reserved, By::Sending),
+    entry("ID-18", Reserved, By::Sending),
+    entry("ID-19", Reserved, By::Sending),
+    entry("ID-17", Reserved, By::Sending),
+    entry("ID-20", Words("does not send what is the VCU's or its devices'"), By::Sending),
+    entry("HS-2", Byte(STATUS, "handshake"), By::Field("handshake")),
+    entry("HS-5", Words("answers the HANDSHAKE bit of the VCU"), By::Expectation),
+    entry("HS-13", Cycles(2), By::Nothing("it is a permission")),
+    entry("HS-18", Missed, By::Sending),
+    entry("RDY-7", Words("confirms the mission that is selected"), By::Expectation),
+    entry("DRV-5", Words("requests no front torque in AS_READY"), By::Expectation),
+    entry("DRV-6", Words("requests no rear torque in AS_READY"), By::Expectation),
+    entry("DRV-7", Words("requests no steer angle in AS_READY"), By::Expectation),
+    entry("DRV-8", Words("requests NEUTRAL in AS_READY"), By::Expectation),
+    entry("DRV-10", Words("requests FORWARD in AS_DRIVING"), By::Expectation),
+    entry("FIN-1", Words("tells that the mission is completed"), By::Expectation),
+    entry("FIN-2", Words("stops with the service brake"), By::Expectation),
+    entry("FIN-3", Words("tells FINISHED once the vehicle has stopped"), By::Expectation),
+    entry("DTE-5", Words("does not request NEUTRAL while moving"), By::Moving),
+    entry("IMP-6", Words("does not request NEUTRAL while moving"), By::Moving),
+    entry("IMP-8", Words("does not drive and brake at once"), By::Moving),
+    Entry {
+        unless: &["MSG-97", "MSG-113"],
+        ..entry("D-30", Words("its messages are as long as they should be"), By::Sending)
+    },
+    entry("D-32", Words("does not send REVERSE"), By::Field("direction_request")),
 ];
 
 /// Those that an edition has.
 pub(crate) fn of_edition(edition: &Edition) -> Vec<Entry> {
-    let binds: Vec<String> = untested(edition)
-        .filter(|untested| untested.reason == Reason::AnotherParty)
-        .map(|untested| untested.id)
-        .collect();
-    let holds = |entry: &&Entry| match entry.editions {
-        [] => binds.iter().any(|id| id == entry.id),
-        editions => editions.contains(&edition.version),
-    };
+    let has = |id: &&str| edition.requirements.has(id);
+    let holds = |entry: &&Entry| has(&entry.id) && !entry.unless.iter().any(|id| has(&id));
     ENTRIES.iter().filter(holds).copied().collect()
 }
 
 impl Entry {
+    /// What it asks for, in a few words.
+    pub(crate) fn about(&self, edition: &Edition) -> String {
+        self.about.text(edition, reserved(edition).iter().position(|id| *id == self.id))
+    }
+
+    /// The section of the document that asks for it.
+    pub(crate) fn section(&self) -> &'static str {
+        match self.id.split_once('-').unwrap_or((self.id, "")) {
+            ("ID", "20") => "2.2",
+            ("ID", _) => "2.3",
+            ("HS", "13") => "Figure 1",
+            ("HS", _) => "2.4",
+            ("RDY", _) => "3.1",
+            ("DRV", _) => "3.2",
+            ("FIN", _) => "3.3",
+            ("DTE", _) => "3.7",
+            ("IMP", _) => "4",
+            _ => "2.1",
+        }
+    }
+
     /// Why it was not exercised, by what was sent; `None` if it was.
     pub(crate) fn lacks(&self, tally: &Tally, is_expected: bool) -> Option<String> {
         match self.by {
@@ -233,15 +239,16 @@ fn of_values(edition: &Edition, frame: &Frame) -> Vec<&'static str> {
         .collect()
 }
 
-/// The ranges of reserved identifiers stand in the document in the order of the list: each is one requirement.
+/// The ranges of reserved identifiers stand in the document in the order of the list: each is one requirement, of which these are
+/// those of an edition, in that order.
+fn reserved(edition: &Edition) -> Vec<&'static str> {
+    let entries = of_edition(edition).into_iter();
+    entries.filter(|entry| matches!(entry.about, Reserved)).map(|entry| entry.id).collect()
+}
+
 fn of_reserved(edition: &Edition, id: u16) -> Vec<&'static str> {
-    let ids: Vec<&str> = of_edition(edition)
-        .into_iter()
-        .map(|entry| entry.id)
-        .filter(|id| id.starts_with("ID-") && *id != "ID-20")
-        .collect();
     let place = edition.bus.reserved.iter().position(|range| range.contains(&id));
-    place.and_then(|place| ids.get(place).copied()).into_iter().collect()
+    place.and_then(|place| reserved(edition).get(place).copied()).into_iter().collect()
 }
 
 /// What holds the car in AS_READY.
@@ -257,6 +264,8 @@ pub(crate) fn of_requests(requests: Atoms) -> Vec<&'static str> {
 
 #[cfg(test)]
 mod tests {
+    use adsdv_oracle::suite::{Reason, untested};
+
     use super::*;
 
     /// What binds a person.
@@ -274,6 +283,49 @@ mod tests {
         }
     }
 
+    /// The numbers in a text, such as 195, 24 and 510h.
+    fn numbers(text: &str) -> Vec<&str> {
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric());
+        words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect()
+    }
+
+    /// The edition's tables say what the requirement says.
+    #[test]
+    fn each_number_of_an_edition_stands_in_its_requirement() {
+        let document = include_str!("../../spec/REQUIREMENTS.md");
+        let mut some = 0;
+        for edition in Edition::ALL {
+            for entry in of_edition(edition) {
+                let line = document.lines().find(|line| line.starts_with(&format!("- **{}** ", entry.id)));
+                let line = line.expect("a line");
+                let about = entry.about(edition);
+                assert!(!about.contains("them") && !about.contains("right byte"), "{}: {about}", entry.id);
+                // Ten messages in a row are missed in 100 ms.
+                for number in numbers(&about).into_iter().filter(|_| entry.id != "HS-18") {
+                    some += 1;
+                    assert!(
+                        numbers(line).contains(&number),
+                        "{} in {}: {about}: {number}",
+                        entry.id,
+                        edition.version
+                    );
+                }
+            }
+        }
+        assert!(some > 150, "{some}");
+    }
+
+    #[test]
+    fn the_section_of_each_is_one_where_the_document_has_it() {
+        let document = include_str!("../../spec/REQUIREMENTS.md");
+        for entry in ENTRIES {
+            let line = document.lines().find(|line| line.starts_with(&format!("- **{}** ", entry.id)));
+            let (_, places) = line.and_then(|line| line.rsplit_once('(')).expect("a line with its places");
+            let mut places = places.split([',', ';', ':', ')']).map(str::trim);
+            assert!(places.any(|place| place == entry.section()), "{}: {}", entry.id, entry.section());
+        }
+    }
+
     #[test]
     fn each_range_of_reserved_identifiers_has_its_requirement() {
         for edition in Edition::ALL {
@@ -284,7 +336,8 @@ mod tests {
                     let entry = ENTRIES.iter().find(|entry| entry.id == found).expect("an entry");
                     let from = format!("{:03X}h", range.start());
                     let to = format!("{:03X}h", range.end());
-                    assert!(entry.about.contains(&from) && entry.about.contains(&to), "{id:03X}: {found}");
+                    let about = entry.about(edition);
+                    assert!(about.contains(&from) && about.contains(&to), "{id:03X}: {found} {about}");
                 }
             }
         }

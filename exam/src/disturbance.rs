@@ -2,28 +2,66 @@
 //!
 //! Whatever happens to frames of the VCU happens before they are on the bus, so that the judge sees what the AI Computer sees.
 
-use adsdv_spec::messages::{Frame, Vcu2AiStatus};
-use adsdv_spec::{Edition, Vehicle};
+use std::fmt;
 
-use crate::expectation::Condition;
+use adsdv_spec::Vehicle;
+use adsdv_spec::messages::{AsState, WheelSpeed};
+
 use crate::look::Look;
+use crate::scenario_text::Seconds;
 
 /// Something that goes wrong, once in a scenario.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Disturbance {
     /// It waits for this,
-    pub from: Condition,
+    pub from: Onset,
     /// then for so many milliseconds,
     pub after_ms: u64,
     /// and lasts for so many.
     pub for_ms: u64,
     /// What goes wrong.
-    pub what: What,
+    pub effect: Effect,
+}
+
+/// What a disturbance waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Onset {
+    /// Nothing.
+    Start,
+    /// This AS state.
+    State(AsState),
+    /// The AI Computer brakes in AS_DRIVING, and the vehicle has moved.
+    Braking,
+}
+
+impl Onset {
+    /// All of them.
+    pub fn all() -> Vec<Self> {
+        let states = AsState::ALL.iter().copied().map(Self::State);
+        [Self::Start, Self::Braking].into_iter().chain(states).collect()
+    }
+
+    /// The word for it in a scenario.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::State(state) => state.name(),
+            Self::Braking => "braking",
+        }
+    }
+
+    pub(crate) fn is_there(self, look: &Look) -> bool {
+        match self {
+            Self::Start => true,
+            Self::State(state) => look.is(state),
+            Self::Braking => look.is(AsState::Driving) && look.has_moved && look.brakes(),
+        }
+    }
 }
 
 /// The kinds of disturbances.
-#[derive(Clone, Copy, Debug)]
-pub enum What {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
     /// The VCU's messages of each so manieth cycle are lost.
     Loses(u64),
     /// They come so many milliseconds late.
@@ -35,68 +73,71 @@ pub enum What {
     /// HANDSHAKE of 520h stays as it is.
     HoldsHandshake,
     /// The sensors show something else.
-    Sensors(fn(&mut Vehicle)),
+    Sensors(Sensors),
 }
 
-/// A disturbance that takes its course.
-#[derive(Clone, Debug)]
-pub(crate) struct Course {
-    disturbance: Disturbance,
-    since: Option<u64>,
-    held: Option<i32>,
+/// What sensors show that lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sensors {
+    /// The front left wheel stands.
+    WheelStands,
+    /// The front right wheel turns with 300 rpm.
+    WheelSpins,
+    /// No wheel is slower than 40 rpm.
+    SpeedStays,
 }
 
-impl Course {
-    pub(crate) fn new(disturbance: &Disturbance) -> Self {
-        Self { disturbance: *disturbance, since: None, held: None }
-    }
-
-    pub(crate) fn look(&mut self, look: &Look) {
-        if self.since.is_none() && (self.disturbance.from)(look) {
-            self.since = Some(look.time_ms);
-        }
-    }
-
-    fn lasts(&self, time_ms: u64) -> bool {
-        let Disturbance { after_ms, for_ms, .. } = self.disturbance;
-        let Some(begins) = self.since.map(|since| since + after_ms) else { return false };
-        (begins..begins + for_ms).contains(&time_ms)
-    }
-
-    /// What the sensors show at this time.
-    pub(crate) fn falsify(&self, time_ms: u64, vehicle: &mut Vehicle) {
-        if let What::Sensors(falsify) = self.disturbance.what
-            && self.lasts(time_ms)
-        {
-            falsify(vehicle);
-        }
-    }
-
-    /// When the frames of the cycle at this time come, if they come at all; what they say may be changed.
-    pub(crate) fn frames(&mut self, time_ms: u64, edition: &Edition, frames: &mut [Frame]) -> Option<u64> {
-        if !self.lasts(time_ms) {
-            self.held = None;
-            return Some(time_ms);
-        }
-        match self.disturbance.what {
-            What::Loses(every) if (time_ms / 10).is_multiple_of(every.max(1)) => None,
-            What::Silences => None,
-            What::Delays(ms) => Some(time_ms + ms),
-            What::Gathers(ms) => Some(time_ms.next_multiple_of(ms.max(1))),
-            What::HoldsHandshake => {
-                self.hold(edition, frames);
-                Some(time_ms)
-            }
-            What::Loses(_) | What::Sensors(_) => Some(time_ms),
-        }
-    }
-
-    fn hold(&mut self, edition: &Edition, frames: &mut [Frame]) {
-        let signal = edition.bus.message(Vcu2AiStatus::ID).and_then(|message| message.signal_of("handshake"));
-        for frame in frames.iter_mut().filter(|frame| frame.id == Vcu2AiStatus::ID) {
-            if let Some((signal, raw)) = signal.and_then(|signal| Some((signal, signal.raw(&frame.data)?))) {
-                frame.data = signal.put(frame.data, *self.held.get_or_insert(raw));
+impl Sensors {
+    pub(crate) fn falsify(self, vehicle: &mut Vehicle) {
+        let speeds = &mut vehicle.wheel_speeds;
+        match self {
+            Self::WheelStands => speeds.fl_wheel_speed = WheelSpeed::clamped(0),
+            Self::WheelSpins => speeds.fr_wheel_speed = WheelSpeed::clamped(300),
+            Self::SpeedStays => {
+                for speed in [
+                    &mut speeds.fl_wheel_speed,
+                    &mut speeds.fr_wheel_speed,
+                    &mut speeds.rl_wheel_speed,
+                    &mut speeds.rr_wheel_speed,
+                ] {
+                    *speed = WheelSpeed::clamped(speed.raw().max(40));
+                }
             }
         }
+    }
+}
+
+impl Effect {
+    /// The effects that have no number, each with the word for it in a scenario.
+    pub(crate) const PLAIN: [(&str, Self); 5] = [
+        ("silences", Self::Silences),
+        ("holds-handshake", Self::HoldsHandshake),
+        ("wheel-stands", Self::Sensors(Sensors::WheelStands)),
+        ("wheel-spins", Self::Sensors(Sensors::WheelSpins)),
+        ("speed-stays", Self::Sensors(Sensors::SpeedStays)),
+    ];
+
+    /// Those that have one.
+    pub(crate) const COUNTED: [(&str, fn(u64) -> Self); 3] =
+        [("loses", Self::Loses), ("delays", Self::Delays), ("gathers", Self::Gathers)];
+}
+
+impl fmt::Display for Effect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Self::Loses(number) | Self::Delays(number) | Self::Gathers(number)) = self else {
+            let plain = Self::PLAIN.iter().find(|(_, effect)| effect == self);
+            return f.write_str(plain.map_or("", |(name, _)| name));
+        };
+        let counted = Self::COUNTED.iter().find(|(_, of)| of(*number) == *self);
+        write!(f, "{} {number}", counted.map_or("", |(name, _)| name))
+    }
+}
+
+/// As a line of a scenario.
+impl fmt::Display for Disturbance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { from, after_ms, for_ms, effect } = self;
+        let (after, lasts) = (Seconds(*after_ms), Seconds(*for_ms));
+        write!(f, "disturb {} +{after} for {lasts} {effect}", from.name())
     }
 }

@@ -118,8 +118,10 @@ impl Outcome {
 pub struct Examined {
     /// As `REQUIREMENTS.md` names it.
     pub id: &'static str,
+    /// The section of the document that asks for it.
+    pub section: &'static str,
     /// What it asks for, in a few words.
-    pub about: &'static str,
+    pub about: String,
     /// What came of it.
     pub outcome: Outcome,
 }
@@ -226,14 +228,20 @@ pub fn exam(
 
 /// Which requirements were exercised.
 struct Marks {
+    edition: &'static Edition,
     entries: Vec<Entry>,
     expected: Vec<&'static str>,
     tally: Tally,
 }
 
 impl Marks {
-    fn new(edition: &Edition) -> Self {
-        Self { entries: catalogue::of_edition(edition), expected: Vec::new(), tally: Tally::default() }
+    fn new(edition: &'static Edition) -> Self {
+        Self {
+            edition,
+            entries: catalogue::of_edition(edition),
+            expected: Vec::new(),
+            tally: Tally::default(),
+        }
     }
 
     fn ran(&mut self, ran: &Ran) {
@@ -257,14 +265,14 @@ impl Marks {
             } else {
                 Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
             };
-            Examined { id: entry.id, about: entry.about, outcome }
+            Examined { id: entry.id, section: entry.section(), about: entry.about(self.edition), outcome }
         };
         self.entries.iter().map(one).collect()
     }
 }
 
 /// What is wrong in a scenario: what the judge says of the AI Computer, and what was to be done and was not.
-fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
+pub(crate) fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
     let mut found = judged(ran, edition);
     if let Some((time_ms, waiting)) = ran.flood {
         found.push(ExamFinding {

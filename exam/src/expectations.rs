@@ -127,7 +127,9 @@ pub(crate) static HOLDS_STILL: Expectation = Expectation {
     seen: "the car does not leave AS_READY on \"Go\"",
     expected: "zero requests and NEUTRAL in AS_READY, so that it goes to AS_DRIVING",
     kind: Kind::Comes {
-        when: |look| look.is(AsState::Driving) || look.is(AsState::Ready) && look.go_in_time,
+        when: |look| {
+            look.is(AsState::Driving) || look.is(AsState::Ready) && look.go_in_time && look.is_straight()
+        },
         then: |look| look.is(AsState::Driving),
         within: Within::Ms(200),
     },

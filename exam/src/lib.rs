@@ -12,11 +12,16 @@
 //! says the same of a log. What only an exam can see, that something was not done which was to be done, is an expectation of a
 //! scenario, beside its requirement. Nothing passes by silence: what no scenario has exercised is not passed, and says why.
 //!
+//! Beside the scenarios that are written there are [those by chance](random_scenarios) and [those of files](ExamScenario::read), and
+//! what is wrong in one has a [shortest scenario](shortest) that shows it.
+//!
 //! What is examined is a [`Stack`]: it is asked for the frames of a step of 10 ms, whatever is behind it.
 
 #![forbid(unsafe_code)]
 
+mod about;
 mod catalogue;
+mod course;
 mod disturbance;
 mod exam;
 mod expectation;
@@ -24,14 +29,17 @@ mod expectations;
 mod look;
 mod program;
 mod program_error;
+mod random;
 mod scenario;
+mod scenario_text;
 mod scenarios;
 mod serve;
 mod session;
+mod shrink;
 mod stack;
 mod tally;
 
-pub use disturbance::{Disturbance, What};
+pub use disturbance::{Disturbance, Effect, Onset, Sensors};
 pub use exam::{
     ExamFinding, ExamOptions, ExamProgress, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome, exam,
 };
@@ -39,10 +47,12 @@ pub use expectation::{Condition, Expectation, Kind, Within};
 pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
 pub use program_error::{StackError, StackErrorKind, StackErrorPlace};
+pub use random::{SEED, random_scenarios};
 pub use scenario::ExamScenario;
 pub use scenarios::scenarios;
 pub use serve::serve;
 pub use session::{Change, Sent};
+pub use shrink::{Shortest, shortest};
 pub use stack::{Reference, Stack};
 
 /// The examples of the README.

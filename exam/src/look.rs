@@ -38,7 +38,7 @@ pub struct Look {
     pub ai: Option<Ai2VcuStatus>,
     /// All that the AI Computer says to the VCU; at its defaults where it said nothing.
     pub requests: AiMessages,
-    /// What holds of these requests, of the wheels and of the switches.
+    /// What holds of these requests, of the wheels and of the steering.
     pub atoms: Atoms,
     /// Whether "Go" was turned on when the five seconds of AS_READY were over, and still is.
     pub go_in_time: bool,
@@ -128,7 +128,8 @@ impl Look {
             .union(drive_r.atoms())
             .union(steer.atoms())
             .union(brake.atoms())
-            .union(car.inputs().vehicle.wheel_speeds.atoms(thresholds));
+            .union(car.inputs().vehicle.wheel_speeds.atoms(thresholds))
+            .union(car.inputs().vehicle.steer_angle.atoms(thresholds));
         self.follow_go(car);
         self.follow_wheels();
     }
@@ -164,6 +165,11 @@ impl Look {
     /// Whether all wheels turn slower than that.
     pub fn is_at_rest(&self) -> bool {
         self.atoms.has(Atom::AtRest)
+    }
+
+    /// Whether the steering is as straight as AS_DRIVING needs it: in AS_READY no AI Computer can turn it.
+    pub fn is_straight(&self) -> bool {
+        self.atoms.has(Atom::SteerStraight)
     }
 
     /// Whether the AI Computer requests the service brake.

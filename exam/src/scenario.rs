@@ -22,6 +22,6 @@ pub struct ExamScenario {
     pub vcu_starts_ms: u64,
     /// When the AI Computer is.
     pub ai_starts_ms: u64,
-    /// The vehicle.
+    /// The vehicle; as text a scenario has the default one, or one with weak brakes.
     pub physics: Physics,
 }

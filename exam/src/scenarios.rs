@@ -1,15 +1,18 @@
 //! The scenarios of the exam.
 
 use adsdv_can::car::{Physics, Switch};
-use adsdv_spec::messages::{AsState, WheelSpeed};
+use adsdv_spec::messages::AsState;
 
-use crate::disturbance::{Disturbance, What};
+use crate::disturbance::{Disturbance, Effect, Onset, Sensors};
 use crate::expectation::Expectation;
 use crate::expectations::{
     ANSWERS, BRAKES, COMPLETES, CYCLES, GOES_FORWARD, HOLDS_STILL, SELECTS, SENDS, TELLS_STOP,
 };
-use crate::look::Look;
 use crate::scenario::ExamScenario;
+
+/// A vehicle whose brakes are weak, and answer slowly.
+pub(crate) const WEAK_BRAKES: Physics =
+    Physics { full_braking_mps2: 2.0, force_lag_ms: 400.0, ..Physics::DEFAULT };
 
 /// What every AI Computer does at any time.
 fn always() -> Vec<&'static Expectation> {
@@ -22,7 +25,7 @@ fn drives() -> Vec<&'static Expectation> {
 }
 
 /// What it does where the mission comes to its end.
-fn completes() -> Vec<&'static Expectation> {
+pub(crate) fn completes() -> Vec<&'static Expectation> {
     drives().into_iter().chain([&COMPLETES, &BRAKES, &TELLS_STOP]).collect()
 }
 
@@ -50,8 +53,8 @@ impl ExamScenario {
         }
     }
 
-    fn with(mut self, from: fn(&Look) -> bool, after_ms: u64, for_ms: u64, what: What) -> Self {
-        self.disturbances.push(Disturbance { from, after_ms, for_ms, what });
+    fn with(mut self, from: Onset, after_ms: u64, for_ms: u64, effect: Effect) -> Self {
+        self.disturbances.push(Disturbance { from, after_ms, for_ms, effect });
         self
     }
 }
@@ -289,48 +292,47 @@ fn power_cycles() -> Vec<ExamScenario> {
 /// Frames of the VCU that do not come as they should, and who starts first.
 fn frames() -> Vec<ExamScenario> {
     const WHOLE: u64 = 600_000;
-    let driving = |look: &Look| look.is(AsState::Driving);
-    let ready = |look: &Look| look.is(AsState::Ready);
+    let (driving, ready) = (Onset::State(AsState::Driving), Onset::State(AsState::Ready));
     let mission = |name, about| ExamScenario::new(name, about, &[READY, GO, OVER], completes());
     let short = |name, about| ExamScenario::new(name, about, &[READY, GO, "AS_DRIVING +4 end\n"], drives());
     let stopped =
         |name, about| ExamScenario::new(name, about, &[READY, GO, "EMERGENCY_BRAKE +2 end\n"], drives());
     vec![
         mission("frames-lost", "the VCU's messages of every third cycle are lost").with(
-            |_| true,
+            Onset::Start,
             0,
             WHOLE,
-            What::Loses(3),
+            Effect::Loses(3),
         ),
         mission("frames-late", "the VCU's messages come 10 ms late").with(
-            |_| true,
+            Onset::Start,
             0,
             WHOLE,
-            What::Delays(10),
+            Effect::Delays(10),
         ),
         mission("frames-in-bursts", "the VCU's messages of two cycles come together").with(
-            |_| true,
+            Onset::Start,
             0,
             WHOLE,
-            What::Gathers(20),
+            Effect::Gathers(20),
         ),
         short("handshake-held", "HANDSHAKE of the VCU stays as it is for 30 ms in AS_READY").with(
             ready,
             2000,
             30,
-            What::HoldsHandshake,
+            Effect::HoldsHandshake,
         ),
         short("vcu-pauses", "the VCU says nothing for 30 ms while the car drives").with(
             driving,
             2000,
             30,
-            What::Silences,
+            Effect::Silences,
         ),
         stopped("vcu-silent", "the VCU says nothing for half a second while the car drives").with(
             driving,
             2000,
             500,
-            What::Silences,
+            Effect::Silences,
         ),
         ExamScenario {
             ai_starts_ms: 3000,
@@ -351,44 +353,23 @@ fn frames() -> Vec<ExamScenario> {
 /// Wheels, speeds and brakes that are not as they should be.
 fn vehicle() -> Vec<ExamScenario> {
     const WHOLE: u64 = 600_000;
-    let brakes = |look: &Look| look.is(AsState::Driving) && look.has_moved && look.brakes();
     let mission = |name, about| ExamScenario::new(name, about, &[READY, GO, OVER], completes());
     vec![
         mission("wheel-stands", "the sensor of the front left wheel shows 0").with(
-            |_| true,
+            Onset::Start,
             0,
             WHOLE,
-            What::Sensors(|seen| seen.wheel_speeds.fl_wheel_speed = WheelSpeed::clamped(0)),
+            Effect::Sensors(Sensors::WheelStands),
         ),
         mission(
             "wheel-spins",
             "the front right wheel turns with 300 rpm for 4 s while the AI Computer brakes",
         )
-        .with(
-            brakes,
-            0,
-            4000,
-            What::Sensors(|seen| seen.wheel_speeds.fr_wheel_speed = WheelSpeed::clamped(300)),
-        ),
+        .with(Onset::Braking, 0, 4000, Effect::Sensors(Sensors::WheelSpins)),
         mission("speed-stays", "the wheels do not fall below 40 rpm for 4 s while the AI Computer brakes")
-            .with(
-                brakes,
-                0,
-                4000,
-                What::Sensors(|seen| {
-                    let speeds = &mut seen.wheel_speeds;
-                    for speed in [
-                        &mut speeds.fl_wheel_speed,
-                        &mut speeds.fr_wheel_speed,
-                        &mut speeds.rl_wheel_speed,
-                        &mut speeds.rr_wheel_speed,
-                    ] {
-                        *speed = WheelSpeed::clamped(speed.raw().max(40));
-                    }
-                }),
-            ),
+            .with(Onset::Braking, 0, 4000, Effect::Sensors(Sensors::SpeedStays)),
         ExamScenario {
-            physics: Physics { full_braking_mps2: 2.0, force_lag_ms: 400.0, ..Physics::DEFAULT },
+            physics: WEAK_BRAKES,
             ..mission("slow-brakes", "the brakes are weak, and answer slowly")
         },
     ]

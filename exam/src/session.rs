@@ -14,7 +14,7 @@ use adsdv_oracle::judge::{Judge, JudgeOptions, Report};
 use adsdv_spec::messages::{self, AsState, Frame, ShutdownCause};
 use adsdv_spec::{Edition, Machine};
 
-use crate::disturbance::Course;
+use crate::course::Course;
 use crate::expectation::Followed;
 use crate::look::Look;
 use crate::program_error::StackError;

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use adsdv_exam::SEED;
 use clap::{Args, ColorChoice};
 
 use super::EditionArgs;
@@ -28,12 +29,23 @@ EXAMPLES
       adsdv exam --list
       adsdv exam --stdio --only mission-skidpad --only estop -- ./my_stack
 
+  A thousand scenarios by chance, and again the shortest one that fails:
+      adsdv exam --stdio --runs 1000 --seed 7 --logs logs -- ./my_stack
+      adsdv exam --stdio --scenario logs/finding-1.txt -- ./my_stack
+
   The logs of the scenarios, each as `adsdv check` reads it:
       adsdv exam --stdio --logs logs -- ./my_stack
       adsdv check logs/mission-skidpad.log
 
   A stack that drives for longer than a minute:
       adsdv exam --stdio --mission-time 300 -- ./my_stack
+
+  In CI (exam/examples/workflow.yml is a whole workflow for GitHub):
+      adsdv exam --stdio --junit exam.xml --summary \"$GITHUB_STEP_SUMMARY\" -- ./my_stack
+
+  In CI, where some failures are known:
+      adsdv exam --stdio --write-accept known.txt -- ./my_stack    # then give each a reason
+      adsdv exam --stdio --accept known.txt -- ./my_stack
 
   The requirements that failed, for a program:
       adsdv exam --stdio --json -- ./my_stack | jq '.requirements[] | select(.outcome == \"fail\")'
@@ -43,7 +55,8 @@ OUTPUT
                  what is wrong in the one in which it shows soonest
   FINDINGS       of each of these what was seen and what was expected, in the words of
                  `adsdv check` where that sees it as well; what the operator had done by
-                 then, the last frames, and what the car did
+                 then, the last frames, what the car did, and the shortest scenario that was
+                 found to show it, to be copied into a file for --scenario
   NOT EXERCISED  the requirements that nothing shows, and why
   Last comes the verdict.
 
@@ -52,7 +65,7 @@ ENVIRONMENT
   NO_COLOR       if set and not empty, --color auto means never
 
 EXIT STATUS
-  0  nothing is wrong
+  0  nothing is wrong, or only what --accept accepts
   1  a requirement failed, or something else is wrong
   2  no verdict: the program could not be started, ended early, did not answer in
      time, or does not speak the protocol; or the arguments are wrong")]
@@ -66,18 +79,59 @@ pub(crate) struct ExamArgs {
     pub(crate) stdio: bool,
 
     /// List the scenarios.
-    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs"])]
+    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs", "junit", "summary", "accept", "write_accept"])]
     pub(crate) list: bool,
 
     /// Only the scenarios whose names begin so; may be repeated.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
 
+    /// Only the scenario of this file: one of `adsdv demo` that comes to its end, with lines of what goes wrong.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["only", "runs", "list"])]
+    pub(crate) scenario: Option<PathBuf>,
+
+    /// How many scenarios by chance follow: what an operator may do in each state, and what may go wrong meanwhile.
+    ///
+    /// Their names are random-0 and on.
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    pub(crate) runs: u32,
+
+    /// The seed of these: the same seed is the same scenarios.
+    #[arg(long, value_name = "N", default_value_t = SEED, allow_negative_numbers = true)]
+    pub(crate) seed: u64,
+
+    /// Of each finding that is shown, look for the shortest scenario in so many runs at most; with 0, do not.
+    #[arg(long, value_name = "RUNS", default_value_t = 40, allow_negative_numbers = true)]
+    pub(crate) shrink: u32,
+
     /// Write the frames of each scenario to a log of its own in this directory, as the AI Computer would have recorded them.
     ///
-    /// The directory is made if it is not there. `adsdv check` judges each log again.
+    /// The directory is made if it is not there. `adsdv check` judges each log again. The shortest scenario of each finding is there as
+    /// well, by the number of the finding, with its log.
     #[arg(long, value_name = "DIR")]
     pub(crate) logs: Option<PathBuf>,
+
+    /// Accept the failures of this file: the verdict is about all others.
+    ///
+    /// A line is the id of a requirement, and why it may fail; for findings that are against no single requirement it is their rule.
+    /// One that does not fail any more is a warning.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) accept: Option<PathBuf>,
+
+    /// Write what fails into a file for --accept; reasons that --accept has stay.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) write_accept: Option<PathBuf>,
+
+    /// Write a JUnit XML file for CI: a test case for each requirement.
+    ///
+    /// A failure has the words of the finding that shows soonest, its scenario and its frames; what was not exercised is skipped,
+    /// with the reason.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) junit: Option<PathBuf>,
+
+    /// Write a summary in Markdown for the page of a CI run; on GitHub: --summary "$GITHUB_STEP_SUMMARY".
+    #[arg(long, value_name = "FILE")]
+    pub(crate) summary: Option<PathBuf>,
 
     /// How long a mission may take, from AS_DRIVING to FINISHED.
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_negative_numbers = true)]

@@ -10,9 +10,9 @@ use adsdv_oracle::suite::are_decisions;
 use adsdv_spec::{Choices, Edition, Inputs, Machine, Readings};
 use serde::Serialize;
 
-use super::accept::Accepted;
 use super::figure::{self as drawn, mark};
 use super::start;
+use crate::accept::Accepted;
 use crate::args::ConformArgs;
 use crate::layout::{counted, wrapped};
 use crate::progress::ProgressLine;

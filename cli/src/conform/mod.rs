@@ -6,7 +6,6 @@
 //!            a program that does not keep to the protocol: an error
 //! ```
 
-mod accept;
 mod diagnosis;
 mod figure;
 mod json;
@@ -26,14 +25,21 @@ use adsdv_oracle::conform::{
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Choices, Edition, Machine, Reading};
 
-use accept::Accepted;
 use diagnosis::DiagnosedProgram;
 
+use crate::accept::{Acceptable, Accepted};
 use crate::args::{ChosenEdition, ConformArgs};
 use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{output, pins};
+
+/// What `--accept` accepts.
+const ACCEPTABLE: Acceptable = Acceptable {
+    command: "conform",
+    things: "deviations",
+    example: "ready-dwell:+50ms  the RES needs that long",
+};
 
 pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
@@ -59,7 +65,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
-    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), Accepted::read)?;
+    let read = |path| Accepted::read(path, &ACCEPTABLE);
+    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
     let diagnosis = if is_diagnosed(args, &report) {
         let found = diagnosis::of(args, (edition, options.possible), &report, &accepted);
@@ -69,7 +76,8 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     };
     if let Some(path) = &args.write_accept {
         let deviations = diagnosis.as_ref().map_or(&[][..], DiagnosedProgram::deviations);
-        accepted.write(path, edition, deviations)?;
+        let wrong = deviations.iter().map(|one| (one.id(edition), one.text(edition).to_string()));
+        accepted.write(path, &ACCEPTABLE, wrong)?;
     }
     if let Some(path) = &args.figure {
         let title = format!("Figure 2 as {name} does it ({})", chosen.edition().version);

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::difference::Difference;
 use super::sections::{self, Group, Line, Section};
+use crate::markdown::escaped;
 
 /// Where there is nothing.
 const NOTHING: &str = "-";
@@ -65,18 +66,4 @@ fn about(group: &Group) -> String {
 
 fn or_nothing(words: &str) -> String {
     if words.is_empty() { NOTHING } else { words }.to_owned()
-}
-
-/// Underscores stay: inside a word they are not emphasis.
-fn escaped(cell: &str) -> String {
-    let mut text = String::new();
-    for character in cell.chars() {
-        match character {
-            '<' => text.push_str("&lt;"),
-            '&' => text.push_str("&amp;"),
-            '|' | '\\' | '*' | '`' => text.extend(['\\', character]),
-            _ => text.push(character),
-        }
-    }
-    text
 }

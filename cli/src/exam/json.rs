@@ -12,8 +12,13 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
     let name = |place: usize| names.get(place).copied().unwrap_or_default();
     let requirements = report.requirements.iter().map(|one| ExamRequirementJson {
         id: one.id,
-        about: one.about,
+        section: one.section,
+        about: &one.about,
         outcome: one.outcome.name(),
+        accepted: match one.outcome {
+            Outcome::Fail(_) => subject.verdict.reason(one.id),
+            _ => None,
+        },
         findings: match &one.outcome {
             Outcome::Fail(places) => places,
             _ => &[],
@@ -37,10 +42,20 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
         scenarios: scenarios.collect(),
         requirements: requirements.collect(),
-        findings: report.findings.iter().map(|one| ExamFindingJson::of(one, name(one.scenario))).collect(),
+        findings: report
+            .findings
+            .iter()
+            .enumerate()
+            .map(|(place, one)| ExamFindingJson {
+                accepted: subject.verdict.accepts(one),
+                shortest: subject.shorter.get(&place).map(|shortest| shortest.scenario.to_string()),
+                ..ExamFindingJson::of(one, name(one.scenario))
+            })
+            .collect(),
         slowest_answer_ms: report.slowest.as_ref().and_then(adsdv_oracle::judge::ResponseTimes::max_ms),
         notes: &report.notes,
-        passes: report.passes(),
+        unused: subject.verdict.unused(report).into_iter().map(|(id, _)| id).collect(),
+        passes: subject.verdict.passes(report),
     })
 }
 
@@ -58,6 +73,7 @@ struct ExamJson<'a> {
     findings: Vec<ExamFindingJson<'a>>,
     slowest_answer_ms: Option<f64>,
     notes: &'a [String],
+    unused: Vec<&'a str>,
     passes: bool,
 }
 
@@ -74,8 +90,10 @@ struct ScenarioJson<'a> {
 #[derive(Serialize)]
 struct ExamRequirementJson<'a> {
     id: &'a str,
+    section: &'a str,
     about: &'a str,
     outcome: &'static str,
+    accepted: Option<&'a str>,
     findings: &'a [usize],
     why: Option<&'a String>,
 }
@@ -87,11 +105,13 @@ struct ExamFindingJson<'a> {
     section: &'a str,
     rule: &'static str,
     requirements: &'a [&'static str],
+    accepted: bool,
     seen: &'a str,
     expected: &'a str,
     operator: Vec<ActionJson<'a>>,
     car: &'a str,
     frames: Vec<FrameJson>,
+    shortest: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -120,6 +140,8 @@ impl<'a> ExamFindingJson<'a> {
             section: &finding.section,
             rule: finding.found_by.id(),
             requirements: &finding.requirements,
+            accepted: false,
+            shortest: None,
             seen: &finding.seen,
             expected: &finding.expected,
             operator: finding.operator.iter().map(|(time, did)| ActionJson { t: ms(*time), did }).collect(),

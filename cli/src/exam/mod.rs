@@ -1,24 +1,30 @@
 //! `adsdv exam`: examines an AI Computer, and tells what came of it.
 //!
 //! ```text
-//! scenarios ---> exam ---> text or json, and logs
+//! scenarios ---> exam ---> shorter ones of what is wrong ---> text or json; JUnit, a summary and logs in files
 //!                  |
 //!   a program that does not keep to the protocol: an error
 //! ```
 
+mod choose;
+mod files;
+mod finding;
 mod json;
+mod junit;
+mod shorter;
+mod summary;
 mod text;
+mod verdict;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write as _};
 use std::path::Path;
 
-use adsdv_exam::{
-    ExamOptions, ExamReport, ExamScenario, Sent, StackError, StackErrorKind, StdioStack, exam, scenarios,
-};
+use adsdv_exam::{ExamOptions, ExamReport, ExamScenario, Sent, StackError, StackErrorKind, StdioStack, exam};
 use adsdv_oracle::candump::{Direction, FrameKind, Record, write_record};
 use adsdv_oracle::conform::ProgramErrorKind;
 
+use crate::accept::Accepted;
 use crate::args::{ChosenEdition, ExamArgs};
 use crate::conform::{program_name, stops_the_program};
 use crate::error::Error;
@@ -26,12 +32,16 @@ use crate::output;
 use crate::progress::ProgressLine;
 use crate::status::Status;
 
+use finding::shown;
+use shorter::Shorter;
+use verdict::Verdict;
+
 /// The name of the bus in logs.
 const BUS: &str = "exam";
 
 pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     let edition = args.edition.chosen()?;
-    let scenarios = chosen(args)?;
+    let scenarios = choose::chosen(args)?;
     if args.list {
         output::plain(&text::list(&scenarios))?;
         return Ok(Status::Conforms);
@@ -45,14 +55,32 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
-    let report = examine(args, edition, &scenarios, &name)?;
-    let subject = Examinee { edition, name: &name, args };
+    let read = |path| Accepted::read(path, &verdict::ACCEPTABLE);
+    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
+    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
+    let options = ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) };
+    let no_verdict = |trouble: StackError| no_verdict(&name, args, &trouble);
+    let report = examine(args, &scenarios, &options).map_err(no_verdict)??;
+    let shorter = if args.shrink == 0 || report.passes() {
+        Shorter::new()
+    } else {
+        let mut stack = start(args).map_err(no_verdict)?;
+        shorter::search(&mut stack, &scenarios, &report, &options, args.shrink).map_err(no_verdict)?
+    };
+    if let Some(folder) = &args.logs {
+        write_shorter(folder, &report, &shorter)?;
+    }
+    if let Some(path) = &args.write_accept {
+        accepted.write(path, &verdict::ACCEPTABLE, verdict::wrong(&report))?;
+    }
+    let subject = Examinee { edition, name: &name, args, verdict: Verdict::new(accepted), shorter };
     if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
     }
-    Ok(if report.passes() { Status::Conforms } else { Status::Violates })
+    files::write(&subject, &report)?;
+    Ok(if subject.verdict.passes(&report) { Status::Conforms } else { Status::Violates })
 }
 
 /// Who was examined.
@@ -60,24 +88,28 @@ struct Examinee<'a> {
     edition: ChosenEdition,
     name: &'a str,
     args: &'a ExamArgs,
+    verdict: Verdict,
+    shorter: Shorter,
 }
 
-fn examine(
-    args: &ExamArgs,
-    edition: ChosenEdition,
-    scenarios: &[ExamScenario],
-    name: &str,
-) -> Result<ExamReport, Error> {
-    let no_verdict = |trouble: StackError| no_verdict(name, args, &trouble);
+/// Starts the program.
+fn start(args: &ExamArgs) -> Result<StdioStack, StackError> {
     // The arguments have the program at least: without it they are refused.
     let (program, rest) = args.command.split_at(args.command.len().min(1));
     let program = program.first().cloned().unwrap_or_default();
-    let mut stack = StdioStack::start(&program, rest, args.timeout, args.time_limit).map_err(no_verdict)?;
-    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
-    let options = ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) };
+    StdioStack::start(&program, rest, args.timeout, args.time_limit)
+}
+
+/// The report, or the log that could not be written.
+fn examine(
+    args: &ExamArgs,
+    scenarios: &[ExamScenario],
+    options: &ExamOptions,
+) -> Result<Result<ExamReport, Error>, StackError> {
+    let mut stack = start(args)?;
     let mut line = ProgressLine::new();
     let mut written = Ok(());
-    let report = exam(&mut stack, scenarios, &options, &mut |progress| {
+    let report = exam(&mut stack, scenarios, options, &mut |progress| {
         let (done, all) = progress.done;
         line.show_bar(done, all, progress.name);
         if let (Some(folder), Ok(())) = (&args.logs, &written) {
@@ -85,26 +117,20 @@ fn examine(
         }
     });
     drop(line);
-    let report = report.map_err(no_verdict)?;
-    written?;
-    Ok(report)
+    let report = report?;
+    Ok(written.map(|()| report))
 }
 
-/// The scenarios whose names begin as somebody asks.
-fn chosen(args: &ExamArgs) -> Result<Vec<ExamScenario>, Error> {
-    let all = scenarios();
-    let begins = |scenario: &ExamScenario, name: &String| scenario.name.starts_with(name.as_str());
-    if let Some(unknown) = args.only.iter().find(|name| !all.iter().any(|one| begins(one, name))) {
-        let names: Vec<&str> = all.iter().map(|scenario| scenario.name.as_str()).collect();
-        return Err(Error {
-            what: format!("--only {}", unknown.escape_default()),
-            why: format!("no scenario begins so; expected one of {}", names.join(", ")),
-            hint: "adsdv exam --list says what each is about".to_owned(),
-        });
+/// Of each finding that is shown, by its number, the shortest scenario and its log.
+fn write_shorter(folder: &Path, report: &ExamReport, shorter: &Shorter) -> Result<(), Error> {
+    for (number, place) in (1..).zip(shown(report)) {
+        let Some(shortest) = shorter.get(&place) else { continue };
+        let name = format!("finding-{number}");
+        let path = folder.join(format!("{name}.txt"));
+        fs::write(&path, shortest.scenario.to_string()).map_err(|error| unwritten(&path, &error))?;
+        log(folder, &name, &shortest.sent)?;
     }
-    let is_asked =
-        |one: &ExamScenario| args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
-    Ok(all.into_iter().filter(is_asked).collect())
+    Ok(())
 }
 
 /// A log as the AI Computer would have recorded it: what it sent itself is marked so.

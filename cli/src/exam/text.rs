@@ -2,16 +2,15 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome, Sent};
+use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome};
 
 use super::Examinee;
+use super::finding::{FINDINGS, FRAMES, Pieces, ms_to_ns, scenarios, shown, words};
 use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
 
 /// The columns of a requirement.
 const ID: usize = 7;
-/// The report prints so many findings in full.
-const FINDINGS: usize = 12;
 
 /// The scenarios, a line each.
 pub(super) fn list(scenarios: &[ExamScenario]) -> String {
@@ -35,78 +34,83 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     writeln!(out, "{}", subject.edition)?;
     let time_ms: u64 = report.scenarios.iter().map(|scenario| scenario.duration_ms).sum();
     let scenarios = counted(report.scenarios.len() as u64, "scenario");
-    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ns(time_ms)))?;
+    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ms_to_ns(time_ms)))?;
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
     let shown = shown(report);
-    failed(out, report, &shown, width)?;
-    findings(out, report, &shown, width)?;
+    failed(out, (subject, report), &shown, width)?;
+    findings(out, (subject, report), &shown, width)?;
     passed(out, subject, report)?;
     not_exercised(out, report, width)?;
     verdict(out, subject, report)
 }
 
-/// The findings that the report prints: of each requirement that failed the one that shows soonest, and all that are against none, once.
-fn shown(report: &ExamReport) -> Vec<usize> {
-    let soonest = report.requirements.iter().filter_map(|one| match &one.outcome {
-        Outcome::Fail(places) => places.first().copied(),
-        _ => None,
-    });
-    let mut shown: Vec<usize> = soonest.collect();
-    for (place, finding) in report.findings.iter().enumerate() {
-        let is_shown = |other: &usize| {
-            report.findings.get(*other).is_some_and(|other| other.found_by == finding.found_by)
-        };
-        if finding.requirements.is_empty() && !shown.iter().any(is_shown) {
-            shown.push(place);
-        }
-    }
-    let mut seen = std::collections::HashSet::new();
-    shown.retain(|place| seen.insert(*place));
-    shown
-}
-
-fn failed(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+fn failed(
+    out: &mut String,
+    (subject, report): (&Examinee<'_>, &ExamReport),
+    shown: &[usize],
+    width: usize,
+) -> fmt::Result {
     if report.findings.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "FAILED"))?;
-    for Examined { id, about, outcome } in &report.requirements {
+    for Examined { id, about, outcome, .. } in &report.requirements {
         let Outcome::Fail(places) = outcome else { continue };
-        let mut names: Vec<usize> =
-            places.iter().filter_map(|place| Some(report.findings.get(*place)?.scenario)).collect();
-        names.sort_unstable();
-        names.dedup();
         let number = places.first().and_then(|first| shown.iter().position(|place| place == first));
         let number = number.map_or(String::new(), |number| format!("; finding {}", number + 1));
-        let scenarios = counted(names.len() as u64, "scenario");
+        let scenarios = counted(scenarios(report, places), "scenario");
         let line = format!("{about} ({scenarios}{number})");
-        write!(out, "  {} ", Styled(style::BAD, format!("{id:ID$}")))?;
+        let reason = subject.verdict.reason(id);
+        let style = if reason.is_some() { style::CARE } else { style::BAD };
+        write!(out, "  {} ", Styled(style, format!("{id:ID$}")))?;
         let mut text = String::new();
         wrapped(&mut text, line.split(' '), ID + 3, width);
         out.push_str(text.trim_start());
+        accepted(out, reason, width);
     }
-    let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
-    if others > 0 {
-        let what = counted(others as u64, "finding");
-        writeln!(
-            out,
-            "  {} {what} against no single requirement",
-            Styled(style::BAD, format!("{:ID$}", "-"))
-        )?;
+    let mut rules: Vec<(&str, u64)> = Vec::new();
+    for finding in report.findings.iter().filter(|finding| finding.requirements.is_empty()) {
+        let rule = finding.found_by.id();
+        match rules.iter_mut().find(|(known, _)| *known == rule) {
+            Some((_, count)) => *count += 1,
+            None => rules.push((rule, 1)),
+        }
+    }
+    for (rule, count) in rules {
+        let what = counted(count, "finding");
+        let reason = subject.verdict.reason(rule);
+        let style = if reason.is_some() { style::CARE } else { style::BAD };
+        let id = Styled(style, format!("{:ID$}", "-"));
+        writeln!(out, "  {id} {what} of {rule}, against no single requirement")?;
+        accepted(out, reason, width);
     }
     Ok(())
 }
 
-fn findings(out: &mut String, report: &ExamReport, shown: &[usize], width: usize) -> fmt::Result {
+fn accepted(out: &mut String, reason: Option<&str>, width: usize) {
+    if let Some(reason) = reason {
+        wrapped(out, format!("accepted: {reason}").split(' '), ID + 3, width);
+    }
+}
+
+fn findings(
+    out: &mut String,
+    (subject, report): (&Examinee<'_>, &ExamReport),
+    shown: &[usize],
+    width: usize,
+) -> fmt::Result {
     if shown.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "FINDINGS"))?;
-    let listed = shown.iter().filter_map(|place| report.findings.get(*place));
-    for (number, finding) in listed.enumerate().take(FINDINGS) {
+    let found = shown.iter().filter_map(|place| Some((place, report.findings.get(*place)?)));
+    for (number, (place, finding)) in found.enumerate().take(FINDINGS) {
         one(out, report, number + 1, finding, width)?;
+        if let Some(shortest) = subject.shorter.get(place) {
+            lines(out, "shortest", &shortest.scenario.to_string());
+        }
     }
     if let Some(more) = shown.len().checked_sub(FINDINGS).filter(|more| *more > 0) {
         writeln!(out, "\n  and {more} more (--json has all)")?;
@@ -121,8 +125,6 @@ fn one(
     finding: &ExamFinding,
     width: usize,
 ) -> fmt::Result {
-    let scenario = report.scenarios.get(finding.scenario);
-    let (name, about) = scenario.map_or(("", ""), |one| (one.name.as_str(), one.about.as_str()));
     if number > 1 {
         writeln!(out)?;
     }
@@ -134,22 +136,25 @@ fn one(
         finding.found_by.id(),
         finding.requirements.join(" "),
     )?;
-    wrapped(out, format!("{}; expected {}", finding.seen, finding.expected).split(' '), 6, width);
-    field(out, "scenario", &format!("{name}: {about}"), width);
-    let did: Vec<String> =
-        finding.operator.iter().map(|(ms, what)| format!("{} s {what}", Seconds(ns(*ms)))).collect();
-    field(out, "operator", &did.join("; "), width);
-    field(out, "car", &finding.car, width);
-    let frames: Vec<String> = finding.frames.iter().map(shown_frame).collect();
-    for (place, frames) in frames.chunks(3).enumerate() {
+    wrapped(out, words(finding).split(' '), 6, width);
+    let pieces = Pieces::of(report, finding);
+    field(out, "scenario", &pieces.scenario, width);
+    field(out, "operator", &pieces.operator, width);
+    field(out, "car", pieces.car, width);
+    for (place, frames) in pieces.frames.chunks(FRAMES).enumerate() {
         let label = if place == 0 { "frames" } else { "" };
         writeln!(out, "      {label:9} {}", frames.join("   "))?;
     }
     Ok(())
 }
 
-fn shown_frame(sent: &Sent) -> String {
-    format!("{} {}", Seconds(sent.t_ns), sent.frame)
+/// Lines that are to stay as they are, to be copied.
+fn lines(out: &mut String, label: &str, text: &str) {
+    for (place, line) in text.lines().enumerate() {
+        let label = if place == 0 { label } else { "" };
+        // Writing to a string does not fail.
+        let _ = writeln!(out, "      {label:9} {line}");
+    }
 }
 
 fn field(out: &mut String, label: &str, value: &str, width: usize) {
@@ -210,14 +215,19 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
         None => writeln!(out, "handshake: never answered, limit {limit} ms")?,
     }
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
-    writeln!(out, "requirements: {fail} failed, {pass} passed, {not} not exercised")?;
+    let accepted = match subject.verdict.count(report) {
+        0 => String::new(),
+        count => format!(" ({count} accepted)"),
+    };
+    writeln!(out, "requirements: {fail} failed{accepted}, {pass} passed, {not} not exercised")?;
+    for (_, why) in subject.verdict.unused(report) {
+        writeln!(out, "{} {why}", Styled(style::CARE, "warning:"))?;
+    }
     if report.passes() {
         writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
+    } else if subject.verdict.passes(report) {
+        writeln!(out, "{}: {} but for what is accepted", subject.name, Styled(style::GOOD, "passes"))
     } else {
         writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
     }
-}
-
-fn ns(ms: u64) -> i64 {
-    i64::try_from(ms).unwrap_or(i64::MAX / 1_000_000).saturating_mul(1_000_000)
 }

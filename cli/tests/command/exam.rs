@@ -62,8 +62,8 @@ fn each_mistake_is_printed_first() {
         ("4.0", "silent", "MSG-5   sends AI2VCU_Status (510h)"),
         ("4.0", "never-selects", "RDY-7   confirms the mission that is selected"),
         ("4.0", "floods", "MSG-98  sends 510h to 514h every 10 ms"),
-        ("3.0", "answers-late", "HS-5    answers the HANDSHAKE bit of 520h"),
-        ("4.0", "answers-late", "HS-5    answers the HANDSHAKE bit of 520h"),
+        ("3.0", "answers-late", "HS-5    answers the HANDSHAKE bit of the VCU"),
+        ("4.0", "answers-late", "HS-5    answers the HANDSHAKE bit of the VCU"),
         ("4.0", "sends-a-reserved-identifier", "ID-8    does not send 301h"),
         ("4.0", "brakes-and-drives", "IMP-8   does not drive and brake at once"),
     ] {
@@ -130,9 +130,10 @@ fn the_examples_pass() {
     let python =
         Command::new("python3").arg("--version").output().is_ok_and(|output| output.status.success());
     if python {
-        let outcome =
-            run(&["exam", "--stdio", "--edition", "4.0", "--", "python3", "exam/examples/stack.py"]);
-        assert_eq!(outcome.status, Some(0), "{}{}", outcome.stdout, outcome.stderr);
+        for example in [&["exam/examples/stack.py"][..], &["exam/examples/ros2_bridge.py", "--without-ros"]] {
+            let outcome = run(&[&["exam", "--stdio", "--edition", "4.0", "--", "python3"], example].concat());
+            assert_eq!(outcome.status, Some(0), "{}{}", outcome.stdout, outcome.stderr);
+        }
     }
     let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("exam-minimal");
     let built = Command::new("cc")
@@ -145,5 +146,257 @@ fn the_examples_pass() {
         let program = program.to_str().expect("text");
         let outcome = run(&["exam", "--stdio", "--edition", "2026", "--", program]);
         assert_eq!(outcome.status, Some(0), "{}{}", outcome.stdout, outcome.stderr);
+    }
+}
+
+/// The attributes and the text of a test case, or of a tag in it.
+fn cases(xml: &str) -> Vec<&str> {
+    xml.split("<testcase ")
+        .skip(1)
+        .map(|case| case.split("</testsuite>").next().unwrap_or_default())
+        .collect()
+}
+
+/// A file of a folder of this test, which is new.
+fn new_file(name: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("exam-files");
+    std::fs::create_dir_all(&folder).expect("it can be made");
+    let file = folder.join(name);
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_file(&file);
+    file.to_str().expect("text").to_owned()
+}
+
+#[test]
+fn junit_has_a_test_case_for_each_requirement() {
+    for (edition, mistake, others) in
+        [("4.0", "looks-at-one-wheel", false), ("3.0", "sends-for-the-vcu", true), ("2026", "", false)]
+    {
+        let file = new_file(&format!("junit-{edition}.xml"));
+        let options = ["--edition", edition, "--only", "wheel-spins", "--only", "ready", "--junit", &file];
+        let report = report(&options, &[mistake]);
+        let xml = std::fs::read_to_string(&file).expect("it is written");
+        let cases = cases(&xml);
+        let requirements = report["requirements"].as_array().expect("a list");
+        assert_eq!(cases.len(), requirements.len() + 1);
+        for (case, one) in cases.iter().zip(requirements) {
+            let [id, section, why] =
+                ["id", "section", "why"].map(|key| one[key].as_str().unwrap_or_default());
+            assert!(case.starts_with(&format!("name=\"{id} ")), "{case}");
+            let section = section.replace(['.', ' '], "_");
+            let edition = edition.replace('.', "_");
+            assert!(
+                case.contains(&format!("classname=\"adsdv.edition_{edition}.section_{section}\"")),
+                "{case}"
+            );
+            let outcome = one["outcome"].as_str().expect("a name");
+            assert_eq!(case.contains("<failure "), outcome == "fail", "{case}");
+            assert_eq!(
+                case.contains("<skipped message=\"not exercised: "),
+                outcome == "not exercised",
+                "{case}"
+            );
+            assert!(case.contains(why), "{case}");
+        }
+        let last = cases.last().expect("one more");
+        assert!(last.starts_with("name=\"nothing else is wrong\""), "{last}");
+        assert_eq!(last.contains("<failure "), others, "{last}");
+        if mistake == "looks-at-one-wheel" {
+            for words in [
+                "type=\"finished-while-moving\"",
+                "scenario  wheel-spins: ",
+                "operator  0.000 s ebs ARMED",
+                "frames    ",
+            ] {
+                assert!(xml.contains(words), "{words} is not in {xml}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_summary_begins_with_the_verdict_and_what_failed() {
+    let file = new_file("summary.md");
+    let options = ["--edition", "4.0", "--only", "wheel-spins", "--summary", &file];
+    examined(&options, &["looks-at-one-wheel"]);
+    let text = std::fs::read_to_string(&file).expect("it is written");
+    for words in [
+        "## adsdv exam: fails\n",
+        "edition 4.0, 1 scenario; requirements: 1 failed, ",
+        "\n| FIN-3 | 3.3 | tells FINISHED once the vehicle has stopped | 1 | no |\n",
+        "<summary>FIN-3: MISSION_STATUS == FINISHED and a wheel speed > 10 rpm",
+        "- scenario wheel-spins: ",
+    ] {
+        assert!(text.contains(words), "{words} is not in {text}");
+    }
+    examined(&options, &[]);
+    let text = std::fs::read_to_string(&file).expect("it is written");
+    assert!(text.starts_with("## adsdv exam: passes\n") && !text.contains("| failed |"), "{text}");
+}
+
+/// The verdict is printed all the same.
+#[test]
+fn a_file_that_cannot_be_written_is_named() {
+    for option in ["--junit", "--summary"] {
+        for (file, hint) in
+            [("/dev/full", "free some space"), ("no-such-folder/file", "a directory that is there")]
+        {
+            let outcome = examined(&["--only", "ready", option, file], &[]);
+            assert_eq!(outcome.status, Some(2));
+            assert!(outcome.stdout.ends_with("passes\n"), "{}", outcome.stdout);
+            let why = format!("{file}: cannot write what {option} asks for: ");
+            assert!(outcome.stderr.contains(&why) && outcome.stderr.contains(hint), "{}", outcome.stderr);
+        }
+    }
+}
+
+/// What the workflow for teams asks for, there is.
+#[test]
+fn the_workflow_has_options_that_there_are() {
+    let workflow =
+        std::fs::read_to_string(workspace().join("exam/examples/workflow.yml")).expect("it is there");
+    let (_, command) = workflow.split_once("adsdv exam ").expect("the command");
+    let (options, _) = command.split_once(" -- ").expect("the program");
+    let help = run(&["exam", "--help"]).stdout;
+    let options: Vec<&str> = options.split_whitespace().filter(|word| word.starts_with("--")).collect();
+    assert!(options.len() > 3, "{options:?}");
+    for option in options {
+        assert!(help.contains(&format!(" {option}")), "{option} is not in {help}");
+    }
+}
+
+#[test]
+fn what_is_accepted_is_no_failure() {
+    let (known, junit, summary) = (new_file("known.txt"), new_file("accepted.xml"), new_file("accepted.md"));
+    let options = ["--edition", "3.0", "--only", "mission-skidpad"];
+    let accept =
+        |file| [&options[..], &["--accept", file, "--junit", &junit, "--summary", &summary]].concat();
+    for (mistake, id) in [("never-selects", "RDY-7"), ("sends-for-the-vcu", "identifier-of-others")] {
+        let outcome = examined(&[&options[..], &["--write-accept", &known]].concat(), &[mistake]);
+        assert_eq!(outcome.status, Some(1));
+        let text = std::fs::read_to_string(&known).expect("it is written");
+        assert!(text.starts_with("# Failures that are known: "), "{text}");
+        let ids: Vec<&str> =
+            text.lines().filter_map(|line| line.strip_suffix("  no reason given yet")).collect();
+        let id = if ids.contains(&id) { id } else { ids[0] };
+        std::fs::write(&known, text.replace("no reason given yet", "until <June>"))
+            .expect("it can be written");
+
+        let report = report(&accept(&known), &[mistake]);
+        assert_eq!((&report["passes"], &report["unused"]), (&Value::from(true), &Value::Array(Vec::new())));
+        let findings = report["findings"].as_array().expect("a list");
+        assert!(!findings.is_empty() && findings.iter().all(|one| one["accepted"] == true));
+        let xml = std::fs::read_to_string(&junit).expect("it is written");
+        assert!(!xml.contains("<failure") && xml.contains("<skipped message=\"accepted: "), "{xml}");
+        let text = std::fs::read_to_string(&summary).expect("it is written");
+        assert!(text.starts_with("## adsdv exam: passes but for what is accepted\n"), "{text}");
+        let outcome = examined(&accept(&known), &[mistake]);
+        assert!(outcome.stdout.contains("          accepted: until <June>\n"), "{id}: {}", outcome.stdout);
+        assert!(outcome.stdout.ends_with(": passes but for what is accepted\n"), "{}", outcome.stdout);
+    }
+}
+
+#[test]
+fn what_is_accepted_and_not_wrong_is_a_warning() {
+    let known = new_file("unused.txt");
+    std::fs::write(&known, "RDY-7 because\nMSG-7 because\nMSG-98 because\n").expect("it can be written");
+    let options = ["--edition", "3.0", "--only", "mission-skidpad", "--accept", &known];
+    let outcome = examined(&options, &[]);
+    for (id, why) in
+        [("RDY-7", "passes"), ("MSG-7", "is not exercised"), ("MSG-98", "is no requirement of the exam")]
+    {
+        assert!(
+            outcome.stdout.contains(&format!("warning: {id} is accepted, and {why}")),
+            "{}",
+            outcome.stdout
+        );
+    }
+    assert_eq!(outcome.status, Some(0));
+    assert_eq!(report(&options, &[])["unused"], serde_json::json!(["RDY-7", "MSG-7", "MSG-98"]));
+    // What fails beside it fails.
+    assert_eq!(examined(&options, &["never-forward"]).status, Some(1));
+}
+
+#[test]
+fn a_file_that_accepts_nothing_readable_is_refused() {
+    let known = new_file("no-reason.txt");
+    std::fs::write(&known, "RDY-7\n").expect("it can be written");
+    for (file, why) in [
+        (known.as_str(), ", line 1: \"RDY-7\" has no reason"),
+        ("no-such-file", "cannot read the accepted failures"),
+    ] {
+        let outcome = run(&["exam", "--stdio", "--accept", file, "--", "no-such-program"]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
+        assert!(
+            outcome.stderr.contains(why) && outcome.stderr.contains("RDY-7  the mission"),
+            "{}",
+            outcome.stderr
+        );
+    }
+}
+
+#[test]
+fn scenarios_by_chance_are_the_same_for_the_same_seed() {
+    let list = |seed| run(&["exam", "--list", "--runs", "3", "--seed", seed, "--only", "random-"]).stdout;
+    assert_eq!(
+        list("7"),
+        "random-0  scenario 0 of seed 7\nrandom-1  scenario 1 of seed 7\nrandom-2  scenario 2 of seed 7\n"
+    );
+    let report = report(&["--edition", "4.0", "--runs", "5", "--only", "random-"], &[]);
+    assert_eq!(
+        (report["scenarios"].as_array().map(Vec::len), &report["passes"]),
+        (Some(5), &Value::from(true))
+    );
+}
+
+/// What is printed and written of a finding can be held again, and fails again.
+#[test]
+fn the_shortest_scenario_of_a_finding_can_be_held_again() {
+    let folder = PathBuf::from(new_file("finding-logs"));
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_dir_all(&folder);
+    let logs = folder.to_str().expect("text");
+    let options = ["--edition", "4.0", "--only", "wheel-spins", "--logs", logs];
+    let report = report(&options, &["looks-at-one-wheel"]);
+    let shortest = report["findings"][0]["shortest"].as_str().expect("a scenario");
+    assert!(shortest.lines().count() <= 6 && shortest.starts_with("disturb braking "), "{shortest}");
+    let file = folder.join("finding-1.txt");
+    assert_eq!(std::fs::read_to_string(&file).expect("it is written"), shortest);
+    let file = file.to_str().expect("text");
+    let again = examined(&["--edition", "4.0", "--scenario", file], &["looks-at-one-wheel"]);
+    assert_eq!(again.status, Some(1));
+    assert!(
+        again.stdout.contains("  FIN-3   tells FINISHED once the vehicle has stopped"),
+        "{}",
+        again.stdout
+    );
+    let first = shortest.lines().next().expect("a line");
+    assert!(again.stdout.contains(&format!("\n      shortest  {first}\n")), "{}", again.stdout);
+    let log = folder.join("finding-1.log");
+    let checked = run(&["check", "--edition", "4.0", log.to_str().expect("text")]);
+    assert!(checked.stdout.contains("finished-while-moving"), "{}", checked.stdout);
+    assert_eq!(examined(&["--edition", "4.0", "--scenario", file], &[]).status, Some(0));
+    let none =
+        examined(&["--edition", "4.0", "--only", "wheel-spins", "--shrink", "0"], &["looks-at-one-wheel"]);
+    assert!(!none.stdout.contains("shortest"), "{}", none.stdout);
+}
+
+#[test]
+fn a_file_that_is_no_scenario_is_refused() {
+    let file = new_file("wrong.txt");
+    std::fs::write(&file, "disturb AS_GONE +1 for 1 silences\n0 asms up\n").expect("it can be written");
+    for (file, why) in [
+        (file.as_str(), "line 1, column 9: found \"AS_GONE\", expected one of start, braking, "),
+        (file.as_str(), "line 2, column 8: found \"up\""),
+        ("no-such-file", "cannot read the scenario: "),
+        ("tests", "is a directory; expected a scenario"),
+    ] {
+        let outcome = run(&["exam", "--stdio", "--scenario", file, "--", "no-such-program"]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""));
+        assert!(
+            outcome.stderr.contains(why) && outcome.stderr.contains("exam/README.md"),
+            "{}",
+            outcome.stderr
+        );
     }
 }

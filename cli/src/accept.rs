@@ -1,25 +1,37 @@
-//! `--accept`: deviations that are known, each with the reason why it is accepted.
+//! `--accept`: what is known to be wrong, each thing with the reason why it is accepted.
 //!
-//! A line of the file is the id of a deviation, and behind it the reason. What stands behind a `#` at the beginning of a line is a
-//! remark, and empty lines are passed over.
+//! A line of the file is an id, and behind it the reason. What stands behind a `#` at the beginning of a line is a remark, and
+//! empty lines are passed over.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use adsdv_diagnosis::Deviation;
-use adsdv_spec::Edition;
-
 use crate::error::Error;
 
-/// What a file of accepted deviations looks like, for who gave something else.
-const LOOKS: &str = "a line is an id and a reason: ready-dwell:+50ms  the RES needs that long; --write-accept writes such a file";
+/// What a command accepts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Acceptable {
+    /// The command.
+    pub(crate) command: &'static str,
+    /// What the ids stand for, in the plural.
+    pub(crate) things: &'static str,
+    /// A line of a file.
+    pub(crate) example: &'static str,
+}
 
-/// The deviations that are accepted.
+impl Acceptable {
+    /// What a file looks like, for who gave something else.
+    fn looks(&self) -> String {
+        format!("a line is an id and a reason: {}; --write-accept writes such a file", self.example)
+    }
+}
+
+/// What is accepted.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Accepted(Vec<Entry>);
+pub(crate) struct Accepted(Vec<Entry>);
 
-/// A deviation that is accepted.
+/// One thing that is accepted.
 #[derive(Clone, Debug)]
 struct Entry {
     id: String,
@@ -28,17 +40,17 @@ struct Entry {
 
 impl Accepted {
     /// Reads a file.
-    pub(super) fn read(path: &Path) -> Result<Self, Error> {
+    pub(crate) fn read(path: &Path, what: &Acceptable) -> Result<Self, Error> {
         let name = path.display().to_string();
         let text = fs::read_to_string(path).map_err(|error| Error {
             what: name.clone(),
-            why: format!("cannot read the accepted deviations: {error}"),
-            hint: LOOKS.to_owned(),
+            why: format!("cannot read the accepted {}: {error}", what.things),
+            hint: what.looks(),
         })?;
         Self::parse(&text).map_err(|(line, why)| Error {
             what: format!("{name}, line {line}"),
             why,
-            hint: LOOKS.to_owned(),
+            hint: what.looks(),
         })
     }
 
@@ -64,36 +76,38 @@ impl Accepted {
         Ok(Self(entries))
     }
 
-    /// Why a deviation is accepted, if it is.
-    pub(super) fn reason(&self, id: &str) -> Option<&str> {
+    /// Why something is accepted, if it is.
+    pub(crate) fn reason(&self, id: &str) -> Option<&str> {
         Some(&self.0.iter().find(|entry| entry.id == id)?.reason)
     }
 
-    /// The ids that none of these deviations has any more.
-    pub(super) fn unused(&self, ids: &[String]) -> Vec<&str> {
+    /// The ids that are none of these.
+    pub(crate) fn unused(&self, ids: &[String]) -> Vec<&str> {
         let left = self.0.iter().filter(|entry| !ids.contains(&entry.id));
         left.map(|entry| entry.id.as_str()).collect()
     }
 
-    /// Writes a file that accepts these deviations; the reasons that are known stay.
-    pub(super) fn write(
+    /// Writes a file that accepts these, each an id and what that is; the reasons that are known stay.
+    pub(crate) fn write(
         &self,
         path: &Path,
-        edition: &Edition,
-        deviations: &[Deviation],
+        what: &Acceptable,
+        wrong: impl IntoIterator<Item = (String, String)>,
     ) -> Result<(), Error> {
-        let mut text = String::from(
-            "# Deviations that are known: an id, and why it is accepted. For adsdv conform --accept.\n",
+        let Acceptable { command, things, .. } = what;
+        let (first, rest) = things.split_at_checked(1).unwrap_or((things, ""));
+        let mut text = format!(
+            "# {}{rest} that are known: an id, and why it is accepted. For adsdv {command} --accept.\n",
+            first.to_uppercase()
         );
-        for deviation in deviations {
-            let id = deviation.id(edition);
+        for (id, words) in wrong {
             let reason = self.reason(&id).unwrap_or("no reason given yet");
             // Writing to a string does not fail.
-            let _ = write!(text, "\n# {}\n{id}  {reason}\n", deviation.text(edition));
+            let _ = write!(text, "\n# {words}\n{id}  {reason}\n");
         }
         fs::write(path, text).map_err(|error| Error {
             what: path.display().to_string(),
-            why: format!("cannot write the accepted deviations: {error}"),
+            why: format!("cannot write the accepted {things}: {error}"),
             hint: "name a file that can be written".to_owned(),
         })
     }
