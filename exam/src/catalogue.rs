@@ -126,8 +126,8 @@ const ENTRIES: &[Entry] = &[
 
 /// Those that an edition has.
 pub(crate) fn of_edition(edition: &Edition) -> Vec<Entry> {
-    let has = |id: &&str| edition.requirements.has(id);
-    let holds = |entry: &&Entry| has(&entry.id) && !entry.unless.iter().any(|id| has(&id));
+    let has = |id: &str| edition.requirements.has(id);
+    let holds = |entry: &&Entry| has(entry.id) && !entry.unless.iter().any(|id| has(id));
     ENTRIES.iter().filter(holds).copied().collect()
 }
 

@@ -118,9 +118,12 @@ impl Effect {
     ];
 
     /// Those that have one.
-    pub(crate) const COUNTED: [(&str, fn(u64) -> Self); 3] =
+    pub(crate) const COUNTED: [(&str, OfNumber); 3] =
         [("loses", Self::Loses), ("delays", Self::Delays), ("gathers", Self::Gathers)];
 }
+
+/// An effect with its number.
+type OfNumber = fn(u64) -> Effect;
 
 impl fmt::Display for Effect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

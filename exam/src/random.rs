@@ -108,7 +108,7 @@ impl Draft {
     fn mission(&mut self) -> String {
         let Some(ami) = Switch::named("ami") else { return String::new() };
         let missions: Vec<i32> = ami.positions().into_iter().filter(|raw| *raw != 0).collect();
-        ami.position(self.one_of(&missions)).to_string()
+        ami.position(self.one_of(&missions))
     }
 
     /// From nothing to AS_READY, once both sides are on.

@@ -81,8 +81,9 @@ struct Draft {
 
 impl Draft {
     fn scenario(&self) -> ExamScenario {
-        let lines: String = self.lines.iter().map(|line| format!("{line}\n")).collect();
-        ExamScenario { operator: lines, ..self.rest.clone() }
+        let lines: Vec<String> = self.lines.iter().map(|line| line.to_string() + "\n").collect();
+        let operator = lines.concat();
+        ExamScenario { operator, ..self.rest.clone() }
     }
 
     /// How much there is to read: lines, then actions, then time.
