@@ -44,7 +44,7 @@ pub struct Shortest {
 /// let report = exam(&mut Silent, &mission, &options, &mut |_| {})?;
 /// let finding = report.findings.iter().find(|one| one.requirements == ["RDY-7"]).expect("it confirms nothing");
 /// let shortest = shortest(&mut Silent, &mission[0], finding, &options, 100)?.expect("it does the same again");
-/// assert_eq!(shortest.scenario.to_string(), "0 ami SKIDPAD\n+2.1 end\n");
+/// assert_eq!(shortest.scenario.to_string(), "0 ami SKIDPAD\n0.5 asms on\n+1.53 end\n");
 /// # Ok::<(), StackError>(())
 /// ```
 pub fn shortest(
