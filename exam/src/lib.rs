@@ -12,7 +12,8 @@
 //! says the same of a log. What only an exam can see, that something was not done which was to be done, is an expectation of a
 //! scenario, beside its requirement. Nothing passes by silence: what no scenario has exercised is not passed, and says why.
 //!
-//! What is examined is a [`Stack`]: it is asked for the frames of a step of 10 ms, whatever is behind it.
+//! What is examined in simulated time is a [`Stack`]: it is asked for the frames of a step of 10 ms, whatever is behind it. In real
+//! time it is any program on a bus of SocketCAN ([`exam_live`]).
 
 #![forbid(unsafe_code)]
 
@@ -21,6 +22,8 @@ mod disturbance;
 mod exam;
 mod expectation;
 mod expectations;
+mod length;
+mod live;
 mod look;
 mod program;
 mod program_error;
@@ -36,6 +39,10 @@ pub use exam::{
     ExamFinding, ExamOptions, ExamProgress, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome, exam,
 };
 pub use expectation::{Condition, Expectation, Kind, Within};
+pub use length::{BESIDE, estimate};
+pub use live::{
+    LiveBus, LiveError, LiveOptions, LiveProgram, LiveProgress, LiveReport, exam_live, prepare_namespaces,
+};
 pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
 pub use program_error::{StackError, StackErrorKind, StackErrorPlace};
