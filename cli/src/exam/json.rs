@@ -40,7 +40,7 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         findings: report.findings.iter().map(|one| FindingJson::of(one, name(one.scenario))).collect(),
         slowest_answer_ms: report.slowest.as_ref().and_then(adsdv_oracle::judge::ResponseTimes::max_ms),
         notes: &report.notes,
-        passes: report.passes(),
+        passes: !subject.early && report.passes(),
     })
 }
 

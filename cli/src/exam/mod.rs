@@ -5,8 +5,11 @@
 //!                  |
 //!   a program that does not keep to the protocol: an error
 //! ```
+//!
+//! `live.rs` is all of it on a bus, in real time.
 
 mod json;
+mod live;
 mod text;
 
 use std::fs::{self, File};
@@ -33,11 +36,14 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     let edition = args.edition.chosen()?;
     let scenarios = chosen(args)?;
     if args.list {
-        output::plain(&text::list(&scenarios))?;
+        output::plain(&text::list(&scenarios, &options(args, edition)))?;
         return Ok(Status::Conforms);
     }
     if let Some(folder) = &args.logs {
         fs::create_dir_all(folder).map_err(|error| unwritten(folder, &error))?;
+    }
+    if !args.stdio {
+        return live::run(args, edition, &scenarios);
     }
     let name = program_name(&args.command);
     stops_the_program().map_err(|error| Error {
@@ -46,13 +52,21 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         hint: "run it where signals can be handled".to_owned(),
     })?;
     let report = examine(args, edition, &scenarios, &name)?;
-    let subject = Examinee { edition, name: &name, args };
-    if args.json {
-        output::plain(&json::text(&subject, &report))?;
-    } else {
-        output::styled(&text::text(&subject, &report, output::width()), args.color)?;
-    }
+    print(&Examinee { edition, name: &name, args, early: false }, &report)?;
     Ok(if report.passes() { Status::Conforms } else { Status::Violates })
+}
+
+fn print(subject: &Examinee<'_>, report: &ExamReport) -> Result<(), Error> {
+    if subject.args.json {
+        output::plain(&json::text(subject, report))
+    } else {
+        output::styled(&text::text(subject, report, output::width()), subject.args.color)
+    }
+}
+
+fn options(args: &ExamArgs, edition: ChosenEdition) -> ExamOptions {
+    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
+    ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) }
 }
 
 /// Who was examined.
@@ -60,6 +74,8 @@ struct Examinee<'a> {
     edition: ChosenEdition,
     name: &'a str,
     args: &'a ExamArgs,
+    /// Whether it ended before all was seen, so that there is no verdict.
+    early: bool,
 }
 
 fn examine(
@@ -73,8 +89,7 @@ fn examine(
     let (program, rest) = args.command.split_at(args.command.len().min(1));
     let program = program.first().cloned().unwrap_or_default();
     let mut stack = StdioStack::start(&program, rest, args.timeout, args.time_limit).map_err(no_verdict)?;
-    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
-    let options = ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) };
+    let options = options(args, edition);
     let mut line = Line::new();
     let mut written = Ok(());
     let report = exam(&mut stack, scenarios, &options, &mut |progress| {
@@ -102,8 +117,10 @@ fn chosen(args: &ExamArgs) -> Result<Vec<ExamScenario>, Error> {
             hint: "adsdv exam --list says what each is about".to_owned(),
         });
     }
-    let is_asked =
-        |one: &ExamScenario| args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
+    let is_asked = |one: &ExamScenario| {
+        let named = args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
+        named && (!args.quick || one.is_quick())
+    };
     Ok(all.into_iter().filter(is_asked).collect())
 }
 

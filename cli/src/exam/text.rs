@@ -1,8 +1,11 @@
 //! What came of it as text for a person.
 
 use std::fmt::{self, Write as _};
+use std::time::Duration;
 
-use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome, Sent};
+use adsdv_exam::{
+    BESIDE, ExamFinding, ExamOptions, ExamReport, ExamScenario, Examined, Outcome, Sent, estimate,
+};
 
 use super::Examinee;
 use crate::layout::{Seconds, counted, wrapped};
@@ -13,15 +16,31 @@ const ID: usize = 7;
 /// So many findings are told in full.
 const FINDINGS: usize = 12;
 
-/// The scenarios, a line each.
-pub(super) fn list(scenarios: &[ExamScenario]) -> String {
+/// The scenarios, a line each with how long it is, and how long all of them take in real time.
+pub(super) fn list(scenarios: &[ExamScenario], options: &ExamOptions) -> String {
     let width = scenarios.iter().map(|scenario| scenario.name.len()).max().unwrap_or_default();
+    let lengths: Vec<Duration> = scenarios.iter().map(|scenario| scenario.length(options)).collect();
     let mut text = String::new();
-    for ExamScenario { name, about, .. } in scenarios {
+    for (ExamScenario { name, about, .. }, length) in scenarios.iter().zip(&lengths) {
         // Writing to a string does not fail.
-        let _ = writeln!(text, "{name:width$}  {about}");
+        let _ = writeln!(text, "{name:width$}  {:3} s  {about}", length.as_secs_f64().ceil());
     }
+    let whole = Minutes(estimate(&lengths, BESIDE, 1));
+    let _ = writeln!(text, "\n{}: {whole} in real time", counted(scenarios.len() as u64, "scenario"));
     text
+}
+
+/// A duration such as `2 min 5 s`.
+pub(super) struct Minutes(pub(super) Duration);
+
+impl fmt::Display for Minutes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.0.as_secs() / 60, self.0.as_secs() % 60) {
+            (0, seconds) => write!(f, "{seconds} s"),
+            (minutes, 0) => write!(f, "{minutes} min"),
+            (minutes, seconds) => write!(f, "{minutes} min {seconds} s"),
+        }
+    }
 }
 
 pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport, width: usize) -> String {
@@ -35,7 +54,8 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     writeln!(out, "{}", subject.edition)?;
     let time_ms: u64 = report.scenarios.iter().map(|scenario| scenario.duration_ms).sum();
     let scenarios = counted(report.scenarios.len() as u64, "scenario");
-    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ns(time_ms)))?;
+    let time = if subject.args.stdio { "simulated" } else { "real" };
+    writeln!(out, "{}: {scenarios}, {} s of {time} time", subject.name, Seconds(ns(time_ms)))?;
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
@@ -211,7 +231,9 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
     }
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
     writeln!(out, "requirements: {fail} failed, {pass} passed, {not} not exercised")?;
-    if report.passes() {
+    if subject.early {
+        writeln!(out, "{}: {}", subject.name, Styled(style::CARE, "no verdict, since the exam ended early"))
+    } else if report.passes() {
         writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
     } else {
         writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
