@@ -27,6 +27,13 @@ PATH=$PATH:/usr/sbin:/sbin
 
 cargo build --locked -p adsdv
 export ADSDV="$target/debug/adsdv" ADSDV_REQUIRE_VCAN=1
+# The stack that is examined, with nothing of ours in it: static, so that it needs nothing in the virtual machine either.
+brought=()
+if command -v cc >/dev/null; then
+  export ADSDV_SOCKETCAN_C="$target/debug/socketcan-c"
+  cc -O1 -Wall -Wextra -Werror -std=gnu99 -static -o "$ADSDV_SOCKETCAN_C" exam/examples/socketcan.c
+  brought=(-f "$ADSDV_SOCKETCAN_C")
+fi
 # What the tests ask of the machine, asked once before.
 probe=vcan-$$
 if ip link add "$probe" type vcan 2>/dev/null; then
@@ -37,6 +44,6 @@ else
   echo "SocketCAN: in a virtual machine, for this kernel has no vcan, or this user may not make one"
   host=$(rustc -vV | sed -n 's/^host: //p')
   variable=CARGO_TARGET_$(tr 'a-z-' 'A-Z_' <<<"$host")_RUNNER
-  export "$variable=$PWD/scripts/vm/run.sh -t 900 -c 1 -e ADSDV=$ADSDV -f $ADSDV -f $PWD/can -f $PWD/tests/logs"
+  export "$variable=$PWD/scripts/vm/run.sh -t 900 -c 1 -e ADSDV=$ADSDV -f $ADSDV -f $PWD/can -f $PWD/tests/logs ${brought[*]-}"
 fi
 cargo test --locked -p adsdv-can --test socket -- "$@"

@@ -6,8 +6,8 @@ use adsdv_oracle::judge::{Finding, Party, ResponseTimes, Rule, Severity};
 use adsdv_spec::{AiMessages, Atoms, Edition};
 
 use crate::catalogue::{self, Entry};
-use crate::expectation::Followed;
-use crate::expectations::{ANSWERS, HOLDS_STILL};
+use crate::expectation::{Expectation, Followed, Kind, Within};
+use crate::expectations::{ANSWERS, CYCLES, HOLDS_STILL};
 use crate::program_error::StackError;
 use crate::scenario::ExamScenario;
 use crate::session::{Change, Ran, Sent, SessionError, run};
@@ -72,6 +72,8 @@ pub struct ExamFinding {
     pub frames: Vec<Sent>,
     /// What the car did then.
     pub car: String,
+    /// In real time, how late this machine may be before it is in doubt who is at fault; `None` where that changes nothing.
+    pub(crate) slack_ms: Option<u64>,
 }
 
 /// What came of a scenario.
@@ -184,14 +186,7 @@ pub fn exam(
     options: &ExamOptions,
     ended: &mut dyn FnMut(&ExamProgress<'_>),
 ) -> Result<ExamReport, StackError> {
-    let mut marks = Marks::new(options.edition);
-    let mut report = ExamReport {
-        scenarios: Vec::new(),
-        requirements: Vec::new(),
-        findings: Vec::new(),
-        slowest: None,
-        notes: Vec::new(),
-    };
+    let mut collector = Collector::new(options.edition);
     stack.hello(options.edition)?;
     for (place, scenario) in scenarios.iter().enumerate() {
         let ran = match run(scenario, options.edition, options.mission_ms, stack) {
@@ -199,31 +194,72 @@ pub fn exam(
             Err(SessionError::Stack(error)) => return Err(error),
             Err(SessionError::Scenario(wrong)) => {
                 // The tests read every scenario of this crate: somebody else's is left out, and named.
-                report.notes.push(format!("{}: {wrong}", scenario.name));
+                collector.note(format!("{}: {wrong}", scenario.name));
                 continue;
             }
         };
-        let before = report.findings.len();
-        findings(&ran, place, options.edition, &mut report.findings);
-        marks.ran(&ran);
+        let findings = findings(&ran, options.edition);
+        collector.ran(scenario, &ran, findings);
+        let done = (place + 1, scenarios.len());
+        ended(&ExamProgress { name: &scenario.name, done, sent: &ran.sent });
+    }
+    stack.end()?.into_iter().for_each(|note| collector.note(note));
+    Ok(collector.finish())
+}
+
+/// The report as it becomes, scenario by scenario.
+pub(crate) struct Collector {
+    marks: Marks,
+    report: ExamReport,
+}
+
+impl Collector {
+    pub(crate) fn new(edition: &'static Edition) -> Self {
+        let report = ExamReport {
+            scenarios: Vec::new(),
+            requirements: Vec::new(),
+            findings: Vec::new(),
+            slowest: None,
+            notes: Vec::new(),
+        };
+        Self { marks: Marks::new(edition), report }
+    }
+
+    /// Something is worth a note.
+    pub(crate) fn note(&mut self, note: String) {
+        self.report.notes.push(note);
+    }
+
+    /// Something was wrong in a scenario, or seemed so, and it is not certain that this was the AI Computer: why.
+    pub(crate) fn in_doubt(&mut self, requirements: &[&'static str], why: &str) {
+        self.marks.in_doubt.extend(requirements.iter().map(|id| (*id, why.to_owned())));
+    }
+
+    /// A scenario was run, and this is wrong in it.
+    pub(crate) fn ran(&mut self, scenario: &ExamScenario, ran: &Ran, findings: Vec<ExamFinding>) {
+        let Self { marks, report } = self;
+        let place = report.scenarios.len();
+        marks.ran(ran);
         report.scenarios.push(ScenarioOutcome {
             name: scenario.name.clone(),
             about: scenario.about.clone(),
             duration_ms: ran.duration_ms,
             frames: ran.sent.len(),
-            findings: report.findings.len() - before,
+            findings: findings.len(),
             stuck: ran.stuck.as_ref().map(ToString::to_string),
         });
+        report.findings.extend(findings.into_iter().map(|one| ExamFinding { scenario: place, ..one }));
         let slower = |slowest: &ResponseTimes| ran.report.responses.max_ms() > slowest.max_ms();
         if ran.report.responses.count() > 0 && report.slowest.as_ref().is_none_or(slower) {
             report.slowest = Some(ran.report.responses.clone());
         }
-        let done = (place + 1, scenarios.len());
-        ended(&ExamProgress { name: &scenario.name, done, sent: &ran.sent });
     }
-    report.notes.extend(stack.end()?);
-    report.requirements = marks.outcomes(&report.findings);
-    Ok(report)
+
+    pub(crate) fn finish(self) -> ExamReport {
+        let Self { marks, mut report } = self;
+        report.requirements = marks.outcomes(&report.findings);
+        report
+    }
 }
 
 /// Which requirements were exercised.
@@ -232,6 +268,8 @@ struct Marks {
     entries: Vec<Entry>,
     expected: Vec<&'static str>,
     tally: Tally,
+    /// The requirements that something was against of which it is not certain who is at fault: why.
+    in_doubt: Vec<(&'static str, String)>,
 }
 
 impl Marks {
@@ -241,6 +279,7 @@ impl Marks {
             entries: catalogue::of_edition(edition),
             expected: Vec::new(),
             tally: Tally::default(),
+            in_doubt: Vec::new(),
         }
     }
 
@@ -260,7 +299,8 @@ impl Marks {
             let mut broken: Vec<(i64, usize)> = broken.map(|(place, one)| (one.t_ns, place)).collect();
             broken.sort_unstable();
             let outcome = if broken.is_empty() {
-                let lacks = entry.lacks(&self.tally, self.expected.contains(&entry.id));
+                let doubt = self.in_doubt.iter().find(|(id, _)| *id == entry.id).map(|(_, why)| why.clone());
+                let lacks = doubt.or_else(|| entry.lacks(&self.tally, self.expected.contains(&entry.id)));
                 lacks.map_or(Outcome::Pass, Outcome::NotExercised)
             } else {
                 Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
@@ -272,7 +312,7 @@ impl Marks {
 }
 
 /// What is wrong in a scenario: what the judge says of the AI Computer, and what was to be done and was not.
-pub(crate) fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut Vec<ExamFinding>) {
+pub(crate) fn findings(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
     let mut found = judged(ran, edition);
     if let Some((time_ms, waiting)) = ran.flood {
         found.push(ExamFinding {
@@ -288,20 +328,11 @@ pub(crate) fn findings(ran: &Ran, scenario: usize, edition: &Edition, all: &mut 
         let missed = not_done(ran, edition, followed).filter(|missed| !is_said(&missed.requirements));
         found.extend(missed);
     }
-    all.extend(found.into_iter().map(|finding| {
-        let time_ms = u64::try_from(finding.t_ns / 1_000_000).unwrap_or_default();
-        ExamFinding {
-            scenario,
-            operator: operator_until(ran, time_ms),
-            frames: frames_around(ran, finding.t_ns),
-            car: car_after(ran, time_ms),
-            ..finding
-        }
-    }));
+    found.into_iter().map(|finding| finding.seen_in(ran)).collect()
 }
 
 impl ExamFinding {
-    fn new(t_ns: i64, section: &str, found_by: FoundBy, requirements: Vec<&'static str>) -> Self {
+    pub(crate) fn new(t_ns: i64, section: &str, found_by: FoundBy, requirements: Vec<&'static str>) -> Self {
         Self {
             scenario: 0,
             t_ns,
@@ -313,6 +344,18 @@ impl ExamFinding {
             operator: Vec::new(),
             frames: Vec::new(),
             car: String::new(),
+            slack_ms: None,
+        }
+    }
+
+    /// The same with what was around it.
+    pub(crate) fn seen_in(self, ran: &Ran) -> Self {
+        let time_ms = u64::try_from(self.t_ns / 1_000_000).unwrap_or_default();
+        Self {
+            operator: operator_until(ran, time_ms),
+            frames: frames_around(ran, self.t_ns),
+            car: car_after(ran, time_ms),
+            ..self
         }
     }
 }
@@ -332,6 +375,7 @@ fn judged(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
         ExamFinding {
             seen: finding.seen.clone(),
             expected: finding.expected.clone(),
+            slack_ms: slack_of_rule(finding.rule),
             ..ExamFinding::new(t_ns, &finding.section.to_string(), FoundBy::Judge(finding.rule), against)
         }
     };
@@ -356,6 +400,7 @@ fn not_done(ran: &Ran, edition: &Edition, followed: &Followed) -> Option<ExamFin
     Some(ExamFinding {
         seen: held.map_or(seen, |finding| &finding.seen).clone(),
         expected: held.map_or(expectation.expected, |finding| &finding.expected).to_owned(),
+        slack_ms: slack(expectation, edition),
         ..ExamFinding::new(ns(*time_ms), expectation.section, found_by, against)
     })
 }
@@ -363,6 +408,25 @@ fn not_done(ran: &Ran, edition: &Edition, followed: &Followed) -> Option<ExamFin
 /// Violations, and a length that the database does not have, which is only worth a note where a log was cut.
 fn is_wrong(finding: &Finding) -> bool {
     finding.severity == Severity::Violation || finding.rule == Rule::Length
+}
+
+/// In real time, a machine that is late by a cycle may have kept a message or an answer waiting that long.
+pub(crate) const CYCLE_MS: u64 = 10;
+
+/// How late this machine may be before it is in doubt whether the AI Computer has broken a rule.
+fn slack_of_rule(rule: Rule) -> Option<u64> {
+    matches!(rule, Rule::HandshakeLate | Rule::MessageMissed | Rule::ReadyHeld).then_some(CYCLE_MS)
+}
+
+/// Or has not done something: half of the time that it has for that. What never is to be is so at once, but for gaps.
+fn slack(expectation: &'static Expectation, edition: &Edition) -> Option<u64> {
+    match expectation.kind {
+        // A mission takes longer than any machine is late.
+        Kind::Comes { within: Within::Mission, .. } => None,
+        Kind::Comes { within, .. } => Some(within.ms(edition, u64::MAX) / 2),
+        Kind::Ends { .. } => Some(CYCLE_MS),
+        Kind::Never { .. } => CYCLES.iter().any(|one| std::ptr::eq(one, expectation)).then_some(CYCLE_MS),
+    }
 }
 
 /// What holds of the AI Computer's requests at a time.

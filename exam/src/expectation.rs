@@ -62,7 +62,7 @@ pub enum Within {
 }
 
 impl Within {
-    fn ms(self, edition: &Edition, mission_ms: u64) -> u64 {
+    pub(crate) fn ms(self, edition: &Edition, mission_ms: u64) -> u64 {
         match self {
             Self::Ms(ms) => ms,
             Self::Answer => edition.rules.timing.handshake_ms.into(),
@@ -115,7 +115,7 @@ impl Followed {
                 }
                 let since = *self.since.get_or_insert(look.time_ms);
                 let limit = within.ms(edition, mission_ms);
-                if look.time_ms.saturating_sub(since) > limit {
+                if look.time_ms.saturating_sub(since) > limit + look.jitter_ms {
                     self.fail(look, Some(limit));
                 }
             }

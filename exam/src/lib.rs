@@ -15,7 +15,8 @@
 //! Beside the scenarios that are written there are [those by chance](random_scenarios) and [those of files](ExamScenario::read), and
 //! what is wrong in one has a [shortest scenario](shortest) that shows it.
 //!
-//! What is examined is a [`Stack`]: it is asked for the frames of a step of 10 ms, whatever is behind it.
+//! What is examined in simulated time is a [`Stack`]: it is asked for the frames of a step of 10 ms, whatever is behind it. In real
+//! time it is any program on a bus of SocketCAN ([`exam_live`]).
 
 #![forbid(unsafe_code)]
 
@@ -26,6 +27,8 @@ mod disturbance;
 mod exam;
 mod expectation;
 mod expectations;
+mod length;
+mod live;
 mod look;
 mod program;
 mod program_error;
@@ -44,6 +47,10 @@ pub use exam::{
     ExamFinding, ExamOptions, ExamProgress, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome, exam,
 };
 pub use expectation::{Condition, Expectation, Kind, Within};
+pub use length::{BESIDE, estimate};
+pub use live::{
+    LiveBus, LiveError, LiveOptions, LiveProgram, LiveProgress, LiveReport, exam_live, prepare_namespaces,
+};
 pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
 pub use program_error::{StackError, StackErrorKind, StackErrorPlace};

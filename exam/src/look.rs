@@ -46,6 +46,8 @@ pub struct Look {
     pub has_moved: bool,
     /// Whether brakes were requested when it moved last in AS_DRIVING.
     pub braked: bool,
+    /// How much later than it was sent something may be seen, in milliseconds: nothing in simulated time.
+    pub(crate) jitter_ms: u64,
     /// When each message of [`SENT`] came last.
     last: [Option<u64>; SENT.len()],
     /// When each of them came in the last second.
@@ -68,6 +70,7 @@ impl Look {
             go_in_time: false,
             has_moved: false,
             braked: false,
+            jitter_ms: 0,
             last: [None; SENT.len()],
             counted: std::array::from_fn(|_| VecDeque::new()),
             go: false,
@@ -203,9 +206,9 @@ impl Look {
         self.last_of(id).is_some()
     }
 
-    /// For how long a message that has come before has not come now, in milliseconds.
+    /// For how long, at least, a message that has come before has not come now, in milliseconds.
     pub fn silent_ms(&self, id: u16) -> u64 {
-        self.last_of(id).map_or(0, |last| self.time_ms.saturating_sub(last))
+        self.last_of(id).map_or(0, |last| self.time_ms.saturating_sub(last + self.jitter_ms))
     }
 
     /// How many frames of a message came in the last second.

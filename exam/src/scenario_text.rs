@@ -113,7 +113,7 @@ impl ExamScenario {
     }
 
     /// Reads a line that is not about the operator; whether it is one.
-    fn line<'a>(&mut self, line: &'a str) -> Result<bool, Wrong<'a>> {
+    fn line<'a>(&mut self, line: &'a str) -> Result<bool, WrongLine<'a>> {
         let line = line.split('#').next().unwrap_or_default();
         let mut words = Words { line, at: 0 };
         match words.next() {
@@ -140,7 +140,7 @@ impl ExamScenario {
 }
 
 /// The column, what was found there, and what was expected.
-type Wrong<'a> = (usize, &'a str, String);
+type WrongLine<'a> = (usize, &'a str, String);
 
 /// The words of a line, one after the other; empty behind the last.
 struct Words<'a> {
@@ -159,12 +159,12 @@ impl<'a> Words<'a> {
     }
 
     /// The last word is not what was expected.
-    fn wrong(&self, found: &'a str, expected: &str) -> Wrong<'a> {
+    fn wrong(&self, found: &'a str, expected: &str) -> WrongLine<'a> {
         (self.at - found.len() + 1, found, expected.to_owned())
     }
 
     /// A time behind this sign, in milliseconds.
-    fn seconds(&mut self, sign: &str) -> Result<u64, Wrong<'a>> {
+    fn seconds(&mut self, sign: &str) -> Result<u64, WrongLine<'a>> {
         let word = self.next();
         let time = word.strip_prefix(sign).and_then(|time| format!("{time} end").parse::<Scenario>().ok());
         match time.and_then(|scenario| scenario.lines().first().map(|line| line.when)) {
@@ -173,7 +173,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    fn disturbance(&mut self) -> Result<Disturbance, Wrong<'a>> {
+    fn disturbance(&mut self) -> Result<Disturbance, WrongLine<'a>> {
         let word = self.next();
         let Some(from) = Onset::all().into_iter().find(|onset| onset.name() == word) else {
             let names: Vec<&str> = Onset::all().into_iter().map(Onset::name).collect();
@@ -188,7 +188,7 @@ impl<'a> Words<'a> {
         Ok(Disturbance { from, after_ms, for_ms, effect: self.effect()? })
     }
 
-    fn effect(&mut self) -> Result<Effect, Wrong<'a>> {
+    fn effect(&mut self) -> Result<Effect, WrongLine<'a>> {
         let word = self.next();
         if let Some((_, effect)) = Effect::PLAIN.iter().find(|(name, _)| *name == word) {
             return Ok(*effect);

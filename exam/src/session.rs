@@ -1,10 +1,14 @@
 //! One scenario: the car, its operator and its judge, cycle after cycle, with an AI Computer on the bus.
 //!
+//! [`Session`] is all of it but the bus and the time. In simulated time, which is here, a cycle is
+//!
 //! ```text
 //! 0 ms    the operator acts, the VCU steps and sends
 //! 4 ms    the stack receives the frames that have come, and sends
 //! 10 ms   the cycle is over: it is looked at
 //! ```
+//!
+//! and in real time it is what `live/session.rs` makes it.
 
 use adsdv_can::BITRATE;
 use adsdv_can::car::{Action, Car, missing_for};
@@ -78,18 +82,54 @@ pub(crate) fn run(
     stack: &mut dyn Stack,
 ) -> Result<Ran, SessionError> {
     let operator: Scenario = scenario.operator.parse().map_err(SessionError::Scenario)?;
-    let mut session = Session::new(scenario, &operator, edition, mission_ms);
+    let session = Session::new(scenario, &operator, edition, mission_ms);
     stack.reset().map_err(|error| SessionError::Stack(error.during(&scenario.name, 0)))?;
+    let mut simulated = Simulated { session, wire: Wire::new(BITRATE.into()), inbox: Vec::new() };
     loop {
-        session.begin();
-        session.bus_until(session.time_ms + PHASE_MS);
-        session
-            .ask(stack)
-            .map_err(|error| SessionError::Stack(error.during(&scenario.name, session.time_ms)))?;
-        session.bus_until(session.time_ms + session.cycle_ms);
-        if session.end() {
-            return Ok(session.finish());
+        let (begun, cycle_ms) = (simulated.session.time_ms, simulated.session.cycle_ms());
+        let frames = simulated.session.begin(begun, cycle_ms);
+        simulated.wire.send(ns(begun), Node::Vcu, frames);
+        simulated.bus_until(begun + PHASE_MS);
+        simulated.ask(stack).map_err(|error| SessionError::Stack(error.during(&scenario.name, begun)))?;
+        simulated.bus_until(begun + u64::from(cycle_ms));
+        let runs = simulated.stack_runs();
+        if simulated.session.end(runs) {
+            return Ok(simulated.session.finish());
         }
+    }
+}
+
+/// A session on a bus in simulated time.
+struct Simulated<'a> {
+    session: Session<'a>,
+    wire: Wire,
+    /// What the stack has not been told yet.
+    inbox: Vec<Frame>,
+}
+
+impl Simulated<'_> {
+    /// The frames that are complete up to this time.
+    fn bus_until(&mut self, until_ms: u64) {
+        while let Some((t_ns, from, frame)) = self.wire.complete(ns(until_ms)) {
+            self.session.came(t_ns, from, frame);
+            if from == Node::Vcu {
+                self.inbox.push(frame);
+            }
+        }
+    }
+
+    fn stack_runs(&self) -> bool {
+        self.session.time_ms >= self.session.scenario.ai_starts_ms
+    }
+
+    fn ask(&mut self, stack: &mut dyn Stack) -> Result<(), StackError> {
+        let inbox = std::mem::take(&mut self.inbox);
+        if self.stack_runs() {
+            let at = self.session.time_ms + PHASE_MS;
+            self.wire.send(ns(at), Node::Ai, stack.step(at, &inbox)?);
+            self.session.carries(at, &self.wire);
+        }
+        Ok(())
     }
 }
 
@@ -100,23 +140,21 @@ pub(crate) enum SessionError {
     Scenario(Unreadable),
 }
 
-struct Session<'a> {
-    scenario: &'a ExamScenario,
+/// The car, its operator and its judge, whatever the bus and the time are.
+pub(crate) struct Session<'a> {
+    pub(crate) scenario: &'a ExamScenario,
     edition: &'static Edition,
     mission_ms: u64,
-    cycle_ms: u64,
-    time_ms: u64,
+    /// When the cycle that lasts began; behind its end, when the next begins.
+    pub(crate) time_ms: u64,
     car: Car,
     player: Player,
-    wire: Wire,
     judge: Judge,
     look: Look,
     courses: Vec<Course>,
     followed: Vec<Followed>,
     /// Frames of the VCU that come later, and when.
     delayed: Vec<(u64, Vec<Frame>)>,
-    /// The frames that the stack has not received yet.
-    inbox: Vec<Frame>,
     sent: Vec<Sent>,
     actions: Vec<(u64, Action)>,
     changes: Vec<Change>,
@@ -126,7 +164,7 @@ struct Session<'a> {
 }
 
 impl<'a> Session<'a> {
-    fn new(
+    pub(crate) fn new(
         scenario: &'a ExamScenario,
         operator: &Scenario,
         edition: &'static Edition,
@@ -138,17 +176,14 @@ impl<'a> Session<'a> {
             scenario,
             edition,
             mission_ms,
-            cycle_ms: car.cycle_ms().into(),
             time_ms: 0,
             car,
             player: Player::new(operator),
-            wire: Wire::new(BITRATE.into()),
             judge: Judge::new(JudgeOptions::of(edition)),
             look: Look::new(),
             courses: scenario.disturbances.iter().map(Course::new).collect(),
             followed: scenario.expects.iter().copied().map(Followed::new).collect(),
             delayed: Vec::new(),
-            inbox: Vec::new(),
             sent: Vec::new(),
             actions: Vec::new(),
             changes: Vec::new(),
@@ -162,17 +197,30 @@ impl<'a> Session<'a> {
         self.car.outputs().map(|outputs| outputs.state)
     }
 
-    /// The operator and the VCU.
-    fn begin(&mut self) {
-        let (time_ms, before) = (self.time_ms, self.state());
+    /// The same in real time, in which a frame may be seen so much later than it was sent.
+    pub(crate) fn with_jitter(mut self, jitter_ms: u64) -> Self {
+        self.look.jitter_ms = jitter_ms;
+        self
+    }
+
+    /// How long a cycle is, in milliseconds.
+    pub(crate) fn cycle_ms(&self) -> u32 {
+        self.car.cycle_ms()
+    }
+
+    /// A cycle begins, so many milliseconds behind the one before: the operator acts, the VCU steps, and these are the frames that
+    /// it sends now.
+    pub(crate) fn begin(&mut self, time_ms: u64, dt_ms: u32) -> Vec<Frame> {
+        self.time_ms = time_ms;
+        let before = self.state();
         for action in self.player.due(time_ms, before) {
             self.car.act(&action);
             self.actions.push((time_ms, action));
         }
         if time_ms < self.scenario.vcu_starts_ms {
-            return;
+            return Vec::new();
         }
-        let mut frames = self.car.cycle(self.car.cycle_ms()).frames;
+        let mut frames = self.car.cycle(dt_ms).frames;
         for course in &self.courses {
             course.falsify(time_ms, self.car.sensors());
         }
@@ -186,10 +234,8 @@ impl<'a> Session<'a> {
         }
         let (now, later): (Vec<_>, Vec<_>) = self.delayed.drain(..).partition(|(due, _)| *due <= time_ms);
         self.delayed = later;
-        for (_, frames) in now {
-            self.wire.send(ns(time_ms), Node::Vcu, frames);
-        }
         self.note_change(before);
+        now.into_iter().flat_map(|(_, frames)| frames).collect()
     }
 
     fn note_change(&mut self, from: Option<AsState>) {
@@ -202,50 +248,42 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The frames that are complete up to this time.
-    fn bus_until(&mut self, until_ms: u64) {
-        while let Some((t_ns, from, frame)) = self.wire.complete(ns(until_ms)) {
-            self.look.frame(self.edition, from, &frame);
-            let by_ai = from == Node::Ai;
-            self.sent.push(Sent { t_ns, by_ai, frame });
-            let id = u32::from(frame.id);
-            let is_its_own =
-                self.edition.bus.message(frame.id).is_some_and(|def| def.sender == messages::Node::Ai);
-            if by_ai && !is_its_own {
-                self.judge.sent_by_ai(t_ns, id);
-            } else {
-                self.judge.frame(t_ns, id, frame.data());
-            }
-            if by_ai {
-                self.tally.frame(self.edition, &frame);
-                // What does not decode is for the judge to tell.
-                let _ = self.car.receive(&frame);
-            } else {
-                self.inbox.push(frame);
-            }
+    /// A frame was on the bus, complete at this time.
+    pub(crate) fn came(&mut self, t_ns: i64, from: Node, frame: Frame) {
+        self.look.frame(self.edition, from, &frame);
+        let by_ai = from == Node::Ai;
+        self.sent.push(Sent { t_ns, by_ai, frame });
+        let id = u32::from(frame.id);
+        let is_its_own =
+            self.edition.bus.message(frame.id).is_some_and(|def| def.sender == messages::Node::Ai);
+        if by_ai && !is_its_own {
+            self.judge.sent_by_ai(t_ns, id);
+        } else {
+            self.judge.frame(t_ns, id, frame.data());
+        }
+        if by_ai {
+            self.tally.frame(self.edition, &frame);
+            // What does not decode is for the judge to tell.
+            let _ = self.car.receive(&frame);
         }
     }
 
-    fn stack_runs(&self) -> bool {
-        self.time_ms >= self.scenario.ai_starts_ms
+    /// So many frames were on the bus that nobody has seen.
+    pub(crate) fn lost(&mut self, count: u64) {
+        self.judge.lost(count);
     }
 
-    fn ask(&mut self, stack: &mut dyn Stack) -> Result<(), StackError> {
-        let inbox = std::mem::take(&mut self.inbox);
-        if self.stack_runs() {
-            let at = self.time_ms + PHASE_MS;
-            self.wire.send(ns(at), Node::Ai, stack.step(at, &inbox)?);
-            let waiting = self.wire.waiting(Node::Ai);
-            if waiting > FLOOD {
-                self.flood = Some((at, waiting));
-            }
+    /// Whether a bus can carry what the AI Computer sends, which is a flood if not.
+    pub(crate) fn carries(&mut self, time_ms: u64, bus: &Wire) {
+        let waiting = bus.waiting(Node::Ai);
+        if waiting > FLOOD {
+            self.flood.get_or_insert((time_ms, waiting));
         }
-        Ok(())
     }
 
     /// The cycle is over; whether the scenario is.
-    fn end(&mut self) -> bool {
-        self.look.cycle(self.time_ms, &self.car, self.stack_runs());
+    pub(crate) fn end(&mut self, stack_runs: bool) -> bool {
+        self.look.cycle(self.time_ms, &self.car, stack_runs);
         for course in &mut self.courses {
             course.look(&self.look);
         }
@@ -253,7 +291,7 @@ impl<'a> Session<'a> {
             followed.look(&self.look, self.edition, self.mission_ms);
         }
         self.tally.look(&self.look);
-        self.time_ms += self.cycle_ms;
+        self.time_ms += u64::from(self.cycle_ms());
         self.stuck = self.waits_in_vain();
         self.player.is_over() || self.stuck.is_some() || self.flood.is_some()
     }
@@ -274,7 +312,7 @@ impl<'a> Session<'a> {
         })
     }
 
-    fn finish(self) -> Ran {
+    pub(crate) fn finish(self) -> Ran {
         Ran {
             duration_ms: self.time_ms,
             sent: self.sent,

@@ -55,7 +55,7 @@ pub fn shortest(
     runs: u32,
 ) -> Result<Option<Shortest>, StackError> {
     let Ok(operator) = scenario.operator.parse::<Scenario>() else { return Ok(None) };
-    let draft = Draft { lines: operator.lines().to_vec(), rest: scenario.clone() };
+    let draft = Shorter { lines: operator.lines().to_vec(), rest: scenario.clone() };
     let mut shrink = Shrink { stack, finding, options, left: runs };
     let Some(mut best) = shrink.run(draft)? else { return Ok(None) };
     loop {
@@ -73,13 +73,13 @@ pub fn shortest(
 
 /// A scenario whose lines are apart.
 #[derive(Clone, Debug)]
-struct Draft {
+struct Shorter {
     lines: Vec<Line>,
     /// All else of it.
     rest: ExamScenario,
 }
 
-impl Draft {
+impl Shorter {
     fn scenario(&self) -> ExamScenario {
         let lines: Vec<String> = self.lines.iter().map(|line| line.to_string() + "\n").collect();
         let operator = lines.concat();
@@ -100,7 +100,7 @@ impl Draft {
 
 /// A draft that shows the finding.
 struct Failing {
-    draft: Draft,
+    draft: Shorter,
     ran: Ran,
     /// When the finding is, in milliseconds.
     time_ms: u64,
@@ -116,7 +116,7 @@ struct Shrink<'a> {
 
 impl Shrink<'_> {
     /// Holds a scenario; `None` if it does not show the finding, or there is no run left.
-    fn run(&mut self, draft: Draft) -> Result<Option<Failing>, StackError> {
+    fn run(&mut self, draft: Shorter) -> Result<Option<Failing>, StackError> {
         let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
         self.left = left;
         let scenario = draft.scenario();
@@ -125,15 +125,14 @@ impl Shrink<'_> {
             Err(SessionError::Stack(error)) => return Err(error),
             Err(SessionError::Scenario(_)) => return Ok(None),
         };
-        let mut found = Vec::new();
-        findings(&ran, 0, self.options.edition, &mut found);
+        let found = findings(&ran, self.options.edition);
         let same = found.iter().find(|one| is_same(one, self.finding));
         let time_ms = same.map(|one| u64::try_from(one.t_ns / 1_000_000).unwrap_or_default());
         Ok(time_ms.map(|time_ms| Failing { draft, ran, time_ms }))
     }
 
     /// Takes a draft instead of the best if it is shorter and shows the finding as well.
-    fn accept(&mut self, best: &mut Failing, draft: Draft) -> Result<bool, StackError> {
+    fn accept(&mut self, best: &mut Failing, draft: Shorter) -> Result<bool, StackError> {
         if draft.size() >= best.draft.size() {
             return Ok(false);
         }
@@ -160,7 +159,7 @@ impl Shrink<'_> {
             let wait = u32::try_from(until_ms.saturating_sub(last_ms)).unwrap_or(u32::MAX);
             let number = lines.last().map_or(1, |line| line.number + 1);
             lines.push(Line { number, when: When::After(wait), actions: Vec::new(), ends: true });
-            if self.accept(best, Draft { lines, ..best.draft.clone() })? {
+            if self.accept(best, Shorter { lines, ..best.draft.clone() })? {
                 break;
             }
         }

@@ -1,13 +1,16 @@
 //! SocketCAN as the kernel has it, on virtual buses that the tests make.
 //!
 //! They need root and the module vcan. Where there is none the tests report each as ignored, with the reason; with
-//! `ADSDV_REQUIRE_VCAN=1` in the environment that is a failure. `ADSDV` names the command, for the tests that run it, and `IP` and
+//! `ADSDV_REQUIRE_VCAN=1` in the environment that is a failure. `ADSDV` names the command, for the tests that run it,
+//! `ADSDV_SOCKETCAN_C` the stack in C that it examines, and `IP` and
 //! `TC` name iproute2's programs if they are not called so. With `ADSDV_IDLE=1` the cycle has to be held as on an idle machine.
 
 #[cfg(target_os = "linux")]
 mod bus;
 #[cfg(target_os = "linux")]
 mod command;
+#[cfg(target_os = "linux")]
+mod exam;
 #[cfg(target_os = "linux")]
 mod load;
 #[cfg(target_os = "linux")]
@@ -23,8 +26,13 @@ fn main() {
 
     let missing = vcan::missing();
     let required = std::env::var_os("ADSDV_REQUIRE_VCAN").is_some_and(|value| value == "1");
-    let tests =
-        open::TESTS.iter().chain(bus::TESTS).chain(run::TESTS).chain(command::TESTS).chain(load::TESTS);
+    let tests = open::TESTS
+        .iter()
+        .chain(bus::TESTS)
+        .chain(run::TESTS)
+        .chain(command::TESTS)
+        .chain(exam::TESTS)
+        .chain(load::TESTS);
     let trials = tests
         .map(|&(name, test)| {
             let missing = missing.clone();

@@ -16,14 +16,27 @@ use super::conform::{seconds, time_limit};
 /// long, E-stops, power cycles, frames that are lost or late, wheels that stand or spin. Each requirement of the AI Computer
 /// passes, fails, or was not exercised; an AI Computer that does nothing fails what it should have done.
 ///
-/// The program is asked through its standard input and output, in simulated time: for every 10 ms one JSON object a line with
-/// the frames on the bus, and one back with the frames that it sends. exam/PROTOCOL.md says all about these lines, and
+/// On a CAN interface the program is a stack as it is, which knows nothing of an exam: it is started afresh for each scenario, in
+/// real time, and gets the frames of a VCU. With --namespace the interface is made for it, and gone afterwards: that takes neither
+/// root nor a bus that nobody else uses. With --attach it is a stack that runs all the time.
+///
+/// With --stdio the program is asked through its standard input and output, in simulated time: for every 10 ms one JSON object a
+/// line with the frames on the bus, and one back with the frames that it sends. exam/PROTOCOL.md says all about these lines, and
 /// exam/examples has stacks in C and in Python.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
-  adsdv exam --stdio -- python3 exam/examples/stack.py
-  adsdv exam --stdio --edition 2026 -- ./my_stack --stdio
+  A stack on SocketCAN, on a bus that is made for it, in two minutes:
+      adsdv exam --namespace --quick -- ./my_stack vcan0
+
+  All scenarios, four at once; on an interface that is there; and a stack that runs:
+      adsdv exam --namespace --jobs 4 -- ./my_stack vcan0
+      adsdv exam can0 -- ./my_stack can0
+      adsdv exam can0 --attach
+
+  The logic of a stack, in simulated time:
+      adsdv exam --stdio -- python3 exam/examples/stack.py
+      adsdv exam --stdio --edition 2026 -- ./my_stack --stdio
 
   What is there, and some of it:
       adsdv exam --list
@@ -55,9 +68,10 @@ OUTPUT
                  what is wrong in the one in which it shows soonest
   FINDINGS       of each of these what was seen and what was expected, in the words of
                  `adsdv check` where that sees it as well; what the operator had done by
-                 then, the last frames, what the car did, and the shortest scenario that was
-                 found to show it, to be copied into a file for --scenario
-  NOT EXERCISED  the requirements that nothing shows, and why
+                 then, the last frames, what the car did, and, with --stdio, the shortest scenario
+                 that was found to show it, to be copied into a file for --scenario
+  NOT EXERCISED  the requirements that nothing shows, and why; in real time also those that
+                 seemed not to be kept when this machine was late itself
   Last comes the verdict.
 
 ENVIRONMENT
@@ -67,20 +81,55 @@ ENVIRONMENT
 EXIT STATUS
   0  nothing is wrong, or only what --accept accepts
   1  a requirement failed, or something else is wrong
-  2  no verdict: the program could not be started, ended early, did not answer in
-     time, or does not speak the protocol; or the arguments are wrong")]
+  2  no verdict: the program could not be started; with --stdio it ended early, did not
+     answer in time, or does not speak the protocol; the interface cannot be used, or went
+     down; it was stopped (Ctrl-C); or the arguments are wrong
+  A program on a bus that ends, hangs or floods the bus is one that fails.")]
 pub(crate) struct ExamArgs {
+    /// The CAN interface on which the program is, such as vcan0.
+    ///
+    /// Nobody else may be on it. With --namespace, the name of the one that is made, which is vcan0 if none is given.
+    #[arg(value_name = "INTERFACE", required_unless_present_any = ["list", "stdio", "namespace"], conflicts_with = "stdio")]
+    pub(crate) interface: Option<String>,
+
     /// The program, and its arguments, after --.
-    #[arg(value_name = "PROGRAM", required_unless_present = "list", last = true, num_args = 1..)]
+    #[arg(value_name = "PROGRAM", required_unless_present_any = ["list", "attach"], last = true, num_args = 1..)]
     pub(crate) command: Vec<OsString>,
 
     /// Ask the program through its standard input and output, in simulated time.
-    #[arg(long, required_unless_present = "list")]
+    #[arg(long)]
     pub(crate) stdio: bool,
 
-    /// List the scenarios.
-    #[arg(long, conflicts_with_all = ["command", "stdio", "json", "logs", "junit", "summary", "accept", "write_accept"])]
+    /// Make a virtual bus for the program, in a network namespace of its own.
+    #[arg(long, conflicts_with = "stdio")]
+    pub(crate) namespace: bool,
+
+    /// Examine what is on the bus already, and is not started afresh: between the scenarios the VCU has no power.
+    #[arg(long, requires = "interface", conflicts_with_all = ["command", "stdio", "namespace"])]
+    pub(crate) attach: bool,
+
+    /// Run so many scenarios at once, each on a bus of its own.
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "namespace", value_parser = clap::value_parser!(u16).range(1..=64))]
+    pub(crate) jobs: u16,
+
+    /// How long a program on a bus may take from its start to its first frame.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "1",
+        value_parser = seconds,
+        conflicts_with_all = ["stdio", "attach"],
+        allow_negative_numbers = true
+    )]
+    pub(crate) startup: Duration,
+
+    /// List the scenarios, with how long each is.
+    #[arg(long, conflicts_with_all = ["command", "stdio", "namespace", "attach", "json", "logs", "junit", "summary", "accept", "write_accept"])]
     pub(crate) list: bool,
+
+    /// Only the few scenarios that show most: two minutes in real time.
+    #[arg(long, conflicts_with = "only")]
+    pub(crate) quick: bool,
 
     /// Only the scenarios whose names begin so; may be repeated.
     #[arg(long, value_name = "NAME")]

@@ -29,8 +29,10 @@ pub(super) fn chosen(args: &ExamArgs) -> Result<Vec<ExamScenario>, Error> {
             hint: "adsdv exam --list says what each is about; random-0 and on are those of --runs".to_owned(),
         });
     }
-    let is_asked =
-        |one: &ExamScenario| args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
+    let is_asked = |one: &ExamScenario| {
+        let named = args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
+        named && (!args.quick || one.is_quick())
+    };
     Ok(all.into_iter().filter(is_asked).collect())
 }
 

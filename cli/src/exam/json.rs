@@ -55,7 +55,7 @@ pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport) -> String {
         slowest_answer_ms: report.slowest.as_ref().and_then(adsdv_oracle::judge::ResponseTimes::max_ms),
         notes: &report.notes,
         unused: subject.verdict.unused(report).into_iter().map(|(id, _)| id).collect(),
-        passes: subject.verdict.passes(report),
+        passes: !subject.early && subject.verdict.passes(report),
     })
 }
 

@@ -5,12 +5,15 @@
 //!                  |
 //!   a program that does not keep to the protocol: an error
 //! ```
+//!
+//! `live.rs` is all of it on a bus, in real time.
 
 mod choose;
 mod files;
 mod finding;
 mod json;
 mod junit;
+mod live;
 mod shorter;
 mod summary;
 mod text;
@@ -43,11 +46,14 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     let edition = args.edition.chosen()?;
     let scenarios = choose::chosen(args)?;
     if args.list {
-        output::plain(&text::list(&scenarios))?;
+        output::plain(&text::list(&scenarios, &options(args, edition)))?;
         return Ok(Status::Conforms);
     }
     if let Some(folder) = &args.logs {
         fs::create_dir_all(folder).map_err(|error| unwritten(folder, &error))?;
+    }
+    if !args.stdio {
+        return live::run(args, edition, &scenarios);
     }
     let name = program_name(&args.command);
     stops_the_program().map_err(|error| Error {
@@ -55,11 +61,9 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         why: format!("cannot be started so that it stops with this command: {error}"),
         hint: "run it where signals can be handled".to_owned(),
     })?;
-    let read = |path| Accepted::read(path, &verdict::ACCEPTABLE);
-    let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
-    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
-    let options = ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) };
+    let options = options(args, edition);
     let no_verdict = |trouble: StackError| no_verdict(&name, args, &trouble);
+    let accepted = accepted(args)?;
     let report = examine(args, &scenarios, &options).map_err(no_verdict)??;
     let shorter = if args.shrink == 0 || report.passes() {
         Shorter::new()
@@ -70,17 +74,34 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     if let Some(folder) = &args.logs {
         write_shorter(folder, &report, &shorter)?;
     }
-    if let Some(path) = &args.write_accept {
-        accepted.write(path, &verdict::ACCEPTABLE, verdict::wrong(&report))?;
-    }
-    let subject = Examinee { edition, name: &name, args, verdict: Verdict::new(accepted), shorter };
-    if args.json {
-        output::plain(&json::text(&subject, &report))?;
-    } else {
-        output::styled(&text::text(&subject, &report, output::width()), args.color)?;
-    }
-    files::write(&subject, &report)?;
+    let verdict = Verdict::new(accepted);
+    let subject = Examinee { edition, name: &name, args, verdict, shorter, early: false };
+    print(&subject, &report)?;
     Ok(if subject.verdict.passes(&report) { Status::Conforms } else { Status::Violates })
+}
+
+/// What is accepted.
+fn accepted(args: &ExamArgs) -> Result<Accepted, Error> {
+    let read = |path| Accepted::read(path, &verdict::ACCEPTABLE);
+    args.accept.as_deref().map_or(Ok(Accepted::default()), read)
+}
+
+/// Prints the report, and writes the files that somebody asks for.
+fn print(subject: &Examinee<'_>, report: &ExamReport) -> Result<(), Error> {
+    if let Some(path) = &subject.args.write_accept {
+        subject.verdict.write(path, report)?;
+    }
+    if subject.args.json {
+        output::plain(&json::text(subject, report))?;
+    } else {
+        output::styled(&text::text(subject, report, output::width()), subject.args.color)?;
+    }
+    files::write(subject, report)
+}
+
+fn options(args: &ExamArgs, edition: ChosenEdition) -> ExamOptions {
+    let mission_ms = u64::try_from(args.mission_time.as_millis()).unwrap_or(u64::MAX);
+    ExamOptions { mission_ms, ..ExamOptions::of(edition.edition()) }
 }
 
 /// Who was examined.
@@ -90,6 +111,8 @@ struct Examinee<'a> {
     args: &'a ExamArgs,
     verdict: Verdict,
     shorter: Shorter,
+    /// Whether it ended before all was seen, so that there is no verdict.
+    early: bool,
 }
 
 /// Starts the program.

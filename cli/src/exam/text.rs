@@ -1,8 +1,9 @@
 //! What came of it as text for a person.
 
 use std::fmt::{self, Write as _};
+use std::time::Duration;
 
-use adsdv_exam::{ExamFinding, ExamReport, ExamScenario, Examined, Outcome};
+use adsdv_exam::{BESIDE, ExamFinding, ExamOptions, ExamReport, ExamScenario, Examined, Outcome, estimate};
 
 use super::Examinee;
 use super::finding::{FINDINGS, FRAMES, Pieces, ms_to_ns, scenarios, shown, words};
@@ -12,15 +13,31 @@ use crate::report::style::{self, Styled};
 /// The columns of a requirement.
 const ID: usize = 7;
 
-/// The scenarios, a line each.
-pub(super) fn list(scenarios: &[ExamScenario]) -> String {
+/// The scenarios, a line each with how long it is, and how long all of them take in real time.
+pub(super) fn list(scenarios: &[ExamScenario], options: &ExamOptions) -> String {
     let width = scenarios.iter().map(|scenario| scenario.name.len()).max().unwrap_or_default();
+    let lengths: Vec<Duration> = scenarios.iter().map(|scenario| scenario.length(options)).collect();
     let mut text = String::new();
-    for ExamScenario { name, about, .. } in scenarios {
+    for (ExamScenario { name, about, .. }, length) in scenarios.iter().zip(&lengths) {
         // Writing to a string does not fail.
-        let _ = writeln!(text, "{name:width$}  {about}");
+        let _ = writeln!(text, "{name:width$}  {:3} s  {about}", length.as_secs_f64().ceil());
     }
+    let whole = Minutes(estimate(&lengths, BESIDE, 1));
+    let _ = writeln!(text, "\n{}: {whole} in real time", counted(scenarios.len() as u64, "scenario"));
     text
+}
+
+/// A duration such as `2 min 5 s`.
+pub(super) struct Minutes(pub(super) Duration);
+
+impl fmt::Display for Minutes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.0.as_secs() / 60, self.0.as_secs() % 60) {
+            (0, seconds) => write!(f, "{seconds} s"),
+            (minutes, 0) => write!(f, "{minutes} min"),
+            (minutes, seconds) => write!(f, "{minutes} min {seconds} s"),
+        }
+    }
 }
 
 pub(super) fn text(subject: &Examinee<'_>, report: &ExamReport, width: usize) -> String {
@@ -34,7 +51,8 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     writeln!(out, "{}", subject.edition)?;
     let time_ms: u64 = report.scenarios.iter().map(|scenario| scenario.duration_ms).sum();
     let scenarios = counted(report.scenarios.len() as u64, "scenario");
-    writeln!(out, "{}: {scenarios}, {} s of simulated time", subject.name, Seconds(ms_to_ns(time_ms)))?;
+    let time = if subject.args.stdio { "simulated" } else { "real" };
+    writeln!(out, "{}: {scenarios}, {} s of {time} time", subject.name, Seconds(ms_to_ns(time_ms)))?;
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
@@ -223,7 +241,9 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
     for (_, why) in subject.verdict.unused(report) {
         writeln!(out, "{} {why}", Styled(style::CARE, "warning:"))?;
     }
-    if report.passes() {
+    if subject.early {
+        writeln!(out, "{}: {}", subject.name, Styled(style::CARE, "no verdict, since the exam ended early"))
+    } else if report.passes() {
         writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
     } else if subject.verdict.passes(report) {
         writeln!(out, "{}: {} but for what is accepted", subject.name, Styled(style::GOOD, "passes"))

@@ -1,9 +1,12 @@
 //! The verdict, which is about what is not accepted.
 
+use std::path::Path;
+
 use adsdv_exam::{ExamFinding, ExamReport, Outcome};
 
 use super::finding::words;
 use crate::accept::{Acceptable, Accepted};
+use crate::error::Error;
 
 /// What `--accept` accepts: requirements that fail, and rules of findings that are against no single one.
 pub(super) const ACCEPTABLE: Acceptable = Acceptable {
@@ -37,6 +40,11 @@ impl Verdict {
         self.accepted.reason(id)
     }
 
+    /// Writes what is wrong to a file that accepts it, with the reasons that are given already.
+    pub(super) fn write(&self, path: &Path, report: &ExamReport) -> Result<(), Error> {
+        self.accepted.write(path, &ACCEPTABLE, wrong(report))
+    }
+
     /// How many of the requirements that failed are accepted.
     pub(super) fn count(&self, report: &ExamReport) -> usize {
         let failed = report.requirements.iter().filter(|one| matches!(one.outcome, Outcome::Fail(_)));
@@ -62,7 +70,7 @@ fn ids(finding: &ExamFinding) -> Vec<&'static str> {
 }
 
 /// What is wrong, for a file that accepts it: each id with what it asks for, and how it looks.
-pub(super) fn wrong(report: &ExamReport) -> Vec<(String, String)> {
+fn wrong(report: &ExamReport) -> Vec<(String, String)> {
     let mut wrong = Vec::new();
     for one in &report.requirements {
         let Outcome::Fail(places) = &one.outcome else { continue };

@@ -141,12 +141,47 @@ fn the_exam_has_the_findings_and_the_requirements_of_check() {
 fn the_scenarios_are_listed_and_chosen() {
     let list = run(&["exam", "--list"]);
     assert_eq!((list.status, list.stderr.as_str()), (Some(0), ""));
-    assert_eq!(list.stdout.lines().count(), 43);
+    assert_eq!(list.stdout.lines().count(), 43 + 2);
+    assert!(
+        list.stdout.contains("\nready                       4 s  a mission is selected"),
+        "{}",
+        list.stdout
+    );
     let some = run(&["exam", "--list", "--only", "go-", "--only", "ready"]);
-    assert!(some.stdout.lines().all(|line| line.starts_with("go-") || line.starts_with("ready ")));
+    let mut scenarios = some.stdout.lines().take_while(|line| !line.is_empty());
+    assert!(scenarios.all(|line| line.starts_with("go-") || line.starts_with("ready ")));
+    let quick = run(&["exam", "--list", "--quick"]);
+    assert!(quick.stdout.ends_with("\n5 scenarios: 1 min 7 s in real time\n"), "{}", quick.stdout);
     let none = run(&["exam", "--stdio", "--only", "nothing", "--", "cat"]);
     assert_eq!((none.status, none.stdout.as_str()), (Some(2), ""));
     assert!(none.stderr.contains("--only nothing: no scenario begins so; expected one of no-mission, "));
+}
+
+/// What is asked for on a bus cannot all be asked for at once.
+#[test]
+fn a_bus_and_what_is_on_it_are_asked_for() {
+    for (args, told) in [
+        (&["exam", "--", "true"][..], "<INTERFACE>"),
+        (&["exam", "vcan0"], "<PROGRAM>..."),
+        (&["exam", "vcan0", "--stdio", "--", "true"], "cannot be used with"),
+        (&["exam", "--attach"], "<INTERFACE>"),
+        (&["exam", "vcan0", "--attach", "--", "true"], "cannot be used with"),
+        (&["exam", "vcan0", "--jobs", "2", "--", "true"], "--namespace"),
+        (&["exam", "--namespace", "--jobs", "0", "--", "true"], "0 is not in 1..=64"),
+        (&["exam", "vcan0", "--quick", "--only", "ready", "--", "true"], "cannot be used with"),
+    ] {
+        let refused = run(args);
+        assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""), "{args:?}");
+        assert!(refused.stderr.contains(told), "{args:?}: {}", refused.stderr);
+    }
+}
+
+#[test]
+fn an_interface_that_is_not_there_is_reported() {
+    let refused = run(&["exam", "adsdv-none", "--only", "ready", "--", "true"]);
+    assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""));
+    assert!(refused.stderr.starts_with("adsdv: adsdv-none: "), "{}", refused.stderr);
+    assert!(refused.stderr.contains("\nhint: "), "{}", refused.stderr);
 }
 
 #[test]

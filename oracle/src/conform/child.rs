@@ -4,11 +4,15 @@ use std::ffi::OsString;
 use std::io;
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 
+#[cfg(unix)]
+use super::marked::{kill_marked, ours};
+
 /// The groups of the processes that run at present.
 #[cfg(unix)]
 static RUNNING: std::sync::Mutex<Vec<rustix::process::Pid>> = std::sync::Mutex::new(Vec::new());
 
-/// Kills every program under test that runs at present, with all that it started and that has stayed in its group.
+/// Kills every program under test that runs at present, with all that it started and that has stayed in its group; of a
+/// [`RunningProgram`](super::RunningProgram), also what has left it.
 ///
 /// For whoever has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it.
 #[cfg(unix)]
@@ -18,6 +22,7 @@ pub fn stop_programs() {
         // What cannot be killed is gone already.
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
+    kill_marked(&ours(), true);
 }
 
 /// The process, and its pipes until they are taken.
@@ -31,7 +36,13 @@ impl Process {
     /// Starts a program, in a group of its own where there are such.
     pub(super) fn start(program: &OsString, args: &[OsString]) -> io::Result<(Self, Pipes)> {
         let mut command = Command::new(program);
-        command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command.args(args);
+        Self::spawn(command)
+    }
+
+    /// The same of a command, whatever is to be different about it.
+    pub(super) fn spawn(mut command: Command) -> io::Result<(Self, Pipes)> {
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
@@ -45,6 +56,26 @@ impl Process {
         match pipes {
             (Some(stdin), Some(stdout), Some(stderr)) => Ok((process, (stdin, stdout, stderr))),
             _ => Err(io::ErrorKind::BrokenPipe.into()),
+        }
+    }
+
+    /// Asks it, and all of its group, to end.
+    pub(super) fn ask_to_end(&self) {
+        #[cfg(unix)]
+        {
+            use rustix::process::{Pid, Signal, kill_process_group};
+            // What cannot be asked is gone already.
+            let _ = kill_process_group(Pid::from_child(&self.0), Signal::TERM);
+        }
+    }
+
+    /// Kills it, and all of its group.
+    pub(super) fn kill_group(&self) {
+        #[cfg(unix)]
+        {
+            use rustix::process::{Pid, Signal, kill_process_group};
+            // What cannot be killed is gone already.
+            let _ = kill_process_group(Pid::from_child(&self.0), Signal::KILL);
         }
     }
 
@@ -82,11 +113,10 @@ pub(super) struct Ended {
 
 impl Drop for Process {
     fn drop(&mut self) {
+        self.kill_group();
         #[cfg(unix)]
         {
             let group = rustix::process::Pid::from_child(&self.0);
-            // What cannot be killed is gone already.
-            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
             // Before it is waited for: after that its number may be another's.
             RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner).retain(|&other| other != group);
         }

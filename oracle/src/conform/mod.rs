@@ -8,7 +8,8 @@
 //!
 //! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`ProgramError`] (`program_error.rs`), never in
 //!   waiting for ever; `line_program.rs` is what it shares with every program that speaks in lines, of which `lines.rs` reads
-//!   the lines and `stderr.rs` the last words;
+//!   the lines and `stderr.rs` the last words; `running.rs` is a program that nobody asks anything, and `marked.rs` finds what it
+//!   started, wherever that went;
 //! - `vcu.rs`: what is asked, be it that program or a machine in this process;
 //! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
 //!   such combinations;
@@ -48,6 +49,7 @@ mod failures;
 mod keys;
 mod line_program;
 mod lines;
+mod marked;
 mod options;
 mod own_bit;
 mod program;
@@ -57,6 +59,7 @@ mod report;
 mod requirements;
 mod rng;
 mod run;
+mod running;
 mod set;
 mod shrink;
 mod stderr;
@@ -77,5 +80,6 @@ pub use program_error::{ProgramError, ProgramErrorKind, SentLine, Work, excerpt}
 pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
 pub use run::conform;
+pub use running::RunningProgram;
 pub use vcu::{InProcess, Reply, Vcu};
 pub use verdict::{Follows, Side};
