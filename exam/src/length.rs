@@ -69,8 +69,8 @@ mod tests {
         for edition in Edition::ALL {
             let (quick, all) = (whole(ExamScenario::is_quick, edition), whole(|_| true, edition));
             println!("{}: {quick:?}, {all:?}", edition.version);
-            assert!(quick <= Duration::from_secs(120), "{}: {quick:?}", edition.version);
-            assert!(all <= Duration::from_secs(15 * 60), "{}: {all:?}", edition.version);
+            assert!(quick <= Duration::from_mins(2), "{}: {quick:?}", edition.version);
+            assert!(all <= Duration::from_mins(15), "{}: {all:?}", edition.version);
         }
     }
 

@@ -265,7 +265,8 @@ fn against(ran: &LiveRan) -> Vec<&'static str> {
 }
 
 fn is_clean(ran: &LiveRan, what: &str) {
-    for finding in ran.findings.iter().chain(ran.in_doubt.iter().map(|(finding, _)| finding)) {
+    let mut all = ran.findings.iter().chain(ran.in_doubt.iter().map(|(finding, _)| finding));
+    if let Some(finding) = all.next() {
         panic!("{what}: {} ms: {}; expected {}", finding.t_ns / 1_000_000, finding.seen, finding.expected);
     }
     assert_eq!((&ran.error, &ran.ran.stuck.is_some(), ran.late_ms), (&None, &false, 0), "{what}");
