@@ -45,8 +45,10 @@ impl Difference {
     /// What the second edition changes of the first.
     pub(super) fn between(from: &Edition, to: &Edition) -> Self {
         // Without `..`, so that a further field has to be compared before this compiles. How frames are read and written
-        // follows from the messages, and where the answers by default matter they stand with their questions.
-        let Edition { version, document: _, rules, faults, choices: _, readings: _, bus } = from;
+        // follows from the messages, where the answers by default matter they stand with their questions, and which requirements
+        // there are follows from all of it.
+        let Edition { version, document: _, requirements: _, rules, faults, choices: _, readings: _, bus } =
+            from;
         let Rules { table: _, priorities: _, timing, thresholds } = rules;
         let Bus { messages, devices, reserved: _, read: _, write: _, holds: _ } = bus;
         let (arrows, order) = figure2::compare(from, to);
