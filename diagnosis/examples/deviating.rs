@@ -3,31 +3,44 @@
 //! ```text
 //! deviating off-ready:needs:ami=3 handshake:+450ms finished:shows:as_state=0
 //! deviating --edition 4.0 go:level
+//! deviating --about '{"inputs":["asms","tsms"],"outputs":["as_state"]}' go:level
 //! ```
+//!
+//! With what it announces it is blind to all other inputs, and ends with an error if any of them is given.
 
 use std::error::Error;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 
 use adsdv_diagnosis::{Deviation, Model, Subject};
-use adsdv_oracle::protocol::{Protocol, Request};
-use adsdv_spec::Edition;
+use adsdv_oracle::protocol::{About, Domain, INPUTS, Protocol, Request, Shown};
+use adsdv_spec::{Edition, Inputs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut edition = Edition::DEFAULT;
-    let mut deviations = Vec::new();
+    let (mut deviations, mut announced) = (Vec::new(), None);
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         if arg == "--edition" {
             let version = args.next().ok_or("--edition needs a version")?;
             edition = Edition::find(&version).ok_or(format!("no such edition: {version}"))?;
+        } else if arg == "--about" {
+            announced = Some(args.next().ok_or("--about needs a line of the protocol")?);
         } else {
             deviations.push(Deviation::find(edition, &arg).ok_or(format!("no such deviation: {arg}"))?);
         }
     }
-    let mut program = Model::new(edition, &deviations).running();
     let protocol = Protocol::of(edition);
+    let about = announced.as_deref().map(|line| About::read(line, &protocol)).transpose()?.flatten();
+    let About { inputs: has, outputs, .. } = about.unwrap_or_default();
+    let lacking: Vec<_> =
+        INPUTS.iter().filter(|field| has.as_ref().is_some_and(|has| !has.contains(&field.key))).collect();
+    deviations.extend(lacking.iter().map(|field| Deviation::Ignores { key: field.key }));
+    let mut program = Model::new(edition, &deviations).running();
     let mut requests = BufReader::new(io::stdin().lock());
     let mut answers = BufWriter::new(io::stdout().lock());
+    if let Some(line) = announced {
+        writeln!(answers, "{line}")?;
+    }
     let mut line = String::new();
     loop {
         if requests.buffer().is_empty() {
@@ -43,7 +56,28 @@ fn main() -> Result<(), Box<dyn Error>> {
                 program.reset()?;
                 writeln!(answers, "{{}}")?;
             }
-            Request::Step { dt_ms, inputs } => writeln!(answers, "{}", program.shown(dt_ms, &inputs))?,
+            Request::Step { dt_ms, inputs } => {
+                let given =
+                    lacking.iter().find(|field| (field.get)(&inputs) != (field.get)(&Inputs::default()));
+                if let Some(field) = given {
+                    return Err(format!("{} was given and is not announced", field.key).into());
+                }
+                let shown = program.shown(dt_ms, &inputs);
+                match &outputs {
+                    Some(outputs) => writeln!(answers, "{}", among(&shown, outputs))?,
+                    None => writeln!(answers, "{shown}")?,
+                }
+            }
         }
     }
+}
+
+/// The answer with these outputs alone.
+fn among(shown: &Shown, outputs: &[&str]) -> String {
+    let there = shown.iter().filter(|(field, _)| outputs.contains(&field.key));
+    let each = there.map(|(field, value)| match (value.domain, value.raw) {
+        (Domain::Names(_), Some(raw)) if value.domain.has(raw) => format!("\"{}\":\"{value}\"", field.key),
+        _ => format!("\"{}\":{value}", field.key),
+    });
+    format!("{{{}}}", each.collect::<Vec<_>>().join(","))
 }

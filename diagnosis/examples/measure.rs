@@ -14,7 +14,7 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use adsdv_diagnosis::{Deviation, Model, Record, Running, Subject, diagnose, difference, records};
+use adsdv_diagnosis::{Deviation, Interface, Model, Record, Running, Subject, diagnose, difference, records};
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
 use adsdv_spec::mutation::{Change, Threshold, Time};
@@ -59,7 +59,7 @@ impl Comparison<'_> {
     /// Whether two sets of deviations do the same in all that is tried.
     fn same(&self, one: &[Deviation], other: &[Deviation]) -> bool {
         self.asked(one, other) && self.asked(other, one) && {
-            difference(self.edition, one, other, WALKS, 7).is_none()
+            difference(self.edition, &Interface::default(), one, other, WALKS, 7).is_none()
         }
     }
 

@@ -7,20 +7,22 @@ use adsdv_spec::{Edition, Inputs, Mutation, Row};
 
 use crate::deviation::{Deviation, Remembers, Wheels};
 use crate::dials::{Dial, dials};
+use crate::fixed::Fixed;
+use crate::interface::Interface;
 use crate::model::Model;
 
 /// How late an arrow may be, in steps.
 const LATEST: u8 = 3;
 
-/// Every deviation that has no number in it which would have to be measured.
-pub(crate) fn all(edition: &Edition) -> Vec<Deviation> {
+/// Every deviation that has no number in it which would have to be measured, as far as the inputs of a program can tell it.
+pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let measured = |change: &Change| matches!(change, Change::Time(..) | Change::Threshold(..));
     let changes = Mutation::all(edition).map(|mutation| mutation.change).filter(|change| !measured(change));
     let mut all: Vec<Deviation> = changes.map(Deviation::Changed).collect();
     all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake, Deviation::Wheels(Wheels::All)]);
     all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
     all.extend(Remembers::ALL.map(Deviation::Remembers));
-    let dials = dials(&Model::new(edition, &[]));
+    let dials = dials(&Model::new(edition, &[]), interface);
     all.extend(dials.iter().map(|dial| Deviation::Ignores { key: dial.field.key }));
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
@@ -44,6 +46,8 @@ pub(crate) fn all(edition: &Edition) -> Vec<Deviation> {
             }
         }
     }
+    let fixed = Fixed::of(edition, interface);
+    all.retain(|one| fixed.can_tell(edition, interface, one));
     all
 }
 

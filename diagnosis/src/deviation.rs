@@ -5,6 +5,8 @@ use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{AsState, Edition};
 
+use crate::interface::Interface;
+
 /// One thing that a program does otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deviation {
@@ -127,7 +129,7 @@ pub enum Wheels {
 impl Deviation {
     /// Every deviation from an edition that is looked for, with a few numbers for those that have one.
     pub fn every(edition: &Edition) -> Vec<Self> {
-        let mut all = crate::candidates::all(edition);
+        let mut all = crate::candidates::all(edition, &Interface::default());
         let times =
             [Time::ReadyDwell, Time::EbsTimer, Time::Handshake].map(|time| move |by| Change::Time(time, by));
         all.extend(times.iter().flat_map(|time| [-7, 1, 450].map(|by| Self::Changed(time(by)))));

@@ -11,10 +11,13 @@ use crate::candidates;
 use crate::deviation::Deviation;
 use crate::experiments;
 use crate::fit::{Candidates, Fit};
+use crate::fixed::Fixed;
+use crate::interface::{Interface, Seen};
 use crate::model::Model;
 use crate::random::Random;
 use crate::record::{Record, Records};
 use crate::seek::{self, Sought};
+use crate::stays::Stay;
 use crate::subject::Subject;
 use crate::turn;
 use crate::walk::{difference, walk};
@@ -42,31 +45,38 @@ pub struct Diagnosis {
     pub experiments: usize,
     /// Whether the time was over before all was tried: there may be more, and what was found may be otherwise.
     pub cut: bool,
+    /// The states that the program did not show, or in which some of its answers are not explained.
+    pub unclear: Vec<AsState>,
+    /// The arrows of which nothing is known: the program did not show what it does there, or what it did is not explained.
+    pub not_shown: Vec<(AsState, AsState)>,
 }
 
 /// What a program answers to the experiments that a model leads to.
 pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, ProgramError> {
-    experiments::all(subject, model, 0, &AsState::ALL)
+    experiments::all(subject, &Ways::of(model, &Interface::default()), 0, &AsState::ALL)
 }
 
 /// Finds out what a program does otherwise than an edition says.
 pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosis, ProgramError> {
-    diagnose_within(subject, edition, LONGEST)
+    diagnose_within(subject, edition, &Interface::default(), LONGEST)
 }
 
-/// The same, in this time: one that does what no deviation explains can be looked at for very long.
+/// The same of a program that has these inputs and outputs, in this time: one that does what no deviation explains can be looked at
+/// for very long.
 pub fn diagnose_within(
     subject: &mut dyn Subject,
     edition: &Edition,
+    interface: &Interface,
     time: Duration,
 ) -> Result<Diagnosis, ProgramError> {
     let now = Instant::now();
     let until = now.checked_add(time).unwrap_or(now);
-    let single = candidates::all(edition);
+    let single = candidates::all(edition, interface);
     let candidates = Candidates { single, several: Vec::new() };
     let mut search = Search {
-        subject,
+        subject: &mut Seen { subject, interface },
         edition,
+        interface,
         candidates,
         records: Records::default(),
         found: Vec::new(),
@@ -96,6 +106,7 @@ pub fn diagnose_within(
 struct Search<'a> {
     subject: &'a mut dyn Subject,
     edition: &'a Edition,
+    interface: &'a Interface,
     candidates: Candidates,
     records: Records,
     found: Vec<Deviation>,
@@ -123,7 +134,8 @@ impl Search<'_> {
 
     fn is_explained_by_experiments(&mut self, round: u64) -> Result<bool, ProgramError> {
         let model = self.model();
-        let records = experiments::all(self.subject, &model, round, &AsState::ALL)?;
+        let ways = Ways::of(&model, self.interface);
+        let records = experiments::all(self.subject, &ways, round, &AsState::ALL)?;
         Ok(self.keep(records, &model))
     }
 
@@ -134,7 +146,8 @@ impl Search<'_> {
         let mut asked = Vec::new();
         for other in alike {
             let seed = self.random.below(usize::MAX) as u64;
-            if let Some(steps) = difference(self.edition, &self.found, &other, COMPARED, seed) {
+            if let Some(steps) = difference(self.edition, self.interface, &self.found, &other, COMPARED, seed)
+            {
                 asked.push(Record::of(self.subject, &steps)?);
             }
         }
@@ -143,7 +156,7 @@ impl Search<'_> {
 
     fn is_explained_by_walks(&mut self) -> Result<bool, ProgramError> {
         let model = self.model();
-        let ways = Ways::of(&model);
+        let ways = Ways::of(&model, self.interface);
         let mut records = Vec::new();
         for _ in (0..WALKS).take_while(|_| Instant::now() < self.until) {
             records.push(walk(self.subject, &ways, &mut self.random)?);
@@ -183,7 +196,7 @@ impl Search<'_> {
     /// The numbers that turn a program that has these deviations.
     fn measure(&mut self, with: &[Deviation]) -> Result<(), ProgramError> {
         let model = Model::new(self.edition, with);
-        let mut measured = turn::all(self.subject, &Ways::of(&model))?;
+        let mut measured = turn::all(self.subject, &Ways::of(&model, self.interface))?;
         measured.retain(|one| !self.candidates.single.contains(one));
         self.candidates.single.extend(measured);
         Ok(())
@@ -212,7 +225,7 @@ impl Search<'_> {
     /// Looks for an arrow, and for what it needs.
     fn seek(&mut self, without: &[Deviation], from: AsState, to: AsState) -> Result<(), ProgramError> {
         let model = Model::new(self.edition, without);
-        let ways = Ways::of(&model);
+        let ways = Ways::of(&model, self.interface);
         let sight = Sought { ways: &ways, from, to }.look(self.subject, &mut self.random)?;
         self.records.extend(sight.records);
         let found = match sight.needs {
@@ -248,7 +261,8 @@ impl Search<'_> {
                 break;
             }
             let model = Model::new(self.edition, &[without, &opposites].concat());
-            let sight = Sought { ways: &Ways::of(&model), from, to }.look_once(self.subject)?;
+            let sight =
+                Sought { ways: &Ways::of(&model, self.interface), from, to }.look_once(self.subject)?;
             self.records.extend(sight.records);
             if sight.needs.is_some() {
                 return Ok(Some(opposites));
@@ -258,7 +272,7 @@ impl Search<'_> {
     }
 
     fn result(self) -> Diagnosis {
-        let Self { edition, candidates, records, found, until, .. } = self;
+        let Self { edition, interface, candidates, records, found, until, .. } = self;
         let cut = Instant::now() >= until;
         let fit = Fit::new(edition, records.kept(), &candidates, until);
         let certain = fit.certain(found);
@@ -266,6 +280,17 @@ impl Search<'_> {
         let model = Model::new(edition, &deviations);
         let all = records.kept().iter().map(crate::record::Kept::record);
         let unexplained = all.filter(|record| !record.is_explained(&model)).collect();
-        Diagnosis { deviations, unexplained, experiments: records.count, cut }
+        let stays = fit.stays(&deviations);
+        let is_clear = |(state, stays): &&(AsState, Vec<Stay<'_>>)| {
+            !stays.is_empty() && fit.wrong_in(*state, &deviations) == 0
+        };
+        let clear: Vec<AsState> = stays.iter().filter(is_clear).map(|(state, _)| *state).collect();
+        let unclear: Vec<AsState> = AsState::ALL.into_iter().filter(|state| !clear.contains(state)).collect();
+        let fixed = Fixed::of(edition, interface);
+        let arrows = edition.rules.table.rows().iter().map(|row| (row.from, row.to));
+        let is_shown =
+            |&(from, to): &(AsState, AsState)| clear.contains(&from) && fixed.can_be_taken(edition, from, to);
+        let not_shown = arrows.filter(|arrow| !is_shown(arrow)).collect();
+        Diagnosis { deviations, unexplained, experiments: records.count, cut, unclear, not_shown }
     }
 }

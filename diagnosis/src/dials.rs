@@ -2,6 +2,7 @@
 
 use adsdv_oracle::protocol::{Domain, InputField, Protocol};
 
+use crate::interface::Interface;
 use crate::model::Model;
 
 /// An input, with the values of it that are worth trying.
@@ -11,11 +12,11 @@ pub(crate) struct Dial {
     pub(crate) values: Vec<i32>,
 }
 
-/// Every input, but for the handshake, which follows the program's own bit.
-pub(crate) fn dials(model: &Model) -> Vec<Dial> {
+/// Every input that a program has, but for the handshake, which follows the program's own bit.
+pub(crate) fn dials(model: &Model, interface: &Interface) -> Vec<Dial> {
     let edition = model.machine().edition();
     let protocol = Protocol::of(edition);
-    let inputs = protocol.inputs().filter(|(field, _)| field.key != "handshake");
+    let inputs = protocol.inputs().filter(|(field, _)| field.key != "handshake" && interface.has(field.key));
     let of =
         |(field, domain): (&'static InputField, Domain)| Dial { field, values: values(model, field, domain) };
     inputs.map(of).collect()

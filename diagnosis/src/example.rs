@@ -1,13 +1,15 @@
 //! The shortest scenario that shows a deviation: by itself, or beside as few others as can be.
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, Difference, Shown};
+use adsdv_oracle::protocol::{Difference, Shown};
 use adsdv_oracle::suite::{self, Scenario, Step};
 use adsdv_spec::{AsState, Edition};
 
 use crate::deviation::Deviation;
 use crate::experiments;
+use crate::interface::Interface;
 use crate::model::{Memory, Model};
+use crate::ways::Ways;
 
 /// A scenario in whose last step a deviation shows.
 #[derive(Clone, Debug)]
@@ -27,23 +29,32 @@ struct Relative {
     answers: bool,
 }
 
-/// For each of the deviations of a program the shortest scenario that was found.
-pub fn examples(edition: &Edition, deviations: &[Deviation]) -> Result<Vec<Option<Example>>, ProgramError> {
+/// For each of the deviations of a program the shortest scenario that was found with the inputs and the outputs that it has.
+pub fn examples(
+    edition: &Edition,
+    interface: &Interface,
+    deviations: &[Deviation],
+) -> Result<Vec<Option<Example>>, ProgramError> {
     let program = Model::new(edition, deviations);
-    let asked = experiments::all(&mut program.clone().running(), &program, 0, &AsState::ALL)?;
+    let ways = Ways::of(&program, interface);
+    let asked = experiments::all(&mut program.clone().running(), &ways, 0, &AsState::ALL)?;
     let usual = Model::new(edition, &[]);
     let tests = suite::generate(edition);
     let asked = asked.iter().map(|record| relative(&program, &record.steps));
     // The tests have every time and threshold just below, at, and just above.
-    let tested = tests.iter().map(|test| relative(&usual, &test.scenario.steps));
+    let can_be_asked = |test: &&suite::Test| {
+        test.scenario.steps.iter().all(|step| interface.held(step.inputs) == step.inputs)
+    };
+    let tested = tests.iter().filter(can_be_asked).map(|test| relative(&usual, &test.scenario.steps));
     let pool: Vec<Vec<Relative>> = asked.chain(tested).collect();
-    let search = |place| ExampleSearch::new(edition, deviations, place).shortest(&pool);
+    let search = |place| ExampleSearch::new(edition, interface, deviations, place).shortest(&pool);
     Ok((0..deviations.len()).map(search).collect())
 }
 
 /// What tells one deviation from the others.
 struct ExampleSearch<'a> {
     edition: &'a Edition,
+    interface: &'a Interface,
     program: Model,
     /// The program without it.
     without: Model,
@@ -52,7 +63,7 @@ struct ExampleSearch<'a> {
 }
 
 impl<'a> ExampleSearch<'a> {
-    fn new(edition: &'a Edition, deviations: &[Deviation], place: usize) -> Self {
+    fn new(edition: &'a Edition, interface: &'a Interface, deviations: &[Deviation], place: usize) -> Self {
         let but = |place: usize| {
             let mut fewer = deviations.to_vec();
             fewer.remove(place);
@@ -61,6 +72,7 @@ impl<'a> ExampleSearch<'a> {
         let others = deviations.iter().enumerate().filter(|(other, _)| *other != place);
         Self {
             edition,
+            interface,
             program: Model::new(edition, deviations),
             without: but(place),
             others: others.map(|(other, deviation)| (*deviation, but(other))).collect(),
@@ -76,25 +88,24 @@ impl<'a> ExampleSearch<'a> {
         let last = last_shown(&self.program, &scenario)?;
         let usual = Model::new(self.edition, &[]);
         // Where another deviation hides what the document expects, it is what the program would show without this one.
-        let expected = last_shown(&usual, &scenario).filter(|shown| *shown != last);
+        let expected = last_shown(&usual, &scenario).filter(|shown| !self.interface.are_alike(last, shown));
         let expected = expected.or_else(|| last_shown(&self.without, &scenario))?;
-        let differences = Answer::from(last).differences(&expected).collect();
+        let differences = self.interface.compared(last.into()).differences(&expected).collect();
         Some(Example { scenario, differences, beside: self.beside(&best) })
     }
 
     /// The steps up to the first in which the deviation shows; `None` if there is none.
     fn cut(&self, steps: &[Relative]) -> Option<Vec<Relative>> {
         let scenario = self.scenario(steps);
-        let place = first_difference(&self.program, &self.without, &scenario)?;
+        let place = self.first_difference(&self.without, &scenario)?;
         steps.get(..=place).map(<[Relative]>::to_vec)
     }
 
     /// The others that matter in these steps.
     fn beside(&self, steps: &[Relative]) -> Vec<Deviation> {
         let scenario = self.scenario(steps);
-        let matters = |(_, without): &&(Deviation, Model)| {
-            first_difference(&self.program, without, &scenario).is_some()
-        };
+        let matters =
+            |(_, without): &&(Deviation, Model)| self.first_difference(without, &scenario).is_some();
         self.others.iter().filter(matters).map(|(deviation, _)| *deviation).collect()
     }
 
@@ -124,6 +135,12 @@ impl<'a> ExampleSearch<'a> {
         steps
     }
 
+    /// The first step in which the program does not show what another does.
+    fn first_difference(&self, other: &Model, scenario: &Scenario) -> Option<usize> {
+        let mut both = shown(&self.program, scenario).zip(shown(other, scenario));
+        both.position(|(one, other)| !self.interface.are_alike(one, &other))
+    }
+
     /// The steps, with the handshake as the AI Computer answers the program's own bit.
     fn scenario(&self, steps: &[Relative]) -> Scenario {
         let mut memory = Memory::INITIAL;
@@ -131,6 +148,7 @@ impl<'a> ExampleSearch<'a> {
         let each = steps.iter().map(|one| {
             let mut step = one.step;
             step.inputs.ai.status.handshake = bit == one.answers;
+            step.inputs = self.interface.held(step.inputs);
             let (after, outputs) = self.program.step(&memory, &step.inputs, step.dt_ms);
             (memory, bit) = (after, outputs.handshake);
             step
@@ -163,10 +181,6 @@ fn shown<'a>(model: &'a Model, scenario: &'a Scenario) -> impl Iterator<Item = S
 
 fn last_shown(model: &Model, scenario: &Scenario) -> Option<Shown> {
     shown(model, scenario).last()
-}
-
-fn first_difference(one: &Model, other: &Model, scenario: &Scenario) -> Option<usize> {
-    shown(one, scenario).zip(shown(other, scenario)).position(|(one, other)| one != other)
 }
 
 fn time_ms(steps: &[Relative]) -> u64 {

@@ -29,13 +29,12 @@ pub(crate) struct Experiments<'a> {
 /// What was tried and answered in these states.
 pub(crate) fn all(
     subject: &mut dyn Subject,
-    model: &Model,
+    ways: &Ways<'_>,
     seed: u64,
     states: &[AsState],
 ) -> Result<Vec<Record>, ProgramError> {
-    let ways = Ways::of(model);
-    let mut experiments =
-        Experiments { subject, model, ways: &ways, records: Vec::new(), random: Random(seed) };
+    let model = ways.model;
+    let mut experiments = Experiments { subject, model, ways, records: Vec::new(), random: Random(seed) };
     for &state in states {
         experiments.alone(state)?;
         let terms = experiments.terms(state);

@@ -20,11 +20,13 @@ pub struct Arrow {
     pub otherwise: Vec<String>,
     /// Whether it is the document's, and the program never takes it.
     pub missing: bool,
+    /// Whether nothing is known of it.
+    pub not_shown: bool,
 }
 
-/// The arrows of a program that deviates in this way: those of one state in the order in which they are tried, then those that the
+/// The arrows of a program that deviates in this way, and did not show some of them: those of one state in the order in which they are tried, then those that the
 /// document has and the program does not.
-pub fn figure(edition: &Edition, deviations: &[Deviation]) -> Vec<Arrow> {
+pub fn figure(edition: &Edition, deviations: &[Deviation], not_shown: &[(AsState, AsState)]) -> Vec<Arrow> {
     let model = Model::new(edition, deviations);
     let machine = model.machine();
     let table = &machine.edition().rules.table;
@@ -44,6 +46,7 @@ pub fn figure(edition: &Edition, deviations: &[Deviation]) -> Vec<Arrow> {
                         guard: vec![guard],
                         otherwise: Vec::new(),
                         missing: false,
+                        not_shown: false,
                     },
                 )),
             }
@@ -52,6 +55,11 @@ pub fn figure(edition: &Edition, deviations: &[Deviation]) -> Vec<Arrow> {
     let mut arrows: Vec<Arrow> = arrows.into_iter().map(|(_, arrow)| arrow).collect();
     add_those_beside(edition, deviations, &mut arrows);
     mark(edition, deviations, &mut arrows);
+    for arrow in &mut arrows {
+        // What is otherwise about it the program did show.
+        arrow.not_shown =
+            !arrow.missing && arrow.otherwise.is_empty() && not_shown.contains(&(arrow.from, arrow.to));
+    }
     arrows
 }
 
@@ -60,8 +68,15 @@ fn add_those_beside(edition: &Edition, deviations: &[Deviation], arrows: &mut Ve
     for deviation in deviations {
         if let Deviation::Also { from, to, .. } = deviation {
             let guard = vec![deviation.condition(edition).unwrap_or_default()];
-            let arrow =
-                Arrow { from: *from, to: *to, section: None, guard, otherwise: Vec::new(), missing: false };
+            let arrow = Arrow {
+                from: *from,
+                to: *to,
+                section: None,
+                guard,
+                otherwise: Vec::new(),
+                missing: false,
+                not_shown: false,
+            };
             arrows.push(arrow);
         }
     }
@@ -72,7 +87,15 @@ fn add_those_beside(edition: &Edition, deviations: &[Deviation], arrows: &mut Ve
         }
         let guard = row.terms().iter().map(|term| in_words(edition, &usual, row, term)).collect();
         let (section, otherwise) = (Some(row.section), Vec::new());
-        arrows.push(Arrow { from: row.from, to: row.to, section, guard, otherwise, missing: true });
+        arrows.push(Arrow {
+            from: row.from,
+            to: row.to,
+            section,
+            guard,
+            otherwise,
+            missing: true,
+            not_shown: false,
+        });
     }
 }
 

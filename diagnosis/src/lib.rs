@@ -19,7 +19,8 @@
 //!
 //! A deviation is named only if taking it away explains less. Another deviation that explains as much stands beside it.
 //!
-//! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process;
+//! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process; `interface.rs`: the inputs and the
+//!   outputs that it has, and `fixed.rs`: the conditions that these cannot change;
 //! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id); `words.rs`: what that is called, and `against.rs`: the
 //!   requirements that it is against;
 //! - `model.rs`: the state machine that does so, `rest.rs` with what is no change of Figure 2; `running.rs`: as a program;
@@ -57,6 +58,8 @@ mod example;
 mod experiments;
 mod figure;
 mod fit;
+mod fixed;
+mod interface;
 mod model;
 mod named;
 mod pilot;
@@ -78,6 +81,7 @@ pub use deviation::{Deviation, Remembers, Wheels};
 pub use diagnose::{Diagnosis, diagnose, diagnose_within, records};
 pub use example::{Example, examples};
 pub use figure::{Arrow, figure};
+pub use interface::Interface;
 pub use model::Model;
 pub use record::Record;
 pub use running::Running;

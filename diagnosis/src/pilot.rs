@@ -99,11 +99,11 @@ impl<'a> Pilot<'a> {
         Ok(())
     }
 
-    /// The inputs with the answer to the handshake.
-    const fn answering(&self, inputs: &Inputs) -> Inputs {
+    /// The inputs with the answer to the handshake, as far as the program has them.
+    fn answering(&self, inputs: &Inputs) -> Inputs {
         let mut answering = *inputs;
         answering.ai.status.handshake = self.bit == self.answers;
-        answering
+        self.ways.interface.held(answering)
     }
 
     /// What the model remembers after a step with these inputs.

@@ -6,6 +6,7 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Term};
 
 use crate::deviation::Deviation;
+use crate::interface::{Interface, Seen};
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
@@ -83,9 +84,11 @@ pub(crate) fn walk(
     Ok(pilot.record())
 }
 
-/// Steps at whose end two models do not show the same, found in so many walks; `None` if there are none among them.
+/// Steps at whose end two models do not show the same, as far as a program has inputs and outputs, found in so many walks; `None` if
+/// there are none among them.
 pub fn difference(
     edition: &Edition,
+    interface: &Interface,
     one: &[Deviation],
     other: &[Deviation],
     walks: usize,
@@ -94,10 +97,11 @@ pub fn difference(
     let (one, other) = (Model::new(edition, one), Model::new(edition, other));
     let mut random = Random(seed);
     for (leads, follows) in [(&one, &other), (&other, &one)] {
-        let ways = Ways::of(leads);
+        let ways = Ways::of(leads, interface);
         let mut running = leads.clone().running();
         for _ in 0..walks {
-            let record = walk(&mut running, &ways, &mut random).ok()?;
+            let mut seen = Seen { subject: &mut running, interface };
+            let record = walk(&mut seen, &ways, &mut random).ok()?;
             let same = record.agrees(follows);
             if same < record.replies.len() {
                 let mut steps = record.steps;

@@ -8,6 +8,7 @@ use adsdv_spec::Term;
 use adsdv_spec::messages::AsState;
 
 use crate::dials::{Dial, dials};
+use crate::interface::Interface;
 use crate::model::Model;
 use crate::pilot::Pilot;
 
@@ -32,6 +33,8 @@ pub(crate) enum By {
 #[derive(Clone, Debug)]
 pub(crate) struct Ways<'a> {
     pub(crate) model: &'a Model,
+    /// What the program has.
+    pub(crate) interface: &'a Interface,
     /// What can be changed.
     pub(crate) dials: Vec<Dial>,
     /// Those that are known, each with its state.
@@ -39,9 +42,10 @@ pub(crate) struct Ways<'a> {
 }
 
 impl<'a> Ways<'a> {
-    /// The shortest way to each state to which the model finds one.
-    pub(crate) fn of(model: &'a Model) -> Self {
-        let mut ways = Self { model, dials: dials(model), known: vec![(AsState::Off, Vec::new())] };
+    /// The shortest way to each state to which the model finds one with the inputs that a program has.
+    pub(crate) fn of(model: &'a Model, interface: &'a Interface) -> Self {
+        let (dials, known) = (dials(model, interface), vec![(AsState::Off, Vec::new())]);
+        let mut ways = Self { model, interface, dials, known };
         let mut begins = VecDeque::from([AsState::Off]);
         while let Some(from) = begins.pop_front() {
             for hop in model.hops(from) {

@@ -132,8 +132,8 @@ EXIT STATUS
   0  the program conforms
   1  it does not
   2  no verdict: the program could not be started, ended early, did not answer in
-     time, was not done in time, or does not speak the protocol; or the arguments
-     are wrong")]
+     time, was not done in time, or does not speak the protocol; no test of the
+     suite could be run; or the arguments are wrong")]
 pub(crate) struct ConformArgs {
     /// The program, and its arguments, after --.
     #[arg(value_name = "PROGRAM", required = true, last = true, num_args = 1..)]
@@ -158,6 +158,18 @@ pub(crate) struct ConformArgs {
     /// Do not look for deviations: only run the tests.
     #[arg(long, conflicts_with_all = ["diagnose", "accept", "write_accept", "figure"])]
     pub(crate) no_diagnosis: bool,
+
+    /// How long the search for deviations may take, within --time-limit.
+    ///
+    /// What the program does is found out in seconds where it can be explained. Where it cannot, a longer search may name more.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "60",
+        value_parser = time_limit,
+        allow_negative_numbers = true
+    )]
+    pub(crate) diagnosis_limit: Duration,
 
     /// Accept the deviations of this file: the verdict is about all others.
     ///
@@ -222,7 +234,7 @@ pub(crate) struct ConformArgs {
     )]
     pub(crate) time_limit: Duration,
 
-    /// List the requirements that passed as well.
+    /// List the requirements that passed as well, the tests that were not run, and the outputs that are not shown.
     #[arg(long)]
     pub(crate) all: bool,
 

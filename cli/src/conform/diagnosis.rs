@@ -3,11 +3,13 @@
 use std::fmt::{self, Write as _};
 use std::time::Duration;
 
-use adsdv_diagnosis::{Arrow, Diagnosis, Example, Model, Record, Subject, diagnose_within, examples, figure};
+use adsdv_diagnosis::{
+    Arrow, Diagnosis, Example, Interface, Model, Record, Subject, diagnose_within, examples, figure,
+};
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_oracle::protocol::{Answer, Difference};
 use adsdv_oracle::suite::are_decisions;
-use adsdv_spec::{Choices, Edition, Inputs, Machine, Readings};
+use adsdv_spec::{AsState, Choices, Edition, Inputs, Machine, Reading, Readings};
 use serde::Serialize;
 
 use super::figure::{self as drawn, mark};
@@ -18,8 +20,6 @@ use crate::layout::{counted, wrapped};
 use crate::progress::ProgressLine;
 use crate::report::style::{self, Styled};
 
-/// A program that does what nothing explains is not looked at for longer.
-const LONGEST: Duration = Duration::from_mins(1);
 /// Progress is shown after so many steps.
 const SHOWN_EVERY: u64 = 500;
 
@@ -34,6 +34,8 @@ pub(super) struct DiagnosedProgram {
     accepted: Accepted,
     /// Whether what is only against decisions of this project counts.
     strict: bool,
+    /// How long the search was allowed to take.
+    limit: Duration,
     /// The program as far as it was found out.
     model: Model,
 }
@@ -50,11 +52,14 @@ pub(super) fn of(
 ) -> Result<DiagnosedProgram, ProgramError> {
     let mut program = Asked { program: start(args)?, steps: 0, line: ProgressLine::new() };
     program.program.hello(edition)?;
+    let limit = args.diagnosis_limit;
+    let interface = Interface::new(&report.about, &report.not_shown);
     let usual = edition.readings.choices().iter().filter(|choice| possible.has(*choice));
     let usual = usual.fold(report.readings, Readings::with);
-    let mut best = found_by(&mut program, &Edition { readings: usual, ..*edition })?;
+    let mut best = found_by(&mut program, &Edition { readings: usual, ..*edition }, &interface, limit)?;
     if usual != report.readings && cost(&best.1) > (0, 1) {
-        let other = found_by(&mut program, &Edition { readings: report.readings, ..*edition })?;
+        let other =
+            found_by(&mut program, &Edition { readings: report.readings, ..*edition }, &interface, limit)?;
         if cost(&other.1) < cost(&best.1) {
             best = other;
         }
@@ -63,10 +68,11 @@ pub(super) fn of(
     program.line.show(format_args!("diagnosis: the shortest scenarios of {}", found.deviations.len()));
     let deviations = &found.deviations;
     Ok(DiagnosedProgram {
-        examples: examples(&edition, deviations)?,
-        figure: figure(&edition, deviations),
+        examples: examples(&edition, &interface, deviations)?,
+        figure: figure(&edition, deviations, &found.not_shown),
         accepted: accepted.clone(),
         strict: args.strict,
+        limit: args.diagnosis_limit,
         model: Model::new(&edition, deviations),
         edition,
         found,
@@ -78,8 +84,13 @@ fn cost(found: &Diagnosis) -> (usize, usize) {
     (found.unexplained.len(), found.deviations.len())
 }
 
-fn found_by(program: &mut Asked, edition: &Edition) -> Result<(Edition, Diagnosis), ProgramError> {
-    Ok((*edition, diagnose_within(program, edition, LONGEST)?))
+fn found_by(
+    program: &mut Asked,
+    edition: &Edition,
+    interface: &Interface,
+    limit: Duration,
+) -> Result<(Edition, Diagnosis), ProgramError> {
+    Ok((*edition, diagnose_within(program, edition, interface, limit)?))
 }
 
 impl DiagnosedProgram {
@@ -91,6 +102,13 @@ impl DiagnosedProgram {
     /// Whether deviations explain what the tests of a question show, by another answer than these speak for.
     pub(super) fn is_otherwise(&self, follows: &Follows) -> bool {
         !follows.possible.contains(&self.edition.readings.choice(follows.reading))
+    }
+
+    /// Whether it is not known how the program answers a question: the search ended, and what it does in a state in which that
+    /// counts was not explained.
+    pub(super) fn is_unclear(&self, reading: Reading) -> bool {
+        let counts = states_of(&self.edition, reading);
+        self.found.cut && self.found.unclear.iter().any(|state| counts.is_empty() || counts.contains(state))
     }
 
     /// The deviations.
@@ -132,6 +150,20 @@ impl DiagnosedProgram {
     }
 }
 
+/// The states that are left otherwise by another answer to a question; none where it is about more than the arrows.
+fn states_of(edition: &Edition, reading: Reading) -> Vec<AsState> {
+    let choices = reading.choices().iter().filter(|choice| edition.choices.has(**choice));
+    let machines: Vec<Machine> =
+        choices.map(|choice| Machine::new(*edition, edition.readings.with(*choice))).collect();
+    let differs = |state: &AsState| {
+        machines
+            .iter()
+            .zip(machines.iter().skip(1))
+            .any(|(one, other)| !one.arrows(*state).eq(other.arrows(*state)))
+    };
+    AsState::ALL.into_iter().filter(differs).collect()
+}
+
 /// A program, with how many steps it was asked for on the terminal.
 struct Asked {
     program: Program,
@@ -155,10 +187,22 @@ impl Subject for Asked {
 
 /// As text, below the header.
 pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) -> fmt::Result {
-    let DiagnosedProgram { edition, found, accepted, .. } = program;
+    let DiagnosedProgram { edition, found, accepted, limit, .. } = program;
     writeln!(out, "\n{}", Styled(style::HEADING, "DEVIATIONS"))?;
+    let experiments = counted(found.experiments as u64, "experiment");
+    let (limit, longer) = (limit.as_secs_f64(), limit.as_secs_f64() * 10.0);
     if found.deviations.is_empty() {
-        writeln!(out, "  none in {}", counted(found.experiments as u64, "experiment"))?;
+        let undecided = Styled(style::CARE, "undecided:");
+        let text = match (found.cut, found.unexplained.len()) {
+            (true, _) => format!(
+                "{undecided} the search ended after {limit} s and names nothing; see FAILURES; run again with --diagnosis-limit {longer}"
+            ),
+            (false, 0) => format!("none in {experiments}"),
+            (false, _) => {
+                format!("{undecided} nothing that can be named explains what it does; see FAILURES")
+            }
+        };
+        wrapped(out, text.split(' '), 2, width);
     }
     let machine = Machine::new(*edition, edition.readings);
     for (deviation, example) in found.deviations.iter().zip(&program.examples) {
@@ -185,13 +229,16 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
         shown(out, (&id, example.as_ref()), (edition, &machine), width)?;
     }
     if !found.unexplained.is_empty() {
-        let many = counted(found.unexplained.len() as u64, "experiment");
-        let rest = format!("not explained by that: {many} of {}", found.experiments);
+        let by = if found.deviations.is_empty() { "" } else { " by that" };
+        let rest = format!("not explained{by}: {} of {experiments}", found.unexplained.len());
         wrapped(out, rest.split(' '), 2, width);
     }
-    if found.cut {
-        let rest = format!("the search ended after {} s: there may be more", LONGEST.as_secs());
-        writeln!(out, "  {} {rest}", Styled(style::CARE, "note:"))?;
+    if found.cut && !found.deviations.is_empty() {
+        let note = Styled(style::CARE, "note:");
+        let rest = format!(
+            "{note} the search ended after {limit} s: there may be more; run again with --diagnosis-limit {longer}"
+        );
+        wrapped(out, rest.split(' '), 2, width);
     }
     for id in program.unused() {
         let text = format!("{id} is accepted, and is not there any more: take it out of the file");
@@ -266,6 +313,7 @@ struct ArrowJson<'a> {
     guard: &'a [String],
     otherwise: &'a [String],
     missing: bool,
+    not_shown: bool,
 }
 
 impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
@@ -294,6 +342,7 @@ impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
             guard: &arrow.guard,
             otherwise: &arrow.otherwise,
             missing: mark(arrow) == adsdv_spec::export::Mark::Missing,
+            not_shown: arrow.not_shown,
         };
         Self {
             experiments: found.experiments,

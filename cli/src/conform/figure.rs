@@ -15,9 +15,13 @@ use crate::report::style::{self, Styled};
 pub(super) fn write(out: &mut String, arrows: &[Arrow], width: usize) -> fmt::Result {
     writeln!(out, "\n{}", Styled(style::HEADING, "FIGURE 2 AS THE PROGRAM DOES IT"))?;
     for arrow in arrows {
-        let Arrow { from, to, section, guard, otherwise, missing } = arrow;
+        let Arrow { from, to, section, guard, otherwise, missing, not_shown } = arrow;
         let (leads, section) = (format!("{from} -> {to}"), section.map_or("-", |section| section));
         match mark(arrow) {
+            Mark::Usual if *not_shown => {
+                writeln!(out, "  {leads:34} {section:5} {}", Styled(style::QUIET, "not shown"))?;
+                continue;
+            }
             Mark::Usual => {
                 writeln!(out, "  {leads:34} {section:5} as in the document")?;
                 continue;
@@ -67,11 +71,18 @@ pub(super) fn draw(path: &Path, title: &str, arrows: &[Arrow]) -> Result<(), Err
     })
 }
 
-fn label(Arrow { section, guard, otherwise, .. }: &Arrow) -> String {
+fn label(Arrow { section, guard, otherwise, not_shown, .. }: &Arrow) -> String {
     let section = section.map(|section| format!("section {section}"));
     let guard = guard.iter().enumerate().map(|(place, term)| {
         let term = term.replace(" and ", "\nand ");
         if place == 0 { term } else { format!("or {term}") }
     });
-    section.into_iter().chain(otherwise.iter().cloned()).chain(guard).collect::<Vec<_>>().join("\n")
+    let not_shown = not_shown.then(|| "not shown".to_owned());
+    section
+        .into_iter()
+        .chain(not_shown)
+        .chain(otherwise.iter().cloned())
+        .chain(guard)
+        .collect::<Vec<_>>()
+        .join("\n")
 }

@@ -54,7 +54,7 @@ pub(super) fn text(subject: &JudgedProgram<'_>, report: &ConformReport) -> Strin
             .iter()
             .map(|Follows { reading, .. }| (reading.id(), readings.choice(*reading).id()))
             .collect(),
-        follows: report.follows.iter().map(|follows| FollowsJson::of(follows, readings)).collect(),
+        follows: report.follows.iter().map(|follows| FollowsJson::of(subject, follows, readings)).collect(),
         not_shown: &report.not_shown,
         not_run: &report.not_run,
         notes: &report.notes,
@@ -209,13 +209,18 @@ impl StepJson {
 
 impl<'a> FollowsJson<'a> {
     /// What the tests speak for, and what explains them by deviations.
-    fn of(follows: &'a Follows, readings: Readings) -> Self {
+    fn of(subject: &JudgedProgram<'_>, follows: &'a Follows, readings: Readings) -> Self {
+        let choices = subject.edition.edition().choices;
+        let unclear = subject.diagnosis.as_ref().is_some_and(|program| program.is_unclear(follows.reading));
+        // What is not known may be any.
+        let open = follows.reading.choices().iter().copied().filter(|choice| choices.has(*choice));
+        let open = open.filter(|choice| unclear && !follows.possible.contains(choice));
         let other =
             Some(readings.choice(follows.reading)).filter(|choice| !follows.possible.contains(choice));
-        let other = other.filter(|_| !follows.possible.is_empty());
+        let other = other.filter(|_| !follows.possible.is_empty() && !unclear);
         Self {
             reading: follows.reading.id(),
-            possible: follows.possible.iter().copied().chain(other).map(Choice::id).collect(),
+            possible: follows.possible.iter().copied().chain(other).chain(open).map(Choice::id).collect(),
             mixes: follows
                 .mixes
                 .iter()

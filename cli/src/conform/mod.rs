@@ -68,6 +68,9 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     let read = |path| Accepted::read(path, &ACCEPTABLE);
     let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
     let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
+    if report.tests == 0 {
+        return Err(nothing_run(&name, &report));
+    }
     let diagnosis = if is_diagnosed(args, &report) {
         let found = diagnosis::of(args, (edition, options.possible), &report, &accepted);
         Some(found.map_err(|trouble| no_verdict(&name, args, &trouble))?)
@@ -82,7 +85,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     if let Some(path) = &args.figure {
         let title = format!("Figure 2 as {name} does it ({})", chosen.edition().version);
         let own = diagnosis.as_ref().map(|program| program.figure.clone());
-        figure::draw(path, &title, &own.unwrap_or_else(|| adsdv_diagnosis::figure(edition, &[])))?;
+        figure::draw(path, &title, &own.unwrap_or_else(|| adsdv_diagnosis::figure(edition, &[], &[])))?;
     }
     let conforms = conforms(args, &report, diagnosis.as_ref());
     let undiagnosed = undiagnosed(args, &report);
@@ -93,6 +96,25 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
     }
     Ok(if conforms { Status::Conforms } else { Status::Violates })
+}
+
+/// No test was run, so that there is nothing to judge by.
+fn nothing_run(name: &str, report: &ConformReport) -> Error {
+    const SHOWN: usize = 5;
+    let mut names = report.not_run.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    if let Some(more) = report.not_run.len().checked_sub(SHOWN).filter(|more| *more > 0) {
+        names += &format!(" and {more} more");
+    }
+    let hint = if report.about.wall_clock {
+        "raise --time-limit, or give tests that take less time with --suite"
+    } else {
+        "give it the inputs of these tests, and announce them (\"inputs\", see oracle/PROTOCOL.md), or give others with --suite"
+    };
+    Error {
+        what: name.to_owned(),
+        why: format!("no test of the suite was run, for {}: {names}", text::why_not_run(report)),
+        hint: hint.to_owned(),
+    }
 }
 
 /// Whether it is found out what the program does otherwise: where it does something so, and can be asked at any time.

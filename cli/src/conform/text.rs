@@ -60,6 +60,10 @@ fn write(out: &mut String, subject: &JudgedProgram<'_>, report: &ConformReport, 
             Some(pin) => {
                 writeln!(out, "  {:17} pinned to {}: {}", follows.reading, pin.id(), pin.text())?;
             }
+            None if subject.diagnosis.as_ref().is_some_and(|program| program.is_unclear(follows.reading)) => {
+                let weak = Styled(style::CARE, "not shown: answers that it decides are not explained");
+                writeln!(out, "  {:17} {weak}", follows.reading)?;
+            }
             None if subject.diagnosis.as_ref().is_some_and(|program| program.is_otherwise(follows)) => {
                 let weak = Styled(style::CARE, "undecided: the deviations explain the tests of it");
                 writeln!(out, "  {:17} {weak}", follows.reading)?;
@@ -101,24 +105,46 @@ fn header(
         writeln!(out, "cycle {cycle_ms} ms{by}")?;
     }
     if !report.not_run.is_empty() {
-        let why = match (&report.about, report.cycle_ms) {
-            (about, _) if about.wall_clock => "there is no time for them, or a clock cannot tell them",
-            (About { inputs: Some(_), .. }, _) => {
-                "they need an input that it does not have, or steps of its cycle cannot express them"
-            }
-            _ => "steps of it cannot express them",
-        };
-        writeln!(out, "not run, for {why}: {}", counted(report.not_run.len() as u64, "test"))?;
-        wrapped(out, report.not_run.join(", ").split(' '), 2, width);
+        let count = counted(report.not_run.len() as u64, "test");
+        names(
+            out,
+            format!("not run, for {}: {count}", why_not_run(report)),
+            &report.not_run,
+            args.all,
+            width,
+        );
     }
     if !report.not_shown.is_empty() {
-        writeln!(out, "outputs that it does not show:")?;
-        wrapped(out, report.not_shown.join(", ").split(' '), 2, width);
+        let count = report.not_shown.len();
+        names(out, format!("outputs that it does not show: {count}"), &report.not_shown, args.all, width);
     }
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
     Ok(())
+}
+
+/// How many there are, and, if all are wanted, which.
+fn names<S: AsRef<str>>(out: &mut String, count: String, all: &[S], wanted: bool, width: usize) {
+    if wanted {
+        wrapped(out, format!("{count}:").split(' '), 0, width);
+        let all: Vec<&str> = all.iter().map(AsRef::as_ref).collect();
+        wrapped(out, all.join(", ").split(' '), 2, width);
+    } else {
+        wrapped(out, format!("{count} (--all lists them)").split(' '), 0, width);
+    }
+}
+
+/// Why tests were not run.
+pub(super) fn why_not_run(report: &ConformReport) -> &'static str {
+    match (&report.about, report.cycle_ms) {
+        (about, _) if about.wall_clock => "there is no time for them, or a clock cannot tell them",
+        (About { inputs: Some(_), .. }, None) => "they need an input that it does not have",
+        (About { inputs: Some(_), .. }, Some(_)) => {
+            "they need an input that it does not have, or steps of its cycle cannot express them"
+        }
+        _ => "steps of it cannot express them",
+    }
 }
 
 fn requirements(out: &mut String, all: bool, report: &ConformReport, width: usize) -> fmt::Result {

@@ -254,6 +254,27 @@ fn a_suite_is_read_from_a_file() {
     );
 }
 
+/// A verdict about nothing is none.
+#[test]
+fn a_suite_of_which_nothing_can_be_run_is_no_verdict() {
+    let lines = run(&["suite"]).stdout;
+    let needs = |line: &&str| line.contains("crash_sensor");
+    let test = lines.lines().find(needs).expect("a test of it");
+    let file = temporary("crash.jsonl", test.as_bytes());
+    let file = file.to_str().expect("a path of text");
+    let about = r#"{"inputs":["asms","tsms"]}"#;
+    for json in [&[][..], &["--json"]] {
+        let options = [&["--suite", file, "--runs", "0"], json].concat();
+        let refused = conform(&options, "deviating", &["--about", about]);
+        assert_eq!((refused.status, refused.stdout.as_str()), (Some(2), ""));
+        for part in
+            ["no test of the suite was run, for they need an input that it does not have: ", "\nhint: "]
+        {
+            assert!(refused.stderr.contains(part), "{part:?} is missing: {}", refused.stderr);
+        }
+    }
+}
+
 /// Ctrl-C, and what else ends the command, ends the program under test as well.
 #[cfg(unix)]
 #[test]

@@ -171,3 +171,63 @@ fn without_a_diagnosis_only_the_tests_tell() {
     let refused = conform(&["--no-diagnosis", "--diagnose"], "deviating", &[]);
     assert_eq!(refused.status, Some(2), "{}", refused.stdout);
 }
+
+/// What the program of the documentation announces, as a line of the protocol.
+fn documented() -> String {
+    let page = include_str!("../../../docs/first-diagnosis.md");
+    let (_, list) = page.split_once("ABOUT = ").expect("the page has a list");
+    let (list, _) = list.split_once(",\n}").expect("it ends");
+    format!("{}}}", list.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// The example ends with an error as soon as it is given an input that it does not announce.
+#[test]
+fn a_program_that_announces_its_inputs_has_no_deviation_about_others() {
+    let about = documented();
+    let json = report(&["--runs", "20", "--diagnose"], "deviating", &["--about", &about]);
+    assert_eq!(
+        (&json["diagnosis"]["deviations"], &json["diagnosis"]["unexplained"]),
+        (&json!([]), &json!(0)),
+        "{json}"
+    );
+    let accepted = temporary("announced.txt", b"");
+    let path = accepted.to_str().expect("a path of text");
+    let options = ["--runs", "20", "--write-accept", path];
+    let json = report(&options, "deviating", &["--about", &about, "handshake:+450ms", "ready-off:missing"]);
+    let ids: Vec<&Value> =
+        json["diagnosis"]["deviations"].as_array().expect("a list").iter().map(|one| &one["id"]).collect();
+    assert_eq!(ids, ["handshake:+450ms", "ready-off:missing"]);
+    let written = fs::read_to_string(&accepted).expect("it was written");
+    assert_eq!(
+        written.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).count(),
+        2,
+        "{written}"
+    );
+}
+
+#[test]
+fn the_first_screen_of_a_program_that_announces_little_has_its_deviation() {
+    let about = documented();
+    let screen = first_screen(&["--about", &about, "ready-off:missing"]);
+    assert!(screen.contains("AS_READY -> AS_OFF is never taken"), "{screen}");
+    assert!(!screen.contains("hyd_press_f"), "names are listed by --all:\n{screen}");
+    let (_, all) = text(&["--runs", "20", "--all"], "deviating", &["--about", &about, "ready-off:missing"]);
+    assert!(all.contains("hyd_press_f"), "{all}");
+}
+
+#[test]
+fn a_search_that_ends_before_it_knows_anything_says_so() {
+    let options = ["--runs", "20", "--diagnosis-limit", "0.000001"];
+    let (status, screen) = text(&options, "deviating", &["ready-off:missing"]);
+    assert_eq!(status, Some(1));
+    assert!(
+        screen.contains("undecided: the search ended after 0.000001 s") && screen.contains("see FAILURES"),
+        "{screen}"
+    );
+    assert!(!screen.contains("none in") && !screen.contains("  follows "), "{screen}");
+    let json = report(&options, "deviating", &["ready-off:missing"]);
+    let figure = json["diagnosis"]["figure"].as_array().expect("a list");
+    assert!(figure.iter().all(|arrow| arrow["not_shown"] == true), "{figure:?}");
+    let follows = json["follows"].as_array().expect("a list");
+    assert!(follows.iter().all(|one| one["possible"].as_array().map(Vec::len) > Some(1)), "{follows:?}");
+}

@@ -89,6 +89,14 @@ impl Answer {
         only
     }
 
+    /// The answer without all other fields than these.
+    #[must_use]
+    pub fn among(mut self, keys: &[&str]) -> Self {
+        let others = FIELDS.iter().zip(&mut self.given).filter(|(field, _)| !keys.contains(&field.key));
+        others.for_each(|(_, given)| *given = AnsweredValue::Nothing);
+        self
+    }
+
     /// Whether a line answers a reset: an object that shows nothing, as `{}`. The error says why it is no object.
     pub fn is_reset(line: &str) -> Result<bool, BadLine> {
         let Object(entries) = Object::read(line)?;
@@ -199,6 +207,8 @@ mod tests {
         let only = answer.only("handshake");
         assert_eq!(only.keys().collect::<Vec<_>>(), ["handshake"]);
         assert_eq!(only.get("handshake"), answer.get("handshake"));
+        let few = answer.among(&["steer", "as_state", "go_signal"]);
+        assert_eq!(few.keys().collect::<Vec<_>>(), ["as_state", "steer"]);
     }
 
     #[test]

@@ -1,0 +1,74 @@
+//! What a program has of the protocol: no other input is given to it, and no other output of it is compared.
+
+use adsdv_oracle::conform::ProgramError;
+use adsdv_oracle::protocol::{About, Answer, INPUTS, InputField, SHOWN, Shown};
+use adsdv_spec::Inputs;
+
+use crate::subject::Subject;
+
+/// The output that every program shows.
+const AS_STATE: &str = "as_state";
+
+/// The inputs and the outputs that a program has; by default all.
+#[derive(Clone, Debug, Default)]
+pub struct Interface {
+    /// The inputs that it does not have: they stay at their defaults.
+    lacking: Vec<&'static InputField>,
+    /// The outputs that are compared; `None`: all that it shows.
+    outputs: Option<Vec<&'static str>>,
+}
+
+impl Interface {
+    /// Those that a program announces, without the outputs that it never shows.
+    pub fn new(about: &About, not_shown: &[&str]) -> Self {
+        let announced =
+            |keys: &Option<Vec<&str>>, key: &str| keys.as_ref().is_none_or(|keys| keys.contains(&key));
+        let lacking = INPUTS.iter().filter(|field| !announced(&about.inputs, field.key)).collect();
+        let is_compared =
+            |key: &&str| *key == AS_STATE || announced(&about.outputs, key) && !not_shown.contains(key);
+        let outputs: Vec<&str> = SHOWN.iter().map(|field| field.key).filter(is_compared).collect();
+        Self { lacking, outputs: Some(outputs).filter(|outputs| outputs.len() < SHOWN.len()) }
+    }
+
+    /// Whether the program has the input with this key.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        !self.lacking.iter().any(|field| field.key == key)
+    }
+
+    /// The inputs as the program can be given them: what it does not have is at its default.
+    pub(crate) fn held(&self, mut inputs: Inputs) -> Inputs {
+        for field in &self.lacking {
+            (field.set)(&mut inputs, (field.get)(&Inputs::default()));
+        }
+        inputs
+    }
+
+    /// An answer without the outputs that are not compared.
+    pub(crate) fn compared(&self, answer: Answer) -> Answer {
+        match &self.outputs {
+            Some(outputs) => answer.among(outputs),
+            None => answer,
+        }
+    }
+
+    /// Whether two machines show the same, as far as it is compared.
+    pub(crate) fn are_alike(&self, one: Shown, other: &Shown) -> bool {
+        one == *other || self.outputs.is_some() && self.compared(one.into()).agrees(other)
+    }
+}
+
+/// A program of which only the outputs are seen that are compared.
+pub(crate) struct Seen<'a> {
+    pub(crate) subject: &'a mut dyn Subject,
+    pub(crate) interface: &'a Interface,
+}
+
+impl Subject for Seen<'_> {
+    fn reset(&mut self) -> Result<(), ProgramError> {
+        self.subject.reset()
+    }
+
+    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+        self.subject.step(dt_ms, inputs).map(|answer| self.interface.compared(answer))
+    }
+}
