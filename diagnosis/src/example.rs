@@ -88,9 +88,9 @@ impl<'a> ExampleSearch<'a> {
         let last = last_shown(&self.program, &scenario)?;
         let usual = Model::new(self.edition, &[]);
         // Where another deviation hides what the document expects, it is what the program would show without this one.
-        let expected = last_shown(&usual, &scenario).filter(|shown| !self.interface.are_alike(last, shown));
+        let expected = last_shown(&usual, &scenario).filter(|shown| !self.interface.are_alike(&last, shown));
         let expected = expected.or_else(|| last_shown(&self.without, &scenario))?;
-        let differences = self.interface.compared(last.into()).differences(&expected).collect();
+        let differences = self.interface.compared(&last.into()).differences(&expected).collect();
         Some(Example { scenario, differences, beside: self.beside(&best) })
     }
 
@@ -138,7 +138,7 @@ impl<'a> ExampleSearch<'a> {
     /// The first step in which the program does not show what another does.
     fn first_difference(&self, other: &Model, scenario: &Scenario) -> Option<usize> {
         let mut both = shown(&self.program, scenario).zip(shown(other, scenario));
-        both.position(|(one, other)| !self.interface.are_alike(one, &other))
+        both.position(|(one, other)| !self.interface.are_alike(&one, &other))
     }
 
     /// The steps, with the handshake as the AI Computer answers the program's own bit.

@@ -44,16 +44,16 @@ impl Interface {
     }
 
     /// An answer without the outputs that are not compared.
-    pub(crate) fn compared(&self, answer: Answer) -> Answer {
+    pub(crate) fn compared(&self, answer: &Answer) -> Answer {
         match &self.outputs {
             Some(outputs) => answer.among(outputs),
-            None => answer,
+            None => *answer,
         }
     }
 
     /// Whether two machines show the same, as far as it is compared.
-    pub(crate) fn are_alike(&self, one: Shown, other: &Shown) -> bool {
-        one == *other || self.outputs.is_some() && self.compared(one.into()).agrees(other)
+    pub(crate) fn are_alike(&self, one: &Shown, other: &Shown) -> bool {
+        one == other || self.outputs.is_some() && self.compared(&Answer::from(*one)).agrees(other)
     }
 }
 
@@ -69,6 +69,6 @@ impl Subject for Seen<'_> {
     }
 
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
-        self.subject.step(dt_ms, inputs).map(|answer| self.interface.compared(answer))
+        self.subject.step(dt_ms, inputs).map(|answer| self.interface.compared(&answer))
     }
 }

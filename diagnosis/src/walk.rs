@@ -100,8 +100,8 @@ pub fn difference(
         let ways = Ways::of(leads, interface);
         let mut running = leads.clone().running();
         for _ in 0..walks {
-            let mut seen = Seen { subject: &mut running, interface };
-            let record = walk(&mut seen, &ways, &mut random).ok()?;
+            let mut compared = Seen { subject: &mut running, interface };
+            let record = walk(&mut compared, &ways, &mut random).ok()?;
             let same = record.agrees(follows);
             if same < record.replies.len() {
                 let mut steps = record.steps;

@@ -101,10 +101,9 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
 /// No test was run, so that there is nothing to judge by.
 fn nothing_run(name: &str, report: &ConformReport) -> Error {
     const SHOWN: usize = 5;
-    let mut names = report.not_run.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
-    if let Some(more) = report.not_run.len().checked_sub(SHOWN).filter(|more| *more > 0) {
-        names += &format!(" and {more} more");
-    }
+    let names = report.not_run.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    let more = report.not_run.len().checked_sub(SHOWN).filter(|more| *more > 0);
+    let more = more.map_or_else(String::new, |more| format!(" and {more} more"));
     let hint = if report.about.wall_clock {
         "raise --time-limit, or give tests that take less time with --suite"
     } else {
@@ -112,7 +111,7 @@ fn nothing_run(name: &str, report: &ConformReport) -> Error {
     };
     Error {
         what: name.to_owned(),
-        why: format!("no test of the suite was run, for {}: {names}", text::why_not_run(report)),
+        why: format!("no test of the suite was run, for {}: {names}{more}", text::why_not_run(report)),
         hint: hint.to_owned(),
     }
 }

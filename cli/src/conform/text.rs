@@ -108,7 +108,7 @@ fn header(
         let count = counted(report.not_run.len() as u64, "test");
         names(
             out,
-            format!("not run, for {}: {count}", why_not_run(report)),
+            &format!("not run, for {}: {count}", why_not_run(report)),
             &report.not_run,
             args.all,
             width,
@@ -116,7 +116,7 @@ fn header(
     }
     if !report.not_shown.is_empty() {
         let count = report.not_shown.len();
-        names(out, format!("outputs that it does not show: {count}"), &report.not_shown, args.all, width);
+        names(out, &format!("outputs that it does not show: {count}"), &report.not_shown, args.all, width);
     }
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
@@ -125,7 +125,7 @@ fn header(
 }
 
 /// How many there are, and, if all are wanted, which.
-fn names<S: AsRef<str>>(out: &mut String, count: String, all: &[S], wanted: bool, width: usize) {
+fn names<S: AsRef<str>>(out: &mut String, count: &str, all: &[S], wanted: bool, width: usize) {
     if wanted {
         wrapped(out, format!("{count}:").split(' '), 0, width);
         let all: Vec<&str> = all.iter().map(AsRef::as_ref).collect();
