@@ -191,8 +191,8 @@ pub(super) fn reports(f: &mut fmt::Formatter<'_>, document: &Document) -> fmt::R
     });
     words(f, document)?;
     writeln!(f, "#define limit(of) {limit}\n\n/* The properties.\n *")?;
-    for (_, Property { name, statement, .. }) in Property::of_edition(document.edition) {
-        writeln!(f, " * {name}: {statement}")?;
+    for (_, property) in Property::of_edition(document.edition) {
+        writeln!(f, " * {}: {}", property.name, property.statement_in(document.edition))?;
     }
     f.write_str(" */\n\n")?;
     writeln!(

@@ -182,8 +182,8 @@ hidden byte BMS_FAULT;
 c_decl {
     static char printed[61];
     static void tell(int place, const char *what) {
-        if (!told[place]) {
-            told[place] = 1;
+        if (!printed[place]) {
+            printed[place] = 1;
             puts(what);
         }
     }
