@@ -133,8 +133,11 @@ impl Vcu for Program {
             let sent = Request::Hello { edition: edition.version.to_owned() }.to_string();
             self.lines.write(format!("{sent}\n").into_bytes());
             let answered = self.lines.line().and_then(|line| {
-                let about = Reply::about(line, &protocol)?;
-                Ok((about, Reply::to_hello(line, edition)))
+                let answer = Reply::to_hello(line, edition);
+                // What it says of itself beside another edition is of that one.
+                let of_another = matches!(&answer, Err(ProgramErrorKind::OtherEdition { said: Some(_), .. }));
+                let about = if of_another { None } else { Reply::about(line, &protocol)? };
+                Ok((about, answer))
             });
             let answered = answered.and_then(|(said, answer)| {
                 about = said;
