@@ -23,8 +23,11 @@ pub(super) struct Comms {
     /// Whether it was reported that the VCU does not show it, and when the VCU last showed it.
     reported_vcu: bool,
     shown_at: Option<i64>,
-    /// Whether it was reported that nothing comes from the AI Computer.
+    /// The last frame of the AI Computer, whether it was reported that none came behind it, and how often 520h has come since: a recorder
+    /// that pauses, or whose clock is set, hears neither.
+    last: i64,
     reported_silent: bool,
+    shown_since: i64,
 }
 
 impl Comms {
@@ -35,7 +38,6 @@ impl Comms {
 
     /// A message that is watched came.
     pub(super) fn heard(&mut self, place: usize) {
-        self.reported_silent = false;
         if let Some(reported) = self.reported.get_mut(place) {
             *reported = false;
         }
@@ -119,10 +121,15 @@ impl Comms {
     fn ai_is_silent(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         let heard = (0..WATCHED.len()).filter_map(|place| Silences::heard_at(place, &est.sampler));
         let Some(last) = heard.max() else { return };
+        if std::mem::replace(&mut self.last, last) != last {
+            (self.reported_silent, self.shown_since) = (false, 0);
+        }
+        self.shown_since += 1;
         let limit = est.handshake_limit().max(est.silences.limit.unwrap_or_default());
+        let patience = limit + est.deadline + est.window;
         let goes_on = is_active(est.state_seen()) && !est.shows_comms_lost();
         let counts = goes_on && est.known.of(Atom::Tsms) == Truth::True;
-        if !counts || t - last <= limit + est.deadline + est.window {
+        if !counts || t - last <= patience || 2 * self.shown_since * est.cycle() < patience {
             return;
         }
         book.margins.gap(AI_STATUS, t - last, t);
