@@ -231,8 +231,8 @@ impl Collector {
     }
 
     /// Something was wrong in a scenario, or seemed so, and it is not certain that this was the AI Computer: why.
-    pub(crate) fn in_doubt(&mut self, requirements: &[&'static str], why: &str) {
-        self.marks.in_doubt.extend(requirements.iter().map(|id| (*id, why.to_owned())));
+    pub(crate) fn in_doubt(&mut self, ids: &[&'static str], why: &str) {
+        self.marks.in_doubt.extend(ids.iter().map(|id| (*id, why.to_owned())));
     }
 
     /// A scenario was run, and this is wrong in it.

@@ -168,8 +168,8 @@ impl Sweep {
     }
 }
 
-fn heading(f: &mut Formatter<'_>, name: &str, statement: &str, requirements: &[&str]) -> fmt::Result {
-    writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", requirements.join(", "))
+fn heading(f: &mut Formatter<'_>, name: &str, statement: &str, covered: &[&str]) -> fmt::Result {
+    writeln!(f, "\n#### `{name}`\n\n{statement} ({}).", covered.join(", "))
 }
 
 fn details(f: &mut Formatter<'_>, property: &Property, costs: &[&Cost]) -> fmt::Result {
