@@ -33,7 +33,7 @@ def test_finished_at_speed_violates(finished):
     report = adsdv.check(str(finished))
     assert report.verdict == "violates"
     assert [(one["rule"], one["party"], one["section"]) for one in report.violations] == [
-        ("finished-while-moving", "AI", "3.7"),
+        ("finished-while-moving", "AI", "4"),
         ("fault-flag-unfounded", "VCU", "2.2"),
     ]
 

@@ -77,3 +77,23 @@ impl Requirements {
         self.replaced.iter().find(|replaced| replaced.id == id).map(|replaced| replaced.by)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use std::vec;
+    use std::vec::Vec;
+
+    use super::*;
+
+    #[test]
+    fn what_is_replaced_by_itself_among_others_still_holds() {
+        let requirements = Requirements {
+            before: None,
+            added: Vec::leak(vec![Numbers::new("HS", 1, 2)]),
+            replaced: Vec::leak(vec![Replaced::new("HS-1", &["HS-1", "HS-2"]), Replaced::new("HS-2", &[])]),
+        };
+        assert!(requirements.has("HS-1") && !requirements.has("HS-2") && !requirements.has("HS-3"));
+    }
+}
