@@ -1,8 +1,8 @@
 //! The AI Computer stops altogether, or the recording does not have its frames, and the VCU goes on as if all were well.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::Edition;
 use adsdv_spec::messages::{Ai2VcuStatus, Node};
+use adsdv_spec::{AsState, Edition};
 use adsdv_tests::world::{MS, World, judge};
 
 use crate::check::by;
@@ -92,5 +92,24 @@ fn a_silence_that_the_vcu_tells_of_or_that_is_short_is_not() {
         off.ai_sends = false;
         off.wait(3000);
         assert!(!said(&off), "{}: AS_OFF", edition.version);
+    }
+}
+
+/// An AI Computer that stopped while TSMS was off has to answer from when TSMS is on again; the VCU has its time from then, too.
+#[test]
+fn a_silence_from_before_tsms_was_on_is_the_vcus_fault_only_once_its_time_is_over() {
+    for &edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.prepare();
+        world.inputs.tsms = false;
+        world.wait(200);
+        world.ai_sends = false;
+        world.wait(1000);
+        world.inputs.asms = true;
+        world.inputs.tsms = true;
+        world.wait(2000);
+        assert_eq!(world.control.state, AsState::EmergencyBrake, "{}: by AS_READY", edition.version);
+        let report = judge(&world.log, JudgeOptions { complete: true, ..JudgeOptions::of(edition) });
+        assert!(by(&report, Party::Vcu).is_empty(), "{}: {:#?}", edition.version, report.findings);
     }
 }

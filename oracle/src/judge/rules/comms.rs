@@ -3,9 +3,10 @@
 
 use adsdv_spec::{AsState, Atom, Truth};
 
+use super::silence::Silence;
 use super::vcu_status::{TIMEOUTS, name_of};
 use crate::judge::book::Book;
-use crate::judge::estimator::base::{Estimator, is_active};
+use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
 use crate::judge::estimator::watch::Suspect;
 use crate::judge::exercised::{ANSWERS, HOLDS, MISSED, UNANSWERED};
@@ -23,11 +24,7 @@ pub(super) struct Comms {
     /// Whether it was reported that the VCU does not show it, and when the VCU last showed it.
     reported_vcu: bool,
     shown_at: Option<i64>,
-    /// The last frame of the AI Computer, whether it was reported that none came behind it, and how often 520h has come since: a recorder
-    /// that pauses, or whose clock is set, hears neither.
-    last: i64,
-    reported_silent: bool,
-    shown_since: i64,
+    silence: Silence,
 }
 
 impl Comms {
@@ -113,46 +110,7 @@ impl Comms {
     pub(super) fn due(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         book.found(edge_due(est, t));
         book.found(self.missed_due(est, t));
-        self.ai_is_silent(est, book, t);
-    }
-
-    /// 520h still goes on as if all were well: has anything come from the AI Computer? Either it has stopped, and then the VCU is at
-    /// fault as well; or only the recording lacks its frames, which one that is complete does not.
-    fn ai_is_silent(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
-        let heard = (0..WATCHED.len()).filter_map(|place| Silences::heard_at(place, &est.sampler));
-        let Some(last) = heard.max() else { return };
-        if std::mem::replace(&mut self.last, last) != last {
-            (self.reported_silent, self.shown_since) = (false, 0);
-        }
-        self.shown_since += 1;
-        let limit = est.handshake_limit().max(est.silences.limit.unwrap_or_default());
-        let patience = limit + est.deadline + est.window;
-        let goes_on = is_active(est.state_seen()) && !est.shows_comms_lost();
-        let counts = goes_on && est.known.of(Atom::Tsms) == Truth::True;
-        if !counts || t - last <= patience || 2 * self.shown_since * est.cycle() < patience {
-            return;
-        }
-        book.margins.gap(AI_STATUS, t - last, t);
-        if std::mem::replace(&mut self.reported_silent, true) || est.handshake.reported_ai {
-            return;
-        }
-        let complete = est.options.complete;
-        let since = format!("no frame of the AI Computer from {:.3} s on", milliseconds(last) / 1e3);
-        let severity = if complete { Severity::Violation } else { Severity::Warning };
-        let finding = Finding::new(severity, Party::Ai, "2.4", Rule::AiSilent, last)
-            .against(&[ANSWERS])
-            .seen(format!("{since}, while those of the VCU come, and AI_COMMS_LOST is 0"))
-            .expected(format!("an answer to HANDSHAKE within {} ms", est.handshake_limit() / MS))
-            .shown_by(est.sampler.last_frames(&[AI_STATUS, STATUS]));
-        book.found(finding);
-        if complete && !std::mem::replace(&mut est.handshake.reported_vcu, true) {
-            let finding =
-                Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, last + limit + est.deadline)
-                    .against(UNANSWERED)
-                    .seen(format!("AI_COMMS_LOST is 0, but {since}"))
-                    .expected(format!("1 after {} ms", limit / MS));
-            book.found(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])));
-        }
+        self.silence.judge(est, book, t);
     }
 
     /// 520h still says that communication is present: has a message been silent for too long?
