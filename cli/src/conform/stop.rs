@@ -11,7 +11,7 @@ pub(crate) fn stops_the_program() -> io::Result<()> {
     let mut signals = Signals::new([SIGHUP, SIGINT, SIGTERM])?;
     std::thread::spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            adsdv_oracle::conform::stop_programs();
+            let _stopped = adsdv_oracle::conform::stop_programs();
             // As if nobody had listened: whoever waits for the command learns what ended it.
             let _ = signal_hook::low_level::emulate_default_handler(signal);
         }

@@ -9,20 +9,38 @@ use super::marked::{kill_marked, ours};
 
 /// The groups of the processes that run at present.
 #[cfg(unix)]
-static RUNNING: std::sync::Mutex<Vec<rustix::process::Pid>> = std::sync::Mutex::new(Vec::new());
+type Groups = Vec<rustix::process::Pid>;
+
+#[cfg(unix)]
+static RUNNING: std::sync::Mutex<Groups> = std::sync::Mutex::new(Groups::new());
+
+#[cfg(unix)]
+fn running() -> std::sync::MutexGuard<'static, Groups> {
+    RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+/// While this is kept, no program under test starts, and whoever had one waits before it goes on without.
+#[cfg(unix)]
+#[derive(Debug)]
+pub struct Stopped {
+    _running: std::sync::MutexGuard<'static, Groups>,
+}
 
 /// Kills every program under test that runs at present, with all that it started and that has stayed in its group; of a
 /// [`RunningProgram`](super::RunningProgram), also what has left it.
 ///
-/// For whoever has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it.
+/// For whoever has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it. Keep what it
+/// returns until this process ends; else another thread may take the end of its program for a mistake of the program, and say so.
 #[cfg(unix)]
-pub fn stop_programs() {
-    let running = RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+#[must_use]
+pub fn stop_programs() -> Stopped {
+    let running = running();
     for &group in running.iter() {
         // What cannot be killed is gone already.
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
     kill_marked(&ours(), true);
+    Stopped { _running: running }
 }
 
 /// The process, and its pipes until they are taken.
@@ -45,12 +63,15 @@ impl Process {
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        // Whoever stops all of them stops this one as well, or before it starts.
+        #[cfg(unix)]
+        let mut running = running();
         let mut child = command.spawn()?;
         #[cfg(unix)]
-        RUNNING
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner)
-            .push(rustix::process::Pid::from_child(&child));
+        {
+            running.push(rustix::process::Pid::from_child(&child));
+            drop(running);
+        }
         let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
         let process = Self(child);
         match pipes {
@@ -118,7 +139,7 @@ impl Drop for Process {
         {
             let group = rustix::process::Pid::from_child(&self.0);
             // Before it is waited for: after that its number may be another's.
-            RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner).retain(|&other| other != group);
+            running().retain(|&other| other != group);
         }
         let _ = self.0.kill();
         let _ = self.0.wait();
@@ -145,11 +166,17 @@ mod tests {
         drop(goes);
         assert!(known(stayed) && !known(gone));
         assert_eq!(stays.ended(), None);
-        stop_programs();
+        let stopped = stop_programs();
         let begun = Instant::now();
         while stays.ended().is_none() && begun.elapsed() < Duration::from_secs(20) {
             sleep(Duration::from_millis(1));
         }
         assert_eq!(stays.ended(), Some(Ended { well: false, how: "signal 9".to_owned() }));
+        // What another thread would do next has to wait.
+        let waits = std::thread::spawn(move || drop(stays));
+        sleep(Duration::from_millis(50));
+        assert!(!waits.is_finished());
+        drop(stopped);
+        waits.join().expect("it goes on");
     }
 }

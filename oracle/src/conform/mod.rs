@@ -71,7 +71,7 @@ mod wall_clock;
 
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]
-pub use child::stop_programs;
+pub use child::{Stopped, stop_programs};
 pub use line_program::LineProgram;
 pub use lines::{LineBuffer, TooLong};
 pub use options::{ConformOptions, ConformProgress, Phase};
