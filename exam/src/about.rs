@@ -18,8 +18,8 @@ pub(crate) enum About {
     Values(u16, &'static str),
     /// That it stands in its byte.
     Byte(u16, &'static str),
-    /// That nothing is sent under reserved identifiers.
-    Reserved,
+    /// That nothing is sent under the reserved identifiers from the one to the other.
+    Reserved(u16, u16),
     /// That no message is missed.
     Missed,
     /// That an answer may take so many cycles.
@@ -27,8 +27,16 @@ pub(crate) enum About {
 }
 
 impl About {
-    /// The words, of an edition in which the reserved identifiers of the requirement have this place.
-    pub(crate) fn text(self, edition: &Edition, reserved: Option<usize>) -> String {
+    /// The message that it is about, the last one of several.
+    pub(crate) const fn message(self) -> Option<u16> {
+        match self {
+            Self::Sends(id) | Self::Cycle(_, id) | Self::Field(id, _) | Self::Values(id, _) => Some(id),
+            _ => None,
+        }
+    }
+
+    /// The words, with the names and the numbers of an edition.
+    pub(crate) fn text(self, edition: &Edition) -> String {
         let message = |id| edition.bus.message(id);
         let signal = |id, field: &str| message(id)?.signal_of(field);
         let named = |id, field| signal(id, field).map_or(field, |signal| signal.name);
@@ -52,11 +60,7 @@ impl About {
                 let byte = signal(id, field).and_then(|signal| NAMES.get(usize::from(signal.start / 8)));
                 format!("{} is in the {} byte of {id:03X}h", named(id, field), byte.unwrap_or(&"right"))
             }
-            Self::Reserved => {
-                let place = reserved.and_then(|place| edition.bus.reserved.get(place));
-                let ids = place.map_or_else(|| "them".to_owned(), |ids| range(*ids.start(), *ids.end()));
-                format!("does not send {ids}")
-            }
+            Self::Reserved(first, last) => format!("does not send {}", range(first, last)),
             Self::Missed => match edition.rules.thresholds.missed_ms {
                 Some(ms) => format!("lets no message be missed for {ms} ms"),
                 None => "lets no message be missed".to_owned(),

@@ -366,12 +366,8 @@ fn judged(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
     let start_ns = ran.sent.first().map_or(0, |sent| sent.t_ns);
     let judged = ran.report.findings.iter().filter(|finding| finding.party == Party::Ai && is_wrong(finding));
     let one = |finding: &Finding| {
-        let frame = finding.evidence.first().and_then(|evidence| {
-            let t_ns = evidence.t_ns + start_ns;
-            ran.sent.iter().find(|sent| (sent.t_ns, sent.frame.id) == (t_ns, evidence.id))
-        });
         let t_ns = finding.t_ns + start_ns;
-        let against = catalogue::against(edition, finding, frame.map(|sent| &sent.frame));
+        let against = catalogue::held_by(edition, finding.requirements.clone());
         ExamFinding {
             seen: finding.seen.clone(),
             expected: finding.expected.clone(),

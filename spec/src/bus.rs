@@ -12,16 +12,33 @@ use crate::messages::{
 pub struct Bus {
     /// Every message of section 2, by ascending identifier.
     pub messages: &'static [&'static MessageDef],
-    /// The identifiers that the AI Computer must not use (section 2.3), as ranges, ascending.
-    pub reserved: &'static [RangeInclusive<u16>],
+    /// What asks for the cycle of each message, in their order: the numbers of `REQUIREMENTS.md`; see
+    /// [`Bus::cycle_requirements`].
+    pub cycles: &'static [&'static [&'static str]],
+    /// What asks for the lengths of the messages: the numbers of `REQUIREMENTS.md`.
+    pub lengths: &'static [&'static str],
+    /// The identifiers that the AI Computer must not use (section 2.3), ascending.
+    pub reserved: &'static [Reserved],
     /// What the VCU and its devices tell each other, by ascending identifier; the AI Computer has no part in it.
     pub devices: &'static [DeviceMessage],
+    /// What forbids the AI Computer to send what is the VCU's or a device's: the numbers of `REQUIREMENTS.md`.
+    pub senders: &'static [&'static str],
     /// Reads the data of a frame with this identifier; see [`Bus::decode`].
     pub read: fn(id: u16, data: &[u8]) -> Result<AnyMessage, DecodeError>,
     /// The frame of a message; see [`Bus::encode`].
     pub write: fn(&AnyMessage) -> Option<Frame>,
     /// Whether a message comes back as it was sent; see [`Bus::holds`].
     pub holds: fn(&AnyMessage) -> bool,
+}
+
+/// Identifiers that the AI Computer must not use (section 2.3).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Reserved {
+    /// The first to the last of them.
+    pub ids: RangeInclusive<u16>,
+    /// What forbids them: the numbers of `REQUIREMENTS.md`.
+    pub requirements: &'static [&'static str],
 }
 
 impl Bus {
@@ -130,6 +147,30 @@ impl Bus {
         (self.holds)(&message.into())
     }
 
+    /// What asks for the cycle of the message with this identifier: the numbers of `REQUIREMENTS.md`.
+    ///
+    /// ```
+    /// use adsdv_spec::Edition;
+    /// assert_eq!(Edition::V4_0.bus.cycle_requirements(0x513), ["MSG-98"]);
+    /// assert!(Edition::V3_0.bus.cycle_requirements(0x513).is_empty(), "its text gives no cycle");
+    /// ```
+    pub fn cycle_requirements(&self, id: u16) -> &'static [&'static str] {
+        let place = self.messages.iter().position(|message| message.id == id);
+        place.and_then(|place| self.cycles.get(place).copied()).unwrap_or_default()
+    }
+
+    /// The reserved identifiers that this one is of.
+    pub const fn reserved_of(&self, id: u16) -> Option<&'static Reserved> {
+        let mut i = 0;
+        while i < self.reserved.len() {
+            if id >= *self.reserved[i].ids.start() && id <= *self.reserved[i].ids.end() {
+                return Some(&self.reserved[i]);
+            }
+            i += 1;
+        }
+        None
+    }
+
     /// Whether the AI Computer must not send this identifier (section 2.3).
     ///
     /// ```
@@ -138,14 +179,7 @@ impl Bus {
     /// assert!(bus.is_reserved(0x470) && !bus.is_reserved(0x471) && !bus.is_reserved(0x510));
     /// ```
     pub const fn is_reserved(&self, id: u16) -> bool {
-        let mut i = 0;
-        while i < self.reserved.len() {
-            if id >= *self.reserved[i].start() && id <= *self.reserved[i].end() {
-                return true;
-            }
-            i += 1;
-        }
-        false
+        self.reserved_of(id).is_some()
     }
 
     /// Whether a node may send frames with this identifier: its own messages, and, as far as the document goes,
@@ -175,7 +209,11 @@ impl Bus {
 // No number of a device's row is NaN, so a row equals itself.
 impl PartialEq for Bus {
     fn eq(&self, other: &Self) -> bool {
-        self.messages == other.messages && self.reserved == other.reserved && self.devices == other.devices
+        let asked = |bus: &Self| (bus.cycles, bus.lengths, bus.senders);
+        self.messages == other.messages
+            && self.reserved == other.reserved
+            && self.devices == other.devices
+            && asked(self) == asked(other)
     }
 }
 
@@ -212,9 +250,13 @@ impl serde::Serialize for Bus {
     }
 }
 
-/// What an edition has on the bus: its messages, by ascending identifier, each with the edition whose layout it has.
+/// What an edition has on the bus: its messages, by ascending identifier, each with the edition whose layout it has, and with
+/// what asks for its cycle; after the edition, what asks for the lengths.
 macro_rules! bus {
-    ($edition:ident: $($message:ident of $layout:ident),+ $(,)?) => {
+    (
+        $edition:ident, lengths cites [$($length:literal),*]:
+        $($message:ident of $layout:ident $(, cites [$($cycle:literal),+])?;)+
+    ) => {
         impl $edition {
             /// Every message of the edition, by ascending identifier.
             pub const MESSAGES: &'static [&'static $crate::messages::MessageDef] =
@@ -253,11 +295,14 @@ macro_rules! bus {
             }
 
             /// The bus, with these identifiers reserved, and without devices.
-            const fn bus(reserved: &'static [core::ops::RangeInclusive<u16>]) -> $crate::Bus {
+            const fn bus(reserved: &'static [$crate::Reserved]) -> $crate::Bus {
                 $crate::Bus {
                     messages: Self::MESSAGES,
+                    cycles: &[$(&[$($($cycle),+)?]),+],
+                    lengths: &[$($length),*],
                     reserved,
                     devices: &[],
+                    senders: &[],
                     read: Self::read,
                     write: Self::write,
                     holds: Self::holds,

@@ -5,10 +5,11 @@
 
 use core::fmt;
 
-use crate::messages::{ShutdownCause, Vcu2AiStatus};
+use crate::messages::content::field_of;
+use crate::messages::{FieldDef, Message, ShutdownCause, Vcu2AiStatus};
 
 macro_rules! faults {
-    ($($(#[$doc:meta])* $fault:ident => $flag:ident, $signal:literal, $opens:literal, $requirement:literal;)*) => {
+    ($($(#[$doc:meta])* $fault:ident => $flag:ident, $signal:literal, $opens:literal;)*) => {
         /// A critical fault that 520h reports.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(kani, derive(kani::Arbitrary))]
@@ -30,9 +31,11 @@ macro_rules! faults {
                 match self { $(Self::$fault => $signal,)* }
             }
 
-            /// The requirement behind its flag and its number, as `REQUIREMENTS.md` has it.
+            /// The requirement behind its flag and its number, as `REQUIREMENTS.md` has it: that of the signal.
             pub const fn requirement(self) -> &'static str {
-                match self { $(Self::$fault => $requirement,)* }
+                const FIELDS: &[FieldDef] = <Vcu2AiStatus as Message>::FIELDS;
+                let flag = match self { $(Self::$fault => const { field_of(FIELDS, stringify!($flag)) },)* };
+                flag.requirements[0]
             }
 
             /// The fault that a cause names; `None` for no shutdown.
@@ -58,30 +61,30 @@ macro_rules! faults {
     };
 }
 
-//= MSG-54 to MSG-63
+//= MSG-54 to MSG-63, MSG-84
 faults! {
     /// The AI Computer requests an emergency stop.
-    AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false, "MSG-54";
+    AiComputerRequest => ai_estop_request, "AI_ESTOP_REQUEST", false;
     /// The shutdown circuit or HVIL is open.
-    HvilOpenFault => hvil_open_fault, "HVIL_OPEN_FAULT", true, "MSG-55";
+    HvilOpenFault => hvil_open_fault, "HVIL_OPEN_FAULT", true;
     /// The shutdown circuit or HVIL has a short circuit.
-    HvilShortFault => hvil_short_fault, "HVIL_SHORT_FAULT", true, "MSG-56";
+    HvilShortFault => hvil_short_fault, "HVIL_SHORT_FAULT", true;
     /// The Emergency Braking System is faulty.
-    EbsFault => ebs_fault, "EBS_FAULT", true, "MSG-57";
+    EbsFault => ebs_fault, "EBS_FAULT", true;
     /// The off-board battery charger is faulty.
-    OffboardChargerFault => offboard_charger_fault, "OFFBOARD_CHARGER_FAULT", true, "MSG-58";
+    OffboardChargerFault => offboard_charger_fault, "OFFBOARD_CHARGER_FAULT", true;
     /// The AI Computer does not answer the handshake.
-    AiCommsFault => ai_comms_lost, "AI_COMMS_LOST", false, "MSG-59";
+    AiCommsFault => ai_comms_lost, "AI_COMMS_LOST", false;
     /// NEUTRAL was requested while the vehicle was moving.
-    AutonomousBrakingFault => autonomous_braking_fault, "AUTONOMOUS_BRAKING_FAULT", false, "MSG-60";
+    AutonomousBrakingFault => autonomous_braking_fault, "AUTONOMOUS_BRAKING_FAULT", false;
     /// FINISHED was declared while the vehicle was moving.
-    MissionStatusFault => mission_status_fault, "MISSION_STATUS_FAULT", false, "MSG-61";
+    MissionStatusFault => mission_status_fault, "MISSION_STATUS_FAULT", false;
     /// A master switch is on while the battery is being charged.
-    ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true, "MSG-62";
+    ChargeProcedureFault => charge_procedure_fault, "CHARGE_PROCEDURE_FAULT", true;
     /// The battery management system reports a critical fault.
-    BmsFault => bms_fault, "BMS_FAULT", true, "MSG-63";
+    BmsFault => bms_fault, "BMS_FAULT", true;
     /// Torque and hydraulic braking were requested at once; since version 4.0.
-    BrakePlausibilityFault => brake_plausibility_fault, "BRAKE_PLAUSIBILITY_FAULT", false, "MSG-84";
+    BrakePlausibilityFault => brake_plausibility_fault, "BRAKE_PLAUSIBILITY_FAULT", false;
 }
 
 crate::named::impl_find!(Fault by flag, "AI_COMMS_LOST");

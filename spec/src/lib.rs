@@ -80,7 +80,7 @@ mod truth;
 
 pub use assi::Assi;
 pub use atoms::{Atom, AtomText, Atoms};
-pub use bus::Bus;
+pub use bus::{Bus, Reserved};
 pub use control::Control;
 pub use edition::{Edition, Rules, Thresholds, Timing};
 pub use faults::{Fault, Faults};

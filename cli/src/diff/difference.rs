@@ -50,7 +50,18 @@ impl Difference {
         let Edition { version, document: _, rules, faults, choices: _, readings: _, bus, requirements: _ } =
             from;
         let Rules { table: _, priorities: _, timing, thresholds } = rules;
-        let Bus { messages, devices, reserved: _, read: _, write: _, holds: _ } = bus;
+        // What asks for them differs where they do.
+        let Bus {
+            messages,
+            devices,
+            reserved: _,
+            cycles: _,
+            lengths: _,
+            senders: _,
+            read: _,
+            write: _,
+            holds: _,
+        } = bus;
         let (arrows, order) = figure2::compare(from, to);
         let changed = Changed {
             messages: messages::compare(messages, to.bus.messages),

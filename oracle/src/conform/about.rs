@@ -33,14 +33,14 @@ fn known(id: &str) -> Option<Keys> {
 /// The outputs that a requirement is about besides those that [name it](crate::protocol::ShownField::requirements).
 fn others(id: &str) -> &'static [&'static str] {
     match id {
-        "HS-1" | "HS-2" | "HS-3" | "HS-4" | "HS-5" | "HS-6" | "HS-7" | "HS-8" | "HS-12" | "HS-14"
-        | "HS-15" | "D-44" => &["handshake"],
+        "HS-1" | "HS-2" | "HS-4" | "HS-5" | "HS-6" | "HS-7" | "HS-8" | "HS-12" | "HS-14" | "HS-15"
+        | "D-44" => &["handshake"],
         "MSG-18" => &["front_axle_trq", "front_motor_speed_max"],
         "DRV-14" | "D-7" => &["go_signal"],
         "HS-9" | "HS-13" | "HS-16" | "HS-17" | "HS-18" | "HS-19" | "D-8" | "D-18" | "D-26" | "D-52" => {
             &["ai_comms_lost"]
         }
-        "MSG-85" | "D-15" | "D-16" => &["shutdown_cause"],
+        "D-15" | "D-16" => &["shutdown_cause"],
         "D-55" => &["ebs_fault", "shutdown_cause"],
         "D-12" | "D-13" | "D-14" => &["hvil_open_fault", "shutdown_cause"],
         "D-27" => &["autonomous_braking_fault", "mission_status_fault"],
@@ -122,7 +122,8 @@ pub(super) fn only_in(id: &str) -> Option<AsState> {
 /// That is what the document asks for in that state; else our decision about that state, or about when the output is what it
 /// is, where the document is silent about that; else what it calls the output.
 pub(super) fn own(key: &str, state: AsState) -> &'static str {
-    let Some(field) = SHOWN.iter().find(|field| field.key == key) else { return STATE_MACHINE };
+    let field = SHOWN.iter().find(|field| field.key == key && key != STATE);
+    let Some(field) = field else { return STATE_MACHINE };
     let in_state = || Actuation::requirements(state).iter().filter(|id| shows(id).has(key));
     let of_document = in_state().find(|id| !is_decision(id));
     let decided = in_state().next().or_else(|| field.requirements.iter().find(|id| is_decision(id)));

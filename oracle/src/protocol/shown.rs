@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use adsdv_spec::messages::{SignalDef, SignalValue, Vcu2AiStatus};
+use adsdv_spec::messages::{FieldDef, Message as _, SignalDef, SignalValue, Vcu2AiStatus};
 use adsdv_spec::{Actuation, Bus, Edition, Fault, Inputs, Outputs};
 
 use super::UNSAID;
@@ -27,7 +27,8 @@ pub struct ShownField {
     /// The fault whose flag it is.
     pub fault: Option<Fault>,
     /// The requirements that say what it is to show, as `spec/REQUIREMENTS.md` numbers them; those of all editions. The first
-    /// is the output itself: what is broken if it is wrong where nothing more special asks for it.
+    /// is the output itself: what is broken if it is wrong where nothing more special asks for it. Those of a signal are what
+    /// its field cites, and what is beside it here.
     pub requirements: &'static [&'static str],
     /// Whether it is a signal of 520h, and not something of the actuators.
     pub(crate) is_signal: bool,
@@ -85,32 +86,29 @@ const fn fault_of(key: &str) -> Option<Fault> {
     None
 }
 
-/// The requirement of a fault, as a list.
-const fn of_fault(fault: Fault) -> &'static [&'static str] {
-    const ALL: [[&str; 1]; Fault::ALL.len()] = {
-        let mut all = [[""]; Fault::ALL.len()];
-        let mut i = 0;
-        while i < all.len() {
-            all[i] = [Fault::ALL[i].requirement()];
-            i += 1;
-        }
-        all
-    };
+/// The requirements about a signal of 520h: those that its field cites.
+const fn of_signal(name: &str) -> &'static [&'static str] {
+    const FIELDS: &[FieldDef] = Vcu2AiStatus::FIELDS;
     let mut i = 0;
-    while Fault::ALL[i] as u8 != fault as u8 {
+    while i < FIELDS.len() {
+        if FIELDS[i].name.eq_ignore_ascii_case(name) {
+            return FIELDS[i].requirements;
+        }
         i += 1;
     }
-    &ALL[i]
+    &[]
 }
 
-/// The requirements about an output: those that are given, or, for the flag of a fault, that of the fault.
-const fn requirements_of(fault: Option<Fault>, given: &'static [&'static str]) -> &'static [&'static str] {
-    match (fault, given) {
-        (Some(fault), []) => of_fault(fault),
-        (None, [_, ..]) => given,
-        (Some(_), _) => panic!("the requirement of a flag is that of its fault"),
-        (None, []) => panic!("each output has a requirement"),
+/// Both lists, one behind the other.
+const fn joined<const N: usize>(first: &[&'static str], then: &[&'static str]) -> [&'static str; N] {
+    assert!(first.len() + then.len() == N && N > 0, "each output has a requirement");
+    let mut all = [""; N];
+    let mut i = 0;
+    while i < N {
+        all[i] = if i < first.len() { first[i] } else { then[i - first.len()] };
+        i += 1;
     }
+    all
 }
 
 const fn domain_of<T: SignalValue>(_: fn(&Vcu2AiStatus, &Actuation) -> Option<T>) -> Domain {
@@ -132,7 +130,12 @@ macro_rules! shown {
                     signal: signal!($source $field),
                     nullable: false,
                     fault: fault_of(stringify!($field)),
-                    requirements: requirements_of(fault_of(stringify!($field)), &[$($($id),+)?]),
+                    requirements: {
+                        const OF_SIGNAL: &[&str] = of_signal(signal!($source $field));
+                        const BESIDES: &[&str] = &[$($($id),+)?];
+                        const ALL: [&str; OF_SIGNAL.len() + BESIDES.len()] = joined(OF_SIGNAL, BESIDES);
+                        &ALL
+                    },
                     is_signal: is_signal!($source),
                     get: |status, actuation| Some(SignalValue::to_raw(from!($source status actuation).$field)),
                 },
@@ -146,7 +149,7 @@ macro_rules! shown {
                     signal: "steer_request",
                     nullable: true,
                     fault: None,
-                    requirements: requirements_of(None, &[$($null_id),+]),
+                    requirements: [$($null_id),+].as_slice(),
                     is_signal: is_signal!($source),
                     get: |status, actuation| {
                         from!($source status actuation).$nullable.map(SignalValue::to_raw)
@@ -190,24 +193,24 @@ macro_rules! from {
 
 shown! {
     status =>
-        as_state ["SM-1" "MSG-48" "SM-3"]
-        handshake ["MSG-42"]
-        go_signal ["MSG-46"]
-        steering_status ["MSG-47" "D-37"]
-        shutdown_cause ["MSG-64"]
-        as_switch_status ["MSG-44"]
-        ts_switch_status ["MSG-45"]
-        ami_state ["MSG-49" "RDY-6"]
-        shutdown_request ["MSG-43" "D-38"]
-        op_state ["MSG-106" "D-71"]
-        ts_state ["MSG-107" "D-72"]
-        ebs_state ["MSG-108" "D-73"]
-        fault_status ["MSG-50" "D-40"]
+        as_state ["SM-1" "SM-3"]
+        handshake
+        go_signal
+        steering_status ["D-37"]
+        shutdown_cause
+        as_switch_status
+        ts_switch_status
+        ami_state ["RDY-6"]
+        shutdown_request ["D-38"]
+        op_state ["D-71"]
+        ts_state ["D-72"]
+        ebs_state ["D-73"]
+        fault_status ["D-40"]
         ai_estop_request hvil_open_fault hvil_short_fault ebs_fault offboard_charger_fault ai_comms_lost
         autonomous_braking_fault mission_status_fault charge_procedure_fault bms_fault brake_plausibility_fault
-        warning_status ["MSG-51" "D-39"]
-        warn_batt_temp_high ["MSG-52"]
-        warn_batt_soc_low ["MSG-53"];
+        warning_status ["D-39"]
+        warn_batt_temp_high
+        warn_batt_soc_low;
     actuation =>
         front_axle_trq ["D-21"]
         front_motor_speed_max ["D-21"]

@@ -31,8 +31,8 @@ use adsdv_spec::Edition;
 
 pub use lines::{BadTest, MAX_BAD, MAX_LINE, MAX_STEPS, ReadSuite, SCHEMA, read};
 pub use prove::{Proof, prove};
-pub use requirements::{are_decisions, is_decision, of_edition};
-pub(crate) use requirements::{is_of_a_reading, of_term, order};
+pub use requirements::{are_decisions, is_decision, of_edition, order};
+pub(crate) use requirements::{is_of_a_reading, of_term};
 pub use scenario::{Scenario, Step};
 pub use test::{Kind, Test};
 pub use untested::{Reason, Untested, about_the_vcu, untested};

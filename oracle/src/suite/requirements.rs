@@ -58,7 +58,7 @@ pub fn are_decisions(ids: &[impl AsRef<str>]) -> bool {
 }
 
 /// The place of a requirement in the document: by prefix, and within it by number.
-pub(crate) fn order(id: &str) -> (usize, u32) {
+pub fn order(id: &str) -> (usize, u32) {
     const PREFIXES: [&str; 14] =
         ["MSG", "ID", "HS", "SM", "RDY", "DRV", "FIN", "FTO", "RTE", "RTO", "DTE", "FTE", "ETO", "IMP"];
     let (prefix, number) = id.split_once('-').unwrap_or((id, ""));

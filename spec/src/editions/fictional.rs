@@ -34,21 +34,21 @@ layouts! { Fictional:
     }
 }
 
-bus! { Fictional:
-    Vcu2LogDynamics1 of V3_0,
-    Ai2LogDynamics2 of V3_0,
-    Vcu2LogStatus of V3_0,
-    Ai2VcuStatus of V3_0,
-    Ai2VcuDriveF of V3_0,
-    Ai2VcuDriveR of V3_0,
-    Ai2VcuSteer of Fictional,
-    Ai2VcuBrake of Fictional,
-    Vcu2AiStatus of V3_0,
-    Vcu2AiDriveF of V3_0,
-    Vcu2AiDriveR of V3_0,
-    Vcu2AiSteer of V3_0,
-    Vcu2AiBrake of V3_0,
-    Vcu2AiWheelSpeeds of V3_0,
+bus! { Fictional, lengths cites ["D-30"]:
+    Vcu2LogDynamics1 of V3_0;
+    Ai2LogDynamics2 of V3_0;
+    Vcu2LogStatus of V3_0;
+    Ai2VcuStatus of V3_0;
+    Ai2VcuDriveF of V3_0;
+    Ai2VcuDriveR of V3_0;
+    Ai2VcuSteer of Fictional;
+    Ai2VcuBrake of Fictional;
+    Vcu2AiStatus of V3_0;
+    Vcu2AiDriveF of V3_0;
+    Vcu2AiDriveR of V3_0;
+    Vcu2AiSteer of V3_0;
+    Vcu2AiBrake of V3_0;
+    Vcu2AiWheelSpeeds of V3_0;
 }
 
 const FICTIONAL: Edition = Edition {

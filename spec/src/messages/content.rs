@@ -12,23 +12,46 @@ pub trait Message: Copy + Default + Into<AnyMessage> {
     const ID: u16;
     /// Who sends it.
     const SENDER: Node;
-    /// The fields, each with what it says in one sentence.
-    const FIELDS: &'static [(&'static str, &'static str)];
+    /// What asks for the message itself: the numbers of `REQUIREMENTS.md`, those of all editions; see
+    /// [`MessageDef::requirements`](super::MessageDef::requirements).
+    const REQUIREMENTS: &'static [&'static str];
+    /// The fields.
+    const FIELDS: &'static [FieldDef];
 
     /// The message itself, if it is one of this kind.
     fn of(message: AnyMessage) -> Option<Self>;
 }
 
-/// What a field of a message says: the second of the pair of that name. A field that is not there does not compile.
-pub(crate) const fn doc_of(
-    fields: &'static [(&'static str, &'static str)],
-    name: &'static str,
-) -> &'static str {
+/// A field of a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct FieldDef {
+    /// The name.
+    pub name: &'static str,
+    /// What it says, in one sentence.
+    pub doc: &'static str,
+    /// What asks for its values: the numbers of `REQUIREMENTS.md`, those of all editions; see
+    /// [`SignalDef::requirements`](super::SignalDef::requirements).
+    pub requirements: &'static [&'static str],
+}
+
+impl FieldDef {
+    /// A field of this name, with what it says, and what asks for its values.
+    pub(crate) const fn new(
+        name: &'static str,
+        doc: &'static str,
+        requirements: &'static [&'static str],
+    ) -> Self {
+        Self { name, doc, requirements }
+    }
+}
+
+/// The field of that name. One that is not there does not compile.
+pub(crate) const fn field_of(fields: &'static [FieldDef], name: &'static str) -> &'static FieldDef {
     let mut i = 0;
-    while !same(fields[i].0.as_bytes(), name.as_bytes()) {
+    while !same(fields[i].name.as_bytes(), name.as_bytes()) {
         i += 1;
     }
-    fields[i].1
+    &fields[i]
 }
 
 /// Whether two names are the same.
@@ -44,22 +67,22 @@ pub(crate) const fn same(one: &[u8], other: &[u8]) -> bool {
 ///
 /// ```text
 /// /// What it is for.
-/// StructName identifier from sender {
+/// StructName identifier from sender, cites ["MSG-1"] {
 ///     /// What it says.
-///     field: Type;
+///     field: Type, cites ["MSG-2"];
 /// }
 /// ```
 ///
-/// and becomes the struct. The first line of each doc comment is what CAN databases say of it.
+/// and becomes the struct. What is cited asks for the message, and for the values of the field, in any edition. The first line of each doc comment is what CAN databases say of it.
 macro_rules! contents {
     ($(
         #[doc = $doc:literal]
         $(#[doc = $more:literal])*
-        $message:ident $id:literal from $sender:ident {
+        $message:ident $id:literal from $sender:ident, cites [$($cited:literal),+] {
             $(
                 #[doc = $field_doc:literal]
                 $(#[doc = $field_more:literal])*
-                $field:ident: $ty:ty;
+                $field:ident: $ty:ty, cites [$($field_cited:literal),+];
             )+
         }
     )+) => {$(
@@ -89,7 +112,14 @@ macro_rules! contents {
         impl $crate::messages::Message for $message {
             const ID: u16 = $id;
             const SENDER: $crate::messages::Node = $crate::messages::Node::$sender;
-            const FIELDS: &'static [(&'static str, &'static str)] = &[$((stringify!($field), $field_doc.trim_ascii())),+];
+            const REQUIREMENTS: &'static [&'static str] = &[$($cited),+];
+            const FIELDS: &'static [$crate::messages::FieldDef] = &[$(
+                $crate::messages::FieldDef::new(
+                    stringify!($field),
+                    $field_doc.trim_ascii(),
+                    &[$($field_cited),+],
+                )
+            ),+];
 
             fn of(message: $crate::messages::AnyMessage) -> Option<Self> {
                 match message {
@@ -133,18 +163,23 @@ pub(super) use contents;
 
 #[cfg(test)]
 mod tests {
-    use super::{doc_of, same};
+    use super::{FieldDef, field_of, same};
+
+    const fn field(name: &'static str) -> FieldDef {
+        FieldDef::new(name, "What it says.", &[])
+    }
 
     #[test]
-    fn a_field_has_its_own_words() {
-        let fields = &[("one", "The first."), ("two", "The second."), ("twofold", "The third.")];
-        assert_eq!(["one", "two", "twofold"].map(|name| doc_of(fields, name)), fields.map(|(_, doc)| doc));
+    fn a_field_is_found_by_its_whole_name() {
+        const FIELDS: &[FieldDef] = &[field("one"), field("two"), field("twofold")];
+        assert!(FIELDS.iter().all(|field| field_of(FIELDS, field.name) == field));
     }
 
     #[test]
     #[should_panic(expected = "out of bounds")]
     fn a_field_that_is_not_there_does_not_compile() {
-        let _ = doc_of(&[("one", "The first.")], "two");
+        const FIELDS: &[FieldDef] = &[field("one")];
+        let _ = field_of(FIELDS, "two");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::bits::{self, FRAME_BYTES};
 use super::content::same;
-use super::{Decimal, OutOfRange, Scale, SignalValue};
+use super::{Decimal, FieldDef, OutOfRange, Scale, SignalValue};
 
 /// Who sends a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -66,6 +66,9 @@ pub struct SignalDef {
     pub read_as: Option<ReadAs>,
     /// What the signal says, in one sentence: the comment of the CAN database where there is one.
     pub doc: &'static str,
+    /// What asks for its values: the numbers of `REQUIREMENTS.md`, those of all editions. An edition has those of them that
+    /// [its own requirements](crate::Edition::requirements) have.
+    pub requirements: &'static [&'static str],
 }
 
 /// A raw value that is read as another one. It is allowed, and never written.
@@ -99,6 +102,7 @@ impl SignalDef {
             values: T::VALUES,
             read_as: None,
             doc: doc.trim_ascii(),
+            requirements: &[],
         };
         assert!(signal.fits_a_frame(), "out of the frame");
         let (lowest, highest) = held_by(width, T::SIGNED);
@@ -151,9 +155,15 @@ impl SignalDef {
         }
     }
 
-    /// The same row, carried by a field.
-    pub(crate) const fn carried_by(self, field: &'static str) -> Self {
-        Self { field, ..self }
+    /// The same row of what a field carries.
+    pub(crate) const fn carrying(self, field: &'static FieldDef) -> Self {
+        Self { field: field.name, requirements: field.requirements, ..self }
+    }
+
+    /// Whether it may have every number that its bits hold.
+    pub const fn allows_all(&self) -> bool {
+        let (lowest, highest) = held_by(self.width, self.signed);
+        self.values.is_empty() && self.min as i64 == lowest && self.max as i64 == highest
     }
 
     /// The same row with a range of its own, inside that of the type, and of the type's named values those in it.
@@ -297,6 +307,10 @@ pub struct MessageDef {
     pub cycle_ms: u16,
     /// The section of the document that lists it.
     pub section: &'static str,
+    /// What asks for the message itself: the numbers of `REQUIREMENTS.md`, those of all editions. An edition has those of
+    /// them that [its own requirements](crate::Edition::requirements) have. What asks for its length and its cycle is
+    /// of the [bus](crate::Bus).
+    pub requirements: &'static [&'static str],
     /// The signals, by ascending start bit.
     pub signals: &'static [SignalDef],
     /// What the message is for, in one sentence.

@@ -1,6 +1,6 @@
 //! How an edition lays a message out on the bus: the macro that reads the tables in `editions`.
 
-use super::{DecodeError, Frame, MessageDef, SignalDef, SignalValue};
+use super::{DecodeError, FieldDef, Frame, MessageDef, SignalDef, SignalValue};
 
 /// An edition's layout of the message `M`: where its signals are, and what each may be.
 ///
@@ -45,9 +45,9 @@ pub(crate) const fn row_of<M, T: SignalValue>(
     name: &'static str,
     start: u8,
     width: u8,
-    doc: &'static str,
+    field: &'static FieldDef,
 ) -> SignalDef {
-    SignalDef::of::<T>(name, start, width, doc)
+    SignalDef::of::<T>(name, start, width, field.doc).carrying(field)
 }
 
 /// The value of a raw number, if its type and its row have it.
@@ -102,7 +102,7 @@ macro_rules! layouts {
     )+) => {$(
         impl $crate::messages::Layout<$message> for $edition {
             const DEF: &'static $crate::messages::MessageDef = {
-                use $crate::messages::{Message, MessageDef, content::doc_of, layout::row_of};
+                use $crate::messages::{Message, MessageDef, content::field_of, layout::row_of};
                 &MessageDef {
                     name: $name,
                     id: $message::ID,
@@ -110,15 +110,15 @@ macro_rules! layouts {
                     len: $len,
                     cycle_ms: $cycle,
                     section: $section,
+                    requirements: <$message as Message>::REQUIREMENTS,
                     signals: &[$(
                         row_of(
                             |message: &$message| message.$field,
                             $signal,
                             $start,
                             $width,
-                            doc_of(<$message as Message>::FIELDS, stringify!($field)),
+                            field_of(<$message as Message>::FIELDS, stringify!($field)),
                         )
-                        .carried_by(stringify!($field))
                         $(.with_flag_names(&[(0, $off), (1, $on)]))?
                         $(.reading($raw, $meaning))?
                         $(.with_values($names))?
@@ -203,18 +203,22 @@ pub(crate) use layouts;
 #[cfg(test)]
 mod tests {
     use super::{raw_of, row_of, value_of};
-    use crate::messages::{Ai2VcuSteer, SteerAngle};
+    use crate::messages::{Ai2VcuSteer, FieldDef, SteerAngle};
+
+    /// What carries a row.
+    const STEER: &FieldDef = &FieldDef::new("steer", "What it says.", &["MSG-24"]);
 
     #[test]
     fn a_row_is_of_the_type_of_its_field() {
-        let row = row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, "What it says.");
+        let row = row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, STEER);
         assert_eq!((row.min, row.max, row.signed), (SteerAngle::MIN.raw(), SteerAngle::MAX.raw(), true));
-        assert_eq!((row.carried_by("steer").field, row.field), ("steer", ""));
+        assert_eq!((row.field, row.doc, row.requirements), ("steer", "What it says.", STEER.requirements));
     }
 
     #[test]
     fn a_value_stays_in_the_range_of_its_row() {
-        let row = row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, "").within(-20, 10);
+        let row =
+            row_of(|message: &Ai2VcuSteer| message.steer_request, "ANGLE", 0, 16, STEER).within(-20, 10);
         let read = |raw| value_of::<SteerAngle>(&row, raw).map(SteerAngle::raw);
         assert_eq!([-21, -20, 10, 11].map(read), [None, Some(-20), Some(10), None]);
         let written = |raw| raw_of(&row, SteerAngle::clamped(raw));

@@ -59,7 +59,7 @@ mod vcu;
 
 pub use ai::*;
 pub use any::AnyMessage;
-pub use content::Message;
+pub use content::{FieldDef, Message};
 pub use definition::{DisplayRaw, MessageDef, Node, ReadAs, SignalDef};
 pub use device::{Coding, Device, DeviceMessage, DeviceSignal};
 pub use enums::*;

@@ -91,7 +91,8 @@ fn a_message_knows_its_identifier_its_sender_and_its_fields() {
     }
     assert_eq!((Ai2VcuSteer::SENDER, Vcu2AiSteer::SENDER), (Node::Ai, Node::Vcu));
     assert_eq!(Ai2VcuSteer::of(Ai2VcuDriveF::default().into()), None);
-    assert_eq!(Ai2VcuSteer::FIELDS, [("steer_request", "Requested steer angle.")]);
+    let fields = Ai2VcuSteer::FIELDS.iter().map(|field| (field.name, field.doc));
+    assert!(fields.eq([("steer_request", "Requested steer angle.")]));
     let steer = BUS.message(0x523).expect("523h");
     assert_eq!(steer.signal_of("steer_angle_max").map(|signal| signal.start), Some(16));
     assert_eq!(steer.signal_of("STEER_ANGLE_MAX_deg"), None);

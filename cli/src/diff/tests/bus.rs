@@ -1,5 +1,8 @@
 //! Messages, signals and reserved identifiers.
 
+use std::ops::RangeInclusive;
+
+use adsdv_spec::Reserved;
 use adsdv_spec::messages::{Device, DeviceMessage, MessageDef, Node, ReadAs, SignalDef};
 
 use super::super::change::Property;
@@ -85,9 +88,13 @@ fn no_field_of_a_message_or_a_signal_is_left_out() {
     };
     let message = BEFORE.bus.messages[0];
     let of_a_message = keys(serde_json::to_value(message).expect("JSON"));
-    assert_eq!(fields(OF_A_MESSAGE, &["id", "signals"]), of_a_message, "compare each in messages.rs");
+    assert_eq!(
+        fields(OF_A_MESSAGE, &["id", "requirements", "signals"]),
+        of_a_message,
+        "compare each in messages.rs"
+    );
     let of_a_signal = keys(serde_json::to_value(message.signals[0]).expect("JSON"));
-    assert_eq!(fields(OF_A_SIGNAL, &["field"]), of_a_signal, "compare each in messages.rs");
+    assert_eq!(fields(OF_A_SIGNAL, &["field", "requirements"]), of_a_signal, "compare each in messages.rs");
 }
 
 #[test]
@@ -160,9 +167,10 @@ fn a_name_counts_before_the_bits() {
 
 #[test]
 fn reserved_identifiers_are_new_and_gone_however_the_ranges_are_cut() {
-    let with = |reserved| {
+    let with = |ranges: &[RangeInclusive<u16>]| {
+        let reserved = ranges.iter().map(|ids| Reserved { ids: ids.clone(), requirements: &[] });
         let mut edition = *BEFORE;
-        edition.bus.reserved = reserved;
+        edition.bus.reserved = reserved.collect::<Vec<_>>().leak();
         edition
     };
     let (one, cut, other) = (

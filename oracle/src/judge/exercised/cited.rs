@@ -26,10 +26,12 @@ pub(in crate::judge) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
     suite::of_term(row, term)
 }
 
-/// What an edition asks for where these are asked for, but for the default answers to open questions.
+/// What an edition asks for where these are asked for, each once, but for the default answers to open questions.
 pub(in crate::judge) fn of_edition(edition: &Edition, ids: &[&'static str]) -> Vec<&'static str> {
-    let of_edition = ids.iter().flat_map(|id| suite::of_edition(edition, id));
-    of_edition.filter(|id| !suite::is_of_a_reading(edition, id)).collect()
+    let mut seen = HashSet::new();
+    let mut all: Vec<_> = ids.iter().flat_map(|id| suite::of_edition(edition, id)).collect();
+    all.retain(|id| edition.requirements.has(id) && !suite::is_of_a_reading(edition, id) && seen.insert(*id));
+    all
 }
 
 /// The requirements of an edition that a log can show, in the order of the document.
@@ -48,9 +50,7 @@ pub(super) fn all(edition: &Edition) -> Vec<&'static str> {
     }
     cited.extend(edition.faults.iter().map(adsdv_spec::Fault::requirement));
     cited.extend(AsState::ALL.iter().flat_map(|&state| Actuation::requirements(state)));
-    let mut seen = HashSet::new();
     let mut all = of_edition(edition, &cited);
-    all.retain(|id| seen.insert(*id));
     all.sort_by_key(|id| suite::order(id));
     all
 }

@@ -217,7 +217,9 @@ fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit
     book.margins.gap(index, t - last, t);
     let (silent, (raised, shows)) = (milliseconds(t - last), and_raised_of(est, place, index));
     let what = format!("{} ({:03X}h)", def.name, def.id);
+    let cycle = est.edition.bus.cycle_requirements(def.id);
     let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
+        .against(&[&[MISSED], cycle].concat())
         .seen(format!("{what} has not come for {silent:.0} ms while others have{raised}"))
         .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
         .shown_by(est.sampler.last_frames(&shows));

@@ -33,6 +33,11 @@ pub(super) const fn deciding(fault: Fault) -> Atoms {
     }
 }
 
+/// That NEUTRAL is not requested at speed: what the VCU has to do about it says so, as each edition has it.
+const NEUTRAL_AT_REST: &[&str] = &["DTE-5", "IMP-6"]; //= DTE-5, IMP-6
+/// That it does not request to drive and to brake at once: the same.
+const BRAKE_OR_TORQUE: &[&str] = &["IMP-8"]; //= IMP-8
+
 /// What is kept of it.
 #[derive(Debug, Default)]
 pub(super) struct Conduct {
@@ -119,17 +124,18 @@ impl Conduct {
             (Severity::Warning, " (a violation under some readings of the document only)")
         };
         book.was_forbidden(fault);
-        // The other requirements are the VCU's.
         let (rule, broken, expected): (_, &[_], _) = match fault {
             Fault::MissionStatusFault => {
                 (Rule::FinishedMoving, &[FINISHES_AT_REST], "FINISHED only once the vehicle has stopped")
             }
-            BOTH => (Rule::BrakeAndTorque, &[], "no request to drive and to brake at once"),
-            _ => (Rule::NeutralMoving, &[], "NEUTRAL only once the vehicle has stopped"),
+            BOTH => (Rule::BrakeAndTorque, BRAKE_OR_TORQUE, "no request to drive and to brake at once"),
+            _ => (Rule::NeutralMoving, NEUTRAL_AT_REST, "NEUTRAL only once the vehicle has stopped"),
         };
+        let asked = |id: &&&str| est.edition.requirements.has(id);
+        let broken: Vec<_> = broken.iter().filter(asked).copied().collect();
         let section = section_of(&est.edition, fault);
         let finding = Finding::new(severity, Party::Ai, section, rule, t)
-            .against(broken)
+            .against(&broken)
             .seen(format!("{} in AS_DRIVING", conditions(&est.edition.rules, &term, known)))
             .expected(format!("{expected}{reservation}"))
             .shown_by(est.sampler.deciding_frames(&pending.frames, deciding(fault)));

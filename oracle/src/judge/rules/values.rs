@@ -43,7 +43,8 @@ pub(super) fn judge(sampler: &Sampler, book: &mut Book, came: &Came, says: &Says
                 came.t,
                 &format!(" has {slot_len} bytes"),
             );
-            book.found(finding.expected(format!("at least {} for its signals", def.bytes_needed())));
+            let needed = format!("at least {} for its signals", def.bytes_needed());
+            book.found(finding.against(def.requirements).expected(needed));
         }
         Says::This { newly_bad, other_length, .. } => {
             if other_length {
@@ -52,7 +53,9 @@ pub(super) fn judge(sampler: &Sampler, book: &mut Book, came: &Came, says: &Says
                     def.len,
                     def.bytes_needed()
                 );
-                book.found(of_message(Severity::Note, def, Rule::Length, came.t, &seen));
+                let finding = of_message(Severity::Note, def, Rule::Length, came.t, &seen);
+                let lengths = book.edition().bus.lengths;
+                book.found(finding.against(lengths));
             }
             if newly_bad != 0 {
                 bad_values(sampler, book, came, def, newly_bad);
@@ -81,7 +84,7 @@ fn bad_values(sampler: &Sampler, book: &mut Book, came: &Came, def: &MessageDef,
         let refused = OutOfRange { given: raw, def: signal };
         let seen = format!(": {}{remark}", refused.seen());
         let finding = of_message(severity, def, rule, came.t, &seen);
-        book.found(finding.expected(refused.allowed().to_string()));
+        book.found(finding.against(signal.requirements).expected(refused.allowed().to_string()));
     }
 }
 
@@ -134,11 +137,13 @@ pub(crate) fn other_id(edition: &Edition, book: &mut Book, t: i64, id: u32) {
         }
         return;
     }
-    if other.is_some_and(|id| bus.is_reserved(id)) && book.out.first_of_id(id) {
+    let reserved = other.and_then(|id| bus.reserved_of(id));
+    if let Some(reserved) = reserved.filter(|_| book.out.first_of_id(id)) {
         let seen = format!(
             "{id:03X}h is reserved and was sent; the log does not say by whom; the AI Computer must not"
         );
-        book.found(Finding::note(Party::Log, "2.3", Rule::Reserved, t).seen(seen));
+        let finding = Finding::note(Party::Log, "2.3", Rule::Reserved, t).against(reserved.requirements);
+        book.found(finding.seen(seen));
     }
 }
 
@@ -147,8 +152,9 @@ pub(crate) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     let short = u16::try_from(id).unwrap_or(u16::MAX);
     let bus = &edition.bus;
     let of_the_vcu = bus.message(short).filter(|def| def.sender == Node::Vcu);
+    let reserved = bus.reserved_of(short);
     let (section, rule, what, sender) = match (bus.device(short), of_the_vcu) {
-        _ if bus.is_reserved(short) => ("2.3", Rule::Reserved, format!("{id:03X}h, which is reserved"), ""),
+        _ if reserved.is_some() => ("2.3", Rule::Reserved, format!("{id:03X}h, which is reserved"), ""),
         (Some(device), _) => {
             ("2.2", Rule::Sender, format!("{} ({id:03X}h)", device.name), device.sender.name())
         }
@@ -158,9 +164,12 @@ pub(crate) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     if book.out.first_by_ai(id) {
         let only = || format!("that message from {sender} only");
         let expected = if sender.is_empty() { "it not to".to_owned() } else { only() };
+        let forbidden = reserved.map_or(bus.senders, |reserved| reserved.requirements);
         let finding =
             Finding::violation(Party::Ai, section, rule, t).seen(format!("the AI Computer sent {what}"));
-        book.found(finding.expected(expected).shown_by(vec![Evidence { t_ns: t, id: short }]));
+        book.found(
+            finding.against(forbidden).expected(expected).shown_by(vec![Evidence { t_ns: t, id: short }]),
+        );
     }
 }
 

@@ -55,7 +55,7 @@ const MONTHS: &[(i32, &str)] = &[
 ];
 const CALIBRATION: &[(i32, &str)] = &[(0, "0 G"), (1, "+1 G"), (2, "-1 G")];
 
-//= MSG-115, D-70, ID-20
+//= MSG-115, D-70
 /// Every message of the devices, by ascending identifier.
 pub(super) const DEVICES: &[DeviceMessage] = devices! {
     "NMT" 0x000 from Vcu, 2 bytes, every 100 ms {

@@ -5,7 +5,7 @@ use crate::messages::Vcu2LogDynamics1;
 use crate::messages::layout::layouts;
 
 layouts! { V2026:
-    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 100 ms, section "2.2" { //= MSG-112, MSG-113
+    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 100 ms, section "2.2" {
         speed_actual = "Speed_actual" 0|8;
         speed_target = "Speed_target" 8|8;
         steer_actual = "Steer_actual" 16|8;

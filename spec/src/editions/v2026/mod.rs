@@ -31,7 +31,7 @@ impl Edition {
     pub const V2026: Self = Self {
         version: "2026",
         document: "ADS-DV Software Interface Specification 4.0 with the CAN database of 2026",
-        bus: Bus { devices: devices::DEVICES, ..V2026::bus(Self::V4_0.bus.reserved) },
+        bus: Bus { devices: devices::DEVICES, senders: SENDERS, ..V2026::bus(Self::V4_0.bus.reserved) },
         //= D-67
         readings: Self::V4_0.readings.with(Choice::TorqueNever),
         requirements: requirements::REQUIREMENTS,
@@ -39,21 +39,24 @@ impl Edition {
     };
 }
 
+/// What keeps the AI Computer from sending what is the devices'.
+const SENDERS: &[&str] = &["ID-20"]; //= ID-20
+
 //= MSG-114, MSG-116
-bus! { V2026:
-    Vcu2LogDynamics1 of V2026,
-    Ai2LogDynamics2 of V3_0,
-    Vcu2LogStatus of V4_0,
-    Ai2VcuStatus of V4_0,
-    Ai2VcuDriveF of V4_0,
-    Ai2VcuDriveR of V4_0,
-    Ai2VcuSteer of V2026,
-    Ai2VcuBrake of V4_0,
-    Vcu2AiStatus of V2026,
-    Vcu2AiDriveF of V4_0,
-    Vcu2AiDriveR of V2026,
-    Vcu2AiSteer of V2026,
-    Vcu2AiBrake of V4_0,
-    Vcu2AiWheelSpeeds of V4_0,
-    Vcu2AiWheelCounts of V3_0,
+bus! { V2026, lengths cites ["MSG-113"]:
+    Vcu2LogDynamics1 of V2026, cites ["MSG-112"];
+    Ai2LogDynamics2 of V3_0;
+    Vcu2LogStatus of V4_0, cites ["MSG-96"];
+    Ai2VcuStatus of V4_0, cites ["MSG-98"];
+    Ai2VcuDriveF of V4_0, cites ["MSG-98"];
+    Ai2VcuDriveR of V4_0, cites ["MSG-98"];
+    Ai2VcuSteer of V2026, cites ["MSG-98"];
+    Ai2VcuBrake of V4_0, cites ["MSG-98"];
+    Vcu2AiStatus of V2026, cites ["MSG-111"];
+    Vcu2AiDriveF of V4_0, cites ["MSG-111"];
+    Vcu2AiDriveR of V2026, cites ["MSG-111"];
+    Vcu2AiSteer of V2026, cites ["MSG-111"];
+    Vcu2AiBrake of V4_0, cites ["MSG-111"];
+    Vcu2AiWheelSpeeds of V4_0, cites ["MSG-111"];
+    Vcu2AiWheelCounts of V3_0, cites ["MSG-111"];
 }

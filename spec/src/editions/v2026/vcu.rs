@@ -7,7 +7,7 @@ use crate::messages::layout::layouts;
 use crate::messages::{Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer};
 
 layouts! { V2026:
-    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" { //= MSG-106 to MSG-109, MSG-111, MSG-113, D-70
+    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" {
         handshake = "HANDSHAKE" 0|1;
         op_state = "OP_STATE" 4|4;
         shutdown_request = "SHUTDOWN_REQUEST" 8|1 ["NO SHUTDOWN", "SHUTDOWN REQUESTED"];
@@ -39,13 +39,13 @@ layouts! { V2026:
         shutdown_cause = "SHUTDOWN_CAUSE" 56|8 of CAUSES;
     }
 
-    Vcu2AiDriveR = "VCU2AI_Drive_R", 6 bytes, every 10 ms, section "2.2" { //= MSG-113, MSG-114
+    Vcu2AiDriveR = "VCU2AI_Drive_R", 6 bytes, every 10 ms, section "2.2" {
         rear_axle_trq = "REAR_AXLE_TRQ_Nm" 0|16;
         rear_axle_trq_request = "REAR_AXLE_TRQ_REQUEST_Nm" 16|16;
         rear_axle_trq_max = "REAR_AXLE_TRQ_MAX_Nm" 32|16;
     }
 
-    Vcu2AiSteer = "VCU2AI_Steer", 6 bytes, every 10 ms, section "2.2" { //= MSG-110, MSG-113
+    Vcu2AiSteer = "VCU2AI_Steer", 6 bytes, every 10 ms, section "2.2" {
         steer_angle = "ANGLE" 0|16 in -300 to 300;
         steer_angle_max = "ANGLE_MAX" 16|16 in 0 to 300;
         steer_angle_request = "ANGLE_REQUEST" 32|16 in -300 to 300;

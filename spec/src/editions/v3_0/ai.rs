@@ -6,7 +6,6 @@ use crate::messages::{Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2
 
 layouts! { V3_0:
     Ai2VcuStatus = "AI2VCU_Status", 8 bytes, every 10 ms, section "2.1" {
-        //= MSG-5 to MSG-8, MSG-10 to MSG-15, HS-2
         handshake = "HANDSHAKE" 0|1;
         estop_request = "ESTOP_REQUEST" 8|1 ["NO SHUTDOWN", "SHUTDOWN REQUESTED"];
         mission_status = "MISSION_STATUS" 12|2;
@@ -18,21 +17,21 @@ layouts! { V3_0:
         veh_speed_demand = "VEH_SPEED_DEMAND_kmh" 56|8;
     }
 
-    Ai2VcuDriveF = "AI2VCU_Drive_F", 8 bytes, every 10 ms, section "2.1" { //= MSG-16, MSG-17, MSG-19
+    Ai2VcuDriveF = "AI2VCU_Drive_F", 8 bytes, every 10 ms, section "2.1" {
         front_axle_trq_request = "FRONT_AXLE_TRQ_REQUEST_Nm" 0|16;
         front_motor_speed_max = "FRONT_MOTOR_SPEED_MAX_rpm" 16|16;
     }
 
-    Ai2VcuDriveR = "AI2VCU_Drive_R", 8 bytes, every 10 ms, section "2.1" { //= MSG-20 to MSG-22
+    Ai2VcuDriveR = "AI2VCU_Drive_R", 8 bytes, every 10 ms, section "2.1" {
         rear_axle_trq_request = "REAR_AXLE_TRQ_REQUEST_Nm" 0|16;
         rear_motor_speed_max = "REAR_MOTOR_SPEED_MAX_rpm" 16|16;
     }
 
-    Ai2VcuSteer = "AI2VCU_Steer", 8 bytes, every 10 ms, section "2.1" { //= MSG-23 to MSG-25
+    Ai2VcuSteer = "AI2VCU_Steer", 8 bytes, every 10 ms, section "2.1" {
         steer_request = "STEER_REQUEST_deg" 0|16 in -240 to 240;
     }
 
-    Ai2VcuBrake = "AI2VCU_Brake", 8 bytes, every 10 ms, section "2.1" { //= MSG-26 to MSG-28
+    Ai2VcuBrake = "AI2VCU_Brake", 8 bytes, every 10 ms, section "2.1" {
         hyd_press_f_req = "HYD_PRESS_F_REQ_pct" 0|8;
         hyd_press_r_req = "HYD_PRESS_R_REQ_pct" 8|8;
     }

@@ -5,7 +5,7 @@ use crate::messages::layout::layouts;
 use crate::messages::{Ai2LogDynamics2, Vcu2LogDynamics1, Vcu2LogStatus};
 
 layouts! { V3_0:
-    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 10 ms, section "2.2" { //= MSG-29 to MSG-33
+    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 10 ms, section "2.2" {
         speed_actual = "Speed_actual_kmh" 0|8;
         speed_target = "Speed_target_kmh" 8|8;
         steer_actual = "Steer_actual_deg" 16|8;
@@ -17,14 +17,14 @@ layouts! { V3_0:
         drive_trq_target = "Drive_trq_target_pct" 56|8;
     }
 
-    Ai2LogDynamics2 = "AI2LOG_Dynamics2", 6 bytes, every 10 ms, section "2.1" { //= MSG-1 to MSG-4
+    Ai2LogDynamics2 = "AI2LOG_Dynamics2", 6 bytes, every 10 ms, section "2.1" {
         // The text spells these two `Accel_longitudinal_ms2` and `Accel_lateral_ms2`.
         accel_longitudinal = "Accel_longitudinal_mps2" 0|16;
         accel_lateral = "Accel_lateral_mps2" 16|16;
         yaw_rate = "Yaw_rate_degps" 32|16;
     }
 
-    Vcu2LogStatus = "VCU2LOG_Status", 5 bytes, every 100 ms, section "2.2" { //= MSG-34 to MSG-40
+    Vcu2LogStatus = "VCU2LOG_Status", 5 bytes, every 100 ms, section "2.2" {
         // The value names are the text's; the database leaves out `AS_`, and ends in `FINISH`.
         state_assi = "State_ASSI" 0|3;
         state_ebs = "State_EBS" 3|2;

@@ -6,9 +6,7 @@ mod log;
 mod requirements;
 mod vcu;
 
-use core::ops::RangeInclusive;
-
-use crate::bus::bus;
+use crate::bus::{Reserved, bus};
 use crate::edition::{Edition, Rules, Thresholds, Timing};
 use crate::faults::{Fault, Faults};
 use crate::messages::{
@@ -50,22 +48,22 @@ impl Edition {
     };
 }
 
-bus! { V3_0:
-    Vcu2LogDynamics1 of V3_0,
-    Ai2LogDynamics2 of V3_0,
-    Vcu2LogStatus of V3_0,
-    Ai2VcuStatus of V3_0,
-    Ai2VcuDriveF of V3_0,
-    Ai2VcuDriveR of V3_0,
-    Ai2VcuSteer of V3_0,
-    Ai2VcuBrake of V3_0,
-    Vcu2AiStatus of V3_0,
-    Vcu2AiDriveF of V3_0,
-    Vcu2AiDriveR of V3_0,
-    Vcu2AiSteer of V3_0,
-    Vcu2AiBrake of V3_0,
-    Vcu2AiWheelSpeeds of V3_0,
-    Vcu2AiWheelCounts of V3_0,
+bus! { V3_0, lengths cites ["D-30"]:
+    Vcu2LogDynamics1 of V3_0;
+    Ai2LogDynamics2 of V3_0;
+    Vcu2LogStatus of V3_0;
+    Ai2VcuStatus of V3_0;
+    Ai2VcuDriveF of V3_0;
+    Ai2VcuDriveR of V3_0;
+    Ai2VcuSteer of V3_0;
+    Ai2VcuBrake of V3_0;
+    Vcu2AiStatus of V3_0;
+    Vcu2AiDriveF of V3_0;
+    Vcu2AiDriveR of V3_0;
+    Vcu2AiSteer of V3_0;
+    Vcu2AiBrake of V3_0;
+    Vcu2AiWheelSpeeds of V3_0;
+    Vcu2AiWheelCounts of V3_0;
 }
 
 /// The answers to questions that later editions raise. Their defaults are how version 3.0 has it.
@@ -73,22 +71,22 @@ const LATER: Choices =
     Choices::of(&[Choice::CommsDriving, Choice::WatchAlways, Choice::TorqueNever, Choice::BmsDriving]);
 
 /// The reserved identifiers.
-const RESERVED: &[RangeInclusive<u16>] = &[
-    0x000..=0x000, //= ID-1
-    0x080..=0x084, //= ID-2
-    0x100..=0x100, //= ID-3
-    0x120..=0x124, //= ID-4
-    0x181..=0x184, //= ID-5
-    0x201..=0x201, //= ID-6
-    0x284..=0x284, //= ID-7
-    0x301..=0x301, //= ID-8
-    0x410..=0x41F, //= ID-9
-    0x450..=0x470, //= ID-10
-    0x4E2..=0x4E2, //= ID-11
-    0x4FD..=0x4FF, //= ID-12
-    0x550..=0x550, //= ID-13
-    0x581..=0x584, //= ID-14
-    0x601..=0x601, //= ID-15
-    0x604..=0x604, //= ID-16
-    0x700..=0x705, //= ID-17
+const RESERVED: &[Reserved] = &[
+    Reserved { ids: 0x000..=0x000, requirements: &["ID-1"] },
+    Reserved { ids: 0x080..=0x084, requirements: &["ID-2"] },
+    Reserved { ids: 0x100..=0x100, requirements: &["ID-3"] },
+    Reserved { ids: 0x120..=0x124, requirements: &["ID-4"] },
+    Reserved { ids: 0x181..=0x184, requirements: &["ID-5"] },
+    Reserved { ids: 0x201..=0x201, requirements: &["ID-6"] },
+    Reserved { ids: 0x284..=0x284, requirements: &["ID-7"] },
+    Reserved { ids: 0x301..=0x301, requirements: &["ID-8"] },
+    Reserved { ids: 0x410..=0x41F, requirements: &["ID-9"] },
+    Reserved { ids: 0x450..=0x470, requirements: &["ID-10"] },
+    Reserved { ids: 0x4E2..=0x4E2, requirements: &["ID-11"] },
+    Reserved { ids: 0x4FD..=0x4FF, requirements: &["ID-12"] },
+    Reserved { ids: 0x550..=0x550, requirements: &["ID-13"] },
+    Reserved { ids: 0x581..=0x584, requirements: &["ID-14"] },
+    Reserved { ids: 0x601..=0x601, requirements: &["ID-15"] },
+    Reserved { ids: 0x604..=0x604, requirements: &["ID-16"] },
+    Reserved { ids: 0x700..=0x705, requirements: &["ID-17"] },
 ];

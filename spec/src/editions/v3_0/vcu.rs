@@ -7,7 +7,7 @@ use crate::messages::{
 };
 
 layouts! { V3_0:
-    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" { //= MSG-41 to MSG-64, HS-3
+    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" {
         handshake = "HANDSHAKE" 0|1;
         shutdown_request = "SHUTDOWN_REQUEST" 8|1 ["NO SHUTDOWN", "SHUTDOWN REQUESTED"];
         as_switch_status = "AS_SWITCH_STATUS" 9|1 ["OFF", "ON"];
@@ -34,40 +34,40 @@ layouts! { V3_0:
         shutdown_cause = "SHUTDOWN_CAUSE" 56|8 in 0 to 10;
     }
 
-    Vcu2AiDriveF = "VCU2AI_Drive_F", 8 bytes, every 10 ms, section "2.2" { //= MSG-65 to MSG-68
+    Vcu2AiDriveF = "VCU2AI_Drive_F", 8 bytes, every 10 ms, section "2.2" {
         front_axle_trq = "FRONT_AXLE_TRQ_Nm" 0|16;
         front_axle_trq_request = "FRONT_AXLE_TRQ_REQUEST_Nm" 16|16;
         front_axle_trq_max = "FRONT_AXLE_TRQ_MAX_Nm" 32|16;
     }
 
-    Vcu2AiDriveR = "VCU2AI_Drive_R", 8 bytes, every 10 ms, section "2.2" { //= MSG-69 to MSG-72
+    Vcu2AiDriveR = "VCU2AI_Drive_R", 8 bytes, every 10 ms, section "2.2" {
         rear_axle_trq = "REAR_AXLE_TRQ_Nm" 0|16;
         // Unsigned, as the text says; the database says signed. No value in range differs.
         rear_axle_trq_request = "REAR_AXLE_TRQ_REQUEST_Nm" 16|16;
         rear_axle_trq_max = "REAR_AXLE_TRQ_MAX_Nm" 32|16;
     }
 
-    Vcu2AiSteer = "VCU2AI_Steer", 8 bytes, every 10 ms, section "2.2" { //= MSG-73 to MSG-76
+    Vcu2AiSteer = "VCU2AI_Steer", 8 bytes, every 10 ms, section "2.2" {
         steer_angle = "STEER_ANGLE_deg" 0|16 in -240 to 240;
         steer_angle_max = "STEER_ANGLE_MAX_deg" 16|16 in 0 to 240;
         steer_angle_request = "STEER_ANGLE_REQUEST_deg" 32|16 in -240 to 240;
     }
 
-    Vcu2AiBrake = "VCU2AI_Brake", 8 bytes, every 10 ms, section "2.2" { //= MSG-77 to MSG-79
+    Vcu2AiBrake = "VCU2AI_Brake", 8 bytes, every 10 ms, section "2.2" {
         hyd_press_f = "HYD_PRESS_F_pct" 0|8;
         hyd_press_f_req = "HYD_PRESS_F_REQ_pct" 8|8;
         hyd_press_r = "HYD_PRESS_R_pct" 16|8;
         hyd_press_r_req = "HYD_PRESS_R_REQ_pct" 24|8;
     }
 
-    Vcu2AiWheelSpeeds = "VCU2AI_Wheel_speeds", 8 bytes, every 10 ms, section "2.2" { //= MSG-80, MSG-81
+    Vcu2AiWheelSpeeds = "VCU2AI_Wheel_speeds", 8 bytes, every 10 ms, section "2.2" {
         fl_wheel_speed = "FL_WHEEL_SPEED_rpm" 0|16;
         fr_wheel_speed = "FR_WHEEL_SPEED_rpm" 16|16;
         rl_wheel_speed = "RL_WHEEL_SPEED_rpm" 32|16;
         rr_wheel_speed = "RR_WHEEL_SPEED_rpm" 48|16;
     }
 
-    Vcu2AiWheelCounts = "VCU2AI_Wheel_counts", 8 bytes, every 10 ms, section "2.2" { //= MSG-82, MSG-83
+    Vcu2AiWheelCounts = "VCU2AI_Wheel_counts", 8 bytes, every 10 ms, section "2.2" {
         fl_pulse_count = "FL_PULSE_COUNT" 0|16;
         fr_pulse_count = "FR_PULSE_COUNT" 16|16;
         rl_pulse_count = "RL_PULSE_COUNT" 32|16;

@@ -9,7 +9,7 @@ use crate::messages::layout::layouts;
 use crate::messages::{Vcu2LogDynamics1, Vcu2LogStatus};
 
 layouts! { V4_0:
-    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 10 ms, section "2.2" { //= MSG-29 to MSG-33, MSG-95, MSG-97
+    Vcu2LogDynamics1 = "VCU2LOG_Dynamics1", 8 bytes, every 10 ms, section "2.2" {
         // The text ends the names of these four in `_kmh` and `_deg`.
         speed_actual = "Speed_actual" 0|8;
         speed_target = "Speed_target" 8|8;
@@ -22,7 +22,7 @@ layouts! { V4_0:
         drive_trq_target = "Drive_trq_target_pct" 56|8;
     }
 
-    Vcu2LogStatus = "VCU2LOG_Status", 5 bytes, every 100 ms, section "2.2" { //= MSG-34 to MSG-40, MSG-96, MSG-97
+    Vcu2LogStatus = "VCU2LOG_Status", 5 bytes, every 100 ms, section "2.2" {
         // The value names are the text's; the database leaves out `AS_`, and ends in `FINISH`.
         state_assi = "State_ASSI" 0|3;
         state_ebs = "State_EBS" 3|2;

@@ -9,10 +9,8 @@ mod values;
 pub(super) use values::{CAUSES, MISSIONS};
 mod vcu;
 
-use core::ops::RangeInclusive;
-
 use super::V3_0;
-use crate::bus::bus;
+use crate::bus::{Reserved, bus};
 use crate::edition::{Edition, Rules, Thresholds, Timing};
 use crate::faults::Faults;
 use crate::messages::{
@@ -55,23 +53,23 @@ impl Edition {
 }
 
 //= MSG-103
-bus! { V4_0:
-    VcuStatus of V4_0,
-    Vcu2LogDynamics1 of V4_0,
-    Ai2LogDynamics2 of V3_0, //= MSG-102
-    Vcu2LogStatus of V4_0,
-    Ai2VcuStatus of V4_0,
-    Ai2VcuDriveF of V4_0,
-    Ai2VcuDriveR of V4_0,
-    Ai2VcuSteer of V4_0,
-    Ai2VcuBrake of V4_0,
-    Vcu2AiStatus of V4_0,
-    Vcu2AiDriveF of V4_0,
-    Vcu2AiDriveR of V4_0,
-    Vcu2AiSteer of V4_0,
-    Vcu2AiBrake of V4_0,
-    Vcu2AiWheelSpeeds of V4_0,
-    Vcu2AiWheelCounts of V3_0,
+bus! { V4_0, lengths cites ["MSG-97"]:
+    VcuStatus of V4_0, cites ["MSG-95"];
+    Vcu2LogDynamics1 of V4_0, cites ["MSG-95"];
+    Ai2LogDynamics2 of V3_0, cites ["MSG-102"];
+    Vcu2LogStatus of V4_0, cites ["MSG-96"];
+    Ai2VcuStatus of V4_0, cites ["MSG-98"];
+    Ai2VcuDriveF of V4_0, cites ["MSG-98"];
+    Ai2VcuDriveR of V4_0, cites ["MSG-98"];
+    Ai2VcuSteer of V4_0, cites ["MSG-98"];
+    Ai2VcuBrake of V4_0, cites ["MSG-98"];
+    Vcu2AiStatus of V4_0, cites ["MSG-95"];
+    Vcu2AiDriveF of V4_0, cites ["MSG-95"];
+    Vcu2AiDriveR of V4_0, cites ["MSG-95"];
+    Vcu2AiSteer of V4_0, cites ["MSG-95"];
+    Vcu2AiBrake of V4_0, cites ["MSG-95"];
+    Vcu2AiWheelSpeeds of V4_0, cites ["MSG-95"];
+    Vcu2AiWheelCounts of V3_0, cites ["MSG-95"];
 }
 
 /// The answers that are no longer possible: version 4.0 says what it means.
@@ -79,20 +77,20 @@ bus! { V4_0:
 const SETTLED: Choices = Choices::of(&[Choice::FaultEdge, Choice::CommsNoArrow]);
 
 /// The reserved identifiers.
-const RESERVED: &[RangeInclusive<u16>] = &[
-    0x000..=0x000, //= ID-1
-    0x080..=0x084, //= ID-2
-    0x120..=0x124, //= ID-4
-    0x181..=0x184, //= ID-5
-    0x284..=0x284, //= ID-7
-    0x301..=0x301, //= ID-8
-    0x410..=0x41F, //= ID-9
-    0x450..=0x470, //= ID-10
-    0x4E2..=0x4E2, //= ID-11
-    0x4FD..=0x4FF, //= ID-12
-    0x550..=0x550, //= ID-13
-    0x581..=0x584, //= ID-14
-    0x600..=0x640, //= ID-18
-    0x650..=0x660, //= ID-19
-    0x700..=0x705, //= ID-17
+const RESERVED: &[Reserved] = &[
+    Reserved { ids: 0x000..=0x000, requirements: &["ID-1"] },
+    Reserved { ids: 0x080..=0x084, requirements: &["ID-2"] },
+    Reserved { ids: 0x120..=0x124, requirements: &["ID-4"] },
+    Reserved { ids: 0x181..=0x184, requirements: &["ID-5"] },
+    Reserved { ids: 0x284..=0x284, requirements: &["ID-7"] },
+    Reserved { ids: 0x301..=0x301, requirements: &["ID-8"] },
+    Reserved { ids: 0x410..=0x41F, requirements: &["ID-9"] },
+    Reserved { ids: 0x450..=0x470, requirements: &["ID-10"] },
+    Reserved { ids: 0x4E2..=0x4E2, requirements: &["ID-11"] },
+    Reserved { ids: 0x4FD..=0x4FF, requirements: &["ID-12"] },
+    Reserved { ids: 0x550..=0x550, requirements: &["ID-13"] },
+    Reserved { ids: 0x581..=0x584, requirements: &["ID-14"] },
+    Reserved { ids: 0x600..=0x640, requirements: &["ID-18"] },
+    Reserved { ids: 0x650..=0x660, requirements: &["ID-19"] },
+    Reserved { ids: 0x700..=0x705, requirements: &["ID-17"] },
 ];

@@ -7,9 +7,8 @@ use crate::messages::{
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelSpeeds, VcuStatus,
 };
 
-//= MSG-95, MSG-97
 layouts! { V4_0:
-    VcuStatus = "VCU_STATUS", 8 bytes, every 10 ms, section "2.2" { //= MSG-88 to MSG-94
+    VcuStatus = "VCU_STATUS", 8 bytes, every 10 ms, section "2.2" {
         sm_sys = "SM_SYS" 0|4;
         sm_as = "SM_AS" 12|4;
         status_timeout = "R1_AI2VCU_STATUS_TIMEOUT_ERROR" 32|1 ["FALSE", "TRUE"];
@@ -29,7 +28,7 @@ layouts! { V4_0:
         warn_mission_status = "WARN_MISSION_STATUS" 63|1 ["FALSE", "TRUE"];
     }
 
-    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" { //= MSG-41 to MSG-64, MSG-84, MSG-85, HS-3
+    Vcu2AiStatus = "VCU2AI_Status", 8 bytes, every 10 ms, section "2.2" {
         handshake = "HANDSHAKE" 0|1;
         shutdown_request = "SHUTDOWN_REQUEST" 8|1 ["NO SHUTDOWN", "SHUTDOWN REQUESTED"];
         as_switch_status = "AS_SWITCH_STATUS" 9|1 ["OFF", "ON"];
@@ -58,25 +57,25 @@ layouts! { V4_0:
         shutdown_cause = "SHUTDOWN_CAUSE" 56|8 of CAUSES;
     }
 
-    Vcu2AiDriveF = "VCU2AI_Drive_F", 6 bytes, every 10 ms, section "2.2" { //= MSG-65 to MSG-68
+    Vcu2AiDriveF = "VCU2AI_Drive_F", 6 bytes, every 10 ms, section "2.2" {
         front_axle_trq = "FRONT_AXLE_TRQ" 0|16;
         front_axle_trq_request = "FRONT_AXLE_TRQ_REQUEST" 16|16;
         front_axle_trq_max = "FRONT_AXLE_TRQ_MAX" 32|16;
     }
 
-    Vcu2AiDriveR = "VCU2AI_Drive_R", 6 bytes, every 10 ms, section "2.2" { //= MSG-69 to MSG-72
+    Vcu2AiDriveR = "VCU2AI_Drive_R", 6 bytes, every 10 ms, section "2.2" {
         rear_axle_trq = "REAR_AXLE_TRQ" 0|16;
         rear_axle_trq_request = "REAR_AXLE_TRQ_REQUEST" 16|16;
         rear_axle_trq_max = "REAR_AXLE_TRQ_MAX" 32|16;
     }
 
-    Vcu2AiSteer = "VCU2AI_Steer", 6 bytes, every 10 ms, section "2.2" { //= MSG-73, MSG-75, MSG-76, MSG-100
+    Vcu2AiSteer = "VCU2AI_Steer", 6 bytes, every 10 ms, section "2.2" {
         steer_angle = "ANGLE" 0|16 in -210 to 210;
         steer_angle_max = "ANGLE_MAX" 16|16 in 0 to 210;
         steer_angle_request = "ANGLE_REQUEST" 32|16 in -210 to 210;
     }
 
-    Vcu2AiBrake = "VCU2AI_Brake", 5 bytes, every 10 ms, section "2.2" { //= MSG-77 to MSG-79, MSG-86, MSG-87
+    Vcu2AiBrake = "VCU2AI_Brake", 5 bytes, every 10 ms, section "2.2" {
         hyd_press_f = "HYD_PRESS_F_pct" 0|8;
         hyd_press_f_req = "HYD_PRESS_F_REQ_pct" 8|8;
         hyd_press_r = "HYD_PRESS_R_pct" 16|8;
@@ -85,7 +84,7 @@ layouts! { V4_0:
         status_ebs = "STATUS_EBS" 36|4;
     }
 
-    Vcu2AiWheelSpeeds = "VCU2AI_Speeds", 8 bytes, every 10 ms, section "2.2" { //= MSG-81, MSG-101
+    Vcu2AiWheelSpeeds = "VCU2AI_Speeds", 8 bytes, every 10 ms, section "2.2" {
         fl_wheel_speed = "FL_WHEEL_SPEED" 0|16;
         fr_wheel_speed = "FR_WHEEL_SPEED" 16|16;
         rl_wheel_speed = "RL_WHEEL_SPEED" 32|16;

@@ -2,7 +2,8 @@
 //!
 //! - `//= HS-4, HS-6`, on a line of its own or behind code;
 //! - in a doc comment, `/// Requirements: HS-4, HS-6.`, over as many lines as it takes to the full stop;
-//! - in data, `requirements: &["HS-4", "HS-6"]`, over as many lines as it takes.
+//! - in data, `requirements: &["HS-4", "HS-6"]`, and in a row of a table, `cites ["HS-4", "HS-6"]`, over as many lines as it
+//!   takes.
 
 use crate::mistake::Mistake;
 
@@ -71,13 +72,17 @@ fn begins(line: &str, rest: &[&str]) -> Option<(Form, Result<String, Mistake>)> 
     if let Some((_, ids)) = behind_code(COMMENT) {
         return Some((Form::Comment, Ok(ids.trim().to_owned())));
     }
-    let (_, ids) = behind_code(DATA)?;
+    let (_, ids) = behind_code(DATA).or_else(|| {
+        // What is cited by a macro's rule is what its rows cite.
+        behind_code(ROW).filter(|(_, ids)| ids.starts_with('"'))
+    })?;
     Some((Form::Data, data(ids, rest)))
 }
 
 const DOC: &str = "/// Requirements:";
 const COMMENT: &str = "//=";
 const DATA: &str = "requirements: &[";
+const ROW: &str = "cites [";
 
 fn doc(first: &str, rest: &[&str]) -> Result<String, Mistake> {
     let mut ids = first.trim().to_owned();
@@ -163,6 +168,13 @@ mod tests {
         assert_eq!(scanned("requirements: &[],\npub requirements: &'static [&'static str],\n"), []);
         assert!(citations("requirements: &[HS_9],\n").remove(0).is_err(), "not quoted");
         assert!(citations("requirements: &[\"HS-9\",\n").remove(0).is_err(), "no end");
+    }
+
+    #[test]
+    fn rows_of_tables() {
+        let text =
+            "handshake: bool, cites [\"MSG-6\", \"HS-2\"];\n($field:ident, cites [$($cited:literal),+];)\n";
+        assert_eq!(scanned(text), [(Form::Data, 1, "MSG-6, HS-2".to_owned())]);
     }
 
     #[test]
