@@ -66,6 +66,7 @@ contents! {
     /// Steering commands.
     Ai2VcuSteer 0x513 from Ai, cites ["MSG-23"] {
         /// Requested steer angle.
+        //= MSG-25
         steer_request: SteerAngle, cites ["MSG-24", "MSG-99", "MSG-105"];
     }
 
