@@ -63,7 +63,7 @@ pub fn body(bytes: &[u8]) {
     };
     options.strict = options.seed % 2 == 1;
     if honest {
-        right(Machine::new(**edition, readings), &tests, &options);
+        right(&Machine::new(**edition, readings), &tests, &options);
     } else {
         let machine = match bytes.below(3) {
             0 => Machine::new(**edition, readings),
@@ -80,8 +80,8 @@ pub fn body(bytes: &[u8]) {
 }
 
 /// The reference under any readings conforms, whatever it is asked, and the judge finds out nothing else of it.
-fn right(machine: Machine, tests: &[Test], options: &ConformOptions) {
-    let report = conform(&mut InProcess(machine), tests, options, &mut |_| {}).expect("it answers");
+fn right(machine: &Machine, tests: &[Test], options: &ConformOptions) {
+    let report = conform(&mut InProcess(*machine), tests, options, &mut |_| {}).expect("it answers");
     let (of, readings) = (machine.edition().version, machine.readings());
     assert!(report.conforms(), "{of}, {readings}: {:#?}", report.failures);
     assert_eq!((report.failed_tests, report.failed_runs, report.late), (0, 0, 0));

@@ -167,7 +167,9 @@ fn words(target: &str) -> BTreeSet<String> {
                     if target == "suite" {
                         parts(&test.to_line(&machine), &mut words);
                     } else {
-                        exchange(test, &machine).iter().for_each(|line| parts(line, &mut words));
+                        for line in exchange(test, &machine) {
+                            parts(&line, &mut words);
+                        }
                     }
                 }
                 let signals = edition.bus.messages.iter().flat_map(|def| def.signals);

@@ -11,8 +11,8 @@ use adsdv_tests::world::{MS, Recorded, World, judge};
 use crate::check::{Blame, blames, by, is_reported, is_silent, recordings_of_a_kind};
 
 /// The editions that watch messages, each with the limit.
-fn watching() -> impl Iterator<Item = (&'static Edition, i64)> {
-    Edition::ALL.iter().filter_map(|edition| Some((*edition, edition.rules.thresholds.missed_ms?.into())))
+fn watching() -> impl Iterator<Item = (&'static Edition, u16)> {
+    Edition::ALL.iter().filter_map(|edition| Some((*edition, edition.rules.thresholds.missed_ms?)))
 }
 
 /// AS_DRIVING, and the AI Computer does not answer in so many cycles: its answer comes half a cycle after that.
@@ -82,7 +82,8 @@ fn an_answer_a_millisecond_before_at_and_behind_the_limit() {
         for ms in [limit - 1, limit, limit + 1] {
             let report = judge(&answered_after(edition, ms), JudgeOptions::of(edition));
             let name = format!("{}: {ms} ms", edition.version);
-            assert_eq!(report.responses.max_ms().map(|max| max.round()), Some(ms as f64), "{name}");
+            let slowest = report.responses.max_ms().map(|max| format!("{max:.3} ms"));
+            assert_eq!(slowest, Some(format!("{ms}.000 ms")), "{name}");
             let late = report.findings.iter().any(|finding| finding.rule == Rule::HandshakeLate);
             assert_eq!(late, ms > limit, "{name}: {:#?}", report.findings);
             assert!(by(&report, Party::Vcu).is_empty(), "{name}: {:#?}", report.findings);
@@ -114,7 +115,7 @@ fn ten_messages_in_a_row_are_missed_and_nine_are_not() {
             for count in [9, 10, 11] {
                 let world = left_out(edition, id, count);
                 let name = format!("{}: {count} of {id:03X}h", edition.version);
-                let missed = count * i64::from(edition.rules.timing.cycle_ms) >= limit;
+                let missed = count * i64::from(edition.rules.timing.cycle_ms) >= limit.into();
                 assert_eq!(missed, count >= 10, "{name}");
                 assert_eq!(world.control.state == AsState::EmergencyBrake, missed, "{name}");
                 is_silent(&world, JudgeOptions::of(edition), &name);
@@ -143,13 +144,8 @@ fn a_gap_of_the_limit_is_the_margin_of_nothing() {
             .margins
             .iter()
             .find(|margin| margin.what == Measure::MessageGap && margin.message == Some(Ai2VcuSteer::ID));
-        let gap = gap.expect("513h has a gap");
-        assert_eq!(
-            (gap.value, gap.limit, gap.left()),
-            (limit as f64, limit as f64, 0.0),
-            "{}",
-            edition.version
-        );
+        let (gap, limit) = (gap.expect("513h has a gap"), f64::from(limit));
+        assert_eq!((gap.value, gap.limit, gap.left()), (limit, limit, 0.0), "{}", edition.version);
     }
 }
 

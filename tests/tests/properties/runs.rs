@@ -64,7 +64,7 @@ fn a_handshake_that_began_with_the_dwell_is_lost_in_time() {
 
 #[test]
 fn the_machine_does_what_the_text_says() {
-    always(|run| SecondOpinion::new(run));
+    always(SecondOpinion::new);
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn the_motors_obey_only_while_the_vehicle_drives() {
 
 #[test]
 fn comms_are_lost_when_nobody_answers_or_a_message_is_missed() {
-    always(|run| Handshake::new(run));
+    always(Handshake::new);
 }
 
 /// The runs are worth trying: each arrow of each edition's Figure 2 is taken in some of them.
