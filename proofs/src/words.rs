@@ -210,6 +210,20 @@ pub fn step_of_4_0(control: &Control, inputs: &Inputs, dt_ms: u32, readings: Rea
     verdict(StepInWords::of_4_0(control, inputs, dt_ms, readings))
 }
 
+/// A step in the words of some document: [`step`], or [`step_of_4_0`].
+pub type StepOfDocument = fn(&Control, &Inputs, u32, Readings) -> Verdict;
+
+/// The step in the words of the document that an edition of this version follows; `None` if no words are written for it.
+///
+/// The vehicle of 2026 has no document of its own: those of that year say that 4.0 stays valid until it is written anew.
+pub fn of_version(version: &str) -> Option<StepOfDocument> {
+    match version {
+        "3.0" => Some(step),
+        "4.0" | "2026" => Some(step_of_4_0),
+        _ => None,
+    }
+}
+
 /// What a step comes to.
 fn verdict(now: StepInWords<'_>) -> Verdict {
     let StepInWords { control, inputs, readings, handshake, .. } = now;

@@ -6,7 +6,7 @@ use adsdv_spec::{Control, Edition, Inputs, Machine};
 
 use adsdv_proofs::words::{self, Arrow, Verdict};
 
-/// How many rows Figure 2 has.
+/// How many rows a Figure 2 has: as many in each edition.
 pub(crate) const ROWS: usize = Edition::DEFAULT.rules.table.rows().len();
 
 /// How often each row of the table was taken.
@@ -35,7 +35,8 @@ pub(crate) fn step(
         taken[usize::from(row.row)] += 1;
     }
     let verdict = Verdict::of(control, &outputs);
-    let transcription = words::step(before, inputs, dt_ms, machine.readings());
+    let in_words = words::of_version(machine.edition().version).expect("every edition has its words");
+    let transcription = in_words(before, inputs, dt_ms, machine.readings());
     let section = outputs.row(machine).map(|row| row.section);
     let same_row = section == transcription.arrow.map(Arrow::section);
     if verdict == transcription && same_row && outputs.from == before.state {

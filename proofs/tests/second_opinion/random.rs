@@ -1,7 +1,8 @@
 //! Random runs: sequences of raw inputs, drawn so that every state is reached and every boundary is stood on.
 
 use adsdv_spec::messages::{
-    AmiState, AsState, AxleTorqueRequest, DirectionRequest, EbsState, MissionStatus, SteerAngle, WheelSpeed,
+    AmiState, AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus,
+    SteerAngle, WheelSpeed,
 };
 use adsdv_spec::{Control, Inputs, Machine, Reports, ShutdownCircuit};
 
@@ -41,7 +42,7 @@ impl Prng {
 
 /// The time since the last step. The cycle of the reference VCU and the whole of a timer come often, so that handshakes
 /// live and timers elapse.
-const DT_MS: [u32; 20] = [
+const DT_MS: [u32; 23] = [
     10,
     10,
     10,
@@ -56,6 +57,9 @@ const DT_MS: [u32; 20] = [
     11,
     49,
     50,
+    99,
+    100,
+    101,
     1000,
     4999,
     5001,
@@ -138,7 +142,7 @@ fn keep_going(prng: &mut Prng, control: &Control, inputs: &mut Inputs) {
 }
 
 /// How many things [`change`] can change.
-const FIELDS: usize = 29;
+const FIELDS: usize = 32;
 
 /// Draws one of the things that the VCU looks at afresh.
 fn change(prng: &mut Prng, inputs: &mut Inputs, field: usize) {
@@ -160,6 +164,7 @@ fn change(prng: &mut Prng, inputs: &mut Inputs, field: usize) {
     let wheels = &mut inputs.vehicle.wheel_speeds;
     let torque = AxleTorqueRequest::clamped(prng.pick(&[0, 0, 0, 1, 2, 1950]));
     let steer = SteerAngle::clamped(prng.pick(&[0, 0, 1, -1, 49, -49, 50, -50, 51, -51, 240, -240]));
+    let brake = BrakePressure::clamped(prng.pick(&[0, 0, 0, 1, 200]));
     let speed = WheelSpeed::clamped(prng.pick(&[0, 1, 9, 10, 11, 12, 1250]));
     match field {
         0 => *remote_estop = fault,
@@ -177,6 +182,22 @@ fn change(prng: &mut Prng, inputs: &mut Inputs, field: usize) {
         12 => ai.status.estop_request = fault,
         13 => inputs.asms = on,
         14 => inputs.tsms = on,
+        // What matters since version 4.0.
+        29 => ai.brake.hyd_press_f_req = brake,
+        30 => ai.brake.hyd_press_r_req = brake,
+        31 => {
+            let silence = &mut inputs.ai_silence;
+            let all = [
+                &mut silence.status_silence_ms,
+                &mut silence.drive_f_silence_ms,
+                &mut silence.drive_r_silence_ms,
+                &mut silence.steer_silence_ms,
+                &mut silence.brake_silence_ms,
+            ];
+            let place = prng.below(all.len());
+            let missed = prng.pick(&[0, 0, 0, 10, 99, 99, 100, 101, u16::MAX]);
+            all.into_iter().skip(place).take(1).for_each(|silence_ms| *silence_ms = missed);
+        }
         15 => inputs.go = on,
         16 => ai.status.handshake = on,
         17 => inputs.ami = prng.pick(&AmiState::ALL),

@@ -8,10 +8,10 @@ use std::ops::RangeInclusive;
 
 use adsdv_spec::belief::{Belief, Glimpse, KnownFaults, Outlook};
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Control, Edition, Inputs, Machine, Observation, Reaction, Taken};
+use adsdv_spec::{Control, Inputs, Machine, Observation, Reaction, Taken};
 
 use super::{Bytes, step};
-use crate::world::{Chance, any_readings};
+use crate::world::Chance;
 
 /// An arrow that was taken, and the edition.
 pub type Arrow = (&'static str, Taken);
@@ -29,8 +29,8 @@ pub fn taken(bytes: &[u8]) -> Vec<Arrow> {
 /// Goes from step to step, and looks at each: the arrows that were taken, or what is wrong with a step.
 pub fn walk(bytes: &[u8]) -> Result<Vec<Arrow>, String> {
     let mut bytes = Bytes::new(bytes);
-    let edition = bytes.pick(Edition::ALL);
-    let machine = Machine::new(*edition, any_readings(&mut bytes, edition));
+    let edition = bytes.edition();
+    let machine = Machine::new(*edition, bytes.readings(edition));
     let timing = &edition.rules.timing;
     let mut control = if bytes.one_in(2) {
         step::any_control(&mut bytes, timing, machine.readings())

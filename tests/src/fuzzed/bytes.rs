@@ -3,7 +3,7 @@
 use adsdv_spec::{Edition, Readings};
 use arbitrary::{Arbitrary, Unstructured};
 
-use crate::world::Chance;
+use crate::world::{Chance, any_readings};
 
 /// The bytes of an input as a source of choices. When they are used up, everything is 0.
 #[derive(Debug)]
@@ -37,13 +37,14 @@ impl<'a> Bytes<'a> {
         self.0.bytes(len).unwrap_or_default()
     }
 
-    /// Any answers to the questions that the document leaves open, mostly the usual ones.
-    pub fn readings(&mut self) -> Readings {
-        let edition = Edition::DEFAULT;
-        edition.questions().fold(edition.readings, |readings, reading| {
-            let choices: Vec<_> = edition.choices.of_reading(reading).collect();
-            if self.one_in(3) { readings.with(self.pick(&choices)) } else { readings }
-        })
+    /// Any edition: 3.0 if the bytes are used up.
+    pub fn edition(&mut self) -> &'static Edition {
+        self.pick(Edition::ALL)
+    }
+
+    /// Any answers to the questions that an edition leaves open, mostly the usual ones.
+    pub fn readings(&mut self, edition: &Edition) -> Readings {
+        any_readings(self, edition)
     }
 }
 

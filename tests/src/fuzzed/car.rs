@@ -1,16 +1,17 @@
-//! The car and the small AI Computer, and what watches a bus: any frames at any times, any switches.
+//! The car and the small AI Computer of any edition, and what watches a bus: any frames at any times, any switches.
 
-use adsdv_can::ai::Ai;
+use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::bus::{Disturbance, Received};
 use adsdv_can::car::{Action, Car, Switch, missing_for};
 use adsdv_can::live::Watch;
 use adsdv_oracle::candump::FrameKind;
+use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::LogOptions;
-use adsdv_spec::messages::{AnyMessage, AsState, Frame, Node, Vcu2LogStatus, WheelSpeed};
-use adsdv_spec::{Edition, Machine};
+use adsdv_oracle::remote::Remote;
+use adsdv_spec::messages::{AnyMessage, AsState, Frame, MessageDef, Node, Vcu2LogStatus, WheelSpeed};
+use adsdv_spec::{Bus, Edition, Machine, Rules};
 
 use super::Bytes;
-use crate::bus::BUS;
 use crate::world::Chance;
 
 /// Nothing goes on for longer than this many times.
@@ -21,14 +22,20 @@ pub fn body(bytes: &[u8]) {
     reached(bytes);
 }
 
+/// A state that a VCU comes to, and the edition.
+pub type Reached = (&'static str, AsState);
+
 /// Runs the body; the states that the VCU comes to.
-pub fn reached(bytes: &[u8]) -> Vec<AsState> {
+pub fn reached(bytes: &[u8]) -> Vec<Reached> {
     let mut reached = Vec::new();
     let mut bytes = Bytes::new(bytes);
-    let readings = bytes.readings();
-    let mut car = Car::new(Machine::new(*Edition::DEFAULT, readings));
-    let mut ai = Ai::default();
-    let mut watch = Watch::new("can0", LogOptions::default());
+    let edition = bytes.edition();
+    let bus = &edition.bus;
+    let readings = bytes.readings(edition);
+    let mut car = Car::new(Machine::new(*edition, readings));
+    let mut ai = Ai::new(edition, Plan::DEFAULT);
+    let options = LogOptions { judge: JudgeOptions::of(edition), ..LogOptions::default() };
+    let mut watch = Watch::new("can0", options);
     let switches: Vec<Switch> = Switch::all().collect();
     let mut time_ns: i64 = 1_000_000_000_000;
     let mut turns = 0;
@@ -46,8 +53,8 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
             }
             1 if bytes.one_in(8) => car.act(&Action::PowerCycle),
             2 => {
-                let frame = frame(&mut bytes);
-                let known = BUS.decode(frame.id, frame.data());
+                let frame = frame(bus, &mut bytes);
+                let known = bus.decode(frame.id, frame.data());
                 if let Err(error) = car.receive(&frame) {
                     assert_eq!(known, Err(error));
                 }
@@ -73,6 +80,7 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
                 };
                 for _ in 0..=bytes.below(16) {
                     let state = together(&mut car, &mut ai, &mut watch, time_ns, dt_ms);
+                    let state = state.map(|state| (edition.version, state));
                     reached.extend(state.filter(|state| reached.last() != Some(state)));
                     time_ns = time_ns.saturating_add(i64::from(dt_ms) * 1_000_000);
                 }
@@ -90,22 +98,27 @@ pub fn reached(bytes: &[u8]) -> Vec<AsState> {
 fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: u32) -> Option<AsState> {
     let before = car.vehicle().distance_m();
     let cycle = car.cycle(dt_ms);
-    let timing = &car.machine().edition().rules.timing;
-    assert!(car.control().is_consistent(timing, car.machine().readings()), "{:?}", car.control());
+    let Edition { rules: Rules { timing, .. }, bus, .. } = *car.machine().edition();
+    assert!(car.control().is_consistent(&timing, car.machine().readings()), "{:?}", car.control());
     assert_eq!(cycle.state(), cycle.outputs.map(|_| car.control().state));
-    assert!(cycle.frames.len() >= 8 || cycle.state().is_none(), "{} frames", cycle.frames.len());
+    let each_cycle = |def: &&&MessageDef| def.sender == Node::Vcu && def.cycle_ms <= timing.cycle_ms;
+    let least = bus.messages.iter().filter(each_cycle).count();
+    assert!(cycle.frames.len() >= least || cycle.state().is_none(), "{} frames", cycle.frames.len());
     let (speed, distance) = (car.vehicle().speed_mps(), car.vehicle().distance_m());
     assert!(speed.is_finite() && speed >= 0.0, "{speed} m/s");
     assert!(distance.is_finite() && distance >= before, "{before} m, and then {distance} m");
     let wheels = car.inputs().vehicle.wheel_speeds;
     assert!(wheels.fl_wheel_speed <= WheelSpeed::MAX && wheels.rr_wheel_speed <= WheelSpeed::MAX);
     for frame in &cycle.frames {
-        sent(frame, Node::Vcu);
+        // The switches of the remote control are the operator's, as those of the car.
+        if Remote::of(&bus).is_none_or(|remote| remote.message().id != frame.id) {
+            sent(&bus, frame, Node::Vcu);
+        }
         assert!(ai.receive(frame).is_ok());
         heard(watch, time_ns, frame);
     }
     for frame in ai.cycle(dt_ms) {
-        sent(&frame, Node::Ai);
+        sent(&bus, &frame, Node::Ai);
         assert!(car.receive(&frame).is_ok());
         heard(watch, time_ns, &frame);
     }
@@ -114,9 +127,9 @@ fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: 
 }
 
 /// Whoever sends sends what is theirs, and can be read.
-fn sent(frame: &Frame, node: Node) {
-    assert!(BUS.may_send(node, frame.id), "{frame}");
-    let message = BUS.decode(frame.id, frame.data()).expect("what is sent can be read");
+fn sent(bus: &Bus, frame: &Frame, node: Node) {
+    assert!(bus.may_send(node, frame.id), "{frame}");
+    let message = bus.decode(frame.id, frame.data()).expect("what is sent can be read");
     assert_eq!(message.sender(), node);
     assert!(frame.id != Vcu2LogStatus::ID || node == Node::Vcu);
 }
@@ -164,13 +177,13 @@ fn seen(watch: &mut Watch, bytes: &mut Bytes<'_>, now_ns: i64) {
     }
 }
 
-fn frame(bytes: &mut Bytes<'_>) -> Frame {
+fn frame(bus: &Bus, bytes: &mut Bytes<'_>) -> Frame {
     if bytes.one_in(2)
         && let Ok(message) = bytes.0.arbitrary::<AnyMessage>()
-        && let Some(frame) = BUS.encode(message)
+        && let Some(frame) = bus.encode(message)
     {
         return frame;
     }
-    let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(BUS.messages).id };
+    let id = if bytes.one_in(4) { bytes.any::<u16>() & 0x7FF } else { bytes.pick(bus.messages).id };
     Frame::new(id, bytes.some(8)).expect("the identifier and the length are those of a frame")
 }

@@ -1,4 +1,4 @@
-//! `conform` against a VCU that answers whatever it likes; and against one that is right under some readings.
+//! `conform`, by any edition, against a VCU that answers whatever it likes; and against one that is right under some readings.
 
 use std::sync::LazyLock;
 use std::time::Duration;
@@ -6,16 +6,29 @@ use std::time::Duration;
 use adsdv_oracle::conform::{
     ConformOptions, ConformReport, InProcess, Outcome, ProgramError, ProgramErrorKind, Reply, Vcu, conform,
 };
-use adsdv_oracle::protocol::{About, Answer, SHOWN, Shown};
+use adsdv_oracle::protocol::{About, Answer, Protocol, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::messages::ShutdownCause;
-use adsdv_spec::{Control, Edition, Fault, Machine, Mutation, Readings};
+use adsdv_spec::{Control, Edition, Fault, Machine, Mutation};
 
 use super::Bytes;
 use crate::world::Chance;
 
-static TESTS: LazyLock<Vec<Test>> = LazyLock::new(|| suite::generate(Edition::DEFAULT));
-static MUTATIONS: LazyLock<Vec<Mutation>> = LazyLock::new(|| Mutation::all(Edition::DEFAULT).collect());
+/// An edition, and what is asked of its VCUs.
+struct Asked {
+    edition: &'static Edition,
+    tests: Vec<Test>,
+    mutations: Vec<Mutation>,
+}
+
+static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
+    let of = |&edition| Asked {
+        edition,
+        tests: suite::generate(edition),
+        mutations: Mutation::all(edition).collect(),
+    };
+    Edition::ALL.iter().map(of).collect()
+});
 
 /// A run has at most so many tests.
 const TESTS_OF_A_RUN: u64 = 4;
@@ -26,14 +39,17 @@ const STEPS: u64 = 2_000_000;
 /// The body.
 pub fn body(bytes: &[u8]) {
     let mut bytes = Bytes::new(bytes);
-    let readings = bytes.readings();
+    let of = bytes.edition().version;
+    let Asked { edition, tests: all, mutations } =
+        ASKED.iter().find(|asked| asked.edition.version == of).expect("every edition is asked");
+    let readings = bytes.readings(edition);
     let honest = bytes.one_in(3);
     let tests: Vec<Test> = {
         let count = 1 + bytes.below(TESTS_OF_A_RUN);
-        let mut places: Vec<u64> = (0..count).map(|_| bytes.below(TESTS.len() as u64)).collect();
+        let mut places: Vec<u64> = (0..count).map(|_| bytes.below(all.len() as u64)).collect();
         places.sort_unstable();
         places.dedup();
-        places.iter().filter_map(|&place| TESTS.get(usize::try_from(place).ok()?)).cloned().collect()
+        places.iter().filter_map(|&place| all.get(usize::try_from(place).ok()?)).cloned().collect()
     };
     let mut options = ConformOptions {
         latency: usize::try_from(bytes.pick(&[0, 0, 0, 1])).unwrap_or(0),
@@ -42,17 +58,17 @@ pub fn body(bytes: &[u8]) {
         runs: bytes.pick(&[0, 0, 0, 1]),
         // As a rule nothing is made shorter: how far that goes depends on the clock.
         shrinking: Duration::from_millis(if bytes.one_in(8) { 50 } else { 0 }),
-        possible: if bytes.one_in(4) { readings.choices() } else { Edition::DEFAULT.choices },
-        ..ConformOptions::default()
+        possible: if bytes.one_in(4) { readings.choices() } else { edition.choices },
+        ..ConformOptions::of(edition)
     };
     options.strict = options.seed % 2 == 1;
     if honest {
-        right(readings, &tests, &options);
+        right(&Machine::new(**edition, readings), &tests, &options);
     } else {
         let machine = match bytes.below(3) {
-            0 => Machine::new(*Edition::DEFAULT, readings),
-            1 => Machine::new(bytes.pick(&MUTATIONS).apply(Edition::DEFAULT), readings),
-            _ => Machine::REFERENCE,
+            0 => Machine::new(**edition, readings),
+            1 => Machine::new(bytes.pick(mutations).apply(edition), readings),
+            _ => Machine::new(**edition, edition.readings),
         };
         let late = usize::try_from(bytes.pick(&[0, 0, 1, 2])).unwrap_or(0);
         let mut liar = Liar { machine, late, bytes, steps: 0 };
@@ -64,10 +80,10 @@ pub fn body(bytes: &[u8]) {
 }
 
 /// The reference under any readings conforms, whatever it is asked, and the judge finds out nothing else of it.
-fn right(readings: Readings, tests: &[Test], options: &ConformOptions) {
-    let mut vcu = InProcess(Machine::new(*Edition::DEFAULT, readings));
-    let report = conform(&mut vcu, tests, options, &mut |_| {}).expect("it answers");
-    assert!(report.conforms(), "{readings}: {:#?}", report.failures);
+fn right(machine: &Machine, tests: &[Test], options: &ConformOptions) {
+    let report = conform(&mut InProcess(*machine), tests, options, &mut |_| {}).expect("it answers");
+    let (of, readings) = (machine.edition().version, machine.readings());
+    assert!(report.conforms(), "{of}, {readings}: {:#?}", report.failures);
     assert_eq!((report.failed_tests, report.failed_runs, report.late), (0, 0, 0));
     assert!(
         report
@@ -143,17 +159,20 @@ impl Liar<'_> {
         let mut line: serde_json::Map<String, serde_json::Value> =
             serde_json::from_str(&right.to_string()).expect("what is shown is an object");
         let field = self.bytes.pick(&SHOWN);
-        let other = Shown::of(
-            self.machine.edition(),
-            &self.machine.step(&self.bytes.any::<Seen>().0, &self.bytes.any(), self.bytes.any()).1,
-            &self.bytes.any(),
-        );
+        let edition = self.machine.edition();
+        let mut control = self.bytes.0.arbitrary().unwrap_or(Control::INITIAL);
+        // What this edition has no fault for was never the cause.
+        if Fault::of_cause(control.shutdown_cause).is_some_and(|fault| !edition.faults.has(fault)) {
+            control.shutdown_cause = ShutdownCause::NoShutdown;
+        }
+        let (_, outputs) = self.machine.step(&control, &self.bytes.any(), self.bytes.any());
+        let other = Shown::of(edition, &outputs, &self.bytes.any());
         let other: serde_json::Map<String, serde_json::Value> =
             serde_json::from_str(&other.to_string()).expect("what is shown is an object");
         if let Some(value) = other.get(field.key) {
             line.insert(field.key.to_owned(), value.clone());
         }
-        answer(&line)
+        answer(&Protocol::of(self.machine.edition()), &line)
     }
 
     /// Some fields are left out.
@@ -166,36 +185,13 @@ impl Liar<'_> {
                 line.remove(field.key);
             }
         }
-        answer(&line)
+        answer(&Protocol::of(self.machine.edition()), &line)
     }
 }
 
-fn answer(line: &serde_json::Map<String, serde_json::Value>) -> Answer {
+fn answer(protocol: &Protocol, line: &serde_json::Map<String, serde_json::Value>) -> Answer {
     let line = serde_json::Value::from(line.clone()).to_string();
-    line.parse().expect("each value is one of its field's")
-}
-
-/// A control state that a VCU can have.
-#[derive(Debug)]
-struct Seen(Control);
-
-impl Default for Seen {
-    fn default() -> Self {
-        Self(Control::INITIAL)
-    }
-}
-
-impl arbitrary::Arbitrary<'_> for Seen {
-    fn arbitrary(u: &mut arbitrary::Unstructured<'_>) -> arbitrary::Result<Self> {
-        let mut control: Control = u.arbitrary()?;
-        // What this edition has no fault for was never the cause.
-        let known =
-            Fault::of_cause(control.shutdown_cause).is_none_or(|fault| Edition::DEFAULT.faults.has(fault));
-        if !known {
-            control.shutdown_cause = ShutdownCause::NoShutdown;
-        }
-        Ok(Self(control))
-    }
+    protocol.answer(&line).expect("each value is one of its field's")
 }
 
 impl Vcu for Liar<'_> {

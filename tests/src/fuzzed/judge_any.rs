@@ -3,8 +3,8 @@
 use adsdv_oracle::candump::{Direction, Dropped, FrameKind, Record, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{LogJudge, LogOptions, judge_log};
+use adsdv_spec::Bus;
 use adsdv_spec::messages::{AnyMessage, Frame};
-use adsdv_spec::{Bus, Edition};
 
 use super::Bytes;
 use crate::world::{Chance, MS};
@@ -34,7 +34,7 @@ pub fn text(bytes: &[u8]) -> Option<(LogOptions, &[u8])> {
 }
 
 fn choices(bytes: &mut Bytes<'_>) -> (LogOptions, bool) {
-    let judge = JudgeOptions::of(bytes.pick(Edition::ALL));
+    let judge = JudgeOptions::of(bytes.edition());
     let readings = if bytes.one_in(2) { bytes.any() } else { judge.readings };
     let mut below = |n| u32::try_from(bytes.below(n)).unwrap_or(0);
     let (window_ms, deadline_ms) = match below(8) {

@@ -5,19 +5,19 @@
 //!
 //! | body | what it reads or decides | what that is held against |
 //! |---|---|---|
-//! | [`codec`] | frames: any identifier, length and bytes | the table of signals; what is read is written again |
-//! | [`step`] | any inputs, one step after the other, under any readings | the document's words as `if`s; the invariant |
+//! | [`codec`] | frames of any edition: any identifier, length and bytes | the table of signals; what is read is written again |
+//! | [`step`] | any inputs, one step after the other, under any readings of any edition | the document's words as `if`s; the invariant |
 //! | [`belief`] | what may be known of a step, under any readings of any edition | the step itself: allowed, exact where all is known |
 //! | [`theorems`] | any theorem of `adsdv-proofs`, on any values | the theorem |
 //! | [`candump`] | any bytes as a log | the same log in other pieces; the same log written again |
 //! | [`judge_any`] | any bytes as a log, any frames at any time | the same frames as a log; what each report promises |
-//! | [`judge_reference`] | logs of the reference under any readings, late and with losses | the VCU is never blamed |
-//! | [`protocol`] | any line between `conform` and a program | the same line written again |
-//! | [`suite`] | any bytes as a test suite | the same tests written again |
+//! | [`judge_reference`] | logs of the reference under any readings of any edition, late and with losses | the VCU is never blamed |
+//! | [`protocol`] | any line between `conform` and a program of any edition | the same line written again |
+//! | [`suite`] | any bytes as a test suite of each edition | the same tests written again |
 //! | [`scenario`] | any bytes as a scenario, and how it is played | the same scenario written again; the order of its lines |
-//! | [`conform`] | the answers of a VCU that lies, and of one that does not | what each report promises; who is right conforms |
+//! | [`conform`] | the answers of a VCU of any edition that lies, and of one that does not | what each report promises; who is right conforms |
 //! | [`names`] | any words of a command line, any JSON | the same name; the same value written again |
-//! | [`car`] | any frames, switches and times, at the car, the AI Computer and the live judge | their ranges; what they send can be read |
+//! | [`car`] | any frames, switches and times, at the car, the AI Computer and the live judge of any edition | their ranges; what they send can be read |
 //!
 //! The border to C is the one body that needs `unsafe`, and so it stands in `ffi/tests/c_border`.
 

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use adsdv_can::car::{Action, Switch};
 use adsdv_can::scenario::{self, Scenario};
 use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
-use adsdv_oracle::protocol::{INPUTS, InputsAsJson, Request, SHOWN, Shown};
+use adsdv_oracle::protocol::{INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
 use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame};
@@ -61,14 +61,19 @@ pub fn corpus() -> Corpus {
     }
     let long = format!("0 asms on\n1 go on #{}\n2 asms off\n", "x".repeat(scenario::MAX_LINE));
     add("scenario", "longer-than-a-line-may-be", with(long.as_bytes(), &with(&[0], &any_bytes(7, 60))));
-    let tests = suite::generate(Edition::DEFAULT);
-    for kind in Kind::ALL {
-        // The shortest of each kind says as much as a longer one.
-        let shortest = tests.iter().filter(|test| test.kind == kind).min_by_key(|test| line(test).len());
-        if let Some(test) = shortest {
-            add("suite", kind.name(), line(test).into_bytes());
-            for (place, text) in exchange(test).into_iter().enumerate().take(3) {
-                add("protocol", &format!("{kind}-{}", place + 1), with(&protocol::AS_TEXT, text.as_bytes()));
+    for (of, edition) in (0..).zip(Edition::ALL) {
+        let machine = Machine::new(**edition, edition.readings);
+        let tests = suite::generate(edition);
+        for kind in Kind::ALL {
+            // The shortest of each kind says as much as a longer one.
+            let of_kind = tests.iter().filter(|test| test.kind == kind);
+            if let Some(test) = of_kind.min_by_key(|test| test.to_line(&machine).len()) {
+                let name = named(edition, kind.name());
+                add("suite", &name, test.to_line(&machine).into_bytes());
+                for (place, text) in exchange(test, &machine).into_iter().enumerate().take(3) {
+                    let as_text = protocol::as_text(of);
+                    add("protocol", &format!("{name}-{}", place + 1), with(&as_text, text.as_bytes()));
+                }
             }
         }
     }
@@ -76,12 +81,15 @@ pub fn corpus() -> Corpus {
         add("names", name, text.into_bytes());
     }
     add("names", "names", words("names").into_iter().collect::<Vec<String>>().join("\n").into_bytes());
-    for def in BUS.messages {
-        let first = (LOGS.iter()).find_map(|(_, log)| log.lines().find_map(|line| data_of(line, def.id)));
-        let data = first.unwrap_or_else(|| vec![0; def.len.into()]);
-        add("codec", &format!("{:03X}", def.id), codec::as_data(def.id, &data));
+    for edition in Edition::ALL {
+        for def in edition.bus.messages {
+            let first = (LOGS.iter()).find_map(|(_, log)| log.lines().find_map(|line| data_of(line, def.id)));
+            let data = first.unwrap_or_else(|| vec![0; def.len.into()]);
+            let name = named(edition, &format!("{:03X}", def.id));
+            add("codec", &name, codec::as_data(edition, def.id, &data));
+        }
     }
-    for (place, walk) in walks(5000, 256, step::taken).into_iter().enumerate() {
+    for (place, walk) in walks(20_000, 256, step::taken).into_iter().enumerate() {
         add("step", &format!("walk-{}", place + 1), walk);
     }
     for (place, walk) in walks(5000, 512, belief::taken).into_iter().enumerate() {
@@ -153,22 +161,27 @@ fn words(target: &str) -> BTreeSet<String> {
             words.extend([Action::POWER_CYCLE, "end", "+", ", ", "#", "0.5", "\n"].map(str::to_owned));
         }
         "protocol" | "suite" => {
-            let tests = suite::generate(Edition::DEFAULT);
+            for edition in Edition::ALL {
+                let machine = Machine::new(**edition, edition.readings);
+                if let Some(test) = suite::generate(edition).first() {
+                    if target == "suite" {
+                        parts(&test.to_line(&machine), &mut words);
+                    } else {
+                        for line in exchange(test, &machine) {
+                            parts(&line, &mut words);
+                        }
+                    }
+                }
+                let signals = edition.bus.messages.iter().flat_map(|def| def.signals);
+                let values = signals.flat_map(|signal| signal.values);
+                words.extend(values.map(|(_, name)| (*name).to_owned()));
+            }
             if target == "suite" {
-                tests.first().into_iter().for_each(|test| parts(&line(test), &mut words));
                 words.extend(Kind::ALL.map(|kind| kind.name().to_owned()));
                 words.extend(Reading::ALL.iter().map(|reading| reading.id().to_owned()));
-            } else {
-                tests
-                    .first()
-                    .iter()
-                    .flat_map(|test| exchange(test))
-                    .for_each(|line| parts(&line, &mut words));
             }
             words.extend(INPUTS.iter().map(|field| quoted(field.key)));
             words.extend(SHOWN.iter().map(|field| quoted(field.key)));
-            let values = BUS.messages.iter().flat_map(|def| def.signals).flat_map(|signal| signal.values);
-            words.extend(values.map(|(_, name)| (*name).to_owned()));
             words.extend(["{", "}", "[", "]", ":", ",", "null", "true", "false"].map(str::to_owned));
         }
         _ => {
@@ -273,15 +286,17 @@ fn data_of(line: &str, id: u16) -> Option<Vec<u8>> {
     Some(pairs.map_while(|pair| u8::from_str_radix(pair, 16).ok()).collect())
 }
 
-fn line(test: &Test) -> String {
-    test.to_line(&Machine::REFERENCE)
+/// The name of a seed of an edition: the default one's has none.
+fn named(edition: &Edition, name: &str) -> String {
+    if edition == Edition::DEFAULT { name.to_owned() } else { format!("{name}-of-{}", edition.version) }
 }
 
 /// The lines to a program that is tested, and its answers.
-fn exchange(test: &Test) -> Vec<String> {
-    let shown = test.scenario.shown(&Machine::REFERENCE).map(|shown: Shown| shown.to_string());
-    let asked = test.scenario.requests().map(|request: Request| request.to_string());
-    let last = test.scenario.steps.last().map(|step| InputsAsJson(step.inputs).to_string());
+fn exchange(test: &Test, machine: &Machine) -> Vec<String> {
+    let protocol = Protocol::of(machine.edition());
+    let shown = test.scenario.shown(machine).map(|shown: Shown| shown.to_string());
+    let asked = test.scenario.requests().map(|request: Request| protocol.line(&request).to_string());
+    let last = test.scenario.steps.last().map(|step| protocol.object(&InputsAsJson(step.inputs)).to_string());
     shown.take(2).chain(asked.take(3)).chain(last).collect()
 }
 

@@ -1,11 +1,11 @@
-//! Sequences of any inputs, under any readings: each step is what the document's words say, and what it leads to is consistent.
+//! Sequences of any inputs, under any readings of any edition: each step is what the words of the edition's document say, and what
+//! it leads to is consistent.
 
 use adsdv_proofs::words::{self, Verdict};
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Control, Edition, Inputs, Machine, Observation, Readings, Rules, Taken, Timing};
+use adsdv_spec::{Control, Inputs, Machine, Observation, Readings, Rules, Taken, Timing};
 
 use super::Bytes;
-use crate::bus::BUS;
 use crate::world::Chance;
 
 /// The times between two steps that matter; others are drawn as well.
@@ -71,14 +71,19 @@ pub fn body(bytes: &[u8]) {
     taken(bytes);
 }
 
+/// A term of Figure 2 that decided, and the edition.
+pub type Decided = (&'static str, Taken);
+
 /// Runs the body; the terms of Figure 2 that decided in it, in their order.
-pub fn taken(bytes: &[u8]) -> Vec<Taken> {
+pub fn taken(bytes: &[u8]) -> Vec<Decided> {
     let mut taken = Vec::new();
     let mut bytes = Bytes::new(bytes);
-    let machine = Machine::new(*Edition::DEFAULT, bytes.readings());
+    let edition = bytes.edition();
+    let machine = Machine::new(*edition, bytes.readings(edition));
+    let in_words = words::of_version(edition.version).expect("every edition has its words");
     // Those that the edition has, of which the words speak.
     let readings = machine.readings();
-    let timing = &machine.edition().rules.timing;
+    let timing = &edition.rules.timing;
     let mut control =
         if bytes.one_in(2) { any_control(&mut bytes, timing, readings) } else { Control::INITIAL };
     let mut inputs = Inputs::default();
@@ -86,21 +91,29 @@ pub fn taken(bytes: &[u8]) -> Vec<Taken> {
         inputs = next(&mut bytes, &machine, control.state, &inputs);
         let dt_ms = dt_ms(&mut bytes, timing);
         let (after, outputs) = machine.step(&control, &inputs, dt_ms);
-        let words = words::step(&control, &inputs, dt_ms, readings);
-        assert_eq!(Verdict::of(after, &outputs), words, "{control:?}, {inputs:?}, {dt_ms} ms, {readings}");
-        assert!(after.is_consistent(timing, readings), "{after:?} after {control:?}, {inputs:?}, {dt_ms} ms");
+        let words = in_words(&control, &inputs, dt_ms, readings);
+        let of = edition.version;
+        assert_eq!(
+            Verdict::of(after, &outputs),
+            words,
+            "{of}: {control:?}, {inputs:?}, {dt_ms} ms, {readings}"
+        );
+        assert!(
+            after.is_consistent(timing, readings),
+            "{of}: {after:?} after {control:?}, {inputs:?}, {dt_ms} ms"
+        );
 
-        let seen = inputs.observe(&machine.edition().rules.thresholds);
+        let seen = inputs.observe(&edition.rules.thresholds);
         let reaction = machine.react(&control, seen, dt_ms);
         assert_eq!(
             (reaction.control, reaction.taken, reaction.faults),
             (after, outputs.taken, outputs.faults)
         );
         assert_eq!((control.state, after.state), (outputs.from, outputs.state));
-        for frame in outputs.messages(&inputs).frames(BUS) {
-            assert!(BUS.decode(frame.id, frame.data()).is_ok(), "{frame}");
+        for frame in outputs.messages(&inputs).frames(&edition.bus) {
+            assert!(edition.bus.decode(frame.id, frame.data()).is_ok(), "{of}: {frame}");
         }
-        taken.extend(outputs.taken);
+        taken.extend(outputs.taken.map(|taken| (edition.version, taken)));
         control = after;
     }
     taken

@@ -1,11 +1,16 @@
-//! The reader of the test suite.
+//! The reader of the test suite, by every edition.
 
 use adsdv_oracle::suite;
-use adsdv_spec::Machine;
+use adsdv_spec::{Edition, Machine};
 
 /// The body.
 pub fn body(bytes: &[u8]) {
-    let machine = &Machine::REFERENCE;
+    for &edition in Edition::ALL {
+        read_by(&Machine::new(*edition, edition.readings), bytes);
+    }
+}
+
+fn read_by(machine: &Machine, bytes: &[u8]) {
     let read = suite::read(bytes, machine).expect("memory can be read");
     let lines: Vec<&[u8]> = bytes.split_inclusive(|&byte| byte == b'\n').collect();
     let blank = |line: &&&[u8]| std::str::from_utf8(line).is_ok_and(|line| line.trim().is_empty());

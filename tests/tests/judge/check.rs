@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Section, Severity};
-use adsdv_spec::{Choice, Choices};
+use adsdv_spec::{Choice, Choices, Edition};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
 
 /// A violation, as far as it is the same in every recording of the same run.
@@ -35,6 +35,12 @@ pub(crate) fn pinned(choice: Choice) -> JudgeOptions {
 /// The judge of a VCU that follows these choices.
 pub(crate) fn all_pinned(choices: Choices) -> JudgeOptions {
     JudgeOptions { readings: choices.iter().fold(Choices::ALL, Choices::pin), ..JudgeOptions::default() }
+}
+
+/// The judge of a VCU of an edition that follows these choices.
+pub(crate) fn pinned_in(edition: &'static Edition, choices: &[Choice]) -> JudgeOptions {
+    let open = JudgeOptions::of(edition);
+    JudgeOptions { readings: choices.iter().copied().fold(open.readings, Choices::pin), ..open }
 }
 
 /// The violations of one party.

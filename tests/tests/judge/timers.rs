@@ -23,80 +23,94 @@ fn wait_in_state(world: &mut World, entered: i64, ms: i64) {
 //= DRV-4
 #[test]
 fn ready_lasts_five_seconds() {
-    let dwell = i64::from(Edition::DEFAULT.rules.timing.ready_dwell_ms);
-    for (early, in_time) in EARLY_MS {
-        let mut world = World::reference();
-        world.prepare();
-        world.inputs.asms = true;
-        let entered = world.t;
-        wait_in_state(&mut world, entered, dwell - early);
-        world.inputs.go = true;
-        world.force(AsState::Driving);
-        world.wait(300);
-        let name = format!("AS_READY left {early} ms early");
-        is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected(in_time, "3.2"), &name);
+    for &edition in Edition::ALL {
+        let dwell = i64::from(edition.rules.timing.ready_dwell_ms);
+        for (early, in_time) in EARLY_MS {
+            let mut world = World::of(edition);
+            world.prepare();
+            world.inputs.asms = true;
+            let entered = world.t;
+            wait_in_state(&mut world, entered, dwell - early);
+            world.inputs.go = true;
+            world.force(AsState::Driving);
+            world.wait(300);
+            let name = format!("{}: AS_READY left {early} ms early", edition.version);
+            is_reported(&world, JudgeOptions::of(edition), Party::Vcu, &expected(in_time, "3.2"), &name);
+        }
     }
 }
 
 //= ETO-1
 #[test]
 fn emergency_brake_lasts_fifteen_seconds() {
-    let timer = i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms);
-    for (early, in_time) in EARLY_MS {
-        let mut world = World::reference();
-        world.driving();
-        world.inputs.sdc.remote_estop = true;
-        let entered = world.t;
-        world.wait(1000);
-        world.inputs.asms = false;
-        wait_in_state(&mut world, entered, timer - early);
-        world.force(AsState::Off);
-        world.wait(300);
-        let name = format!("EMERGENCY_BRAKE left {early} ms early");
-        is_reported(&world, JudgeOptions::default(), Party::Vcu, &expected(in_time, "3.9"), &name);
+    for &edition in Edition::ALL {
+        let timer = i64::from(edition.rules.timing.ebs_timer_ms);
+        for (early, in_time) in EARLY_MS {
+            let mut world = World::of(edition);
+            world.driving();
+            world.inputs.sdc.remote_estop = true;
+            let entered = world.t;
+            world.wait(1000);
+            world.inputs.asms = false;
+            wait_in_state(&mut world, entered, timer - early);
+            world.force(AsState::Off);
+            world.wait(300);
+            let name = format!("{}: EMERGENCY_BRAKE left {early} ms early", edition.version);
+            is_reported(&world, JudgeOptions::of(edition), Party::Vcu, &expected(in_time, "3.9"), &name);
+        }
     }
 }
 
 //= ETO-2, D-23
 #[test]
 fn emergency_brake_ends_when_the_timer_does() {
-    let mut world = World::reference();
-    world.driving();
-    world.inputs.sdc.remote_estop = true;
-    world.wait(1000);
-    world.inputs.asms = false;
-    world.hold_state();
-    world.wait(i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms));
-    is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.9")], "the EBS timer is over");
+    for &edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.driving();
+        world.inputs.sdc.remote_estop = true;
+        world.wait(1000);
+        world.inputs.asms = false;
+        world.hold_state();
+        world.wait(i64::from(edition.rules.timing.ebs_timer_ms));
+        is_reported(
+            &world,
+            JudgeOptions::of(edition),
+            Party::Vcu,
+            &[(Rule::Due, "3.9")],
+            &format!("{}: the EBS timer is over", edition.version),
+        );
+    }
 }
 
 /// A recorder whose clock is set forward makes a timer look longer than it was.
 #[test]
 fn a_clock_that_is_set_forward_makes_no_timer_longer() {
-    for hold in [false, true] {
-        let mut world = World::reference();
-        world.driving();
-        world.inputs.sdc.remote_estop = true;
-        world.wait(1000);
-        world.inputs.asms = false;
-        let set = world.t;
-        if hold {
-            world.hold_state();
-        }
-        world.wait(i64::from(Edition::DEFAULT.rules.timing.ebs_timer_ms));
-        for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= set) {
-            recorded.t += 400 * MS;
-        }
-        if hold {
-            is_reported(
-                &world,
-                JudgeOptions::default(),
-                Party::Vcu,
-                &[(Rule::Due, "3.9")],
-                "set forward, and held",
-            );
-        } else {
-            is_silent(&world, JudgeOptions::default(), "set forward");
+    for &edition in Edition::ALL {
+        for hold in [false, true] {
+            let mut world = World::of(edition);
+            world.driving();
+            world.inputs.sdc.remote_estop = true;
+            world.wait(1000);
+            world.inputs.asms = false;
+            let set = world.t;
+            if hold {
+                world.hold_state();
+            }
+            world.wait(i64::from(edition.rules.timing.ebs_timer_ms));
+            for recorded in world.log.iter_mut().filter(|recorded| recorded.t >= set) {
+                recorded.t += 400 * MS;
+            }
+            if hold {
+                is_reported(
+                    &world,
+                    JudgeOptions::of(edition),
+                    Party::Vcu,
+                    &[(Rule::Due, "3.9")],
+                    &format!("{}: set forward, and held", edition.version),
+                );
+            } else {
+                is_silent(&world, JudgeOptions::of(edition), &format!("{}: set forward", edition.version));
+            }
         }
     }
 }

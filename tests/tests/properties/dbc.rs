@@ -1,29 +1,61 @@
-//! The exported CAN database, read by another program, is the codec: what either encodes the other decodes.
+//! The exported CAN database of any edition, read by another program, is the codec: what either encodes the other decodes.
 
+use std::fmt;
 use std::sync::LazyLock;
 
-use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
 use adsdv_spec::messages::{AnyMessage, Frame};
-use adsdv_tests::bus::{self, BUS};
+use adsdv_spec::{Bus, Edition};
 use can_dbc::{ByteOrder, MessageId, Signal, ValueType};
 use proptest::prelude::{BoxedStrategy, Strategy, any};
 use proptest::sample;
 
 use crate::holds::{holds, regressions};
 
-/// How many frames are tried; each of every message some dozens of times.
+/// How many frames are tried; each of every message of every edition a dozen times and more.
 const CASES: u32 = 1000;
 
-/// The export, read back.
-static READ_BACK: LazyLock<can_dbc::Dbc> = LazyLock::new(|| {
-    let text = Dbc(Edition::DEFAULT).to_string();
-    can_dbc::Dbc::try_from(text.as_str()).unwrap_or_else(|error| panic!("not a CAN database: {error}"))
+/// The export of an edition, read back.
+struct ReadBack {
+    edition: &'static Edition,
+    database: can_dbc::Dbc,
+}
+
+/// Briefly, for the file of what has failed.
+impl fmt::Debug for ReadBack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "edition {}", self.edition.version)
+    }
+}
+
+static READ_BACK: LazyLock<Vec<ReadBack>> = LazyLock::new(|| {
+    let read_back = |&edition: &&'static Edition| {
+        let text = Dbc(edition).to_string();
+        let database = can_dbc::Dbc::try_from(text.as_str());
+        let database = database.unwrap_or_else(|error| panic!("{}: no database: {error}", edition.version));
+        ReadBack { edition, database }
+    };
+    Edition::ALL.iter().map(read_back).collect()
 });
 
-fn message(id: u16) -> &'static can_dbc::Message {
-    let found = READ_BACK.messages.iter().find(|message| message.id == MessageId::Standard(id));
-    found.unwrap_or_else(|| panic!("{id:03X} is in the database"))
+/// That of any edition.
+fn any_edition() -> impl Strategy<Value = &'static ReadBack> {
+    sample::select(READ_BACK.iter().collect::<Vec<_>>())
+}
+
+impl ReadBack {
+    fn bus(&self) -> &'static Bus {
+        &self.edition.bus
+    }
+
+    fn message(&self, id: u16) -> &can_dbc::Message {
+        let found = self.database.messages.iter().find(|message| message.id == MessageId::Standard(id));
+        found.unwrap_or_else(|| panic!("{id:03X} is in the database of {}", self.edition.version))
+    }
+
+    fn encoded(&self, message: AnyMessage) -> Frame {
+        self.bus().encode(message).expect("a message of the edition")
+    }
 }
 
 /// The places of a signal's bits in the frame, the lowest bit first: byte, and bit in the byte.
@@ -62,9 +94,9 @@ fn put(signal: &Signal, raw: i64, data: &mut [u8; 8]) {
 }
 
 /// Every signal of a frame has the same value by the database and by the table.
-fn decodes_alike(frame: &Frame) -> Result<(), String> {
-    let def = BUS.message(frame.id).ok_or("no message of the table")?;
-    let message = message(frame.id);
+fn decodes_alike(of: &ReadBack, frame: &Frame) -> Result<(), String> {
+    let def = of.bus().message(frame.id).ok_or("no message of the table")?;
+    let message = of.message(frame.id);
     if message.signals.len() != def.signals.len() || to_usize(message.size) != frame.data().len() {
         return Err(format!("{} has another length or number of signals", message.name));
     }
@@ -86,22 +118,33 @@ fn decodes_alike(frame: &Frame) -> Result<(), String> {
     Ok(())
 }
 
-/// Any frame of any message: every bit pattern, whether its values are allowed or not.
-fn any_frame() -> impl Strategy<Value = Frame> {
-    (sample::select(BUS.messages.to_vec()), any::<[u8; 8]>())
-        .prop_map(|(def, data)| Frame::new(def.id, &data[..def.len.into()]).expect("a frame"))
-}
-
-/// Any raw value that the database allows for each signal of some message.
-fn any_values() -> impl Strategy<Value = (u16, Vec<i64>)> {
-    sample::select(BUS.messages.to_vec()).prop_flat_map(|def| {
-        let values: Vec<_> = message(def.id).signals.iter().map(|signal| any_value(def.id, signal)).collect();
-        values.prop_map(move |values| (def.id, values))
+/// Any frame of any message of an edition: every bit pattern, whether its values are allowed or not.
+fn any_frame() -> impl Strategy<Value = (&'static ReadBack, Frame)> {
+    any_edition().prop_flat_map(|of| {
+        (sample::select(of.bus().messages.to_vec()), any::<[u8; 8]>())
+            .prop_map(move |(def, data)| (of, Frame::new(def.id, &data[..def.len.into()]).expect("a frame")))
     })
 }
 
-fn any_value(id: u16, signal: &Signal) -> BoxedStrategy<i64> {
-    let named = READ_BACK.value_descriptions_for_signal(MessageId::Standard(id), &signal.name);
+/// Any message that an edition has.
+fn any_message() -> impl Strategy<Value = (&'static ReadBack, AnyMessage)> {
+    (any_edition(), any::<AnyMessage>())
+        .prop_filter("a message of the edition", |(of, message)| of.bus().message(message.id()).is_some())
+}
+
+/// Any raw value that the database allows for each signal of some message.
+fn any_values() -> impl Strategy<Value = (&'static ReadBack, u16, Vec<i64>)> {
+    let of_message = |of: &'static ReadBack, id: u16| {
+        let values: Vec<_> = of.message(id).signals.iter().map(|signal| any_value(of, id, signal)).collect();
+        values.prop_map(move |values| (of, id, values))
+    };
+    any_edition().prop_flat_map(move |of| {
+        sample::select(of.bus().messages.to_vec()).prop_flat_map(move |def| of_message(of, def.id))
+    })
+}
+
+fn any_value(of: &ReadBack, id: u16, signal: &Signal) -> BoxedStrategy<i64> {
+    let named = of.database.value_descriptions_for_signal(MessageId::Standard(id), &signal.name);
     if let Some(named) = named.filter(|named| !named.is_empty()) {
         return sample::select(named.iter().map(|value| value.id).collect::<Vec<_>>()).boxed();
     }
@@ -115,48 +158,62 @@ fn any_value(id: u16, signal: &Signal) -> BoxedStrategy<i64> {
 }
 
 /// The data in which each signal has such a value, by the database.
-fn encoded(id: u16, values: &[i64]) -> [u8; 8] {
+fn data_of(of: &ReadBack, id: u16, values: &[i64]) -> [u8; 8] {
     let mut data = [0; 8];
-    let signals = &message(id).signals;
+    let signals = &of.message(id).signals;
     signals.iter().zip(values).for_each(|(signal, &raw)| put(signal, raw, &mut data));
     data
 }
 
+fn tell(of: &ReadBack, what: impl fmt::Display) -> String {
+    format!("edition {}: {what}", of.edition.version)
+}
+
 #[test]
 fn any_bits_decode_alike() {
-    holds(CASES, regressions!("dbc"), &any_frame(), decodes_alike, ToString::to_string);
+    holds(
+        CASES,
+        regressions!("dbc"),
+        &any_frame(),
+        |(of, frame)| decodes_alike(of, frame),
+        |(of, frame)| tell(of, frame),
+    );
 }
 
 #[test]
 fn what_the_codec_encodes_the_database_decodes() {
-    let decodes = |message: &AnyMessage| {
-        let frame = bus::encoded(*message);
-        let again = BUS.decode(frame.id, frame.data());
-        if (again == Ok(*message)) != BUS.holds(*message) {
+    let decodes = |(of, message): &(&ReadBack, AnyMessage)| {
+        let frame = of.encoded(*message);
+        let again = of.bus().decode(frame.id, frame.data());
+        if (again == Ok(*message)) != of.bus().holds(*message) {
             return Err(format!("the codec reads {again:?}"));
         }
-        decodes_alike(&frame)
+        decodes_alike(of, &frame)
     };
-    let any = any::<AnyMessage>()
-        .prop_filter("a message of the edition", |message| BUS.message(message.id()).is_some());
-    holds(CASES, regressions!("dbc"), &any, decodes, |message| {
-        format!("{message:?}\n{}", bus::encoded(*message))
+    holds(CASES, regressions!("dbc"), &any_message(), decodes, |(of, message)| {
+        tell(of, format_args!("{message:?}\n{}", of.encoded(*message)))
     });
 }
 
 #[test]
 fn what_the_database_encodes_the_codec_decodes() {
-    let decodes = |(id, values): &(u16, Vec<i64>)| {
-        let data = encoded(*id, values);
-        let data = &data[..to_usize(message(*id).size)];
-        let read = BUS.decode(*id, data).map_err(|error| error.to_string())?;
-        let written = bus::encoded(read);
-        if written.data() != data {
+    let decodes = |(of, id, values): &(&ReadBack, u16, Vec<i64>)| {
+        let data = data_of(of, *id, values);
+        let data = &data[..to_usize(of.message(*id).size)];
+        let read = of.bus().decode(*id, data).map_err(|error| error.to_string())?;
+        let written = of.encoded(read);
+        // Of two numbers that mean the same the codec writes one: AS_INIT of 2026 is read as AS_OFF.
+        let def = of.bus().message(*id).ok_or("no message of the table")?;
+        let meant = def.signals.iter().fold([0; 8], |meant, signal| {
+            let raw = signal.raw(data).map_or(0, |raw| signal.meaning(raw));
+            signal.put(meant, raw)
+        });
+        if written.data() != &meant[..data.len()] {
             return Err(format!("the codec writes {written}"));
         }
-        decodes_alike(&written)
+        decodes_alike(of, &written)
     };
-    holds(CASES, regressions!("dbc"), &any_values(), decodes, |(id, values)| {
-        format!("{id:03X}, {values:?}: {:02X?}", encoded(*id, values))
+    holds(CASES, regressions!("dbc"), &any_values(), decodes, |(of, id, values)| {
+        tell(of, format_args!("{id:03X}, {values:?}: {:02X?}", data_of(of, *id, values)))
     });
 }

@@ -4,12 +4,15 @@
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Report, Severity};
 use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_spec::messages::{AmiState, EbsState, MissionStatus};
-use adsdv_spec::{AsState, Control, Inputs, Readings};
+use adsdv_oracle::protocol::InputField;
+use adsdv_spec::messages::{
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, EbsState, MissionStatus,
+};
+use adsdv_spec::{AsState, Control, Edition, Inputs, Readings};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::holds::{holds, regressions};
-use crate::operations::{Operation, Run, runs};
+use crate::operations::{Operation, Run, SILENCES, runs};
 use crate::run::Silent;
 use crate::runs::machine;
 use crate::timeline::timeline;
@@ -25,6 +28,15 @@ const EBS_LASTS: i64 = 300 * MS;
 
 /// For so long a run goes on when all is done, so that the judge has seen what comes of it.
 const SETTLED_MS: u32 = 200;
+
+/// The messages that version 4.0 watches, each with the input that says how long it has been missing.
+const WATCHED: [(u16, &str); 5] = [
+    (Ai2VcuStatus::ID, "status_silence_ms"),
+    (Ai2VcuDriveF::ID, "drive_f_silence_ms"),
+    (Ai2VcuDriveR::ID, "drive_r_silence_ms"),
+    (Ai2VcuSteer::ID, "steer_silence_ms"),
+    (Ai2VcuBrake::ID, "brake_silence_ms"),
+];
 
 /// A change of state, and when.
 type Change = (i64, AsState, AsState);
@@ -50,6 +62,10 @@ fn recorded(run: &Run) -> (World, Vec<Change>) {
                 operation.act(&mut inputs);
                 // The VCU hears of what the AI Computer changes with its next frame.
                 world.ai = inputs.ai;
+                if let Operation::Set(field @ InputField { part: SILENCES, .. }, raw) = operation {
+                    misses(&mut world, field, raw);
+                    continue;
+                }
                 let changes_ebs = inputs.ebs != world.inputs.ebs;
                 if !changes_ebs || world.t.saturating_sub(ebs_changed) > EBS_LASTS {
                     if changes_ebs {
@@ -62,6 +78,15 @@ fn recorded(run: &Run) -> (World, Vec<Change>) {
     }
     wait(&mut world, SETTLED_MS, &mut dark, &mut changes);
     (world, changes)
+}
+
+/// A message goes missing: in a recording a silence lasts for as long as there is no frame.
+fn misses(world: &mut World, field: &InputField, raw: i32) {
+    let (id, _) = WATCHED.iter().find(|(_, key)| *key == field.key).expect("a message for each silence");
+    world.mutes.retain(|muted| muted != id);
+    if world.vcu.edition().rules.thresholds.missed_ms.is_some_and(|limit_ms| raw >= limit_ms.into()) {
+        world.mutes.push(*id);
+    }
 }
 
 fn wait(world: &mut World, ms: u32, dark: &mut bool, changes: &mut Vec<Change>) {
@@ -99,8 +124,8 @@ fn recordings(says: impl Fn(&Run, &World, &[Change]) -> Result<(), String>) {
 }
 
 /// Whatever the readings are, none is known to the judge.
-fn does_not_blame_the_vcu(world: &World) -> Result<(), String> {
-    let report = world.judge(JudgeOptions::default());
+fn does_not_blame_the_vcu(run: &Run, world: &World) -> Result<(), String> {
+    let report = world.judge(JudgeOptions::of(run.edition));
     let blamed = |severity, party| severity == Severity::Violation && party == Party::Vcu;
     match report.findings.iter().find(|finding| blamed(finding.severity, finding.party)) {
         None => Ok(()),
@@ -110,7 +135,7 @@ fn does_not_blame_the_vcu(world: &World) -> Result<(), String> {
 
 #[test]
 fn the_judge_does_not_blame_the_vcu() {
-    recordings(|_, world, _| does_not_blame_the_vcu(world));
+    recordings(|run, world, _| does_not_blame_the_vcu(run, world));
 }
 
 /// The run of which `regressions/log.txt` has the seed: the VCU was blamed when the dwell ended with a step.
@@ -118,6 +143,7 @@ fn the_judge_does_not_blame_the_vcu() {
 fn a_handshake_that_was_lost_long_ago_is_no_reason_to_blame_the_vcu() {
     let set = Operation::set;
     let run = Run {
+        edition: Edition::DEFAULT,
         readings: Readings::DEFAULT,
         cycle_ms: 10,
         operations: vec![
@@ -135,13 +161,13 @@ fn a_handshake_that_was_lost_long_ago_is_no_reason_to_blame_the_vcu() {
     };
     let (world, changes) = recorded(&run);
     assert!(!changes.is_empty(), "AS_READY is entered");
-    assert_eq!(does_not_blame_the_vcu(&world), Ok(()));
+    assert_eq!(does_not_blame_the_vcu(&run, &world), Ok(()));
 }
 
 #[test]
 fn the_timeline_is_that_of_the_run() {
-    recordings(|_, world, changes| {
-        let report = world.judge(JudgeOptions::default());
+    recordings(|run, world, changes| {
+        let report = world.judge(JudgeOptions::of(run.edition));
         let seen: Vec<Change> =
             report.transitions.iter().map(|change| (change.t_ns, change.from, change.to)).collect();
         // The first frame is that of the first step.
@@ -153,15 +179,16 @@ fn the_timeline_is_that_of_the_run() {
 
 #[test]
 fn a_log_that_is_written_is_judged_alike() {
-    recordings(|_, world, _| {
+    recordings(|run, world, _| {
+        let judge_by = JudgeOptions::of(run.edition);
         let mut text = Vec::new();
         for Recorded { t, frame } in &world.log {
             write_frame(&mut text, *t, "vcan0", frame.id.into(), frame.data())
                 .expect("a vector can be written");
         }
-        let read =
-            judge_log(text.as_slice(), &LogOptions::default(), |_| {}).map_err(|error| error.to_string())?;
-        let (read, seen) = (printed(&read), printed(&judge(&world.log, JudgeOptions::default())));
+        let options = LogOptions { judge: judge_by, ..LogOptions::default() };
+        let read = judge_log(text.as_slice(), &options, |_| {}).map_err(|error| error.to_string())?;
+        let (read, seen) = (printed(&read), printed(&judge(&world.log, judge_by)));
         if read == seen { Ok(()) } else { Err(format!("read: {read}\nseen: {seen}")) }
     });
 }
@@ -169,7 +196,7 @@ fn a_log_that_is_written_is_judged_alike() {
 #[test]
 fn what_is_news_comes_once() {
     recordings(|run, world, _| {
-        let mut judge = Judge::new(JudgeOptions::default());
+        let mut judge = Judge::new(JudgeOptions::of(run.edition));
         let origin = world.log.first().map_or(0, |first| first.t);
         let (mut transitions, mut findings) = (Vec::new(), Vec::new());
         let mut ask = |judge: &mut Judge| {

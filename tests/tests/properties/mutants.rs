@@ -13,7 +13,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, Test
 
 use crate::clocks::Clocks;
 use crate::handshake::Handshake;
-use crate::operations::{Run, runs};
+use crate::operations::{Run, runs_of};
 use crate::power::Power;
 use crate::run::{Property, Seen, keeps};
 use crate::second_opinion::SecondOpinion;
@@ -22,17 +22,27 @@ use crate::timeline::timeline;
 /// So many runs tell all mutants apart.
 const CASES: u32 = 2500;
 
+/// The editions whose state machines differ: that of 2026 is the one of 4.0.
+fn machines() -> impl Iterator<Item = &'static Edition> {
+    let is_new = |place: usize, edition: &Edition| {
+        Edition::ALL.iter().take(place).all(|before| before.rules != edition.rules)
+    };
+    (0..)
+        .zip(Edition::ALL.iter().copied())
+        .filter(move |&(place, edition)| is_new(place, edition))
+        .map(|(_, edition)| edition)
+}
+
 /// The properties of every step, all at once, of the document as it is.
 struct All(Clocks, Handshake, Power, SecondOpinion);
 
 impl All {
-    fn new(readings: Readings) -> Self {
-        let timing = Edition::DEFAULT.rules.timing;
+    fn new(run: &Run) -> Self {
         Self(
-            Clocks::new(timing, readings),
-            Handshake::new(timing, readings),
-            Power::new(readings),
-            SecondOpinion::new(readings),
+            Clocks::new(run.edition.rules.timing, run.readings),
+            Handshake::new(run),
+            Power::new(run.readings),
+            SecondOpinion::new(run),
         )
     }
 }
@@ -55,7 +65,7 @@ fn runner() -> TestRunner {
 }
 
 fn mutant(mutation: &Mutation, run: &Run) -> Machine {
-    Machine::new(mutation.apply(Edition::DEFAULT), run.readings)
+    Machine::new(mutation.apply(run.edition), run.readings)
 }
 
 /// The run, as it shows most of a mutation: with readings under which it matters, and with short steps only where times count.
@@ -65,9 +75,9 @@ fn telling(run: &Run, mutation: &Mutation) -> Run {
         run.cycle_ms = 1;
         return run;
     }
-    run.cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms.into();
+    run.cycle_ms = run.edition.rules.timing.cycle_ms.into();
     if let Change::Term(row, term, change) = mutation.change {
-        let row = Edition::DEFAULT.rules.table.rows().get(row).expect("a row");
+        let row = run.edition.rules.table.rows().get(row).expect("a row");
         for choice in row.terms().get(term).expect("a term").readings.iter() {
             let others = choice.reading().choices().iter().copied().filter(|&other| other != choice);
             run.readings = match change {
@@ -82,41 +92,48 @@ fn telling(run: &Run, mutation: &Mutation) -> Run {
 
 #[test]
 fn every_mutant_is_found() {
+    machines().for_each(every_mutant_is_found_in);
+}
+
+fn every_mutant_is_found_in(edition: &'static Edition) {
     let mut runner = runner();
-    let runs: Vec<Run> = (0..CASES).map(|_| runs().new_tree(&mut runner).expect("a run").current()).collect();
+    let any = runs_of(edition);
+    let runs: Vec<Run> = (0..CASES).map(|_| any.new_tree(&mut runner).expect("a run").current()).collect();
     let lives = |mutation: &Mutation| {
         runs.iter().all(|run| {
             let run = telling(run, mutation);
-            keeps(&mutant(mutation, &run), &run, &mut All::new(run.readings)).is_ok()
+            keeps(&mutant(mutation, &run), &run, &mut All::new(&run)).is_ok()
         })
     };
-    let alive: Vec<_> =
-        Mutation::all(Edition::DEFAULT).filter(lives).map(|mutation| mutation.to_string()).collect();
+    let alive: Vec<_> = Mutation::all(edition).filter(lives).map(|mutation| mutation.to_string()).collect();
     // Those that behave like the specification, which the test suite lists with the reasons.
-    let proof = suite::prove(Edition::DEFAULT, &suite::generate(Edition::DEFAULT));
+    let proof = suite::prove(edition, &suite::generate(edition));
     let equivalent: Vec<_> = proof.equivalent.into_iter().map(|(name, _)| name).collect();
-    assert_eq!(alive, equivalent);
+    assert_eq!(alive, equivalent, "{}", edition.version);
 }
 
-/// Mutants, each with the most operations that the run that shows it may have.
-const SHRUNK: [(&str, usize); 8] = [
-    ("3.1 term 0: power-cycle-needed dropped", 20),
-    ("3.2 term 0: steer-straight dropped", 20),
-    ("3.2: leads to AS_FINISHED", 20),
-    ("3.6: dropped", 20),
-    ("3.7 term 1: go-on flipped", 20),
-    ("EBS timer -1", 20),
-    ("ready dwell -1", 20),
-    ("handshake +1", 20),
+/// Mutants, each with its edition and the most operations that the run that shows it may have.
+const SHRUNK: [(&Edition, &str, usize); 11] = [
+    (&Edition::V3_0, "3.1 term 0: power-cycle-needed dropped", 20),
+    (&Edition::V3_0, "3.2 term 0: steer-straight dropped", 20),
+    (&Edition::V3_0, "3.2: leads to AS_FINISHED", 20),
+    (&Edition::V3_0, "3.6: dropped", 20),
+    (&Edition::V3_0, "3.7 term 1: go-on flipped", 20),
+    (&Edition::V3_0, "EBS timer -1", 20),
+    (&Edition::V3_0, "ready dwell -1", 20),
+    (&Edition::V3_0, "handshake +1", 20),
+    (&Edition::V4_0, "3.7 term 8: dropped", 20),
+    (&Edition::V4_0, "3.7 term 10: dropped", 20),
+    (&Edition::V4_0, "handshake -1", 20),
 ];
 
 /// The shortest run that was found to show a mutant, as a timeline.
-fn shown(name: &str, most: usize) -> String {
-    let mutation = Mutation::all(Edition::DEFAULT)
+fn shown(edition: &'static Edition, name: &str, most: usize) -> String {
+    let mutation = Mutation::all(edition)
         .find(|mutation| mutation.to_string() == name)
         .unwrap_or_else(|| panic!("{name} is a mutation"));
-    let property = |run: &Run| All::new(run.readings);
-    let tried = runner().run(&runs(), |run| {
+    let property = |run: &Run| All::new(run);
+    let tried = runner().run(&runs_of(edition), |run| {
         keeps(&mutant(&mutation, &run), &run, &mut property(&run)).map_err(TestCaseError::fail)
     });
     let Err(TestError::Fail(_, run)) = tried else { panic!("{name} is found: {tried:?}") };
@@ -130,8 +147,8 @@ fn shown(name: &str, most: usize) -> String {
 #[test]
 fn a_mutant_is_shown_by_a_short_timeline() {
     let mut all = String::new();
-    for (name, most) in SHRUNK {
-        let timeline = shown(name, most);
+    for (edition, name, most) in SHRUNK {
+        let timeline = shown(edition, name, most);
         let scenario = timeline.parse::<adsdv_can::scenario::Scenario>();
         assert!(scenario.is_ok(), "{scenario:?}\n{timeline}");
         let _ = writeln!(all, "{timeline}");

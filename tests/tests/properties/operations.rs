@@ -2,15 +2,15 @@
 
 use std::{fmt, iter};
 
-use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Value};
+use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Protocol, Value};
 use adsdv_spec::messages::{AmiState, AsState, DirectionRequest, EbsState, MissionStatus, SignalValue as _};
 use adsdv_spec::{Edition, Inputs, Readings};
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::strategy::Union;
 use proptest::{bool, collection, sample};
 
-/// The data of the interface, which every number here comes from.
-const EDITION: Edition = *Edition::DEFAULT;
+/// The part of the inputs that says how long the AI Computer's messages have been missing.
+pub(crate) const SILENCES: &str = "ai_silence";
 
 /// Something short that happens in a run.
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +92,8 @@ impl fmt::Display for Operation {
 /// A whole run.
 #[derive(Clone)]
 pub(crate) struct Run {
+    /// The edition of the interface, which every number here comes from.
+    pub(crate) edition: &'static Edition,
     /// The answers to the open questions.
     pub(crate) readings: Readings,
     /// The time between two steps of the VCU, in milliseconds.
@@ -103,49 +105,69 @@ pub(crate) struct Run {
 /// Briefly, for the file of what has failed; the timeline shows it to people.
 impl fmt::Debug for Run {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { readings, cycle_ms, operations } = self;
-        write!(f, "readings [{readings}], a step every {cycle_ms} ms:")?;
+        let Self { edition, readings, cycle_ms, operations } = self;
+        write!(f, "edition {}, readings [{readings}], a step every {cycle_ms} ms:", edition.version)?;
         operations.iter().try_for_each(|operation| write!(f, " {operation};"))
     }
 }
 
 /// A cycle or two.
-fn soon() -> Operation {
-    Operation::Wait(u32::from(EDITION.rules.timing.cycle_ms) * 2)
+fn soon(edition: &Edition) -> Operation {
+    Operation::Wait(u32::from(edition.rules.timing.cycle_ms) * 2)
 }
 
 /// AS_READY lasts for this long.
-fn ready_dwell() -> Operation {
-    Operation::Wait(EDITION.rules.timing.ready_dwell_ms.into())
+fn ready_dwell(edition: &Edition) -> Operation {
+    Operation::Wait(edition.rules.timing.ready_dwell_ms.into())
 }
 
 /// What ends a mission, and how it is undone: each fault alone, and what is done at once with it where the order of the arrows
 /// counts. Nothing is the way to AS_FINISHED.
-fn stops() -> Vec<[Vec<Operation>; 2]> {
+fn stops(edition: &Edition) -> Vec<[Vec<Operation>; 2]> {
     let set = Operation::set;
     let faults = INPUTS.iter().filter(|field| matches!(field.part, "sdc" | "reports"));
     let faults = faults.map(|field| [vec![Operation::Set(field, 1)], vec![Operation::Set(field, 0)]]);
     let finished = set("mission_status", MissionStatus::Finished.to_raw());
     let neutral = set("direction_request", DirectionRequest::Neutral.to_raw());
-    let moving = Operation::Wheels(EDITION.rules.thresholds.wheel_speed.raw() + 1);
-    let at_rest = Operation::Wheels(EDITION.rules.thresholds.wheel_speed.raw() - 1);
+    let moving = Operation::Wheels(edition.rules.thresholds.wheel_speed.raw() + 1);
+    let at_rest = Operation::Wheels(edition.rules.thresholds.wheel_speed.raw() - 1);
+    let (soon, ready_dwell) = (soon(edition), ready_dwell(edition));
+    let newer = edition.rules.thresholds.missed_ms.map(newer_stops);
     iter::once([vec![], vec![]])
         .chain(faults)
+        .chain(newer.into_iter().flatten())
         .chain([
             [vec![set("estop_request", 1)], vec![set("estop_request", 0)]],
             [vec![Operation::Answers(false)], vec![Operation::Answers(true)]],
-            [vec![moving, soon(), finished], vec![at_rest]],
-            [vec![moving, soon(), neutral], vec![at_rest]],
+            [vec![moving, soon, finished], vec![at_rest]],
+            [vec![moving, soon, neutral], vec![at_rest]],
             [vec![at_rest, finished, set("go", 0)], vec![]],
             [vec![set("remote_estop", 1), set("asms", 0)], vec![set("remote_estop", 0)]],
-            [vec![ready_dwell(), soon(), set("go", 1), set("asms", 0)], vec![]],
+            [vec![ready_dwell, soon, set("go", 1), set("asms", 0)], vec![]],
         ])
         .collect()
 }
 
-/// What everybody does, in order, from AS_OFF to AS_OFF: a mission that comes so far, and is stopped there.
-fn mission(upto: AsState, [stop, undo]: &[Vec<Operation>; 2]) -> Vec<Operation> {
+/// What ends a mission since version 4.0 alone: a message that is missed, an EBS that is not there, and torque of either axle with
+/// either brake.
+fn newer_stops(missed_ms: u16) -> Vec<[Vec<Operation>; 2]> {
     let set = Operation::set;
+    let missed = INPUTS.iter().filter(|field| field.part == SILENCES);
+    let missed =
+        missed.map(|field| [vec![Operation::Set(field, missed_ms.into())], vec![Operation::Set(field, 0)]]);
+    let ebs = |state: EbsState| vec![set("ebs", state.to_raw())];
+    let axles = ["front_axle_trq_request", "rear_axle_trq_request"];
+    let brakes = ["hyd_press_f_req", "hyd_press_r_req"];
+    let both = axles.into_iter().flat_map(|axle| {
+        brakes.map(|brake| [vec![set(axle, 1), set(brake, 1)], vec![set(axle, 0), set(brake, 0)]])
+    });
+    missed.chain([[ebs(EbsState::Unavailable), ebs(EbsState::Armed)]]).chain(both).collect()
+}
+
+/// What everybody does, in order, from AS_OFF to AS_OFF: a mission that comes so far, and is stopped there.
+fn mission(edition: &Edition, upto: AsState, [stop, undo]: &[Vec<Operation>; 2]) -> Vec<Operation> {
+    let set = Operation::set;
+    let (soon, ready_dwell) = (soon(edition), ready_dwell(edition));
     let ready = [
         set("tsms", 1),
         set("ami", AmiState::TrackDrive.to_raw()),
@@ -153,40 +175,41 @@ fn mission(upto: AsState, [stop, undo]: &[Vec<Operation>; 2]) -> Vec<Operation> 
         set("direction_request", DirectionRequest::Neutral.to_raw()),
         set("mission_status", MissionStatus::Selected.to_raw()),
         set("asms", 1),
-        soon(),
+        soon,
     ];
     let driving = [
         // Only just straight.
-        set("steer_angle", EDITION.rules.thresholds.straight.raw() - 1),
-        ready_dwell(),
+        set("steer_angle", edition.rules.thresholds.straight.raw() - 1),
+        ready_dwell,
         set("go", 1),
-        soon(),
+        soon,
         set("mission_status", MissionStatus::Running.to_raw()),
         set("direction_request", DirectionRequest::Forward.to_raw()),
         set("front_axle_trq_request", 100),
-        soon(),
+        soon,
         set("front_axle_trq_request", 0),
     ];
-    let finished = [set("mission_status", MissionStatus::Finished.to_raw()), soon()];
+    let finished = [set("mission_status", MissionStatus::Finished.to_raw()), soon];
     let way: &[&[Operation]] = match upto {
         AsState::Ready => &[&ready],
         AsState::Driving => &[&ready, &driving],
         _ => &[&ready, &driving, &finished],
     };
-    let ebs_timer = Operation::Wait(EDITION.rules.timing.ebs_timer_ms.into());
-    let off = [set("go", 0), set("asms", 0), soon()];
-    [&way.concat(), stop, &[soon()][..], undo, &[ebs_timer], &off].concat()
+    let ebs_timer = Operation::Wait(edition.rules.timing.ebs_timer_ms.into());
+    let off = [set("go", 0), set("asms", 0), soon];
+    [&way.concat(), stop, &[soon][..], undo, &[ebs_timer], &off].concat()
 }
 
 /// The raw values of an input that are worth trying: every value of a switch, the edge of a range or of a threshold.
-fn values(field: &InputField) -> Vec<i32> {
-    match field.domain {
+fn values(edition: &Edition, field: &InputField, domain: Domain) -> Vec<i32> {
+    match domain {
         Domain::Flag => vec![0, 1],
         Domain::Names(names) => names.iter().map(|&(raw, _)| raw).collect(),
         Domain::Number { min, max } => {
             let threshold = match field.part {
-                "vehicle" => EDITION.rules.thresholds.straight.raw(),
-                "vehicle.wheel_speeds" => EDITION.rules.thresholds.wheel_speed.raw(),
+                "vehicle" => edition.rules.thresholds.straight.raw(),
+                "vehicle.wheel_speeds" => edition.rules.thresholds.wheel_speed.raw(),
+                SILENCES => edition.rules.thresholds.missed_ms.map_or(1, i32::from),
                 _ => 1,
             };
             let near =
@@ -199,38 +222,41 @@ fn values(field: &InputField) -> Vec<i32> {
 }
 
 /// Times that are worth waiting for, the shortest first: a little, and each limit of the document, just missed and just met.
-fn waits() -> Vec<u32> {
-    let timing = &EDITION.rules.timing;
+fn waits(edition: &Edition) -> Vec<u32> {
+    let timing = &edition.rules.timing;
     let limits = [timing.handshake_ms, timing.ready_dwell_ms, timing.ebs_timer_ms].map(u32::from);
     let near = limits.into_iter().flat_map(|limit| [limit - 1, limit, limit + 1]);
     [1, timing.cycle_ms.into()].into_iter().chain(near).collect()
 }
 
 /// Anything that anybody may do.
-fn anything() -> impl Strategy<Value = Operation> {
+fn anything(edition: &'static Edition) -> impl Strategy<Value = Operation> {
+    let protocol = Protocol::of(edition);
+    let inputs = || protocol.inputs().map(|(field, _)| field);
     // The bit of the handshake is the AI Computer's to answer with.
-    let fields: Vec<_> =
-        INPUTS.iter().filter(|field| field.is_in(&EDITION) && field.key != "handshake").collect();
-    let any_field = sample::select(fields).prop_flat_map(set_to_any);
+    let fields: Vec<_> = inputs().filter(|field| field.key != "handshake").collect();
+    let any_field = sample::select(fields).prop_flat_map(|field| set_to_any(edition, field));
     let often = ["asms", "go", "mission_status", "direction_request"];
-    let often: Vec<_> = INPUTS.iter().filter(|field| often.contains(&field.key)).collect();
-    let wheel_speed = EDITION.rules.thresholds.wheel_speed.raw();
+    let often: Vec<_> = inputs().filter(|field| often.contains(&field.key)).collect();
+    let wheel_speed = edition.rules.thresholds.wheel_speed.raw();
     prop_oneof![
-        5 => sample::select(waits()).prop_map(Operation::Wait),
+        5 => sample::select(waits(edition)).prop_map(Operation::Wait),
         5 => any_field,
-        3 => sample::select(often).prop_flat_map(set_to_any),
+        3 => sample::select(often).prop_flat_map(|field| set_to_any(edition, field)),
         1 => (wheel_speed - 1..=wheel_speed + 1).prop_map(Operation::Wheels),
         1 => any::<bool>().prop_map(Operation::Answers),
         1 => Just(Operation::PowerCycle),
     ]
 }
 
-fn set_to_any(field: &'static InputField) -> impl Strategy<Value = Operation> {
-    sample::select(values(field)).prop_map(move |raw| Operation::Set(field, raw))
+fn set_to_any(edition: &Edition, field: &'static InputField) -> impl Strategy<Value = Operation> + use<> {
+    let domain = Protocol::of(edition).inputs().find(|(other, _)| other.key == field.key);
+    let (_, domain) = domain.expect("the edition has it");
+    sample::select(values(edition, field, domain)).prop_map(move |raw| Operation::Set(field, raw))
 }
 
 /// Part of the way of a mission, now and then with a step of it left out or done otherwise, or with something else in between.
-fn part_of(mission: Vec<Operation>) -> impl Strategy<Value = Vec<Operation>> {
+fn part_of(edition: &'static Edition, mission: Vec<Operation>) -> impl Strategy<Value = Vec<Operation>> {
     let steps = mission.len();
     let along: Vec<_> = mission
         .into_iter()
@@ -238,13 +264,13 @@ fn part_of(mission: Vec<Operation>) -> impl Strategy<Value = Vec<Operation>> {
             let often = if matches!(operation, Operation::Wait(_)) { 0.9 } else { 0.98 };
             let between = prop_oneof![
                 9 => Just(Vec::new()),
-                1 => collection::vec(anything(), 0..4),
+                1 => collection::vec(anything(edition), 0..4),
             ];
-            (bool::weighted(often), mostly(operation), between)
+            (bool::weighted(often), mostly(edition, operation), between)
         })
         .collect();
     let upto = prop_oneof![0..=steps, Just(steps)];
-    (along, upto, collection::vec(anything(), 0..6)).prop_map(|(along, upto, then)| {
+    (along, upto, collection::vec(anything(edition), 0..6)).prop_map(|(along, upto, then)| {
         let along = along.into_iter().take(upto).flat_map(|(is_done, operation, between)| {
             is_done.then_some(operation).into_iter().chain(between)
         });
@@ -253,21 +279,23 @@ fn part_of(mission: Vec<Operation>) -> impl Strategy<Value = Vec<Operation>> {
 }
 
 /// Mostly this operation; now and then the same input is set to something else.
-fn mostly(operation: Operation) -> impl Strategy<Value = Operation> {
+fn mostly(edition: &Edition, operation: Operation) -> impl Strategy<Value = Operation> + use<> {
     match operation {
-        Operation::Set(field, _) => prop_oneof![24 => Just(operation), 1 => set_to_any(field)].boxed(),
+        Operation::Set(field, _) => {
+            prop_oneof![24 => Just(operation), 1 => set_to_any(edition, field)].boxed()
+        }
         _ => Just(operation).boxed(),
     }
 }
 
 /// A few missions, one after the other, with a power cycle between them or without.
-pub(crate) fn operations() -> impl Strategy<Value = Vec<Operation>> {
-    let stops = stops();
+fn operations(edition: &'static Edition) -> impl Strategy<Value = Vec<Operation>> {
+    let stops = stops(edition);
     let upto = [AsState::Ready, AsState::Driving, AsState::Finished];
     let missions = stops.iter().flat_map(|stop| {
         // There are many causes of an emergency, and few cases in which the order of the arrows counts.
         let weight = if stop.iter().flatten().count() > 2 { 3 } else { 1 };
-        upto.map(|upto| (weight, part_of(mission(upto, stop))))
+        upto.map(|upto| (weight, part_of(edition, mission(edition, upto, stop))))
     });
     let any_mission = Union::new_weighted(missions.collect());
     let power = any::<bool>().prop_map(|cycled| cycled.then_some(Operation::PowerCycle));
@@ -276,12 +304,18 @@ pub(crate) fn operations() -> impl Strategy<Value = Vec<Operation>> {
     })
 }
 
-/// Any run, of a VCU with any readings.
+/// Any run, of a VCU of any edition with any readings.
 pub(crate) fn runs() -> impl Strategy<Value = Run> {
+    Union::new(Edition::ALL.iter().map(|edition| runs_of(edition)))
+}
+
+/// Any run, of a VCU of this edition with any readings.
+pub(crate) fn runs_of(edition: &'static Edition) -> impl Strategy<Value = Run> {
     let readings =
-        prop_oneof![Just(Readings::DEFAULT), any::<Readings>().prop_map(|readings| EDITION.admit(readings))];
-    let cycle_ms = prop_oneof![Just(u32::from(EDITION.rules.timing.cycle_ms)), Just(1), 2..=20_u32];
-    (readings, cycle_ms, operations()).prop_map(|(readings, cycle_ms, operations)| Run {
+        prop_oneof![Just(edition.readings), any::<Readings>().prop_map(|readings| edition.admit(readings))];
+    let cycle_ms = prop_oneof![Just(u32::from(edition.rules.timing.cycle_ms)), Just(1), 2..=20_u32];
+    (readings, cycle_ms, operations(edition)).prop_map(move |(readings, cycle_ms, operations)| Run {
+        edition,
         readings,
         cycle_ms,
         operations,

@@ -19,11 +19,11 @@ const CASES: u32 = 200;
 const A_WHILE: Operation = Operation::Wait(50);
 
 /// Everybody lets go: the switches are off, the faults are gone, and nothing is requested, for as long as an emergency lasts.
-fn all_off() -> Vec<Operation> {
+fn all_off(edition: &Edition) -> Vec<Operation> {
     let off = Inputs::default();
-    let fields = INPUTS.iter().filter(|field| field.is_in(Edition::DEFAULT) && field.key != "handshake");
+    let fields = INPUTS.iter().filter(|field| field.is_in(edition) && field.key != "handshake");
     let mut operations: Vec<_> = fields.map(|field| Operation::Set(field, (field.get)(&off))).collect();
-    let ebs_timer_ms = Edition::DEFAULT.rules.timing.ebs_timer_ms.into();
+    let ebs_timer_ms = edition.rules.timing.ebs_timer_ms.into();
     operations.extend([Operation::Answers(true), A_WHILE, Operation::Wait(ebs_timer_ms), A_WHILE]);
     operations
 }
@@ -42,8 +42,8 @@ fn to_ready() -> Vec<Operation> {
 }
 
 /// Section 3.2.
-fn to_driving() -> Vec<Operation> {
-    let ready_dwell_ms = Edition::DEFAULT.rules.timing.ready_dwell_ms.into();
+fn to_driving(edition: &Edition) -> Vec<Operation> {
+    let ready_dwell_ms = edition.rules.timing.ready_dwell_ms.into();
     vec![Operation::Wait(ready_dwell_ms), A_WHILE, Operation::set("go", 1), A_WHILE]
 }
 
@@ -61,15 +61,15 @@ fn recovers(run: &Run, done: &mut Vec<Operation>) -> Result<(), String> {
         let shut_down = bench.control.shutdown_cause != ShutdownCause::NoShutdown;
         if found == expected { Ok(shut_down) } else { Err(format!("it is {found}, not {expected}")) }
     };
-    let shut_down = leads(all_off(), AsState::Off)?;
+    let shut_down = leads(all_off(run.edition), AsState::Off)?;
     if shut_down && run.readings.is(Choice::PowerCycleLatched) {
         // The procedure alone is not enough.
         leads(to_ready(), AsState::Off)?;
-        leads(all_off(), AsState::Off)?;
+        leads(all_off(run.edition), AsState::Off)?;
         leads(vec![Operation::PowerCycle], AsState::Off)?;
     }
     leads(to_ready(), AsState::Ready)?;
-    leads(to_driving(), AsState::Driving)?;
+    leads(to_driving(run.edition), AsState::Driving)?;
     Ok(())
 }
 

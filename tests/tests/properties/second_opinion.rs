@@ -2,20 +2,23 @@
 
 use std::fmt::Display;
 
-use adsdv_proofs::words::{self, Arrow, Verdict};
+use adsdv_proofs::words::{self, Arrow, StepOfDocument, Verdict};
 use adsdv_spec::{Control, Readings};
 
+use crate::operations::Run;
 use crate::run::{Property, Seen};
 
-/// At every step the machine shows what the transcription of the document's text shows.
+/// At every step the machine shows what the transcription of the text of its edition's document shows.
 pub(crate) struct SecondOpinion {
+    says: StepOfDocument,
     readings: Readings,
     control: Control,
 }
 
 impl SecondOpinion {
-    pub(crate) fn new(readings: Readings) -> Self {
-        Self { readings, control: Control::INITIAL }
+    pub(crate) fn new(run: &Run) -> Self {
+        let says = words::of_version(run.edition.version).expect("every edition has its words");
+        Self { says, readings: run.readings, control: Control::INITIAL }
     }
 }
 
@@ -24,7 +27,7 @@ impl Property for SecondOpinion {
         if seen.power_cycled {
             self.control = Control::INITIAL;
         }
-        let expected = words::step(&self.control, seen.inputs, seen.dt_ms, self.readings);
+        let expected = (self.says)(&self.control, seen.inputs, seen.dt_ms, self.readings);
         self.control = expected.control;
         // What the machine remembers is its own affair: what it shows counts.
         let found = Verdict::of(expected.control, seen.outputs);

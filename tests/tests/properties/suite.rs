@@ -3,10 +3,11 @@
 use std::convert::Infallible;
 
 use adsdv_oracle::suite::{Kind, Scenario, Step, Test, read};
+use adsdv_spec::Edition;
 use proptest::prelude::any;
 
 use crate::holds::{holds, regressions};
-use crate::operations::{Run, runs};
+use crate::operations::{Operation, Run, runs};
 use crate::run::{Event, Silent, play};
 use crate::runs::machine;
 use crate::timeline::timeline;
@@ -55,6 +56,16 @@ fn reads_back(run: &Run, about: &str) -> Result<(), String> {
             if written == line { Ok(()) } else { Err(format!("{line}\nis written again as\n{written}")) }
         }
         tests => Err(format!("{} tests, and {:?}", tests.len(), suite.bad)),
+    }
+}
+
+/// The run of which `regressions/suite.txt` had the seed, in an edition that has the input: a silence.
+#[test]
+fn a_silence_reads_back() {
+    for &edition in Edition::ALL.iter().filter(|edition| edition.rules.thresholds.missed_ms.is_some()) {
+        let operations = vec![Operation::set("status_silence_ms", 1), Operation::Wait(20)];
+        let run = Run { edition, readings: edition.readings, cycle_ms: 10, operations };
+        assert_eq!(reads_back(&run, ""), Ok(()), "{run:?}");
     }
 }
 

@@ -9,12 +9,13 @@
 //! drives. Where "Go" has to be seen off while the conditions hold, there is no such edge.
 //!
 //! The theorems `two_steps_are_one` and `two_steps_are_one_where_an_edge_is_enough` of `adsdv-proofs` prove the same of one look
-//! that is left out, under the default readings and under `go-edge=edge`. This tries whole runs, under any readings.
+//! that is left out, under the default readings and under `go-edge=edge`. This tries whole runs, under any readings of
+//! any edition.
 
 use std::convert::Infallible;
 
 use adsdv_spec::messages::{AmiState, EbsState, MissionStatus, SignalValue as _};
-use adsdv_spec::{Atom, Atoms, Choice, Control, Inputs, Machine, Outputs, Readings};
+use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Outputs, Readings};
 use proptest::sample;
 
 use crate::holds::{holds, regressions};
@@ -135,6 +136,7 @@ fn fewer_looks_see_the_same() {
 fn an_edge_of_go_just_before_the_end_of_the_dwell_is_looked_at() {
     let set = Operation::set;
     let run = Run {
+        edition: Edition::DEFAULT,
         readings: Readings::DEFAULT.with(Choice::GoEdgeEnough),
         cycle_ms: 1,
         operations: vec![

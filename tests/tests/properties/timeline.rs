@@ -12,7 +12,9 @@ use crate::run::{Event, Property, Seen, play};
 /// What the operator does are lines of a scenario. What the AI Computer does and the vehicle measures are comments, as are
 /// the changes of state: each with the state before and after, and the section of the arrow.
 pub(crate) fn timeline(machine: &Machine, run: &Run, property: &mut impl Property) -> String {
-    let mut text = format!("# readings [{}], a step every {} ms\n", run.readings, run.cycle_ms);
+    let Run { edition, readings, cycle_ms, .. } = run;
+    let of = edition.version;
+    let mut text = format!("# edition {of}, readings [{readings}], a step every {cycle_ms} ms\n");
     let mut event = |event: Event<'_>| match event {
         Event::Done(t_ms, operation) => {
             done(&mut text, t_ms, operation);
