@@ -28,6 +28,7 @@ mod limits;
 mod logs;
 mod margins;
 mod much;
+mod named;
 mod no_arrow;
 mod not_taken;
 mod priorities;

@@ -74,6 +74,8 @@ fn each_is_reported(edition: &'static Edition, least: u32) {
                 (message.sender.into(), message.section),
                 "{name}"
             );
+            let asked = signal.requirements.iter().filter(|id| edition.requirements.has(id));
+            assert!(finding.requirements.iter().eq(asked), "{name}: {:?}", finding.requirements);
             let said = &finding.message();
             assert!(said.contains(message.name) && said.contains(signal.name), "{name}: {said}");
             count += 1;
