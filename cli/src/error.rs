@@ -12,6 +12,10 @@ use crate::status::Status;
 /// How a log is made, for everybody who gave something else.
 const RECORD: &str = "record a log with: candump -L can0 > run.log";
 
+/// For everybody who gave the database of the interface.
+const DATABASE: &str = "it is a CAN database and no recording; the editions' own are built in (adsdv dbc --edition 2026 prints one), and check \
+                        recognises by itself which one a recording follows";
+
 /// Prints as `<what>: <why>` with a line that starts with `hint:`.
 #[derive(Debug)]
 pub(crate) struct Error {
@@ -56,6 +60,7 @@ impl Error {
                     [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
                         "it is text in UTF-16: iconv -f UTF-16 -t UTF-8 run.log | adsdv check -".to_owned()
                     }
+                    [b'V', b'E', b'R', b'S', b'I', b'O', b'N', b' ', b'"', ..] => DATABASE.to_owned(),
                     _ => RECORD.to_owned(),
                 }
             }

@@ -148,6 +148,10 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
             break;
         }
         sleep(Duration::from_millis(wrong.slow_ms));
+        if wrong.at.contains(&("--pause-at".to_owned(), count)) {
+            // As if the computer had let it wait before it took the line.
+            sleep(Duration::from_millis(40));
+        }
         let mut answer = match protocol.request(&line)? {
             Request::Hello { .. } => wrong.hello.clone().unwrap_or_else(|| "{}".to_owned()),
             Request::Reset => {
@@ -177,6 +181,7 @@ fn speak(vcu: &Machine, mut wrong: Wrong) -> Result<(), Box<dyn Error>> {
                     answers.flush()?;
                     forever();
                 }
+                "--pause-at" => {}
                 "--crash-at" => std::process::abort(),
                 "--exit-at" => {
                     answers.flush()?;

@@ -1,4 +1,4 @@
-//! ADS-DV Software Interface Specification 3.0 as an executable specification.
+//! The ADS-DV Software Interface Specification, versions 3.0 and 4.0 and the CAN database of 2026, as an executable specification.
 //!
 //! Formula Student AI teams share one car, the ADS-DV. Their AI Computer talks over CAN to a Vehicle Control Unit (VCU)
 //! that runs the Autonomous System state machine. This crate is that interface as data, pure functions and a codec:

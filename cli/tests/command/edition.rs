@@ -224,3 +224,15 @@ fn the_help_of_every_command_that_depends_on_it_has_the_option_and_its_values() 
         assert!(help.contains("\n  ADSDV_EDITION  "), "{command}: {help}");
     }
 }
+
+/// The database of 2026 dropped 120h, and nothing that is judged needs it.
+#[test]
+fn a_message_that_is_absent_is_one_note_however_the_edition_was_chosen() {
+    for (options, notes) in [(&[][..], 1), (&["--edition", "4.0"], 1), (&["--edition", "2026"], 0)] {
+        let report = run(&[&["check", "--json", MISSION], options].concat()).stdout;
+        let report: Value = serde_json::from_str(&report).expect("JSON");
+        let findings = report["findings"].as_array().expect("an array");
+        let text = |one: &&Value| one["seen"].as_str().is_some_and(|seen| seen.contains("120h"));
+        assert_eq!(findings.iter().filter(text).count(), notes, "{options:?}: {findings:#?}");
+    }
+}

@@ -11,7 +11,7 @@ use adsdv_spec::{Edition, Inputs};
 use super::line_program::LineProgram;
 use super::program_error::{ProgramError, ProgramErrorKind, SentLine};
 use super::vcu::{Reply, Vcu};
-use super::wall_clock::PATIENCE;
+use super::wall_clock::{PATIENCE, TRIES, Taken};
 use crate::protocol::{About, Answer, Protocol, Request, UNSAID};
 use crate::suite::{Scenario, Step};
 
@@ -30,6 +30,10 @@ pub struct Program {
     is_reset: bool,
     /// Since when its last step lasts, if its time is that of a clock on the wall.
     clock: Option<Instant>,
+    /// Whether each step of the last scenario lasted, by that clock, as long as the tests allow for.
+    told: bool,
+    /// How often a scenario is tried that was not told.
+    tries: usize,
 }
 
 impl Program {
@@ -42,7 +46,7 @@ impl Program {
     ) -> Result<Self, ProgramError> {
         let lines = LineProgram::start(program, args, timeout).map_err(ProgramError::new)?;
         let protocol = Arc::new(Protocol::of(UNSAID));
-        Ok(Self { lines, late, protocol, is_reset: false, clock: None })
+        Ok(Self { lines, late, protocol, is_reset: false, clock: None, told: true, tries: TRIES })
     }
 
     /// With a limit, from now on, for all that it is asked: one that is slow, and never too slow for an answer, ends as well.
@@ -171,7 +175,17 @@ impl Vcu for Program {
     ) -> Result<(), ProgramError> {
         if self.clock.is_some() {
             for (place, (name, scenario)) in scenarios.iter().enumerate() {
-                let replies = self.ask_in_turn(name, &mut |place, _| scenario.steps.get(place).copied())?;
+                let mut step = |place: usize, _: Option<&Reply>| scenario.steps.get(place).copied();
+                let mut replies = self.ask_in_turn(name, &mut step)?;
+                for _ in 1..self.tries {
+                    if self.told {
+                        break;
+                    }
+                    replies = self.ask_in_turn(name, &mut step)?;
+                }
+                if !self.told {
+                    self.tries = (self.tries / 2).max(1);
+                }
                 answered(place, &replies);
             }
             return Ok(());
@@ -214,20 +228,27 @@ impl Vcu for Program {
         let protocol = Arc::clone(&self.protocol);
         let mut scenario = Scenario::default();
         let mut replies = Vec::new();
-        if !std::mem::take(&mut self.is_reset) {
+        let written = Instant::now();
+        // One that goes by a clock has waited since.
+        if !std::mem::take(&mut self.is_reset) || self.clock.is_some() {
             self.lines.write(format!("{}\n", protocol.line(&Request::Reset)).into_bytes());
             let reset = self.lines.line().and_then(Reply::to_reset);
             reset.map_err(|what| self.trouble(what, name, &scenario, 0))?;
         }
         self.clock = self.clock.map(|_| Instant::now());
+        self.told = true;
+        let mut before = Taken { written, answered: Instant::now() };
         while let Some(step) = next(replies.len(), replies.last()) {
             scenario.steps.push(step);
             self.wait_for(step.dt_ms);
             let request = Request::Step { dt_ms: step.dt_ms, inputs: step.inputs };
+            let written = Instant::now();
             self.lines.write(format!("{}\n", protocol.line(&request)).into_bytes());
             let late = self.late;
             let reply = self.lines.line().and_then(|line| Reply::to_step(line, late, &protocol));
             replies.push(reply.map_err(|what| self.trouble(what, name, &scenario, replies.len() + 1))?);
+            let taken = Taken { written, answered: Instant::now() };
+            self.told &= Taken::is_told(std::mem::replace(&mut before, taken), taken, step.dt_ms);
         }
         Ok(replies)
     }

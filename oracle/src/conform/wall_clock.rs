@@ -1,6 +1,6 @@
 //! Tests for a program whose time is that of a clock on the wall: each step takes as long as it says, so there is time for a few.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use adsdv_spec::{Control, Machine};
 
@@ -8,12 +8,33 @@ use crate::protocol::Shown;
 use crate::suite::{Kind, Scenario, Test};
 
 /// So much longer than it says a step takes, at least and at most: whoever waits on a clock waits a little longer.
-const LONGER_MS: [u32; 2] = [1, 9];
+const LONGER_MS: [u32; 2] = [1, MOST_MS];
+const MOST_MS: u32 = 9;
+/// So often a test is tried in which a step may have taken less than it says, or more than it may: on a busy computer both sides
+/// let each other wait now and then. For a program that is always slow that is no use, and tried less and less.
+pub(super) const TRIES: usize = 8;
 /// What a program may take for a step beside its time.
 const ANSWER: Duration = Duration::from_millis(2);
 
 /// How much longer than it says is waited for each step: between the two.
 pub(super) const PATIENCE: Duration = Duration::from_millis(2);
+
+/// When a step was written, and when it was answered: the program took it somewhere between the two.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Taken {
+    pub(super) written: Instant,
+    pub(super) answered: Instant,
+}
+
+impl Taken {
+    /// Whether the time between a step and the one before it was, by the program's clock, as the tests allow for.
+    pub(super) fn is_told(before: Self, now: Self, dt_ms: u32) -> bool {
+        let time = Duration::from_millis(dt_ms.into());
+        let least = now.written.saturating_duration_since(before.answered);
+        let most = now.answered.saturating_duration_since(before.written);
+        time <= least && most <= time + Duration::from_millis(MOST_MS.into())
+    }
+}
 
 /// The places of the tests that are run: those that a clock can tell, by how many requirements more they check in how much time, as
 /// many as there is time for.
@@ -73,6 +94,20 @@ fn is_steady(machine: &Machine, scenario: &Scenario) -> bool {
 mod tests {
     use super::*;
     use crate::suite;
+
+    #[test]
+    fn a_step_is_told_if_it_took_its_time_wherever_between_line_and_answer_the_program_took_it() {
+        let start = Instant::now();
+        let at = |written, answered| Taken {
+            written: start + Duration::from_millis(written),
+            answered: start + Duration::from_millis(answered),
+        };
+        let told = |before, now| Taken::is_told(before, now, 50);
+        assert!(told(at(0, 1), at(52, 53)) && told(at(0, 0), at(50, 59)));
+        assert!(!told(at(0, 3), at(52, 53)), "it may have taken the one before late");
+        assert!(!told(at(0, 1), at(52, 60)), "it may have taken this one late");
+    }
+
     use adsdv_spec::Edition;
 
     #[test]

@@ -155,7 +155,7 @@ rules! {
     /// A message came from the wrong side.
     Sender = "wrong-sender"
         unless "the log names another sender than the one there was";
-    /// What does not fit the edition that was recognised.
+    /// What does not fit the edition that was recognised, or that was named.
     Edition = "edition";
     /// 502h shows another AS state than 520h.
     AssiDiffers = "assi-differs"

@@ -277,6 +277,13 @@ impl Judge {
         self.found(Finding::note(Party::Log, "2", rule, self.est.now).seen(seen));
     }
 
+    /// A note on each message of the VCU that a later edition does without, and that never came.
+    pub(crate) fn note_absent(&mut self) {
+        for finding in values::absent(&self.est.sampler, &self.est.edition, self.est.now) {
+            self.book.found(finding);
+        }
+    }
+
     /// The end of the log: settles what is still open.
     pub fn finish(mut self) -> Report {
         self.end();

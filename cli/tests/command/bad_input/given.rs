@@ -3,6 +3,8 @@
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 
+use adsdv_spec::Edition;
+
 use super::{adsdv, check, fed, folder_with, judged, lines, refused, rubbish, run, text};
 use crate::run::{MISSION, temporary};
 
@@ -125,6 +127,11 @@ pub(super) fn standard_input_for_both_logs() {
 #[test]
 pub(super) fn logs_in_another_wrapping() {
     refused(&check(b"\x1f\x8b\x08\0rest\n"), ": no readable frame in 1 line", "zcat ");
+    for edition in Edition::ALL {
+        // Printed with tabs, as databases are.
+        let database = crate::run::run(&["dbc", "--edition", edition.version]).stdout;
+        refused(&check(database.as_bytes()), "found \"VERSION ", "it is a CAN database and no recording");
+    }
     let wide: Vec<u8> = lines(3).iter().flat_map(|&byte| [byte, 0]).collect();
     refused(&check(&[b"\xff\xfe", &wide[..]].concat()), ": no readable frame in ", "iconv -f UTF-16 ");
     // The mark of UTF-8 costs nothing: not even the first frame.

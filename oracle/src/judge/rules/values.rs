@@ -173,6 +173,28 @@ pub(crate) fn sent_by_ai(edition: &Edition, book: &mut Book, t: i64, id: u32) {
     }
 }
 
+/// The end of the log: the messages of the VCU that an edition after this one does without, and that never came though the VCU
+/// was there. Nothing that is judged needs them.
+pub(crate) fn absent(sampler: &Sampler, edition: &Edition, t: i64) -> Vec<Finding> {
+    let later = Edition::ALL.iter().skip_while(|later| later.version != edition.version).skip(1);
+    let without = |def: &&'static MessageDef| later.clone().find(|one| one.bus.message(def.id).is_none());
+    let never = |def: &&'static MessageDef| {
+        let slot = sampler.index(def.id.into()).and_then(|index| sampler.slot(index));
+        slot.is_some_and(|slot| slot.last.is_none())
+    };
+    let sent = edition.bus.messages.iter().copied().filter(|def| def.sender == Node::Vcu);
+    let sent = sent.filter(|_| sampler.heard(Node::Vcu)).filter(never);
+    let one = |def: &'static MessageDef| {
+        let later = without(&def)?;
+        let seen = format!(
+            "{} ({:03X}h) never came; edition {} does without it, and nothing that is judged needs it",
+            def.name, def.id, later.version
+        );
+        Some(Finding::note(Party::Log, def.section, Rule::Edition, t).seen(seen))
+    };
+    sent.filter_map(one).collect()
+}
+
 /// The end of the log: says which side was not there.
 pub(crate) fn one_sided(sampler: &Sampler, t: i64) -> Option<Finding> {
     let nothing = "no message of the document in the log: nothing was judged";
