@@ -71,16 +71,21 @@ fn of_each_state(claims: impl Fn(Control)) {
     }
 }
 
-/// **The machine says of every control state what a step can depend on**, and it is what inputs can show.
+/// **The machine says of every control state what a step can depend on**, and it is what inputs can show, and what the edition has.
+/// As nothing else decides a step ([`factoring`](crate::factoring)), what an edition lacks can never matter in it.
 ///
 /// Requirements: SM-1.
 #[cfg_attr(kani, kani::proof, kani::unwind(31))]
 pub fn what_is_read_is_total() {
     of_each_state(|before| {
         let dt_ms = kani::any();
-        let reads = subject().reads(&before, dt_ms);
+        let (subject, reads) = (subject(), subject().reads(&before, dt_ms));
         cover_extremes(&before, dt_ms);
         assert!(reads.atoms.is_subset(Observation::SCOPE), "conditions that inputs decide");
+        assert!(
+            reads.atoms.is_subset(subject.machine().edition().scope()),
+            "conditions that the edition has"
+        );
         assert!(reads.faults.is_subset(Observation::FAULTS), "faults that inputs decide");
     });
 }
