@@ -9,7 +9,8 @@ import math
 import sys
 import time
 
-from stack import CYCLE_S, DONE, DRIVING, FINISHED, GIVE_UP_S, NOT_SELECTED, OFF, READY, RPM_TO_MPS, RUNNING, SELECTED, Can
+from stack import CYCLE_S, DONE, DRIVING, FINISHED, GIVE_UP_S, NOT_SELECTED, OFF, READY, RPM_TO_MPS, RUNNING, SELECTED
+from stack import Can, read, written
 
 EDITIONS = ("4.0", "2026")
 STATES = {1: "OFF", 2: "READY", 3: "DRIVING", 4: "EMERGENCY_BRAKE", 5: "FINISHED"}
@@ -137,8 +138,8 @@ def main():
             nodes.reset()
             answer = {}
         else:
-            nodes.step(asked["t_ms"], bridge.hear(asked["frames"]))
-            answer = {"frames": bridge.frames()}
+            nodes.step(asked["t_ms"], bridge.hear(read(asked["frames"])))
+            answer = {"frames": written(bridge.frames())}
         print(json.dumps(answer), flush=True)
 
 

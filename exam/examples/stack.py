@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""An AI Computer in the shape of a team's stack: mission logic, controller, CAN layer. For 4.0 and the vehicle of 2026.
+"""An AI Computer in the shape of a team's stack: mission logic, controller, CAN layer.
 
     adsdv exam --stdio -- python3 exam/examples/stack.py
+
+From Python, adsdv.exam(Stack) examines the class itself, and python/README.md has it as a test of pytest.
 """
 import json
 import struct
@@ -15,19 +17,18 @@ CYCLE_S, RPM_TO_MPS, GIVE_UP_S = 0.01, 2 * 3.14159 * 0.25 / 60, 0.05
 class Can:
     """What the VCU said last, and the frames of what is said to it."""
 
-    def __init__(self):
+    def __init__(self, edition="4.0"):
+        self.length = 8 if edition == "3.0" else 0  # in 3.0 all that the VCU reads has 8 bytes
         self.heard, self.handshake, self.state, self.mission, self.rpm, self.silent_s = False, 0, OFF, 0, (0,) * 4, 0.0
 
     def receive(self, frames):
         self.silent_s += CYCLE_S
-        for frame in frames:
-            identifier, data = frame.split("#")
-            data = bytes.fromhex(data)
-            if identifier == "520":
+        for identifier, data in frames:
+            if identifier == 0x520:
                 self.heard, self.silent_s = True, 0.0
                 self.handshake, self.state, self.mission = data[0] & 1, data[2] & 15, data[2] >> 4
                 self.state = self.state or OFF  # the vehicle of 2026 has an AS_INIT
-            elif identifier == "525":
+            elif identifier == 0x525:
                 self.rpm = struct.unpack("<4H", data)
 
     def frames(self, status, forward, torque_nm, motor_rpm, steer_deg, brake_pct, speed_mps):
@@ -35,14 +36,13 @@ class Can:
             return []
         drive = struct.pack("<HH", int(10 * torque_nm), motor_rpm)
         messages = {
-            "501": bytes(6),
-            "510": bytes([self.handshake, status << 4 | forward << 6, 0, 0, 0, 0, int(speed_mps * 3.6), 0]),
-            "511": drive,
-            "512": drive,
-            "513": struct.pack("<h", int(10 * steer_deg)),
-            "514": bytes([2 * brake_pct] * 2),
+            0x510: bytes([self.handshake, status << 4 | forward << 6, 0, 0, 0, 0, int(speed_mps * 3.6), 0]),
+            0x511: drive,
+            0x512: drive,
+            0x513: struct.pack("<h", int(10 * steer_deg)),
+            0x514: bytes([2 * brake_pct] * 2),
         }
-        return [f"{identifier}#{data.hex().upper()}" for identifier, data in messages.items()]
+        return [(0x501, bytes(6))] + [(one, data.ljust(self.length, b"\0")) for one, data in messages.items()]
 
 
 class Controller:
@@ -75,20 +75,42 @@ class Mission:
         return (DONE if self.rest_s > 0.5 else RUNNING), 0
 
 
+class Stack:
+    """All of it: asked every 10 ms for the frames that it sends, with those that have come since."""
+
+    def __init__(self, edition="4.0"):
+        self.can, self.controller, self.mission = Can(edition), Controller(), Mission()
+
+    def step(self, t_ms, frames):
+        self.can.receive(frames)
+        speed = sum(self.can.rpm) / 4 * RPM_TO_MPS
+        status, wanted = self.mission.step(self.can, speed)
+        torque, motor, brake = self.controller.control(speed, wanted) if wanted is not None else (0.0, 0, 0)
+        forward = int(self.can.state == DRIVING)
+        return self.can.frames(status, forward, torque, motor, 0.0, brake, speed)
+
+
+def read(texts):
+    """Frames from the text of the protocol."""
+    frames = [text.split("#") for text in texts]
+    return [(int(identifier, 16), bytes.fromhex(data)) for identifier, data in frames]
+
+
+def written(frames):
+    """And to it."""
+    return [f"{identifier:03X}#{data.hex().upper()}" for identifier, data in frames]
+
+
 def main():
     for line in sys.stdin:
         asked = json.loads(line)
         if asked["op"] == "hello":
-            answer = {"edition": asked["edition"] if asked["edition"] in ("4.0", "2026") else "4.0"}
+            edition = asked["edition"]
+            answer = {"edition": edition} if edition in ("3.0", "4.0", "2026") else {}
         elif asked["op"] == "reset":
-            can, controller, mission, answer = Can(), Controller(), Mission(), {}
+            stack, answer = Stack(edition), {}
         else:
-            can.receive(asked["frames"])
-            speed = sum(can.rpm) / 4 * RPM_TO_MPS
-            status, wanted = mission.step(can, speed)
-            torque, motor, brake = controller.control(speed, wanted) if wanted is not None else (0.0, 0, 0)
-            forward = int(can.state == DRIVING)
-            answer = {"frames": can.frames(status, forward, torque, motor, 0.0, brake, speed)}
+            answer = {"frames": written(stack.step(asked["t_ms"], read(asked["frames"])))}
         print(json.dumps(answer), flush=True)
 
 

@@ -107,6 +107,32 @@ fn of_signal(def: &MessageDef, signal: &SignalDef) -> (About, By) {
     }
 }
 
+/// A requirement on which an AI Computer is examined.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Requirement {
+    /// As `REQUIREMENTS.md` names it.
+    pub id: &'static str,
+    /// The section of the document that asks for it.
+    pub section: &'static str,
+    /// What it asks for, in a few words.
+    pub about: String,
+}
+
+/// Those of an edition, in the order of the document: those of every report of an exam.
+///
+/// ```
+/// use adsdv_exam::requirements;
+/// use adsdv_spec::Edition;
+///
+/// let ready = requirements(Edition::DEFAULT).into_iter().find(|one| one.id == "RDY-7").expect("it is there");
+/// assert_eq!((ready.section, ready.about.as_str()), ("3.1", "confirms the mission that is selected"));
+/// ```
+pub fn requirements(edition: &Edition) -> Vec<Requirement> {
+    let one =
+        |entry: &Entry| Requirement { id: entry.id, section: entry.section(), about: entry.about(edition) };
+    of_edition(edition).iter().map(one).collect()
+}
+
 impl Entry {
     /// What it asks for, in a few words.
     pub(crate) fn about(&self, edition: &Edition) -> String {
@@ -127,6 +153,11 @@ impl Entry {
             ("IMP", _) => "4",
             _ => "2.1",
         }
+    }
+
+    /// Whether there is anything that exercises it.
+    pub(crate) const fn can_be_exercised(&self) -> bool {
+        !matches!(self.by, By::Nothing(_))
     }
 
     /// Why it was not exercised, by what was sent; `None` if it was.

@@ -8,7 +8,7 @@ use adsdv_spec::{AiMessages, Atoms, Edition};
 use crate::catalogue::{self, Entry};
 use crate::expectation::{Expectation, Followed, Kind, Within};
 use crate::expectations::{ANSWERS, CYCLES, HOLDS_STILL};
-use crate::program_error::StackError;
+use crate::program_error::{Failure, StackError};
 use crate::scenario::ExamScenario;
 use crate::session::{Change, Ran, Sent, SessionError, run};
 use crate::stack::Stack;
@@ -37,14 +37,18 @@ pub enum FoundBy {
     Judge(Rule),
     /// The exam: something that was to be done was not.
     Exam,
+    /// The stack: it failed instead of an answer.
+    Stack,
 }
 
 impl FoundBy {
-    /// The stable identifier of the rule; `not-done` where the exam found it.
+    /// The stable identifier of the rule; `not-done` where the exam found it, and `stack-failed` where the
+    /// stack failed itself.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Judge(rule) => rule.id(),
             Self::Exam => "not-done",
+            Self::Stack => "stack-failed",
         }
     }
 }
@@ -72,6 +76,8 @@ pub struct ExamFinding {
     pub frames: Vec<Sent>,
     /// What the car did then.
     pub car: String,
+    /// Where in the stack it failed, in its own words, if it did.
+    pub trace: Option<String>,
     /// In real time, how late this machine may be before it is in doubt who is at fault; `None` where that changes nothing.
     pub(crate) slack_ms: Option<u64>,
 }
@@ -168,7 +174,8 @@ pub struct ExamProgress<'a> {
 
 /// Examines an AI Computer in these scenarios.
 ///
-/// `ended` gets each scenario when it is over; what it returns is an error that ends the exam.
+/// `ended` gets each scenario when it is over. A stack that [fails](StackErrorKind::Failed) ends its scenario, and that is a finding; every
+/// other error of a stack ends the exam.
 ///
 /// ```
 /// use adsdv_exam::{ExamOptions, Reference, exam, scenarios};
@@ -270,6 +277,8 @@ struct Marks {
     tally: Tally,
     /// The requirements that something was against of which it is not certain who is at fault: why.
     in_doubt: Vec<(&'static str, String)>,
+    /// In how many scenarios the stack failed.
+    failed: usize,
 }
 
 impl Marks {
@@ -280,11 +289,13 @@ impl Marks {
             expected: Vec::new(),
             tally: Tally::default(),
             in_doubt: Vec::new(),
+            failed: 0,
         }
     }
 
     fn ran(&mut self, ran: &Ran) {
         self.tally.add(&ran.tally);
+        self.failed += usize::from(ran.failed.is_some());
         let exercised = ran.followed.iter().filter(|followed| followed.exercised);
         self.expected.extend(exercised.flat_map(|followed| followed.expectation.against));
         // An answer within the cycle is never seen to be missing.
@@ -301,13 +312,23 @@ impl Marks {
             let outcome = if broken.is_empty() {
                 let doubt = self.in_doubt.iter().find(|(id, _)| *id == entry.id).map(|(_, why)| why.clone());
                 let lacks = doubt.or_else(|| entry.lacks(&self.tally, self.expected.contains(&entry.id)));
-                lacks.map_or(Outcome::Pass, Outcome::NotExercised)
+                lacks.map_or(Outcome::Pass, |why| Outcome::NotExercised(self.why(entry, why)))
             } else {
                 Outcome::Fail(broken.into_iter().map(|(_, place)| place).collect())
             };
             Examined { id: entry.id, section: entry.section(), about: entry.about(self.edition), outcome }
         };
         self.entries.iter().map(one).collect()
+    }
+
+    /// Why it was not exercised, with that the stack has failed, where that may be why.
+    fn why(&self, entry: &Entry, why: String) -> String {
+        match self.failed {
+            0 => why,
+            _ if !entry.can_be_exercised() => why,
+            1 => format!("{why}; the stack failed in 1 scenario"),
+            count => format!("{why}; the stack failed in {count} scenarios"),
+        }
     }
 }
 
@@ -319,6 +340,14 @@ pub(crate) fn findings(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
             seen: format!("the bus cannot carry what the AI Computer sends: {waiting} of its frames wait"),
             expected: "each of its messages every 10 ms".to_owned(),
             ..ExamFinding::new(ns(time_ms), "2.1", FoundBy::Exam, catalogue::held_by(edition, vec!["MSG-98"]))
+        });
+    }
+    if let Some((time_ms, Failure { why, trace, expected })) = &ran.failed {
+        found.push(ExamFinding {
+            seen: why.clone(),
+            expected: (*expected).to_owned(),
+            trace: trace.clone(),
+            ..ExamFinding::new(ns(*time_ms), "2.1", FoundBy::Stack, Vec::new())
         });
     }
     for followed in &ran.followed {
@@ -344,6 +373,7 @@ impl ExamFinding {
             operator: Vec::new(),
             frames: Vec::new(),
             car: String::new(),
+            trace: None,
             slack_ms: None,
         }
     }

@@ -27,8 +27,10 @@ mod disturbance;
 mod exam;
 mod expectation;
 mod expectations;
+mod json;
 mod length;
 mod live;
+mod log;
 mod look;
 mod program;
 mod program_error;
@@ -41,26 +43,31 @@ mod session;
 mod shrink;
 mod stack;
 mod tally;
+mod words;
 
+pub use catalogue::{Requirement, requirements};
 pub use disturbance::{Disturbance, Effect, Onset, Sensors};
 pub use exam::{
     ExamFinding, ExamOptions, ExamProgress, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome, exam,
 };
 pub use expectation::{Condition, Expectation, Kind, Within};
+pub use json::ExamForm;
 pub use length::{BESIDE, estimate};
 pub use live::{
     LiveBus, LiveError, LiveOptions, LiveProgram, LiveProgress, LiveReport, exam_live, prepare_namespaces,
 };
+pub use log::write_log;
 pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
-pub use program_error::{StackError, StackErrorKind, StackErrorPlace};
+pub use program_error::{Failure, StackError, StackErrorKind, StackErrorPlace};
 pub use random::{SEED, random_scenarios};
 pub use scenario::ExamScenario;
-pub use scenarios::scenarios;
+pub use scenarios::{NoScenario, chosen, scenarios};
 pub use serve::serve;
 pub use session::{Change, Sent};
-pub use shrink::{Shortest, shortest};
+pub use shrink::{Shortest, shorter, shortest};
 pub use stack::{Reference, Stack};
+pub use words::{FINDINGS, FRAMES, Pieces, Shorter};
 
 /// The examples of the README.
 #[cfg(doctest)]

@@ -40,6 +40,10 @@ pub enum StackErrorKind {
         /// What it says.
         said: Option<String>,
     },
+    /// It is in this process, and failed instead of an answer: that ends its scenario, and is a finding there.
+    Failed(Failure),
+    /// Whoever waits for the exam has stopped it.
+    Stopped,
     /// It answered with something that is no answer to what was asked.
     NoAnswer {
         /// What it was asked: `hello`, `reset` or `step`.
@@ -51,6 +55,17 @@ pub enum StackErrorKind {
     },
 }
 
+/// What a stack in this process did instead of an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// What was seen, in one line.
+    pub why: String,
+    /// Where in the stack, in its own words, which may be many lines.
+    pub trace: Option<String>,
+    /// What was expected instead.
+    pub expected: &'static str,
+}
+
 impl From<ProgramErrorKind> for StackErrorKind {
     fn from(what: ProgramErrorKind) -> Self {
         Self::Program(what)
@@ -58,7 +73,8 @@ impl From<ProgramErrorKind> for StackErrorKind {
 }
 
 impl StackError {
-    pub(crate) fn new(what: impl Into<StackErrorKind>) -> Self {
+    /// An error without a place.
+    pub fn new(what: impl Into<StackErrorKind>) -> Self {
         Self { place: None, what: what.into(), stderr: Vec::new() }
     }
 
@@ -96,6 +112,8 @@ impl StackError {
             StackErrorKind::Program(_) => {
                 "answer every line as soon as it is read, and flush standard output after each; for a slow program raise --timeout"
             }
+            StackErrorKind::Failed(_) => "see what the stack does there",
+            StackErrorKind::Stopped => "hold the exam again",
             StackErrorKind::OtherEdition { .. } => {
                 "answer the hello with the edition that the stack speaks, and name that one with --edition"
             }
@@ -110,6 +128,8 @@ impl fmt::Display for StackErrorKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Program(what) => write!(f, "{what}"),
+            Self::Failed(Failure { why, expected, .. }) => write!(f, "{why}; expected {expected}"),
+            Self::Stopped => f.write_str("the exam was stopped"),
             Self::OtherEdition { asked, said: Some(said) } => {
                 write!(f, "the program is of edition {said}; expected {asked}")
             }
@@ -137,7 +157,7 @@ impl fmt::Display for StackError {
         let line = match what {
             StackErrorKind::Program(what) => what.line(),
             StackErrorKind::NoAnswer { line, .. } => Some(line),
-            StackErrorKind::OtherEdition { .. } => None,
+            StackErrorKind::OtherEdition { .. } | StackErrorKind::Failed(_) | StackErrorKind::Stopped => None,
         };
         if let Some(line) = line {
             write!(f, "\n  received  {line}")?;

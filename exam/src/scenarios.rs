@@ -59,6 +59,34 @@ impl ExamScenario {
     }
 }
 
+/// No scenario has a name that begins so.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoScenario(pub String);
+
+/// Those of these scenarios whose names begin with one of `only`, or all where it is empty; with `quick`, the few of them that show
+/// most.
+///
+/// Errors: no name begins with one of `only`.
+///
+/// ```
+/// use adsdv_exam::{chosen, scenarios};
+///
+/// let estops = chosen(scenarios(), &["estop".to_owned()], false).expect("there are some");
+/// assert!(estops.iter().all(|one| one.name.starts_with("estop")));
+/// assert!(chosen(scenarios(), &["etsop".to_owned()], false).is_err());
+/// ```
+pub fn chosen(all: Vec<ExamScenario>, only: &[String], quick: bool) -> Result<Vec<ExamScenario>, NoScenario> {
+    let begins = |scenario: &ExamScenario, name: &String| scenario.name.starts_with(name.as_str());
+    if let Some(unknown) = only.iter().find(|name| !all.iter().any(|one| begins(one, name))) {
+        return Err(NoScenario(unknown.clone()));
+    }
+    let is_asked = |one: &ExamScenario| {
+        let named = only.is_empty() || only.iter().any(|name| begins(one, name));
+        named && (!quick || one.is_quick())
+    };
+    Ok(all.into_iter().filter(is_asked).collect())
+}
+
 /// All scenarios, the simple ones first.
 pub fn scenarios() -> Vec<ExamScenario> {
     let mut all = vec![

@@ -21,7 +21,7 @@ use adsdv_spec::{Edition, Machine};
 use crate::course::Course;
 use crate::expectation::Followed;
 use crate::look::Look;
-use crate::program_error::StackError;
+use crate::program_error::{Failure, StackError, StackErrorKind};
 use crate::scenario::ExamScenario;
 use crate::stack::Stack;
 use crate::tally::Tally;
@@ -72,6 +72,8 @@ pub(crate) struct Ran {
     pub(crate) stuck: Option<Stuck>,
     /// When the AI Computer sent so much that the bus could not carry it, and how many frames waited.
     pub(crate) flood: Option<(u64, usize)>,
+    /// When the stack failed, and how.
+    pub(crate) failed: Option<(u64, Failure)>,
 }
 
 /// A scenario that does not read is a mistake of this crate: the tests read all of them.
@@ -83,19 +85,31 @@ pub(crate) fn run(
 ) -> Result<Ran, SessionError> {
     let operator: Scenario = scenario.operator.parse().map_err(SessionError::Scenario)?;
     let session = Session::new(scenario, &operator, edition, mission_ms);
-    stack.reset().map_err(|error| SessionError::Stack(error.during(&scenario.name, 0)))?;
+    if let Err(error) = stack.reset() {
+        return failed(session, 0, error.during(&scenario.name, 0));
+    }
     let mut simulated = Simulated { session, wire: Wire::new(BITRATE.into()), inbox: Vec::new() };
     loop {
         let (begun, cycle_ms) = (simulated.session.time_ms, simulated.session.cycle_ms());
         let frames = simulated.session.begin(begun, cycle_ms);
         simulated.wire.send(ns(begun), Node::Vcu, frames);
         simulated.bus_until(begun + PHASE_MS);
-        simulated.ask(stack).map_err(|error| SessionError::Stack(error.during(&scenario.name, begun)))?;
+        if let Err(error) = simulated.ask(stack) {
+            return failed(simulated.session, begun + PHASE_MS, error.during(&scenario.name, begun));
+        }
         simulated.bus_until(begun + u64::from(cycle_ms));
         let runs = simulated.stack_runs();
         if simulated.session.end(runs) {
             return Ok(simulated.session.finish());
         }
+    }
+}
+
+/// What was seen until a stack failed; an error if it is another one, after which there is nothing to say.
+fn failed(session: Session<'_>, time_ms: u64, error: StackError) -> Result<Ran, SessionError> {
+    match error.what {
+        StackErrorKind::Failed(failure) => Ok(Ran { failed: Some((time_ms, failure)), ..session.finish() }),
+        _ => Err(SessionError::Stack(error)),
     }
 }
 
@@ -323,6 +337,7 @@ impl<'a> Session<'a> {
             tally: self.tally,
             stuck: self.stuck,
             flood: self.flood,
+            failed: None,
         }
     }
 }

@@ -6,11 +6,12 @@
 use adsdv_can::car::Physics;
 use adsdv_can::scenario::{Line, Scenario, When};
 
-use crate::exam::{ExamFinding, ExamOptions, findings};
+use crate::exam::{ExamFinding, ExamOptions, ExamReport, findings};
 use crate::program_error::StackError;
 use crate::scenario::ExamScenario;
 use crate::session::{Ran, Sent, SessionError, run};
 use crate::stack::Stack;
+use crate::words::{FINDINGS, Shorter};
 
 /// How long behind a finding a scenario may end, in milliseconds: some are settled only when something has not come for long.
 const SETTLED_MS: [u64; 3] = [20, 300, 1200];
@@ -55,7 +56,7 @@ pub fn shortest(
     runs: u32,
 ) -> Result<Option<Shortest>, StackError> {
     let Ok(operator) = scenario.operator.parse::<Scenario>() else { return Ok(None) };
-    let draft = Shorter { lines: operator.lines().to_vec(), rest: scenario.clone() };
+    let draft = Draft { lines: operator.lines().to_vec(), rest: scenario.clone() };
     let mut shrink = Shrink { stack, finding, options, left: runs };
     let Some(mut best) = shrink.run(draft)? else { return Ok(None) };
     loop {
@@ -71,15 +72,41 @@ pub fn shortest(
     }
 }
 
+/// The shortest scenarios of the findings that are shown, each in so many runs at most. The stack is said hello to again. `progress`
+/// learns how many are done, and how many there are.
+///
+/// Errors: those of the stack.
+pub fn shorter(
+    stack: &mut dyn Stack,
+    scenarios: &[ExamScenario],
+    report: &ExamReport,
+    options: &ExamOptions,
+    runs: u32,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Shorter, StackError> {
+    let places: Vec<usize> = report.shown().into_iter().take(FINDINGS).collect();
+    let mut found = Shorter::new();
+    stack.hello(options.edition)?;
+    for (done, place) in places.iter().enumerate() {
+        let Some(finding) = report.findings.get(*place) else { continue };
+        let Some(scenario) = scenarios.get(finding.scenario) else { continue };
+        progress(done, places.len());
+        if let Some(shortest) = shortest(stack, scenario, finding, options, runs)? {
+            found.insert(*place, shortest);
+        }
+    }
+    Ok(found)
+}
+
 /// A scenario whose lines are apart.
 #[derive(Clone, Debug)]
-struct Shorter {
+struct Draft {
     lines: Vec<Line>,
     /// All else of it.
     rest: ExamScenario,
 }
 
-impl Shorter {
+impl Draft {
     fn scenario(&self) -> ExamScenario {
         let lines: Vec<String> = self.lines.iter().map(|line| line.to_string() + "\n").collect();
         let operator = lines.concat();
@@ -100,7 +127,7 @@ impl Shorter {
 
 /// A draft that shows the finding.
 struct Failing {
-    draft: Shorter,
+    draft: Draft,
     ran: Ran,
     /// When the finding is, in milliseconds.
     time_ms: u64,
@@ -116,7 +143,7 @@ struct Shrink<'a> {
 
 impl Shrink<'_> {
     /// Holds a scenario; `None` if it does not show the finding, or there is no run left.
-    fn run(&mut self, draft: Shorter) -> Result<Option<Failing>, StackError> {
+    fn run(&mut self, draft: Draft) -> Result<Option<Failing>, StackError> {
         let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
         self.left = left;
         let scenario = draft.scenario();
@@ -132,7 +159,7 @@ impl Shrink<'_> {
     }
 
     /// Takes a draft instead of the best if it is shorter and shows the finding as well.
-    fn accept(&mut self, best: &mut Failing, draft: Shorter) -> Result<bool, StackError> {
+    fn accept(&mut self, best: &mut Failing, draft: Draft) -> Result<bool, StackError> {
         if draft.size() >= best.draft.size() {
             return Ok(false);
         }
@@ -159,7 +186,7 @@ impl Shrink<'_> {
             let wait = u32::try_from(until_ms.saturating_sub(last_ms)).unwrap_or(u32::MAX);
             let number = lines.last().map_or(1, |line| line.number + 1);
             lines.push(Line { number, when: When::After(wait), actions: Vec::new(), ends: true });
-            if self.accept(best, Shorter { lines, ..best.draft.clone() })? {
+            if self.accept(best, Draft { lines, ..best.draft.clone() })? {
                 break;
             }
         }

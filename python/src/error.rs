@@ -33,6 +33,12 @@ create_exception!(
     InputError,
     "Rules of one's own that are wrong, or name what the edition has not; line and column say where, both from 1."
 );
+create_exception!(
+    adsdv,
+    StackError,
+    AdsdvError,
+    "A program under exam that does not keep to the protocol, ends or hangs, so that there is no verdict."
+);
 create_exception!(adsdv, LogError, AdsdvError, "A log that holds nothing to judge.");
 
 pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -41,6 +47,7 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("InputError", py.get_type::<InputError>())?;
     module.add("RulesError", py.get_type::<RulesError>())?;
     module.add("CodecError", py.get_type::<CodecError>())?;
+    module.add("StackError", py.get_type::<StackError>())?;
     module.add("LogError", py.get_type::<LogError>())
 }
 

@@ -1,4 +1,4 @@
-//! `import adsdv`: the specification of the ADS-DV AI/VCU interface, and the judge of its logs, from Python.
+//! `import adsdv`, whose Python is in `package/adsdv`: the specification of the ADS-DV AI/VCU interface, and the judge of its logs, from Python.
 //!
 //! ```text
 //! edition.rs   editions, and what an edition lets say
@@ -7,6 +7,7 @@
 //! check.rs     check: judges a log        source.rs    what a log can be read from
 //! judge.rs     Judge: judges a live bus   report.rs    Report: what a judge says
 //! rules.rs     a team's own rules
+//! exam/        exam: examines a stack  (stack.rs in Python or a program; report.rs ExamReport)
 //! tables.rs    inputs, outputs, messages, readings as lists of flat dicts
 //! value.rs     Python's values from and to the specification's
 //! error.rs     the exceptions
@@ -20,6 +21,7 @@ mod codec;
 mod control;
 mod edition;
 mod error;
+mod exam;
 mod judge;
 mod machine;
 mod report;
@@ -57,7 +59,7 @@ use pyo3::prelude::*;
 ///
 /// Whatever is given that is not what was expected is an AdsdvError, which is a ValueError; whatever cannot be read is an
 /// OSError. Both say what was found, and what would have been right.
-#[pymodule]
+#[pymodule(name = "_adsdv")]
 fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     error::add(module)?;
@@ -69,6 +71,7 @@ fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<judge::Judge>()?;
     module.add_class::<report::Report>()?;
     module.add_function(wrap_pyfunction!(check::check, module)?)?;
+    exam::add(module)?;
     codec::add(module)?;
     tables::add(module)
 }

@@ -48,6 +48,12 @@ CALLS = [
     lambda a, b, c: adsdv.decode(a, b, c),
     lambda a, b, c: adsdv.encode(a, edition=b, STEER_REQUEST_deg=c),
     lambda a, b, c: adsdv.check(b"(1.0) can0 520#00", edition=a, readings=b),
+    lambda a, b, c: adsdv.exam(a, only="ready", shrink=0, edition=b, timeout=c),
+    lambda a, b, c: adsdv.exam(lambda: lambda t_ms, frames: a, only="ready", shrink=b, logs=c if c is True else None),
+    lambda a, b, c: adsdv.exam(lambda: lambda t_ms, frames: [(a, b), c], scenario="0.05 end", shrink=0, seed=a, mission_time=b),
+    lambda a, b, c: adsdv.exam(lambda: a, only=b, quick=True, scenario=c, shrink=0),
+    lambda a, b, c: adsdv.exam(lambda: a, scenario="0.05 end", shrink=0).requirement(b) and adsdv.exam_requirements(c),
+    lambda a, b, c: adsdv.ExamReport(a, b, c),
     lambda a, b, c: adsdv.readings(a) and adsdv.inputs(b) and adsdv.messages(c),
 ]
 

@@ -1,4 +1,4 @@
-"""adsdv.pyi says what the module has, and nothing else."""
+"""The stub says what the module has, and nothing else."""
 
 import ast
 import inspect
@@ -37,7 +37,7 @@ def members(name):
 
 def test_the_wheel_is_typed(root):
     assert (STUB.parent / "py.typed").exists()
-    assert STUB.read_bytes() == (root / "python/adsdv.pyi").read_bytes()
+    assert STUB.read_bytes() == (root / "python/package/adsdv/__init__.pyi").read_bytes()
 
 
 def test_names_are_those_of_the_module():
@@ -106,6 +106,7 @@ def test_keys_and_values_are_those_of_the_tables_of_all_editions(name, table):
 
 def test_dicts_have_the_keys_that_the_stub_says(finished):
     report = adsdv.check(finished, rules="calm: never moving and ASMS off")
+    exam = adsdv.exam(lambda: lambda t_ms, frames: [], only="ready", shrink=0)
     for name, dict in [
         ("_Control", adsdv.Control().to_dict()),
         ("_ControlGiven", adsdv.Control().to_dict()),
@@ -119,9 +120,20 @@ def test_dicts_have_the_keys_that_the_stub_says(finished):
         ("_OutputField", adsdv.outputs()[0]),
         ("_Signal", adsdv.messages()[0]),
         ("_Reading", adsdv.readings()[0]),
+        ("_Requirement", adsdv.exam_requirements()[0]),
+        ("_ExamScenario", adsdv.exam_scenarios()[0]),
+        ("_ScenarioOutcome", exam.scenarios[0]),
+        ("_Action", exam.findings[-1]["operator"][0]),
+        ("_Sent", exam.findings[-1]["frames"][0]),
+        ("_ExamReport", exam.to_dict()),
     ]:
         assert [key for key, _ in names(TOP[name].body)] == list(dict), name
     assert set(annotations("_Report")) == set(report.to_dict())
+    assert set(annotations("_Examined")) == set(exam.requirements[0])
+    assert set(annotations("_ExamFindingOfAll")) == set(exam.findings[-1])
+    failed = adsdv.exam(object, only="ready").findings[0]
+    raised = adsdv.exam(lambda: 1 / 0, only="ready").findings[0]
+    assert set(annotations("_ExamFinding")) == set(raised) == {*failed, "trace"}
     transition = TOP["_Transition"].value.args[1].keys
     assert [key.value for key in transition] == list(report.transitions[0])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import adsdv
@@ -41,6 +42,24 @@ def editions() -> list[bool]:
     return [fault, *(adsdv.is_reserved(0x120, edition) for edition in adsdv.editions())]
 
 
+class Stack:
+    def step(self, t_ms: int, frames: list[tuple[int, bytes]]) -> list[tuple[int, bytes]]:
+        return [(id, data) for id, data in frames if t_ms > 0]
+
+
+def silent() -> Callable[[int, list[tuple[int, bytes]]], list[tuple[int, bytes]]]:
+    return lambda t_ms, frames: []
+
+
+def exam() -> list[str]:
+    report = adsdv.exam(Stack, edition="4.0", only=["ready"], logs=Path("logs"))
+    report = adsdv.exam(silent, quick=True, mission_time=30, logs=True) if report.passes else report
+    report = adsdv.exam(["python3", Path("stack.py")], runs=7, timeout=0.5)
+    lasted: float = report.scenarios[0]["duration"]
+    found = [f"{lasted} {finding['seen']} {finding.get('trace')}" for finding in report.findings]
+    return [*found, report.explain("RDY-7"), *(one["why"] or one["id"] for one in report.failed)]
+
+
 vcu = adsdv.Vcu()
 vcu.control = ready(vcu.machine)
 vcu.step(asms="on")  # type: ignore[arg-type]
@@ -52,3 +71,5 @@ adsdv.Control(state="OFF")  # type: ignore[arg-type]
 adsdv.check(5)  # type: ignore[arg-type]
 adsdv.Vcu(edition=4.0)  # type: ignore[arg-type]
 adsdv.encode(1.5)  # type: ignore[arg-type]
+adsdv.exam(Stack())  # type: ignore[arg-type]
+adsdv.exam(lambda: 5)  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ use std::io::{self, Read as _};
 use std::path::Path;
 
 use adsdv_can::scenario::{MAX_BYTES, Unreadable};
-use adsdv_exam::{ExamScenario, random_scenarios, scenarios};
+use adsdv_exam::{ExamScenario, NoScenario, random_scenarios, scenarios};
 
 use crate::args::ExamArgs;
 use crate::error::Error;
@@ -20,20 +20,14 @@ pub(super) fn chosen(args: &ExamArgs) -> Result<Vec<ExamScenario>, Error> {
     }
     let mut all = scenarios();
     all.extend(random_scenarios(args.seed, args.runs));
-    let begins = |scenario: &ExamScenario, name: &String| scenario.name.starts_with(name.as_str());
-    if let Some(unknown) = args.only.iter().find(|name| !all.iter().any(|one| begins(one, name))) {
+    adsdv_exam::chosen(all, &args.only, args.quick).map_err(|NoScenario(unknown)| {
         let names: Vec<String> = scenarios().into_iter().map(|scenario| scenario.name).collect();
-        return Err(Error {
+        Error {
             what: format!("--only {}", unknown.escape_default()),
             why: format!("no scenario begins so; expected one of {}", names.join(", ")),
             hint: "adsdv exam --list says what each is about; random-0 and on are those of --runs".to_owned(),
-        });
-    }
-    let is_asked = |one: &ExamScenario| {
-        let named = args.only.is_empty() || args.only.iter().any(|name| begins(one, name));
-        named && (!args.quick || one.is_quick())
-    };
-    Ok(all.into_iter().filter(is_asked).collect())
+        }
+    })
 }
 
 fn read(file: &Path) -> Result<ExamScenario, Error> {

@@ -1,13 +1,9 @@
 //! What came of it as JUnit XML, which CI shows: a test case for each requirement.
 
-use std::fmt::Write as _;
-
 use adsdv_exam::{ExamReport, Examined, Outcome};
 use quick_junit::{NonSuccessKind, Report, SerializeError, TestCase, TestCaseStatus, TestSuite};
 
 use super::Examinee;
-use super::finding::{FRAMES, Pieces, scenarios, words};
-use crate::layout::{Seconds, counted};
 
 /// The test case of the findings that are against no single requirement.
 const OTHERS: &str = "nothing else is wrong";
@@ -51,12 +47,10 @@ fn status(subject: &Examinee<'_>, report: &ExamReport, requirement: &Examined) -
 }
 
 fn others(subject: &Examinee<'_>, report: &ExamReport) -> TestCase {
-    let found = report.findings.iter().enumerate().filter(|(_, one)| one.requirements.is_empty());
-    let places = |accepted| {
-        let of_these = found.clone().filter(move |(_, one)| subject.verdict.accepts(one) == accepted);
-        of_these.map(|(place, _)| place).collect::<Vec<usize>>()
-    };
-    let status = match (&places(false)[..], &places(true)[..]) {
+    let is_accepted =
+        |place: &usize| report.findings.get(*place).is_some_and(|one| subject.verdict.accepts(one));
+    let (known, wrong): (Vec<usize>, Vec<usize>) = report.others().into_iter().partition(is_accepted);
+    let status = match (&wrong[..], &known[..]) {
         ([], []) => TestCaseStatus::success(),
         ([], known) => accepted(subject, report, known, "their rules are in the file"),
         (wrong, _) => failure(subject, report, wrong),
@@ -69,34 +63,17 @@ fn others(subject: &Examinee<'_>, report: &ExamReport) -> TestCase {
 /// What is known does not turn a run red, and stays to be seen.
 fn accepted(subject: &Examinee<'_>, report: &ExamReport, places: &[usize], reason: &str) -> TestCaseStatus {
     let mut status = TestCaseStatus::skipped();
-    status.set_message(format!("accepted: {reason}")).set_description(description(subject, report, places));
+    status
+        .set_message(format!("accepted: {reason}"))
+        .set_description(report.description(places, &subject.shorter));
     status
 }
 
 fn failure(subject: &Examinee<'_>, report: &ExamReport, places: &[usize]) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
     if let Some(finding) = places.first().and_then(|place| report.findings.get(*place)) {
-        status.set_type(finding.found_by.id()).set_message(words(finding));
-        status.set_description(description(subject, report, places));
+        status.set_type(finding.found_by.id()).set_message(finding.words());
+        status.set_description(report.description(places, &subject.shorter));
     }
     status
-}
-
-/// The first of these findings, and how many scenarios have one.
-fn description(subject: &Examinee<'_>, report: &ExamReport, places: &[usize]) -> String {
-    let Some(place) = places.first() else { return String::new() };
-    let Some(finding) = report.findings.get(*place) else { return String::new() };
-    let pieces = Pieces::of(report, finding);
-    let many = counted(scenarios(report, places), "scenario");
-    let mut text = format!("{}\nscenario  {} ({many} in all)\n", words(finding), pieces.scenario);
-    // Writing to a string does not fail.
-    let _ = writeln!(text, "time      {} s, section {}", Seconds(finding.t_ns), finding.section);
-    let _ = writeln!(text, "operator  {}\ncar       {}", pieces.operator, pieces.car);
-    for frames in pieces.frames.chunks(FRAMES) {
-        let _ = writeln!(text, "frames    {}", frames.join("   "));
-    }
-    if let Some(shortest) = subject.shorter.get(place) {
-        let _ = write!(text, "shortest scenario, for adsdv exam --scenario:\n{}", shortest.scenario);
-    }
-    text
 }

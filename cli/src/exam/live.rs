@@ -5,10 +5,10 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use adsdv_exam::{
-    ExamScenario, LiveBus, LiveError, LiveOptions, LiveProgram, LiveReport, exam_live, prepare_namespaces,
+    ExamScenario, LiveBus, LiveError, LiveOptions, LiveProgram, LiveReport, Shorter, exam_live,
+    prepare_namespaces,
 };
 
-use super::shorter::Shorter;
 use super::text::Minutes;
 use super::verdict::Verdict;
 use super::{Examinee, accepted, log, options, print};

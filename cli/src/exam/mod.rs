@@ -10,21 +10,20 @@
 
 mod choose;
 mod files;
-mod finding;
-mod json;
 mod junit;
 mod live;
-mod shorter;
 mod summary;
 mod text;
 mod verdict;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write as _};
+use std::io::{self, BufWriter};
 use std::path::Path;
 
-use adsdv_exam::{ExamOptions, ExamReport, ExamScenario, Sent, StackError, StackErrorKind, StdioStack, exam};
-use adsdv_oracle::candump::{Direction, FrameKind, Record, write_record};
+use adsdv_exam::{
+    ExamForm, ExamOptions, ExamReport, ExamScenario, Sent, Shorter, StackError, StackErrorKind, StdioStack,
+    exam, shorter, write_log,
+};
 use adsdv_oracle::conform::ProgramErrorKind;
 
 use crate::accept::Accepted;
@@ -35,12 +34,7 @@ use crate::output;
 use crate::progress::ProgressLine;
 use crate::status::Status;
 
-use finding::shown;
-use shorter::Shorter;
 use verdict::Verdict;
-
-/// The name of the bus in logs.
-const BUS: &str = "exam";
 
 pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     let edition = args.edition.chosen()?;
@@ -69,7 +63,9 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         Shorter::new()
     } else {
         let mut stack = start(args).map_err(no_verdict)?;
-        shorter::search(&mut stack, &scenarios, &report, &options, args.shrink).map_err(no_verdict)?
+        let mut line = ProgressLine::new();
+        let mut show = |done, all| line.show_bar(done, all, "of the search for shorter scenarios");
+        shorter(&mut stack, &scenarios, &report, &options, args.shrink, &mut show).map_err(no_verdict)?
     };
     if let Some(folder) = &args.logs {
         write_shorter(folder, &report, &shorter)?;
@@ -92,11 +88,24 @@ fn print(subject: &Examinee<'_>, report: &ExamReport) -> Result<(), Error> {
         subject.verdict.write(path, report)?;
     }
     if subject.args.json {
-        output::plain(&json::text(subject, report))?;
+        output::plain(&json(subject, report))?;
     } else {
         output::styled(&text::text(subject, report, output::width()), subject.args.color)?;
     }
     files::write(subject, report)
+}
+
+/// The report as one JSON object on one line.
+fn json(subject: &Examinee<'_>, report: &ExamReport) -> String {
+    let form = ExamForm {
+        edition: subject.edition.edition(),
+        program: subject.args.command.iter().map(|word| word.to_string_lossy().into_owned()).collect(),
+        shorter: &subject.shorter,
+        reason: &|id| subject.verdict.reason(id),
+        unused: subject.verdict.unused(report).into_iter().map(|(id, _)| id).collect(),
+        passes: !subject.early && subject.verdict.passes(report),
+    };
+    form.text(report)
 }
 
 fn options(args: &ExamArgs, edition: ChosenEdition) -> ExamOptions {
@@ -146,7 +155,7 @@ fn examine(
 
 /// Of each finding that is shown, by its number, the shortest scenario and its log.
 fn write_shorter(folder: &Path, report: &ExamReport, shorter: &Shorter) -> Result<(), Error> {
-    for (number, place) in (1..).zip(shown(report)) {
+    for (number, place) in (1..).zip(report.shown()) {
         let Some(shortest) = shorter.get(&place) else { continue };
         let name = format!("finding-{number}");
         let path = folder.join(format!("{name}.txt"));
@@ -156,29 +165,11 @@ fn write_shorter(folder: &Path, report: &ExamReport, shorter: &Shorter) -> Resul
     Ok(())
 }
 
-/// A log as the AI Computer would have recorded it: what it sent itself is marked so.
+/// A log as the AI Computer would have recorded it.
 fn log(folder: &Path, name: &str, sent: &[Sent]) -> Result<(), Error> {
     let path = folder.join(format!("{name}.log"));
-    let write = || -> io::Result<()> {
-        let mut out = BufWriter::new(File::create(&path)?);
-        for Sent { t_ns, by_ai, frame } in sent {
-            let direction = Some(if *by_ai { Direction::Tx } else { Direction::Rx });
-            let (kind, id) = (FrameKind::Standard, frame.id.into());
-            let record = Record {
-                line: 0,
-                time_ns: *t_ns,
-                interface: BUS,
-                kind,
-                id,
-                data: frame.data(),
-                direction,
-                terminated: true,
-            };
-            write_record(&mut out, &record)?;
-        }
-        out.flush()
-    };
-    write().map_err(|error| unwritten(&path, &error))
+    let written = File::create(&path).and_then(|file| write_log(BufWriter::new(file), sent));
+    written.map_err(|error| unwritten(&path, &error))
 }
 
 fn unwritten(path: &Path, error: &io::Error) -> Error {

@@ -2,10 +2,9 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_exam::{ExamFinding, ExamReport, Outcome};
+use adsdv_exam::{ExamFinding, ExamReport, FINDINGS, Outcome, Pieces};
 
 use super::Examinee;
-use super::finding::{FINDINGS, Pieces, scenarios, shown, words};
 use crate::layout::{Seconds, counted};
 use crate::markdown::{escaped, escaped_html};
 
@@ -53,11 +52,11 @@ fn failed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt:
     )?;
     for one in &report.requirements {
         let Outcome::Fail(places) = &one.outcome else { continue };
-        let scenarios = scenarios(report, places);
+        let scenarios = report.scenarios_of(places);
         let reason = subject.verdict.reason(one.id).map_or_else(|| "no".to_owned(), escaped);
         writeln!(out, "| {} | {} | {} | {scenarios} | {reason} |", one.id, one.section, escaped(&one.about))?;
     }
-    let others = report.findings.iter().filter(|finding| finding.requirements.is_empty()).count();
+    let others = report.others().len();
     if others > 0 {
         writeln!(
             out,
@@ -69,7 +68,7 @@ fn failed(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt:
 }
 
 fn findings(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::Result {
-    let shown = shown(report);
+    let shown = report.shown();
     for place in shown.iter().take(FINDINGS) {
         let Some(finding) = report.findings.get(*place) else { continue };
         one(out, report, finding)?;
@@ -93,7 +92,7 @@ fn one(out: &mut String, report: &ExamReport, finding: &ExamFinding) -> fmt::Res
         out,
         "\n<details><summary>{}: {}</summary>\n",
         if ids.is_empty() { finding.found_by.id() } else { &ids },
-        escaped_html(&words(finding)),
+        escaped_html(&finding.words()),
     )?;
     writeln!(
         out,

@@ -3,10 +3,12 @@
 use std::fmt::{self, Write as _};
 use std::time::Duration;
 
-use adsdv_exam::{BESIDE, ExamFinding, ExamOptions, ExamReport, ExamScenario, Examined, Outcome, estimate};
+use adsdv_exam::{
+    BESIDE, ExamFinding, ExamOptions, ExamReport, ExamScenario, Examined, FINDINGS, FRAMES, Outcome, Pieces,
+    estimate,
+};
 
 use super::Examinee;
-use super::finding::{FINDINGS, FRAMES, Pieces, ms_to_ns, scenarios, shown, words};
 use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
 
@@ -56,7 +58,7 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport, width: u
     for note in &report.notes {
         writeln!(out, "{} {note}", Styled(style::CARE, "note:"))?;
     }
-    let shown = shown(report);
+    let shown = report.shown();
     failed(out, (subject, report), &shown, width)?;
     findings(out, (subject, report), &shown, width)?;
     passed(out, subject, report)?;
@@ -78,7 +80,7 @@ fn failed(
         let Outcome::Fail(places) = outcome else { continue };
         let number = places.first().and_then(|first| shown.iter().position(|place| place == first));
         let number = number.map_or(String::new(), |number| format!("; finding {}", number + 1));
-        let scenarios = counted(scenarios(report, places), "scenario");
+        let scenarios = counted(report.scenarios_of(places), "scenario");
         let line = format!("{about} ({scenarios}{number})");
         let reason = subject.verdict.reason(id);
         let style = if reason.is_some() { style::CARE } else { style::BAD };
@@ -154,7 +156,7 @@ fn one(
         finding.found_by.id(),
         finding.requirements.join(" "),
     )?;
-    wrapped(out, words(finding).split(' '), 6, width);
+    wrapped(out, finding.words().split(' '), 6, width);
     let pieces = Pieces::of(report, finding);
     field(out, "scenario", &pieces.scenario, width);
     field(out, "operator", &pieces.operator, width);
@@ -250,4 +252,8 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
     } else {
         writeln!(out, "{}: {}", subject.name, Styled(style::BAD, "fails"))
     }
+}
+
+fn ms_to_ns(ms: u64) -> i64 {
+    i64::try_from(ms).unwrap_or(i64::MAX / 1_000_000).saturating_mul(1_000_000)
 }

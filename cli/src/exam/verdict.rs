@@ -4,7 +4,6 @@ use std::path::Path;
 
 use adsdv_exam::{ExamFinding, ExamReport, Outcome};
 
-use super::finding::words;
 use crate::accept::{Acceptable, Accepted};
 use crate::error::Error;
 
@@ -32,7 +31,7 @@ impl Verdict {
 
     /// Whether all that a finding is against is accepted.
     pub(super) fn accepts(&self, finding: &ExamFinding) -> bool {
-        ids(finding).into_iter().all(|id| self.reason(id).is_some())
+        finding.ids().into_iter().all(|id| self.reason(id).is_some())
     }
 
     /// Why a requirement may fail, or why findings of a rule may be there that are against no single one.
@@ -53,7 +52,8 @@ impl Verdict {
 
     /// The ids that are accepted for nothing, each with a sentence that says why.
     pub(super) fn unused(&self, report: &ExamReport) -> Vec<(&str, String)> {
-        let known: Vec<String> = report.findings.iter().flat_map(ids).map(str::to_owned).collect();
+        let known: Vec<String> =
+            report.findings.iter().flat_map(ExamFinding::ids).map(str::to_owned).collect();
         let why = |id: &str| match report.requirements.iter().find(|one| one.id == id) {
             Some(one) if one.outcome == Outcome::Pass => "passes",
             Some(_) => "is not exercised",
@@ -64,23 +64,18 @@ impl Verdict {
     }
 }
 
-/// What a finding can be accepted by.
-fn ids(finding: &ExamFinding) -> Vec<&'static str> {
-    if finding.requirements.is_empty() { vec![finding.found_by.id()] } else { finding.requirements.clone() }
-}
-
 /// What is wrong, for a file that accepts it: each id with what it asks for, and how it looks.
 fn wrong(report: &ExamReport) -> Vec<(String, String)> {
     let mut wrong = Vec::new();
     for one in &report.requirements {
         let Outcome::Fail(places) = &one.outcome else { continue };
         let Some(finding) = places.first().and_then(|place| report.findings.get(*place)) else { continue };
-        wrong.push((one.id.to_owned(), format!("{}: {}", one.about, words(finding))));
+        wrong.push((one.id.to_owned(), format!("{}: {}", one.about, finding.words())));
     }
     for finding in report.findings.iter().filter(|finding| finding.requirements.is_empty()) {
         let id = finding.found_by.id();
         if wrong.iter().all(|(known, _)| known != id) {
-            wrong.push((id.to_owned(), words(finding)));
+            wrong.push((id.to_owned(), finding.words()));
         }
     }
     wrong

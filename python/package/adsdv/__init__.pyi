@@ -4,8 +4,8 @@ Names with an underscore are for type checkers alone; the module does not have t
 """
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Literal, TypedDict, final
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Literal, Protocol, TypedDict, final
 
 from typing_extensions import Unpack
 
@@ -19,6 +19,7 @@ class RulesError(InputError):
     column: int
 
 class CodecError(AdsdvError): ...
+class StackError(AdsdvError): ...
 class LogError(AdsdvError): ...
 
 _Ami = Literal[
@@ -305,6 +306,78 @@ class _Reading(TypedDict):
     choices: dict[str, str]
     default: str
 
+_Outcome = Literal["pass", "fail", "not exercised"]
+_Sends = Iterable[tuple[int, _Data]]
+_Step = Callable[[int, list[tuple[int, bytes]]], _Sends]
+
+class _Stack(Protocol):
+    # By their places, whatever they are called.
+    def step(self, t_ms: int, frames: list[tuple[int, bytes]], /) -> _Sends: ...
+
+_MakesStack = Callable[[], _Stack] | Callable[[], _Step]
+
+class _Requirement(TypedDict):
+    id: str
+    section: str
+    about: str
+
+class _Examined(_Requirement):
+    outcome: _Outcome
+    accepted: str | None
+    findings: list[int]
+    why: str | None
+
+class _ExamScenario(TypedDict):
+    name: str
+    about: str
+    quick: bool
+
+class _ScenarioOutcome(TypedDict):
+    name: str
+    about: str
+    duration: float
+    frames: int
+    findings: int
+    stuck: str | None
+
+class _Action(TypedDict):
+    t: float
+    did: str
+
+class _Sent(TypedDict):
+    t: float
+    by: Literal["AI", "VCU"]
+    frame: str
+
+class _ExamFindingOfAll(TypedDict):
+    scenario: str
+    t: float
+    section: str
+    rule: str
+    requirements: list[str]
+    accepted: bool
+    seen: str
+    expected: str
+    operator: list[_Action]
+    car: str
+    frames: list[_Sent]
+    shortest: str | None
+
+class _ExamFinding(_ExamFindingOfAll, total=False):
+    trace: str
+
+class _ExamReport(TypedDict):
+    schema: int
+    edition: str
+    program: list[str]
+    scenarios: list[_ScenarioOutcome]
+    requirements: list[_Examined]
+    findings: list[_ExamFinding]
+    slowest_answer_ms: float | None
+    notes: list[str]
+    unused: list[str]
+    passes: bool
+
 @final
 class Control:
     def __new__(
@@ -432,6 +505,51 @@ class Report:
     def to_dict(self) -> _Report: ...
     def __eq__(self, other: object) -> bool: ...
 
+@final
+class ExamReport:
+    @property
+    def edition(self) -> str: ...
+    @property
+    def passes(self) -> bool: ...
+    @property
+    def verdict(self) -> Literal["passes", "fails"]: ...
+    @property
+    def requirements(self) -> list[_Examined]: ...
+    @property
+    def failed(self) -> list[_Examined]: ...
+    def requirement(self, id: str) -> _Examined: ...
+    @property
+    def findings(self) -> list[_ExamFinding]: ...
+    @property
+    def scenarios(self) -> list[_ScenarioOutcome]: ...
+    @property
+    def notes(self) -> list[str]: ...
+    @property
+    def slowest_answer_ms(self) -> float | None: ...
+    @property
+    def logs(self) -> dict[str, bytes]: ...
+    def explain(self, id: str | None = None) -> str: ...
+    def to_dict(self) -> _ExamReport: ...
+    def to_json(self) -> str: ...
+    def __eq__(self, other: object) -> bool: ...
+
+def exam(
+    stack: _MakesStack | Sequence[str | os.PathLike[str]],
+    *,
+    edition: str | None = None,
+    only: str | Iterable[str] | None = None,
+    quick: bool = False,
+    scenario: str | None = None,
+    runs: int | None = None,
+    seed: int | None = None,
+    shrink: int | None = None,
+    mission_time: float | None = None,
+    timeout: float | None = None,
+    time_limit: float | None = None,
+    logs: bool | str | os.PathLike[str] | None = None,
+) -> ExamReport: ...
+def exam_requirements(edition: str | None = None) -> list[_Requirement]: ...
+def exam_scenarios() -> list[_ExamScenario]: ...
 def check(
     log: _Log,
     *,
