@@ -69,10 +69,10 @@ fn a_program_on_a_wall_clock_is_judged_in_the_time_that_there_is() {
     assert!(report.tests > 20 && report.runs == 0, "{} tests", report.tests);
     assert!(report.conforms(), "{:?}", report.failures.iter().map(|one| &one.name).collect::<Vec<_>>());
     // A busy computer lets it wait now and then.
-    let pauses: Vec<String> =
+    let waits: Vec<String> =
         (1..60).flat_map(|n| ["--pause-at".to_owned(), (n * 17 + 8).to_string()]).collect();
-    let paused: Vec<&str> = args.iter().copied().chain(pauses.iter().map(String::as_str)).collect();
-    let report = judged(&paused, &options).expect("it answers");
+    let waiting: Vec<&str> = args.iter().copied().chain(waits.iter().map(String::as_str)).collect();
+    let report = judged(&waiting, &options).expect("it answers");
     assert!(report.conforms(), "{:?}", report.failures.iter().map(|one| &one.name).collect::<Vec<_>>());
     let wrong = judged(&[&args[..], &["--mutation", "3.6: dropped"]].concat(), &options).expect("it answers");
     assert!(!wrong.conforms());
