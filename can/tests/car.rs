@@ -239,6 +239,52 @@ fn what_is_measured_stays_in_range_at_any_cycle() {
     }
 }
 
+/// Full lock, from the other side: as fast as the steering is, and then to where it is asked.
+#[test]
+fn the_steering_has_a_rate() {
+    let asked = Actuation { steer: Some(SteerAngle::MAX), ..Actuation::default() };
+    let angle = |ms: u32| {
+        let mut vehicle = Vehicle::new(Physics { steer_rate_degps: 50.0, ..Physics::DEFAULT });
+        let mut seen = adsdv_spec::Vehicle::default();
+        for _ in 0..ms / 10 {
+            vehicle.advance(&asked, 10);
+        }
+        vehicle.measure(&mut seen);
+        seen.steer_angle.to_physical()
+    };
+    for ms in [10, 100, 300] {
+        let most = 0.05 * f64::from(ms);
+        assert!((angle(ms) - most).abs() < 0.1, "{ms} ms: {}", angle(ms));
+    }
+    assert!((angle(3000) - SteerAngle::MAX.to_physical()).abs() < 0.1);
+}
+
+/// The motors of the ADS-DV turn three and a half times as fast as its wheels.
+#[test]
+fn the_speed_limit_of_a_motor_is_one_of_the_wheels_by_the_gears() {
+    for (motor, wheel) in [(700, 200.0), (3500, 1000.0), (4000, 1143.0)] {
+        let asked = Actuation {
+            front_axle_trq: AxleTorqueRequest::MAX,
+            rear_axle_trq: AxleTorqueRequest::MAX,
+            front_motor_speed_max: MotorSpeedMax::clamped(motor),
+            rear_motor_speed_max: MotorSpeedMax::clamped(motor),
+            direction: DirectionRequest::Forward,
+            steer: Some(SteerAngle::default()),
+            ..Actuation::default()
+        };
+        let mut vehicle = Vehicle::new(Physics { drag_per_m: 0.0, ..Physics::DEFAULT });
+        let mut seen = adsdv_spec::Vehicle::default();
+        let mut fastest: f64 = 0.0;
+        for _ in 0..3000 {
+            vehicle.advance(&asked, 10);
+            vehicle.measure(&mut seen);
+            fastest = fastest.max(seen.wheel_speeds.rl_wheel_speed.to_physical());
+        }
+        // The torque needs a moment to turn round.
+        assert!((wheel - 1.0..wheel + 60.0).contains(&fastest), "{motor} rpm: {fastest}");
+    }
+}
+
 #[test]
 fn a_torque_request_brakes_beyond_the_speed_limit_of_the_motor() {
     let mut asked = Actuation {

@@ -174,7 +174,7 @@ pub struct ExamProgress<'a> {
 
 /// Examines an AI Computer in these scenarios.
 ///
-/// `ended` gets each scenario when it is over. A stack that [fails](StackErrorKind::Failed) ends its scenario, and that is a finding; every
+/// `ended` gets each scenario when it is over. A stack that [fails](crate::StackErrorKind::Failed) ends its scenario, and that is a finding; every
 /// other error of a stack ends the exam.
 ///
 /// ```

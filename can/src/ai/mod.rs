@@ -20,7 +20,7 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{AiMessages, Edition};
 
-use crate::car::{Physics, gear_ratio};
+use crate::car::Physics;
 use from_vcu::FromVcu;
 use motion::Motion;
 
@@ -272,7 +272,7 @@ impl Ai {
             return MotorSpeedMax::MIN;
         }
         // The outer wheel is faster, and the regulation has some room.
-        let rpm = 1.25 * self.plan.speed_mps * self.physics.rpm_per_mps() * gear_ratio();
+        let rpm = 1.25 * self.plan.speed_mps * self.physics.rpm_per_mps() * self.physics.gear_ratio;
         MotorSpeedMax::from_rpm(rpm).unwrap_or(MotorSpeedMax::MAX)
     }
 

@@ -25,7 +25,6 @@ pub(crate) use action::Excerpt;
 pub use action::{Action, Expected, Switch, UnknownSwitch};
 pub use missing::{Condition, Missing, missing, missing_for};
 use slow::Slow;
-pub(crate) use vehicle::gear_ratio;
 pub use vehicle::{Physics, Vehicle};
 
 /// For so long the VCU is without power when it is cycled, in milliseconds: long enough for everybody to notice.

@@ -1,7 +1,8 @@
 //! A plain vehicle: first order everywhere, and obedient.
 //!
 //! It is there so that wheel speeds and the steer angle follow what reaches the actuators; it is no model of the ADS-DV. What
-//! the document does not say (mass, wheels, how fast an actuator is) is [`Physics`], and made up to be plausible.
+//! the document does not say (mass, wheels, how fast an actuator is) is [`Physics`], and, but for the gears, made up to be
+//! plausible.
 
 use adsdv_spec::Actuation;
 use adsdv_spec::messages::{
@@ -16,6 +17,8 @@ pub struct Physics {
     pub mass_kg: f64,
     /// The radius of a wheel, in metres.
     pub wheel_radius_m: f64,
+    /// The turns of a motor for each turn of its wheels.
+    pub gear_ratio: f64,
     /// The distance between the axles, in metres.
     pub wheelbase_m: f64,
     /// The distance between the wheels of an axle, in metres.
@@ -30,6 +33,8 @@ pub struct Physics {
     pub force_lag_ms: f64,
     /// The time constant of the steering, in milliseconds.
     pub steer_lag_ms: f64,
+    /// How fast the steer angle changes at most, in degrees a second.
+    pub steer_rate_degps: f64,
     /// Pulses of a wheel speed sensor in one turn.
     pub pulses_per_turn: f64,
 }
@@ -39,6 +44,8 @@ impl Physics {
     pub const DEFAULT: Self = Self {
         mass_kg: 180.0,
         wheel_radius_m: 0.25,
+        // The ADS-DV's own: 4000 rpm of a motor are 1143 rpm of a wheel.
+        gear_ratio: 3.5,
         wheelbase_m: 1.53,
         track_m: 1.2,
         full_braking_mps2: 8.0,
@@ -46,6 +53,7 @@ impl Physics {
         drag_per_m: 0.003,
         force_lag_ms: 60.0,
         steer_lag_ms: 120.0,
+        steer_rate_degps: 90.0,
         pulses_per_turn: 20.0,
     };
 
@@ -53,11 +61,12 @@ impl Physics {
     pub(crate) fn rpm_per_mps(&self) -> f64 {
         60.0 / (std::f64::consts::TAU * self.wheel_radius_m)
     }
-}
 
-/// The turns of a motor for each turn of its wheels: both reach the highest speed of the document together.
-pub(crate) fn gear_ratio() -> f64 {
-    MotorSpeedMax::MAX.to_physical() / WheelSpeed::MAX.to_physical()
+    /// The speed at which a motor or a wheel turns as fast as the document lets it, in metres per second.
+    fn top_mps(&self) -> f64 {
+        let of_a_motor = MotorSpeedMax::MAX.to_physical() / self.gear_ratio;
+        of_a_motor.min(WheelSpeed::MAX.to_physical()) / self.rpm_per_mps()
+    }
 }
 
 /// The vehicle.
@@ -114,7 +123,7 @@ impl Vehicle {
         let torque = |request: AxleTorqueRequest, limit: MotorSpeedMax| match asked.direction {
             DirectionRequest::Neutral => 0.0,
             // The request has a size only; beyond the speed limit of the motor it brakes (section 2.1).
-            DirectionRequest::Forward if self.wheel_rpm() * gear_ratio() > limit.to_physical() => {
+            DirectionRequest::Forward if self.wheel_rpm() * physics.gear_ratio > limit.to_physical() => {
                 -request.to_physical()
             }
             DirectionRequest::Forward => request.to_physical(),
@@ -126,7 +135,9 @@ impl Vehicle {
         approach(&mut self.front_brake, asked.hyd_press_f.to_physical(), forces);
         approach(&mut self.rear_brake, asked.hyd_press_r.to_physical(), forces);
         if let Some(steer) = asked.steer {
-            approach(&mut self.steer, steer.to_physical(), share(dt_ms, physics.steer_lag_ms));
+            let wanted = (steer.to_physical() - self.steer) * share(dt_ms, physics.steer_lag_ms);
+            let most = physics.steer_rate_degps * dt_ms / 1000.0;
+            self.steer += wanted.clamp(-most, most);
         }
         self.roll(dt_ms / 1000.0);
     }
@@ -137,9 +148,8 @@ impl Vehicle {
         let braked = (self.front_brake + self.rear_brake) / 200.0 * physics.full_braking_mps2;
         // Brakes and friction stop a vehicle; they do not push it back.
         let held = braked + physics.rolling_mps2 + physics.drag_per_m * self.speed * self.speed;
-        let top = WheelSpeed::MAX.to_physical() / self.physics.rpm_per_mps();
         let before = self.speed;
-        self.speed = (self.speed + (pushed - held) * dt).clamp(0.0, top);
+        self.speed = (self.speed + (pushed - held) * dt).clamp(0.0, physics.top_mps());
         let distance = f64::midpoint(before, self.speed) * dt;
         self.distance += distance;
         let factors = self.wheel_factors();
