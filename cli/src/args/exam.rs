@@ -150,7 +150,15 @@ pub(crate) struct ExamArgs {
     pub(crate) seed: u64,
 
     /// Of each finding that is shown, look for the shortest scenario in so many runs at most; with 0, do not.
-    #[arg(long, value_name = "RUNS", default_value_t = 40, allow_negative_numbers = true)]
+    ///
+    /// With --stdio only: on a bus each run would take the seconds that it says.
+    #[arg(
+        long,
+        value_name = "RUNS",
+        default_value_t = 40,
+        conflicts_with_all = ["interface", "namespace", "attach"],
+        allow_negative_numbers = true
+    )]
     pub(crate) shrink: u32,
 
     /// Write the frames of each scenario to a log of its own in this directory, as the AI Computer would have recorded them.

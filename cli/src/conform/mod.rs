@@ -12,6 +12,8 @@ mod json;
 mod stop;
 mod text;
 
+#[cfg(unix)]
+pub(crate) use stop::end_by;
 pub(crate) use stop::stops_the_program;
 
 use std::ffi::OsString;

@@ -11,12 +11,17 @@ pub(crate) fn stops_the_program() -> io::Result<()> {
     let mut signals = Signals::new([SIGHUP, SIGINT, SIGTERM])?;
     std::thread::spawn(move || {
         if let Some(signal) = signals.forever().next() {
-            let _stopped = adsdv_oracle::conform::stop_programs();
-            // As if nobody had listened: whoever waits for the command learns what ended it.
-            let _ = signal_hook::low_level::emulate_default_handler(signal);
+            end_by(signal);
         }
     });
     Ok(())
+}
+
+/// Ends the programs under test, and then the command, as if nobody had listened: whoever waits for it learns what ended it.
+#[cfg(unix)]
+pub(crate) fn end_by(signal: i32) {
+    let _stopped = adsdv_oracle::conform::stop_programs();
+    let _ = signal_hook::low_level::emulate_default_handler(signal);
 }
 
 /// Elsewhere a terminal tells both.

@@ -58,7 +58,7 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
     let options = options(args, edition);
     let no_verdict = |trouble: StackError| no_verdict(&name, args, &trouble);
     let accepted = accepted(args)?;
-    let report = examine(args, &scenarios, &options).map_err(no_verdict)??;
+    let (report, written) = examine(args, &scenarios, &options).map_err(no_verdict)?;
     let shorter = if args.shrink == 0 || report.passes() {
         Shorter::new()
     } else {
@@ -67,12 +67,13 @@ pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
         let mut show = |done, all| line.show_bar(done, all, "of the search for shorter scenarios");
         shorter(&mut stack, &scenarios, &report, &options, args.shrink, &mut show).map_err(no_verdict)?
     };
-    if let Some(folder) = &args.logs {
-        write_shorter(folder, &report, &shorter)?;
-    }
     let verdict = Verdict::new(accepted);
     let subject = Examinee { edition, name: &name, args, verdict, shorter, early: false };
     print(&subject, &report)?;
+    written?;
+    if let Some(folder) = &args.logs {
+        write_shorter(folder, &report, &subject.shorter)?;
+    }
     Ok(if subject.verdict.passes(&report) { Status::Conforms } else { Status::Violates })
 }
 
@@ -82,15 +83,15 @@ fn accepted(args: &ExamArgs) -> Result<Accepted, Error> {
     args.accept.as_deref().map_or(Ok(Accepted::default()), read)
 }
 
-/// Prints the report, and writes the files that somebody asks for.
+/// Prints the report, and then writes the files that somebody asks for: one that cannot be written takes nothing from the report.
 fn print(subject: &Examinee<'_>, report: &ExamReport) -> Result<(), Error> {
-    if let Some(path) = &subject.args.write_accept {
-        subject.verdict.write(path, report)?;
-    }
     if subject.args.json {
         output::plain(&json(subject, report))?;
     } else {
         output::styled(&text::text(subject, report, output::width()), subject.args.color)?;
+    }
+    if let Some(path) = &subject.args.write_accept {
+        subject.verdict.write(path, report)?;
     }
     files::write(subject, report)
 }
@@ -132,12 +133,12 @@ fn start(args: &ExamArgs) -> Result<StdioStack, StackError> {
     StdioStack::start(&program, rest, args.timeout, args.time_limit)
 }
 
-/// The report, or the log that could not be written.
+/// The report, and whether the logs could be written.
 fn examine(
     args: &ExamArgs,
     scenarios: &[ExamScenario],
     options: &ExamOptions,
-) -> Result<Result<ExamReport, Error>, StackError> {
+) -> Result<(ExamReport, Result<(), Error>), StackError> {
     let mut stack = start(args)?;
     let mut line = ProgressLine::new();
     let mut written = Ok(());
@@ -149,8 +150,7 @@ fn examine(
         }
     });
     drop(line);
-    let report = report?;
-    Ok(written.map(|()| report))
+    Ok((report?, written))
 }
 
 /// Of each finding that is shown, by its number, the shortest scenario and its log.

@@ -169,6 +169,7 @@ fn a_bus_and_what_is_on_it_are_asked_for() {
         (&["exam", "--attach"], "<INTERFACE>"),
         (&["exam", "vcan0", "--attach", "--", "true"], "cannot be used with"),
         (&["exam", "vcan0", "--jobs", "2", "--", "true"], "--namespace"),
+        (&["exam", "vcan0", "--shrink", "2", "--", "true"], "cannot be used with '--shrink"),
         (&["exam", "--namespace", "--jobs", "0", "--", "true"], "0 is not in 1..=64"),
         (&["exam", "vcan0", "--quick", "--only", "ready", "--", "true"], "cannot be used with"),
     ] {
@@ -310,13 +311,17 @@ fn the_summary_begins_with_the_verdict_and_what_failed() {
 /// The verdict is printed all the same.
 #[test]
 fn a_file_that_cannot_be_written_is_named() {
-    for option in ["--junit", "--summary"] {
+    for option in ["--junit", "--summary", "--write-accept"] {
         for (file, hint) in
             [("/dev/full", "free some space"), ("no-such-folder/file", "a directory that is there")]
         {
             let outcome = examined(&["--only", "ready", option, file], &[]);
             assert_eq!(outcome.status, Some(2));
             assert!(outcome.stdout.ends_with("passes\n"), "{}", outcome.stdout);
+            if option == "--write-accept" {
+                assert!(outcome.stderr.contains(file), "{}", outcome.stderr);
+                continue;
+            }
             let why = format!("{file}: cannot write what {option} asks for: ");
             assert!(outcome.stderr.contains(&why) && outcome.stderr.contains(hint), "{}", outcome.stderr);
         }
