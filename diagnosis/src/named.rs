@@ -77,6 +77,17 @@ mod tests {
     }
 
     #[test]
+    fn no_text_denies_twice() {
+        for edition in Edition::ALL {
+            let every = Deviation::every(edition).into_iter();
+            let texts: Vec<String> = every.map(|deviation| deviation.text(edition).to_string()).collect();
+            let twice = texts.iter().find(|text| text.contains("not need no "));
+            assert_eq!(twice, None, "{}", edition.version);
+            assert!(texts.iter().any(|text| text == "AS_OFF -> AS_READY even with power cycle needed"));
+        }
+    }
+
+    #[test]
     fn numbers_may_be_any() {
         let edition = Edition::DEFAULT;
         for id in [

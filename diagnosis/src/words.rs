@@ -286,7 +286,13 @@ fn term_changed(
     match change {
         TermChange::Dropped => write!(f, "{from} -> {to} is not taken by {}", conditions()),
         TermChange::LiteralDropped(atom) => {
-            write!(f, "{from} -> {to} does not need {}", rules.text(atom, needed(atom)))
+            let (expected, other) = (rules.text(atom, needed(atom)), rules.text(atom, !needed(atom)));
+            let expected = expected.to_string();
+            // "Does not need no power cycle needed" would say the opposite.
+            if expected.starts_with("no ") {
+                return write!(f, "{from} -> {to} even with {other}");
+            }
+            write!(f, "{from} -> {to} does not need {expected}")
         }
         TermChange::LiteralFlipped(atom) => {
             let (found, expected) = (rules.text(atom, !needed(atom)), rules.text(atom, needed(atom)));
