@@ -224,7 +224,7 @@ EXAMPLES
 
 OUTPUT
   WHY NOT   what keeps the car in the state in which the log ends: each arrow that was not
-            taken, since when, what blocked it, and whose move that is; "Go" pressed in vain
+            taken, since when, what blocked it, and whose move that is; \"Go\" pressed in vain
   TIMELINE  each change of AS_STATE, its section, and the conditions that decided:
             justified; not certain, where a condition cannot be seen, or changed at
             that moment; VIOLATION
