@@ -56,18 +56,18 @@ pub fn shortest(
     runs: u32,
 ) -> Result<Option<Shortest>, StackError> {
     let Ok(operator) = scenario.operator.parse::<Scenario>() else { return Ok(None) };
-    let draft = Draft { lines: operator.lines().to_vec(), rest: scenario.clone() };
+    let candidate = Candidate { lines: operator.lines().to_vec(), rest: scenario.clone() };
     let mut shrink = Shrink { stack, finding, options, left: runs };
-    let Some(mut best) = shrink.run(draft)? else { return Ok(None) };
+    let Some(mut best) = shrink.run(candidate)? else { return Ok(None) };
     loop {
-        let before = best.draft.size();
+        let before = best.candidate.size();
         shrink.cut(&mut best)?;
         shrink.without_disturbances(&mut best)?;
         shrink.fewer_lines(&mut best)?;
         shrink.fewer_actions(&mut best)?;
         shrink.less_time(&mut best)?;
-        if best.draft.size() >= before || shrink.left == 0 {
-            return Ok(Some(Shortest { scenario: best.draft.scenario(), sent: best.ran.sent }));
+        if best.candidate.size() >= before || shrink.left == 0 {
+            return Ok(Some(Shortest { scenario: best.candidate.scenario(), sent: best.ran.sent }));
         }
     }
 }
@@ -100,13 +100,13 @@ pub fn shorter(
 
 /// A scenario whose lines are apart.
 #[derive(Clone, Debug)]
-struct Draft {
+struct Candidate {
     lines: Vec<Line>,
     /// All else of it.
     rest: ExamScenario,
 }
 
-impl Draft {
+impl Candidate {
     fn scenario(&self) -> ExamScenario {
         let lines: Vec<String> = self.lines.iter().map(|line| line.to_string() + "\n").collect();
         let operator = lines.concat();
@@ -125,9 +125,9 @@ impl Draft {
     }
 }
 
-/// A draft that shows the finding.
+/// A candidate that shows the finding.
 struct Failing {
-    draft: Draft,
+    candidate: Candidate,
     ran: Ran,
     /// When the finding is, in milliseconds.
     time_ms: u64,
@@ -143,10 +143,10 @@ struct Shrink<'a> {
 
 impl Shrink<'_> {
     /// Holds a scenario; `None` if it does not show the finding, or there is no run left.
-    fn run(&mut self, draft: Draft) -> Result<Option<Failing>, StackError> {
+    fn run(&mut self, candidate: Candidate) -> Result<Option<Failing>, StackError> {
         let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
         self.left = left;
-        let scenario = draft.scenario();
+        let scenario = candidate.scenario();
         let ran = match run(&scenario, self.options.edition, self.options.mission_ms, self.stack) {
             Ok(ran) => ran,
             Err(SessionError::Stack(error)) => return Err(error),
@@ -155,15 +155,15 @@ impl Shrink<'_> {
         let found = findings(&ran, self.options.edition);
         let same = found.iter().find(|one| is_same(one, self.finding));
         let time_ms = same.map(|one| u64::try_from(one.t_ns / 1_000_000).unwrap_or_default());
-        Ok(time_ms.map(|time_ms| Failing { draft, ran, time_ms }))
+        Ok(time_ms.map(|time_ms| Failing { candidate, ran, time_ms }))
     }
 
-    /// Takes a draft instead of the best if it is shorter and shows the finding as well.
-    fn accept(&mut self, best: &mut Failing, draft: Draft) -> Result<bool, StackError> {
-        if draft.size() >= best.draft.size() {
+    /// Takes a candidate instead of the best if it is shorter and shows the finding as well.
+    fn accept(&mut self, best: &mut Failing, candidate: Candidate) -> Result<bool, StackError> {
+        if candidate.size() >= best.candidate.size() {
             return Ok(false);
         }
-        let failing = self.run(draft)?;
+        let failing = self.run(candidate)?;
         let accepted = failing.is_some();
         if let Some(failing) = failing {
             *best = failing;
@@ -177,7 +177,7 @@ impl Shrink<'_> {
             let until_ms = best.time_ms.saturating_add(settled_ms);
             let mut actions = best.ran.actions.iter();
             let (mut lines, mut last_ms) = (Vec::new(), 0);
-            for line in best.draft.lines.iter().filter(|line| !line.actions.is_empty()) {
+            for line in best.candidate.lines.iter().filter(|line| !line.actions.is_empty()) {
                 let taken = actions.by_ref().take(line.actions.len()).map(|(time_ms, _)| *time_ms).last();
                 let Some(time_ms) = taken.filter(|time_ms| *time_ms <= until_ms) else { break };
                 lines.push(Line { ends: false, ..line.clone() });
@@ -186,7 +186,7 @@ impl Shrink<'_> {
             let wait = u32::try_from(until_ms.saturating_sub(last_ms)).unwrap_or(u32::MAX);
             let number = lines.last().map_or(1, |line| line.number + 1);
             lines.push(Line { number, when: When::After(wait), actions: Vec::new(), ends: true });
-            if self.accept(best, Draft { lines, ..best.draft.clone() })? {
+            if self.accept(best, Candidate { lines, ..best.candidate.clone() })? {
                 break;
             }
         }
@@ -195,10 +195,10 @@ impl Shrink<'_> {
 
     fn without_disturbances(&mut self, best: &mut Failing) -> Result<(), StackError> {
         let mut place = 0;
-        while place < best.draft.rest.disturbances.len() {
-            let mut draft = best.draft.clone();
-            draft.rest.disturbances.remove(place);
-            if !self.accept(best, draft)? {
+        while place < best.candidate.rest.disturbances.len() {
+            let mut candidate = best.candidate.clone();
+            candidate.rest.disturbances.remove(place);
+            if !self.accept(best, candidate)? {
                 place += 1;
             }
         }
@@ -208,22 +208,22 @@ impl Shrink<'_> {
             |scenario| scenario.physics = Physics::DEFAULT,
         ];
         for make in usual {
-            let mut draft = best.draft.clone();
-            make(&mut draft.rest);
-            self.accept(best, draft)?;
+            let mut candidate = best.candidate.clone();
+            make(&mut candidate.rest);
+            self.accept(best, candidate)?;
         }
         Ok(())
     }
 
     /// Without some lines, many at first; the last one, which ends it, stays.
     fn fewer_lines(&mut self, best: &mut Failing) -> Result<(), StackError> {
-        let mut width = best.draft.lines.len().saturating_sub(1);
+        let mut width = best.candidate.lines.len().saturating_sub(1);
         while width > 0 {
             let mut start = 0;
-            while start + width < best.draft.lines.len() {
-                let mut draft = best.draft.clone();
-                draft.lines.drain(start..start + width);
-                if !self.accept(best, draft)? {
+            while start + width < best.candidate.lines.len() {
+                let mut candidate = best.candidate.clone();
+                candidate.lines.drain(start..start + width);
+                if !self.accept(best, candidate)? {
                     start += width;
                 }
             }
@@ -233,19 +233,19 @@ impl Shrink<'_> {
     }
 
     fn fewer_actions(&mut self, best: &mut Failing) -> Result<(), StackError> {
-        for line in 0..best.draft.lines.len() {
+        for line in 0..best.candidate.lines.len() {
             let mut action = 0;
             while best
-                .draft
+                .candidate
                 .lines
                 .get(line)
                 .is_some_and(|one| one.actions.len() > 1 && action < one.actions.len())
             {
-                let mut draft = best.draft.clone();
-                if let Some(one) = draft.lines.get_mut(line) {
+                let mut candidate = best.candidate.clone();
+                if let Some(one) = candidate.lines.get_mut(line) {
                     one.actions.remove(action);
                 }
-                if !self.accept(best, draft)? {
+                if !self.accept(best, candidate)? {
                     action += 1;
                 }
             }
@@ -255,19 +255,19 @@ impl Shrink<'_> {
 
     /// Earlier: each line at once, else at half its time, for as long as that does it.
     fn less_time(&mut self, best: &mut Failing) -> Result<(), StackError> {
-        for place in 0..best.draft.lines.len() {
+        for place in 0..best.candidate.lines.len() {
             let mut at_once = true;
-            while let Some(line) = best.draft.lines.get(place) {
+            while let Some(line) = best.candidate.lines.get(place) {
                 let ms = ms_of(line.when);
                 let less = if at_once { 0 } else { ms / 20 * 10 };
                 if ms == 0 || !at_once && ms < SHORT_MS {
                     break;
                 }
-                let mut draft = best.draft.clone();
-                if let Some(line) = draft.lines.get_mut(place) {
+                let mut candidate = best.candidate.clone();
+                if let Some(line) = candidate.lines.get_mut(place) {
                     line.when = with_ms(line.when, less);
                 }
-                if !self.accept(best, draft)? && !at_once {
+                if !self.accept(best, candidate)? && !at_once {
                     break;
                 }
                 at_once = false;

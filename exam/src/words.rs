@@ -33,8 +33,8 @@ impl<'a> Pieces<'a> {
     pub fn of(report: &ExamReport, finding: &'a ExamFinding) -> Self {
         let scenario = report.scenarios.get(finding.scenario);
         let (name, about) = scenario.map_or(("", ""), |one| (one.name.as_str(), one.about.as_str()));
-        let did = |(ms, what): &(u64, String)| format!("{} s {what}", Seconds(ms_to_ns(*ms)));
-        let frame = |sent: &Sent| format!("{} {}", Seconds(sent.t_ns), sent.frame);
+        let did = |(ms, what): &(u64, String)| format!("{} s {what}", At(ms_to_ns(*ms)));
+        let frame = |sent: &Sent| format!("{} {}", At(sent.t_ns), sent.frame);
         Self {
             scenario: format!("{name}: {about}"),
             operator: finding.operator.iter().map(did).collect::<Vec<_>>().join("; "),
@@ -100,7 +100,7 @@ impl ExamReport {
         let many = if count == 1 { "1 scenario".to_owned() } else { format!("{count} scenarios") };
         let mut text = format!("{}\nscenario  {} ({many} in all)\n", finding.words(), pieces.scenario);
         // Writing to a string does not fail.
-        let _ = writeln!(text, "time      {} s, section {}", Seconds(finding.t_ns), finding.section);
+        let _ = writeln!(text, "time      {} s, section {}", At(finding.t_ns), finding.section);
         let _ = writeln!(text, "operator  {}\ncar       {}", pieces.operator, pieces.car);
         for frames in pieces.frames.chunks(FRAMES) {
             let _ = writeln!(text, "frames    {}", frames.join("   "));
@@ -116,9 +116,9 @@ impl ExamReport {
 }
 
 /// Seconds of nanoseconds, to the millisecond.
-struct Seconds(i64);
+struct At(i64);
 
-impl fmt::Display for Seconds {
+impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ms = self.0.max(0).saturating_add(500_000) / 1_000_000;
         write!(f, "{}.{:03}", ms / 1000, ms % 1000)

@@ -32,6 +32,8 @@ pub struct Judge {
     pause: i64,
     /// When the last frame came, if time has passed without one since.
     quiet_since: Option<i64>,
+    /// Whether messages of the edition that never come are noted.
+    notes_absent: bool,
     started: bool,
     /// Whether it was said that frames do not come in the order of time.
     shuffled: bool,
@@ -56,6 +58,7 @@ impl Judge {
             pause: est.window.max(est.cycle() * 2),
             est,
             quiet_since: None,
+            notes_absent: true,
             started: false,
             shuffled: false,
             offset: 0,
@@ -277,17 +280,19 @@ impl Judge {
         self.found(Finding::note(Party::Log, "2", rule, self.est.now).seen(seen));
     }
 
-    /// A note on each message of the VCU that a later edition does without, and that never came.
-    pub(crate) fn note_absent(&mut self) {
-        for finding in values::absent(&self.est.sampler, &self.est.edition, self.est.now) {
-            self.book.found(finding);
-        }
+    /// Somebody else reports the messages of the edition that never come.
+    pub(crate) const fn knows_what_is_absent(&mut self) {
+        self.notes_absent = false;
     }
 
     /// The end of the log: settles what is still open.
     pub fn finish(mut self) -> Report {
         self.end();
         let now = self.est.now;
+        let absent = values::absent(&self.est.sampler, &self.est.edition, now);
+        for finding in absent.into_iter().filter(|_| self.notes_absent) {
+            self.book.found(finding);
+        }
         self.book.found(values::one_sided(&self.est.sampler, now));
         let (margins, exercised) = (self.book.margins(&self.est), self.book.exercised(&self.est));
         let (stays, go_presses) = self.est.why.end(now);

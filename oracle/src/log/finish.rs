@@ -23,10 +23,6 @@ impl LogJudge {
             return Err(LogError::NoSuchInterface { wanted: wanted.clone(), found });
         }
         self.judge.end();
-        if self.recognised.is_none() {
-            // Otherwise what does not fit the edition is in the note on how it was recognised.
-            self.judge.note_absent();
-        }
         if let Some(error) = self.impossible {
             return Err(LogError::Rules(*error));
         }

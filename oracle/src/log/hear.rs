@@ -33,6 +33,8 @@ impl LogJudge {
         self.options.judge = self.options.judge.under(recognised.edition);
         self.judge = Judge::new(self.options.judge);
         self.follow();
+        // What does not fit the edition is in the note on how it was recognised.
+        self.judge.knows_what_is_absent();
         if !recognised.certain || !recognised.against.is_empty() {
             self.note_edition(&recognised.to_string());
         }

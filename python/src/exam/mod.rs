@@ -17,11 +17,11 @@ use pyo3::types::{PyDict, PyList};
 use crate::edition;
 use crate::error;
 use options::{Logs, Options};
-use report::Report;
+use report::PyReport;
 use stack::{Given, UnderTest};
 
 pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Report>()?;
+    module.add_class::<PyReport>()?;
     module.add_function(wrap_pyfunction!(exam, module)?)?;
     module.add_function(wrap_pyfunction!(exam_requirements, module)?)?;
     module.add_function(wrap_pyfunction!(exam_scenarios, module)?)
@@ -76,7 +76,7 @@ fn exam(
     timeout: Option<&Bound<'_, PyAny>>,
     time_limit: Option<&Bound<'_, PyAny>>,
     logs: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Report> {
+) -> PyResult<PyReport> {
     let given = Given::of(stack)?;
     let edition = edition::or_default(edition)?;
     let scenarios = options::scenarios(only, quick, scenario, runs, seed)?;
@@ -91,7 +91,7 @@ fn exam(
         unused: Vec::new(),
         passes: report.passes(),
     };
-    Report::of(py, &form.text(&report), &report, &shorter, logs)
+    PyReport::of(py, &form.text(&report), &report, &shorter, logs)
 }
 
 /// What comes of an exam.

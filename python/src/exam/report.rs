@@ -24,7 +24,7 @@ const OTHERS: &str = "";
 /// >>> report.findings[0]["seen"]
 /// 'AI2VCU_Status (510h) has 7 bytes'
 #[pyclass(frozen, name = "ExamReport", module = "adsdv")]
-pub(crate) struct Report {
+pub(crate) struct PyReport {
     /// As the command prints it.
     form: Py<PyDict>,
     /// Of each requirement that failed, what is wrong, as text; of all else that is wrong as well.
@@ -32,7 +32,7 @@ pub(crate) struct Report {
     logs: Py<PyDict>,
 }
 
-impl Report {
+impl PyReport {
     pub(super) fn of(
         py: Python<'_>,
         json: &str,
@@ -91,7 +91,7 @@ fn others(report: &exam::ExamReport, shorter: &Shorter) -> String {
 }
 
 #[pymethods]
-impl Report {
+impl PyReport {
     /// For copies: what reports are made of is this module's own.
     #[new]
     #[pyo3(signature = (report, explanations, logs, /))]

@@ -67,10 +67,10 @@ impl Given {
     pub(super) fn start(&self, options: &Options) -> Result<UnderTest, StackError> {
         let kind = match self {
             Self::Python(factory) => {
-                Kind::Python { factory: Python::attach(|py| factory.clone_ref(py)), step: None }
+                Way::Python { factory: Python::attach(|py| factory.clone_ref(py)), step: None }
             }
             Self::Program(program, args) => {
-                Kind::Program(StdioStack::start(program, args, options.timeout, options.time_limit)?)
+                Way::Program(StdioStack::start(program, args, options.timeout, options.time_limit)?)
             }
         };
         Ok(UnderTest { kind, raised: None })
@@ -79,12 +79,12 @@ impl Given {
 
 /// A stack that is examined.
 pub(super) struct UnderTest {
-    kind: Kind,
+    kind: Way,
     /// What ends the exam, such as a `KeyboardInterrupt`.
     raised: Option<PyErr>,
 }
 
-enum Kind {
+enum Way {
     Python {
         factory: Py<PyAny>,
         /// What is called at each step of this scenario.
@@ -140,16 +140,16 @@ impl From<PyErr> for Wrong {
 impl Stack for UnderTest {
     fn hello(&mut self, edition: &Edition) -> Result<(), StackError> {
         match &mut self.kind {
-            Kind::Python { .. } => Ok(()),
-            Kind::Program(program) => program.hello(edition),
+            Way::Python { .. } => Ok(()),
+            Way::Program(program) => program.hello(edition),
         }
     }
 
     fn reset(&mut self) -> Result<(), StackError> {
         let Self { kind, raised } = self;
         match kind {
-            Kind::Program(program) => program.reset(),
-            Kind::Python { factory, step } => Python::attach(|py| {
+            Way::Program(program) => program.reset(),
+            Way::Python { factory, step } => Python::attach(|py| {
                 // The one of the scenario before is gone before there is another.
                 *step = None;
                 match made(factory.bind(py)) {
@@ -167,8 +167,8 @@ impl Stack for UnderTest {
         Python::attach(|py| self.may_go_on(py))?;
         let Self { kind, raised } = self;
         match kind {
-            Kind::Program(program) => program.step(time_ms, frames),
-            Kind::Python { step, .. } => Python::attach(|py| {
+            Way::Program(program) => program.step(time_ms, frames),
+            Way::Python { step, .. } => Python::attach(|py| {
                 // Whoever has not been made has ended its scenario.
                 let Some(step) = step else { return Ok(Vec::new()) };
                 asked(step.bind(py), time_ms, frames).map_err(|wrong| Self::wrong(raised, py, wrong))
@@ -178,8 +178,8 @@ impl Stack for UnderTest {
 
     fn end(&mut self) -> Result<Vec<String>, StackError> {
         match &mut self.kind {
-            Kind::Python { .. } => Ok(Vec::new()),
-            Kind::Program(program) => program.end(),
+            Way::Python { .. } => Ok(Vec::new()),
+            Way::Program(program) => program.end(),
         }
     }
 }
