@@ -179,13 +179,19 @@ def test_what_is_no_exception_ends_the_exam():
         assert raised.value is end
 
 
+@pytest.fixture
+def listening():
+    """Ctrl-C counts, also where the tests run in the background of a shell, which has them ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no such signal")
-def test_ctrl_c_ends_the_exam_of_a_stack_and_of_a_program(root):
-    program = [sys.executable, str(root / "exam/examples/stack.py")]
+def test_ctrl_c_ends_the_exam_of_a_stack_and_of_a_program(root, listening):
     # What is no Python never looks for signals itself.
-    for stack in [lambda: "".join, program]:
-        if stack is not program:
-            stack = lambda: (lambda t_ms, frames: [])  # noqa: E731
+    program = [sys.executable, str(root / "exam/examples/stack.py")]
+    for stack in [lambda: lambda t_ms, frames: [], program]:
         alarm = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
         started = time.monotonic()
         alarm.start()
