@@ -401,6 +401,16 @@ mod tests {
     }
 
     #[test]
+    fn a_signal_allows_all_that_its_bits_hold_if_neither_range_nor_names_forbid_it() {
+        let all = |signal: SignalDef| signal.allows_all();
+        assert!(
+            all(SignalDef::of::<u16>("count", 0, 16, "")) && all(SignalDef::of::<bool>("flag", 0, 1, ""))
+        );
+        assert!(!all(SignalDef::of::<u8>("count", 0, 16, "")) && !all(STATE));
+        assert!(!all(SignalDef::of::<u16>("count", 0, 16, "").within(1, 2)));
+    }
+
+    #[test]
     #[should_panic(expected = "out of the frame")]
     fn a_signal_behind_its_frame_does_not_compile() {
         let _ = SignalDef::of::<bool>("flag", 64, 1, "");

@@ -164,3 +164,24 @@ fn what_the_table_is_made_of_cites_its_requirements() {
         assert!(Actuation::requirements(state).contains(&"D-21"), "{state}");
     }
 }
+
+/// Each message has what asks for its cycle in the place that it has in the list.
+#[test]
+fn what_a_bus_asks_for_is_asked_for_by_its_edition() {
+    for edition in Edition::ALL {
+        let bus = &edition.bus;
+        assert_eq!(bus.cycles.len(), bus.messages.len(), "{}", edition.version);
+        let of_ranges = bus.reserved.iter().flat_map(|reserved| reserved.requirements);
+        let cited = bus.lengths.iter().chain(bus.senders).chain(of_ranges);
+        for id in cited.chain(bus.messages.iter().flat_map(|def| bus.cycle_requirements(def.id))) {
+            assert!(edition.requirements.has(id), "{id} in {}", edition.version);
+        }
+        for reserved in bus.reserved {
+            assert_eq!(bus.reserved_of(*reserved.ids.end()), Some(reserved));
+            assert_eq!(bus.reserved_of(*reserved.ids.start()), Some(reserved));
+        }
+        assert!(bus.cycle_requirements(0x7FF).is_empty() && bus.reserved_of(0x510).is_none());
+    }
+    assert_eq!(Edition::V2026.bus.cycle_requirements(0x500), ["MSG-112"]);
+    assert_eq!(Edition::V4_0.bus.cycle_requirements(0x502), ["MSG-96"]);
+}
