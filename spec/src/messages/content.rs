@@ -173,6 +173,7 @@ mod tests {
     fn a_field_is_found_by_its_whole_name() {
         const FIELDS: &[FieldDef] = &[field("one"), field("two"), field("twofold")];
         assert!(FIELDS.iter().all(|field| field_of(FIELDS, field.name) == field));
+        assert_eq!(field_of(FIELDS, "two"), &FieldDef::new("two", "What it says.", &[]));
     }
 
     #[test]
