@@ -336,10 +336,11 @@ impl Marks {
 pub(crate) fn findings(ran: &Ran, edition: &Edition) -> Vec<ExamFinding> {
     let mut found = judged(ran, edition);
     if let Some((time_ms, waiting)) = ran.flood {
+        let cycles = edition.bus.cycle_requirements(AiMessages::IDS[0]).to_vec();
         found.push(ExamFinding {
             seen: format!("the bus cannot carry what the AI Computer sends: {waiting} of its frames wait"),
-            expected: "each of its messages every 10 ms".to_owned(),
-            ..ExamFinding::new(ns(time_ms), "2.1", FoundBy::Exam, catalogue::held_by(edition, vec!["MSG-98"]))
+            expected: format!("each of its messages every {} ms", edition.rules.timing.cycle_ms),
+            ..ExamFinding::new(ns(time_ms), "2.1", FoundBy::Exam, catalogue::held_by(edition, cycles))
         });
     }
     if let Some((time_ms, Failure { why, trace, expected })) = &ran.failed {

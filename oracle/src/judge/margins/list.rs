@@ -15,8 +15,6 @@ use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
 
 /// The requirement behind the time for an answer, as version 3.0 has it.
 const ANSWER: &str = "HS-9"; //= HS-9, HS-17
-/// The requirement behind the time for which a message may be missing.
-const MISSED: &str = "HS-18"; //= HS-18
 /// The section of both.
 const COMMUNICATION: &str = "2.4";
 
@@ -111,7 +109,7 @@ fn of_gap(est: &Estimator, index: usize, gap: Peak, def: &MessageDef) -> Margin 
         Margin { message: Some(def.id), ..margin }
     };
     match est.silences.limit_of(index) {
-        Some(limit) => Margin { requirements: vec![MISSED], ..of(COMMUNICATION, ms(limit)) },
+        Some(limit) => Margin { requirements: vec![cited::MISSED], ..of(COMMUNICATION, ms(limit)) },
         None => Margin { basis: Basis::Cycle, ..of(def.section, f64::from(def.cycle_ms)) },
     }
 }
