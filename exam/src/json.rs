@@ -4,7 +4,7 @@ use adsdv_oracle::judge::ResponseTimes;
 use adsdv_spec::Edition;
 use serde::Serialize;
 
-use crate::exam::{ExamFinding, ExamReport, Outcome};
+use crate::report::{ExamFinding, ExamReport, Outcome};
 use crate::session::Sent;
 use crate::words::Shorter;
 

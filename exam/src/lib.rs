@@ -5,7 +5,9 @@
 //!                                             |
 //!                       expectations.rs <-----+-----> the judge of adsdv-oracle
 //!                              |                           |
-//!                              +------> exam.rs <----------+   a verdict for each requirement (catalogue.rs)
+//!                              +----> findings.rs <--------+
+//!                                          |
+//!                                       exam.rs ---> report.rs: a verdict for each requirement (catalogue.rs)
 //! ```
 //!
 //! The scenario language, the car and the VCU are those of `adsdv-can`, and what the judge finds is said in its words: `adsdv check`
@@ -27,6 +29,7 @@ mod disturbance;
 mod exam;
 mod expectation;
 mod expectations;
+mod findings;
 mod json;
 mod length;
 mod live;
@@ -35,6 +38,7 @@ mod look;
 mod program;
 mod program_error;
 mod random;
+mod report;
 mod scenario;
 mod scenario_text;
 mod scenarios;
@@ -47,9 +51,7 @@ mod words;
 
 pub use catalogue::{Requirement, requirements};
 pub use disturbance::{Disturbance, Effect, Onset, Sensors};
-pub use exam::{
-    ExamFinding, ExamOptions, ExamProgress, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome, exam,
-};
+pub use exam::{ExamOptions, ExamProgress, exam};
 pub use expectation::{Condition, Expectation, Kind, Within};
 pub use json::ExamForm;
 pub use length::{BESIDE, estimate};
@@ -61,6 +63,7 @@ pub use look::Look;
 pub use program::{MAX_FRAMES, StdioStack};
 pub use program_error::{Failure, StackError, StackErrorKind, StackErrorPlace};
 pub use random::{SEED, random_scenarios};
+pub use report::{ExamFinding, ExamReport, Examined, FoundBy, Outcome, ScenarioOutcome};
 pub use scenario::ExamScenario;
 pub use scenarios::{NoScenario, chosen, scenarios};
 pub use serve::serve;

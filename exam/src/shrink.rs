@@ -6,8 +6,10 @@
 use adsdv_can::car::Physics;
 use adsdv_can::scenario::{Line, Scenario, When};
 
-use crate::exam::{ExamFinding, ExamOptions, ExamReport, findings};
+use crate::exam::ExamOptions;
+use crate::findings::findings;
 use crate::program_error::StackError;
+use crate::report::{ExamFinding, ExamReport};
 use crate::scenario::ExamScenario;
 use crate::session::{Ran, Sent, SessionError, run};
 use crate::stack::Stack;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::fmt::{self, Write as _};
 
-use crate::exam::{ExamFinding, ExamReport, Outcome};
+use crate::report::{ExamFinding, ExamReport, Outcome};
 use crate::session::Sent;
 use crate::shrink::Shortest;
 

@@ -14,8 +14,9 @@ use super::namespace;
 use super::options::{LiveBus, LiveOptions, LiveProgram};
 use super::session::{LiveRan, run};
 use super::under_test::{Afresh, UnderTest};
-use crate::exam::{Collector, ExamFinding, ExamReport};
+use crate::exam::Collector;
 use crate::length::{BESIDE, estimate};
+use crate::report::{ExamFinding, ExamReport};
 use crate::scenario::ExamScenario;
 use crate::session::Sent;
 

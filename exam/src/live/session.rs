@@ -23,7 +23,8 @@ use super::late::Lateness;
 use super::odd::OddFrames;
 use super::options::LiveOptions;
 use super::under_test::UnderTest;
-use crate::exam::{CYCLE_MS, ExamFinding, FoundBy, findings};
+use crate::findings::{CYCLE_MS, findings};
+use crate::report::{ExamFinding, FoundBy};
 use crate::scenario::ExamScenario;
 use crate::session::{Ran, Session};
 
