@@ -8,7 +8,7 @@ use adsdv_can::bus::{Bus as _, Event, Listen as _};
 use adsdv_can::car::{Car, missing};
 use adsdv_can::demo::{self, DemoOptions, LocalBus, Run, RunError, run};
 use adsdv_can::scenario::Scenario;
-use adsdv_oracle::candump::write_frame;
+use adsdv_oracle::candump::{Reader, write_frame};
 use adsdv_oracle::judge::{self, Judge, Report, Severity};
 use adsdv_oracle::log::{LogOptions, judge_log, judge_recognised};
 use adsdv_oracle::remote::Remote;
@@ -74,7 +74,8 @@ fn each_sample_conforms_in_each_edition_which_its_log_tells() {
     for edition in Edition::ALL {
         for (name, _) in Scenario::SAMPLES {
             let log = recorded(name, edition);
-            let judged = judge_recognised(&log[..], &LogOptions::default(), |_| {}).expect("a log");
+            let judged =
+                judge_recognised(Reader::new(&log[..]), &LogOptions::default(), |_| {}).expect("a log");
             let recognised = judged.recognised;
             assert_eq!(
                 (recognised.edition.version, recognised.certain),

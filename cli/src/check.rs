@@ -1,12 +1,9 @@
 //! `adsdv check`: reads a log, has it judged, and prints the report.
 
-use std::fs::File;
-use std::io::{self, Read};
-use std::path::Path;
-
+use adsdv_formats::Log;
 use adsdv_oracle::excerpt::{Excerpts, judge_with_excerpts};
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_readable, judge_recognised};
+use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_entries, judge_recognised};
 use adsdv_oracle::recognise::Recognised;
 
 use crate::args::CheckArgs;
@@ -14,10 +11,7 @@ use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
-use crate::{excerpt, json, output, pins, requires, rules};
-
-/// The name that stands for standard input.
-const STDIN: &str = "-";
+use crate::{excerpt, json, output, pins, recording, requires, rules};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
@@ -35,11 +29,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     };
     let rules = rules::read(args.rules.as_deref(), edition, by_log)?;
     let mut options = LogOptions { judge, interface: args.interface.clone(), rules };
-    let name = if args.log == Path::new(STDIN) {
-        "standard input".to_owned()
-    } else {
-        args.log.display().to_string()
-    };
+    let name = recording::name(&args.log);
     let (Judged { report, failure, recognised }, excerpts) = read(args, &name, &options, by_log)?;
     options.judge = options.judge.under(recognised.edition);
     pins::possible(recognised.edition, &args.readings)?;
@@ -68,20 +58,20 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
 
 /// Judges by the edition of the options, or by the one that the log tells.
 fn judge(
-    source: impl Read,
+    log: Log,
     options: &LogOptions,
     by_log: bool,
     with_excerpts: bool,
     progress: impl FnMut(LogProgress),
 ) -> Result<(Judged, Option<Excerpts>), LogError> {
     if with_excerpts {
-        return judge_with_excerpts(source, options, by_log, progress)
+        return judge_with_excerpts(log, options, by_log, progress)
             .map(|(judged, excerpts)| (judged, Some(excerpts)));
     }
     if by_log {
-        return judge_recognised(source, options, progress).map(|judged| (judged, None));
+        return judge_recognised(log, options, progress).map(|judged| (judged, None));
     }
-    let (report, failure) = judge_readable(source, options, progress)?;
+    let (report, failure) = judge_entries(log, options, progress)?;
     Ok((Judged { report, failure, recognised: Recognised::named(options.judge.edition) }, None))
 }
 
@@ -92,23 +82,12 @@ fn read(
     options: &LogOptions,
     by_log: bool,
 ) -> Result<(Judged, Option<Excerpts>), Error> {
-    let (log, excerpts) = (&args.log, args.excerpt.is_some());
     let mut line = ProgressLine::new();
     let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
-    let file = if log == Path::new(STDIN) {
-        None
-    } else {
-        Some(File::open(log).map_err(|error| Error::open(name, &error))?)
-    };
+    let log = recording::open(&args.log, name)?;
     args.excerpt.as_deref().map_or(Ok(()), excerpt::prepare)?;
-    let judged = match file {
-        Some(file) => judge(file, options, by_log, excerpts, progress),
-        None => judge(io::stdin().lock(), options, by_log, excerpts, progress),
-    };
+    let judged = judge(log, options, by_log, args.excerpt.is_some(), progress);
     judged.map_err(|error| match (&error, &args.rules) {
-        (LogError::Read(read), _) if read.source.kind() == io::ErrorKind::IsADirectory => {
-            Error::directory(name)
-        }
         (LogError::Rules(error), Some(file)) => rules::refused(file, error),
         _ => Error::log(name, &error),
     })

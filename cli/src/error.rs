@@ -5,6 +5,7 @@ use std::io::{self, Write as _};
 use std::path::Path;
 
 use adsdv_can::socket::OpenError;
+use adsdv_formats::OpenError as RecordingError;
 use adsdv_oracle::log::LogError;
 
 use crate::status::Status;
@@ -40,6 +41,21 @@ impl Error {
         Self { what: name.to_owned(), why: format!("cannot open the log: {error}"), hint }
     }
 
+    /// The log could be opened, and is nothing that can be read.
+    pub(crate) fn recording(name: &str, error: &RecordingError) -> Self {
+        match error {
+            RecordingError::Read(source) if source.kind() == io::ErrorKind::IsADirectory => {
+                Self::directory(name)
+            }
+            RecordingError::Read(source) => {
+                Self { what: name.to_owned(), why: error.to_string(), hint: unreadable(source).to_owned() }
+            }
+            RecordingError::Foreign(foreign) => {
+                Self { what: name.to_owned(), why: error.to_string(), hint: foreign.hint.to_owned() }
+            }
+        }
+    }
+
     /// The log is a directory.
     pub(crate) fn directory(name: &str) -> Self {
         Self {
@@ -52,11 +68,10 @@ impl Error {
     /// The log was opened, and there is no report.
     pub(crate) fn log(name: &str, error: &LogError) -> Self {
         let hint = match error {
-            LogError::Read(_) => "copy the log to another disk, and check the copy".to_owned(),
+            LogError::Read(read) => unreadable(&read.source).to_owned(),
             LogError::NoFrame { first, .. } => {
                 let begins = first.as_ref().map(|first| first.found.as_bytes()).unwrap_or_default();
                 match begins {
-                    [0x1f, 0x8b, ..] => "it is compressed: zcat run.log.gz | adsdv check -".to_owned(),
                     [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
                         "it is text in UTF-16: iconv -f UTF-16 -t UTF-8 run.log | adsdv check -".to_owned()
                     }
@@ -173,6 +188,17 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, why, hint } = self;
         write!(f, "{what}: {why}\nhint: {hint}")
+    }
+}
+
+/// What to do about a source that cannot be read on.
+fn unreadable(error: &io::Error) -> &'static str {
+    match error.kind() {
+        // What is unpacked says so, and no disk does.
+        io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof => {
+            "the file is damaged, or was cut off; copy it anew from where it was recorded"
+        }
+        _ => "copy the log to another disk, and check the copy",
     }
 }
 

@@ -43,6 +43,7 @@ mod output;
 mod pins;
 mod plain;
 mod progress;
+mod recording;
 mod report;
 mod requires;
 mod rules;

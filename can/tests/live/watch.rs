@@ -8,7 +8,7 @@ use adsdv_can::bus::{Disturbance, Received};
 use adsdv_can::demo::{self, DemoOptions};
 use adsdv_can::live::Watch;
 use adsdv_can::scenario::Scenario;
-use adsdv_oracle::candump::{FrameKind, write_dropped, write_record};
+use adsdv_oracle::candump::{FrameKind, Reader, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log, judge_recognised};
 use adsdv_spec::Edition;
@@ -152,7 +152,7 @@ fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> R
             watch.decide();
             let live = watch.recognised().cloned().expect("it is decided");
             let report = watch.finish()?;
-            let check = judge_recognised(log.as_slice(), &LogOptions::default(), |_| {})?;
+            let check = judge_recognised(Reader::new(log.as_slice()), &LogOptions::default(), |_| {})?;
             assert_eq!(live, check.recognised, "{case}");
             assert_eq!(report.transitions, check.report.transitions, "{case}");
             assert_eq!(report.findings, check.report.findings, "{case}");

@@ -10,8 +10,6 @@ mod requests;
 mod section;
 mod text;
 
-use std::fs::File;
-use std::io;
 use std::path::Path;
 
 use adsdv_oracle::compare::{Comparison, Recording, Which};
@@ -22,13 +20,10 @@ use crate::args::CompareArgs;
 use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::status::Status;
-use crate::{json, output, pins};
-
-/// The name that stands for standard input.
-const STDIN: &str = "-";
+use crate::{json, output, pins, recording};
 
 pub(crate) fn run(args: &CompareArgs) -> Result<Status, Error> {
-    if args.good == Path::new(STDIN) && args.bad == Path::new(STDIN) {
+    if args.good == Path::new(recording::STDIN) && args.bad == Path::new(recording::STDIN) {
         return Err(Error {
             what: "- and -".to_owned(),
             why: "standard input can be read only once; expected a file for one of the two logs".to_owned(),
@@ -40,7 +35,7 @@ pub(crate) fn run(args: &CompareArgs) -> Result<Status, Error> {
     if args.json {
         output::plain(&json::compared(&good, &bad, &comparison))?;
     } else {
-        let names = [&args.good, &args.bad].map(|log| name(log));
+        let names = [&args.good, &args.bad].map(|log| recording::name(log));
         output::styled(&text::text([&good, &bad], &names, &comparison, output::width()), args.color)?;
     }
     let status = if comparison.differs() { Status::Violates } else { Status::Conforms };
@@ -64,16 +59,8 @@ fn read(args: &CompareArgs, which: Which) -> Result<Recording, Error> {
     let mut line = ProgressLine::new();
     let progress =
         |progress: LogProgress| line.show(format_args!("{}: {} lines", which.name(), progress.lines));
-    let recording = if log == Path::new(STDIN) {
-        Recording::read(io::stdin().lock(), &options, by_log, progress)
-    } else {
-        let file = File::open(log).map_err(|error| Error::open(&label, &error))?;
-        Recording::read(file, &options, by_log, progress)
-    };
-    let recording = recording.map_err(|error| match &error {
-        LogError::Read(read) if read.source.kind() == io::ErrorKind::IsADirectory => Error::directory(&label),
-        _ => Error::log(&label, &error),
-    })?;
+    let recording = Recording::read(recording::open(log, &label)?, &options, by_log, progress);
+    let recording = recording.map_err(|error| Error::log(&label, &error))?;
     pins::possible(recording.edition, &args.readings)?;
     Ok(recording)
 }
@@ -85,11 +72,7 @@ fn log(args: &CompareArgs, which: Which) -> &Path {
     }
 }
 
-fn name(log: &Path) -> String {
-    if log == Path::new(STDIN) { "standard input".to_owned() } else { log.display().to_string() }
-}
-
 /// How an error names one of the two logs.
 fn label(args: &CompareArgs, which: Which) -> String {
-    format!("{}, {}", which.name(), name(log(args, which)))
+    format!("{}, {}", which.name(), recording::name(log(args, which)))
 }

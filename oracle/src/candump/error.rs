@@ -3,6 +3,8 @@
 use std::fmt;
 use std::io;
 
+use super::Unit;
+
 /// Where and why a line could not be read; its number is the reader's to know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Flaw {
@@ -12,9 +14,11 @@ pub(super) struct Flaw {
     pub(super) expected: &'static str,
 }
 
-/// A line that is no frame. It has been passed over; the next line is read as if it were not there.
+/// A line that is no frame, or what a log is made of instead. It has been passed over; the next line is read as if it were not there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LineError {
+    /// What the log is made of.
+    pub unit: Unit,
     /// Number of the line in the log; the first is 1.
     pub line: u64,
     /// Where the line stops being readable, in bytes; the first is 1.
@@ -26,17 +30,19 @@ pub struct LineError {
 }
 
 impl LineError {
+    /// Number `line` of the log, which is these bytes, cannot be read from an offset `at` on, where `expected` should have stood.
     #[cold]
-    pub(super) fn new(line: u64, text: &[u8], flaw: Flaw) -> Self {
-        let found = Excerpt::new(text.get(flaw.at..).unwrap_or_default());
-        Self { line, column: flaw.at + 1, found, expected: flaw.expected }
+    pub fn new(unit: Unit, line: u64, bytes: &[u8], at: usize, expected: &'static str) -> Self {
+        let found = Excerpt::new(bytes.get(at..).unwrap_or_default());
+        Self { unit, line, column: at + 1, found, expected }
     }
 }
 
 impl fmt::Display for LineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { line, column, found, expected } = self;
-        write!(f, "line {line}, column {column}: found {found}, expected {expected}")
+        let Self { unit, line, column, found, expected } = self;
+        write!(f, "{unit} {line}, {} {column}: found {found}", unit.part())?;
+        write!(f, ", expected {expected}")
     }
 }
 
@@ -88,6 +94,8 @@ impl fmt::Debug for Excerpt {
 /// The source of the log failed. Every complete line before the failure has been handed out.
 #[derive(Debug)]
 pub struct ReadError {
+    /// What the log is made of.
+    pub unit: Unit,
     /// Number of the last line that was read completely; 0 if there was none.
     pub line: u64,
     /// The failure itself.
@@ -96,7 +104,7 @@ pub struct ReadError {
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot read on after line {}: {}", self.line, self.source)
+        write!(f, "cannot read on after {} {}: {}", self.unit, self.line, self.source)
     }
 }
 
@@ -137,7 +145,7 @@ mod tests {
 
     #[test]
     fn a_read_error_keeps_its_line_and_kind() {
-        let error = ReadError { line: 7, source: io::ErrorKind::TimedOut.into() };
+        let error = ReadError { unit: Unit::Line, line: 7, source: io::ErrorKind::TimedOut.into() };
         assert_eq!(error.source().map(ToString::to_string), Some("timed out".to_owned()));
         let error = io::Error::from(error);
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);

@@ -35,6 +35,7 @@
 //! ```
 
 mod dropped;
+mod entries;
 mod error;
 mod frame;
 mod hex;
@@ -48,6 +49,7 @@ mod usual;
 mod writer;
 
 pub use dropped::Dropped;
+pub use entries::{Entries, Unit};
 pub use error::{Excerpt, LineError, ReadError};
 pub use reader::{Entry, Reader};
 pub use record::{Direction, FrameKind, Record};

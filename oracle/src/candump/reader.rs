@@ -5,12 +5,12 @@ use std::ops::Range;
 
 use memchr::memchr;
 
-use super::MAX_LINE;
 use super::dropped::{self, Dropped};
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::record::{FrameKind, MAX_DATA, Record};
 use super::usual::{self, Interface, Usual};
+use super::{Entries, MAX_LINE, Unit};
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
 const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
@@ -137,7 +137,9 @@ impl<R: Read> Reader<R> {
                 }
                 Entry::Frame(Record { terminated, ..record })
             }
-            Err(flaw) => Entry::Broken(LineError::new(self.line, text, flaw)),
+            Err(Flaw { at, expected }) => {
+                Entry::Broken(LineError::new(Unit::Line, self.line, text, at, expected))
+            }
         }))
     }
 
@@ -203,9 +205,20 @@ impl<R: Read> Reader<R> {
                     return Ok(count);
                 }
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                Err(source) => return Err(ReadError { line: self.line, source }),
+                Err(source) => return Err(ReadError { unit: Unit::Line, line: self.line, source }),
             }
         }
+    }
+}
+
+impl<R: Read> Entries for Reader<R> {
+    #[inline]
+    fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
+        self.next_record()
+    }
+
+    fn count(&self) -> u64 {
+        self.line()
     }
 }
 

@@ -15,10 +15,11 @@
 //! at the same moment twice. What varies from run to run counts only from a share on: [`differs`].
 //!
 //! ```
+//! use adsdv_oracle::candump::Reader;
 //! use adsdv_oracle::compare::{Comparison, Recording};
 //! use adsdv_oracle::log::LogOptions;
 //!
-//! let read = |log: &str| Recording::read(log.as_bytes(), &LogOptions::default(), true, |_| {});
+//! let read = |log: &'static str| Recording::read(Reader::new(log.as_bytes()), &LogOptions::default(), true, |_| {});
 //! let good = read("(1.00) can0 520#0000010000000000\n(1.01) can0 520#0000020000000000\n")?;
 //! let bad = read("(7.00) can0 520#0000010000000000\n(7.01) can0 520#0000010000000000\n")?;
 //! assert!(!Comparison::between(&good, &good).differs());
@@ -36,8 +37,6 @@ mod parting;
 mod path;
 mod requested;
 
-use std::io::Read;
-
 use adsdv_spec::{AsState, Edition};
 
 pub use collect::{Collected, Range, Requests, Seen, Sequence};
@@ -51,7 +50,7 @@ pub use requested::{RangeDiffers, SequenceDiffers};
 
 pub(crate) use collect::Collector;
 
-use crate::candump::ReadError;
+use crate::candump::{Entries, ReadError};
 use crate::judge::Report;
 use crate::log::{Judged, LogError, LogJudge, LogOptions, LogProgress, judge_all};
 use crate::recognise::Recognised;
@@ -104,20 +103,20 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Reads a log of `candump -L`, streaming, in memory that does not grow with it; `by_log`: the log itself tells the edition.
+    /// Reads a log, streaming, in memory that does not grow with it; `by_log`: the log itself tells the edition.
     ///
     /// # Errors
     ///
-    /// As [`judge_readable`](crate::log::judge_readable).
+    /// As [`judge_entries`](crate::log::judge_entries).
     pub fn read(
-        source: impl Read,
+        entries: impl Entries,
         options: &LogOptions,
         by_log: bool,
         progress: impl FnMut(LogProgress),
     ) -> Result<Self, LogError> {
         let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
         let (judged, collector) =
-            judge_all(source, judge(options.clone()).collecting(), progress, |_, _| {})?;
+            judge_all(entries, judge(options.clone()).collecting(), progress, |_, _| {})?;
         let Judged { report, failure, recognised } = judged;
         let edition = recognised.edition;
         let collected = collector.map(|collector| collector.end()).unwrap_or_default();

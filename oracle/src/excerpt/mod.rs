@@ -9,13 +9,14 @@
 //! as soon as what follows its finding has come.
 //!
 //! ```
+//! use adsdv_oracle::candump::Reader;
 //! use adsdv_oracle::excerpt::judge_with_excerpts;
 //! use adsdv_oracle::judge::Severity;
 //! use adsdv_oracle::log::LogOptions;
 //!
 //! let frame = |place: u32| format!("({}.{:02}) can0 520#00000{}0000000000\n", place / 100, place % 100, 1 + place / 150 * 2);
 //! let log: String = (0..300).map(frame).collect(); // AS_OFF, and from 1.5 s on AS_DRIVING
-//! let (judged, excerpts) = judge_with_excerpts(log.as_bytes(), &LogOptions::default(), false, |_| {})?;
+//! let (judged, excerpts) = judge_with_excerpts(Reader::new(log.as_bytes()), &LogOptions::default(), false, |_| {})?;
 //! let found = [Severity::Violation, Severity::Warning].map(|severity| judged.report.count(severity));
 //! assert_eq!(excerpts.cut.len(), found.iter().sum::<usize>()); // a note needs none
 //! let first = excerpts.cut.first().expect("an excerpt");
@@ -26,8 +27,7 @@
 mod cut;
 mod recent;
 
-use std::io::Read;
-
+use crate::candump::Entries;
 use crate::judge::{Finding, Severity};
 use crate::log::{Judged, LogError, LogJudge, LogOptions, LogProgress, judge_all};
 
@@ -80,14 +80,14 @@ struct Cutter {
     lines: u64,
 }
 
-/// Judges a log, as [`judge_readable`](crate::log::judge_readable), or by the edition that it tells, as
+/// Judges a log, as [`judge_entries`](crate::log::judge_entries), or by the edition that it tells, as
 /// [`judge_recognised`](crate::log::judge_recognised), and cuts excerpts of it.
 ///
 /// # Errors
 ///
 /// As these.
 pub fn judge_with_excerpts(
-    source: impl Read,
+    entries: impl Entries,
     options: &LogOptions,
     by_log: bool,
     progress: impl FnMut(LogProgress),
@@ -99,7 +99,7 @@ pub fn judge_with_excerpts(
         ..options.clone()
     };
     let watching = &mut cutter;
-    let (judged, _) = judge_all(source, judge(options.clone()), progress, |log, entry| {
+    let (judged, _) = judge_all(entries, judge(options.clone()), progress, |log, entry| {
         watching.recent.keep(log.judged_at(), entry);
         watching.lines += 1;
         if watching.lines.is_multiple_of(LOOK) {

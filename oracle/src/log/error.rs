@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::counted;
-use crate::candump::ReadError;
+use crate::candump::{ReadError, Unit};
 use crate::rules::RuleError;
 
 /// Why there is no report.
@@ -40,7 +40,8 @@ impl fmt::Display for LogError {
                 )
             }
             Self::NoFrame { lines, first } => {
-                write!(f, "no readable frame in {}", counted(*lines, "line"))?;
+                let unit = first.map_or(Unit::Line, |first| first.unit);
+                write!(f, "no readable frame in {}", counted(*lines, unit.name()))?;
                 if let Some(first) = first {
                     write!(f, "; {first}")?;
                 }

@@ -1,6 +1,6 @@
 //! From a log to a report: picks the interface, and lets the judge see every frame.
 //!
-//! [`judge_log`] reads a recorded log to its end. [`LogJudge`] takes frame by frame, for a bus that is live.
+//! [`judge_log`] reads a recorded log of `candump -L` to its end, [`judge_entries`] one of any format. [`LogJudge`] takes frame by frame, for a bus that is live.
 
 mod directions;
 mod error;
@@ -17,7 +17,7 @@ use crate::rules::RuleFile;
 pub use error::LogError;
 pub use judge::LogJudge;
 pub(crate) use read::judge_all;
-pub use read::{Judged, LogProgress, judge_log, judge_readable, judge_recognised};
+pub use read::{Judged, LogProgress, judge_entries, judge_log, judge_readable, judge_recognised};
 
 /// How a log is judged.
 #[derive(Clone, Debug, Default)]

@@ -3,7 +3,7 @@
 use std::io::Read;
 
 use super::{LogError, LogJudge, LogOptions};
-use crate::candump::{Entry, ReadError, Reader};
+use crate::candump::{Entries, Entry, ReadError, Reader};
 use crate::compare::Collector;
 use crate::judge::{Report, Rule};
 use crate::recognise::Recognised;
@@ -75,7 +75,20 @@ pub fn judge_readable(
     options: &LogOptions,
     progress: impl FnMut(LogProgress),
 ) -> Result<(Report, Option<ReadError>), LogError> {
-    let (judged, _) = judge_all(source, LogJudge::new(options.clone()), progress, |_, _| {})?;
+    judge_entries(Reader::new(source), options, progress)
+}
+
+/// Like [`judge_readable`], of a log of any format.
+///
+/// # Errors
+///
+/// As [`judge_readable`].
+pub fn judge_entries(
+    entries: impl Entries,
+    options: &LogOptions,
+    progress: impl FnMut(LogProgress),
+) -> Result<(Report, Option<ReadError>), LogError> {
+    let (judged, _) = judge_all(entries, LogJudge::new(options.clone()), progress, |_, _| {})?;
     Ok((judged.report, judged.failure))
 }
 
@@ -90,13 +103,14 @@ pub struct Judged {
     pub recognised: Recognised,
 }
 
-/// Like [`judge_readable`], by the edition that the log itself tells; by that of the options where it does not.
+/// Like [`judge_entries`], by the edition that the log itself tells; by that of the options where it does not.
 ///
 /// ```
+/// use adsdv_oracle::candump::Reader;
 /// use adsdv_oracle::log::{LogOptions, judge_recognised};
 ///
 /// let log = "(1.0) can0 521#000000000000\n(1.01) can0 520#0000010000000000\n";
-/// let judged = judge_recognised(log.as_bytes(), &LogOptions::default(), |_| {})?;
+/// let judged = judge_recognised(Reader::new(log.as_bytes()), &LogOptions::default(), |_| {})?;
 /// let text = "version 2026, though 4.0 fits as well: 521h has 6 bytes (3.0: 8)";
 /// assert_eq!(judged.recognised.to_string(), text);
 /// # Ok::<(), adsdv_oracle::log::LogError>(())
@@ -106,24 +120,23 @@ pub struct Judged {
 ///
 /// As [`judge_readable`].
 pub fn judge_recognised(
-    source: impl Read,
+    entries: impl Entries,
     options: &LogOptions,
     progress: impl FnMut(LogProgress),
 ) -> Result<Judged, LogError> {
-    judge_all(source, LogJudge::recognising(options.clone()), progress, |_, _| {}).map(|(judged, _)| judged)
+    judge_all(entries, LogJudge::recognising(options.clone()), progress, |_, _| {}).map(|(judged, _)| judged)
 }
 
 /// Lets a judge see all of a log; `then` sees each entry after it. What the judge collected comes back with the report.
 pub(crate) fn judge_all(
-    source: impl Read,
+    mut entries: impl Entries,
     mut log: LogJudge,
     mut progress: impl FnMut(LogProgress),
     mut then: impl FnMut(&mut LogJudge, &Entry<'_>),
 ) -> Result<(Judged, Option<Box<Collector>>), LogError> {
-    let mut reader = Reader::new(source);
     let mut next_progress = PROGRESS_LINES;
     let failure = loop {
-        let entry = match reader.next_record() {
+        let entry = match entries.next_entry() {
             Ok(Some(entry)) => entry,
             Ok(None) => break None,
             Err(error) if !log.has_frame() => return Err(LogError::Read(error)),
@@ -153,5 +166,5 @@ pub(crate) fn judge_all(
     let recognised =
         log.recognised().cloned().unwrap_or_else(|| Recognised::named(log.options.judge.edition));
     let collector = log.collector.take();
-    Ok((Judged { report: log.finish(reader.line())?, failure, recognised }, collector))
+    Ok((Judged { report: log.finish(entries.count())?, failure, recognised }, collector))
 }

@@ -1,6 +1,6 @@
 //! Which edition a recording is of.
 
-use adsdv_oracle::candump::{FrameKind, Record};
+use adsdv_oracle::candump::{FrameKind, Reader, Record};
 use adsdv_oracle::judge::{JudgeOptions, Report, Rule, Severity, Verdict};
 use adsdv_oracle::log::{Judged, LogJudge, LogOptions, judge_log, judge_recognised};
 use adsdv_oracle::recognise::Recognised;
@@ -50,7 +50,7 @@ fn counts(report: &Report) -> [usize; 3] {
 }
 
 fn recorded(log: &[u8]) -> Judged {
-    judge_recognised(log, &LogOptions::default(), |_| {}).expect("a log")
+    judge_recognised(Reader::new(log), &LogOptions::default(), |_| {}).expect("a log")
 }
 
 #[test]
@@ -204,9 +204,9 @@ fn too_little_is_judged_by_the_default_and_said_to_be() {
 
 #[test]
 fn nothing_is_no_log() {
-    assert!(judge_recognised(&b""[..], &LogOptions::default(), |_| {}).is_err());
+    assert!(judge_recognised(Reader::new(&b""[..]), &LogOptions::default(), |_| {}).is_err());
     let other = b"(1.0) can0 123#00\n";
-    let judged = judge_recognised(&other[..], &LogOptions::default(), |_| {}).expect("a frame");
+    let judged = judge_recognised(Reader::new(&other[..]), &LogOptions::default(), |_| {}).expect("a frame");
     assert_eq!((judged.recognised.edition, judged.recognised.certain), (Edition::DEFAULT, false));
 }
 

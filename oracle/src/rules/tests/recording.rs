@@ -5,7 +5,7 @@ use adsdv_spec::messages::{Vcu2AiWheelSpeeds, WheelSpeed};
 use adsdv_spec::{Control, Edition, Inputs, Machine, Vehicle};
 
 use super::super::{RuleReport, RuleVerdict};
-use crate::candump::{FrameKind, Record};
+use crate::candump::{FrameKind, Reader, Record};
 use crate::judge::{JudgeOptions, Party, Report, Rule, Section, Severity};
 use crate::log::{LogError, LogJudge, LogOptions, judge_log, judge_recognised};
 
@@ -217,7 +217,8 @@ fn rules_are_of_the_edition_that_is_recognised() {
     let line = |n| format!("({}.{:02}) can0 524#0000000011\n", n / 100, n % 100);
     let log = (0..400).map(line).collect::<Vec<_>>().concat();
     let rules = "a: never STATUS_EBS is ARMED";
-    let judged = judge_recognised(log.as_bytes(), &options(&Edition::V3_0, rules), |_| {}).expect("possible");
+    let judged = judge_recognised(Reader::new(log.as_bytes()), &options(&Edition::V3_0, rules), |_| {})
+        .expect("possible");
     assert!(judged.recognised.edition.version != "3.0" && only(&judged.report).broken == 0);
     let endless = std::io::Read::chain(log.as_bytes(), std::io::repeat(b'\n'));
     let error = judge_log(endless, &options(&Edition::V3_0, rules), |_| {}).expect_err("not in 3.0");

@@ -1,0 +1,71 @@
+//! A recording of any format, opened.
+
+use std::io::Read;
+
+use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
+
+use crate::unpack::unpack;
+use crate::{Format, OpenError, Source, foreign};
+
+/// A recording of any format, whose entries come one after the other.
+pub struct Log {
+    format: Format,
+    reader: Inner,
+}
+
+enum Inner {
+    /// Most are of this format, and it is the fastest: nothing is looked up for each frame.
+    Candump(Reader<Source>),
+    #[allow(dead_code)]
+    Other(Box<dyn Entries + Send>),
+}
+
+/// Recognises the format of a recording by how it begins, unpacks it, and reads it as that.
+///
+/// Of a source that is live no more is waited for than its first line.
+///
+/// # Errors
+///
+/// Fails if the source does before its first byte, or if it is a file of a kind that is known, and not read.
+pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
+    let (head, source) = unpack(Box::new(source)).map_err(OpenError::Read)?;
+    if let Some(foreign) = foreign::find(&head) {
+        return Err(OpenError::Foreign(foreign));
+    }
+    let format = Format::of(&head);
+    let reader = match format {
+        Format::Candump => Inner::Candump(Reader::new(source)),
+    };
+    Ok(Log { format, reader })
+}
+
+impl Log {
+    /// The format that it has.
+    pub const fn format(&self) -> Format {
+        self.format
+    }
+}
+
+impl Entries for Log {
+    #[inline]
+    fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
+        match &mut self.reader {
+            Inner::Candump(reader) => reader.next_record(),
+            Inner::Other(reader) => reader.next_entry(),
+        }
+    }
+
+    fn count(&self) -> u64 {
+        match &self.reader {
+            Inner::Candump(reader) => reader.count(),
+            Inner::Other(reader) => reader.count(),
+        }
+    }
+
+    fn unit(&self) -> Unit {
+        match &self.reader {
+            Inner::Candump(reader) => reader.unit(),
+            Inner::Other(reader) => reader.unit(),
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Why a recording cannot be opened.
+
+use std::fmt;
+use std::io;
+
+use crate::foreign::Foreign;
+
+/// Why a recording cannot be opened.
+#[derive(Debug)]
+pub enum OpenError {
+    /// The source failed before anything was read.
+    Read(io::Error),
+    /// It is a file that is known, and not read.
+    Foreign(Foreign),
+}
+
+impl fmt::Display for OpenError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read(error) => write!(f, "cannot read it: {error}"),
+            Self::Foreign(foreign) => write!(f, "it is {}, which is not read", foreign.what),
+        }
+    }
+}
+
+impl std::error::Error for OpenError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Read(error) => Some(error),
+            Self::Foreign(_) => None,
+        }
+    }
+}
