@@ -57,7 +57,7 @@ fn take_gap(cursor: &mut Cursor<'_>, expected: &'static str) -> Result<(), Flaw>
 }
 
 #[inline]
-fn take_interface<'a>(cursor: &mut Cursor<'a>) -> Result<&'a str, Flaw> {
+pub(super) fn take_interface<'a>(cursor: &mut Cursor<'a>) -> Result<&'a str, Flaw> {
     let text = cursor.rest();
     let len = text.iter().take_while(|byte| **byte > b' ' && **byte != 0x7F).count();
     let name = text.get(..len).unwrap_or_default();
@@ -134,7 +134,7 @@ impl<'a> Cursor<'a> {
 
     /// Passes spaces, and tells whether there were any.
     #[inline]
-    fn skip_blanks(&mut self) -> bool {
+    pub(super) fn skip_blanks(&mut self) -> bool {
         let mut any = false;
         while self.peek().is_some_and(is_blank_byte) {
             self.skip(1);

@@ -10,6 +10,8 @@
 //! was read, a [`Dropped`], which tells of frames that were lost, or a [`LineError`], which is a line that could not be read. A broken line costs itself and nothing
 //! else: the reader says what it found and what it expected, and goes on with the next line.
 //!
+//! Lines that candump or python-can printed for a person are read as well (`printed`): they are what people paste.
+//!
 //! Everything that can-utils may put on a line is read, whether this interface uses it or not: extended
 //! identifiers, remote and error frames, CAN FD and CAN XL, the direction mark of `candump -x`, several
 //! buses. What a record means is for the judge to say, not for the reader.
@@ -40,6 +42,7 @@ mod error;
 mod frame;
 mod hex;
 mod line;
+mod printed;
 mod reader;
 mod record;
 #[cfg(test)]

@@ -8,6 +8,7 @@ use memchr::memchr;
 use super::dropped::{self, Dropped};
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
+use super::printed::{self, Clock, Printed};
 use super::record::{FrameKind, MAX_DATA, Record};
 use super::usual::{self, Interface, Usual};
 use super::{Entries, MAX_LINE, Unit};
@@ -54,6 +55,8 @@ pub struct Reader<R> {
     /// The interface that the next line will name most of the time: that of a line before. Empty at first.
     interface: String,
     usual: Interface,
+    /// The time of lines that were printed for a person.
+    clock: Clock,
 }
 
 impl<R: Read> Reader<R> {
@@ -69,6 +72,7 @@ impl<R: Read> Reader<R> {
             data: Box::new([0; MAX_DATA]),
             interface: String::new(),
             usual: Interface::UNKNOWN,
+            clock: Clock::default(),
         }
     }
 
@@ -125,7 +129,22 @@ impl<R: Read> Reader<R> {
             match dropped::parse(self.line, text) {
                 Some(Ok(dropped)) => return Ok(Some(Entry::Dropped(dropped))),
                 Some(Err(flaw)) => Err(flaw),
-                None => line::parse(self.line, text, &mut self.data),
+                None => match printed::parse(text, &mut self.data) {
+                    Some(printed) => printed.map(|printed| {
+                        let Printed { stamp, interface, kind, id, len, direction } = printed;
+                        Record {
+                            line: self.line,
+                            time_ns: self.clock.time(stamp),
+                            interface,
+                            kind,
+                            id,
+                            data: self.data.get(..len).unwrap_or_default(),
+                            direction,
+                            terminated,
+                        }
+                    }),
+                    None => line::parse(self.line, text, &mut self.data),
+                },
             }
         };
         Ok(Some(match parsed {

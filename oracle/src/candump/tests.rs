@@ -12,6 +12,16 @@ enum OwnedEntry {
     Broken(LineError),
 }
 
+fn time_of(entry: &OwnedEntry) -> i64 {
+    let OwnedEntry::Frame { time_ns, .. } = entry else { panic!("{entry:?}") };
+    *time_ns
+}
+
+fn set_time(entry: &mut OwnedEntry, time: impl Fn(i64) -> i64) {
+    let OwnedEntry::Frame { time_ns, .. } = entry else { panic!("{entry:?}") };
+    *time_ns = time(*time_ns);
+}
+
 impl OwnedEntry {
     fn line(&self) -> u64 {
         match self {
@@ -192,12 +202,54 @@ fn several_interfaces_and_sorts_of_frame_share_a_log() {
     assert_eq!(seen, expected.map(|(interface, kind)| (interface.to_owned(), kind)));
 }
 
+/// The lines of a log as candump prints them for a person, with what `time` makes of the time since 1970 and since the line before.
+fn printed(log: &[u8], mut time: impl FnMut(i64, i64) -> String) -> Vec<u8> {
+    let (mut text, mut last) = (String::new(), None);
+    for entry in read(log) {
+        let OwnedEntry::Frame { time_ns, interface, id, data, .. } = entry else { panic!("{entry:?}") };
+        let bytes: Vec<String> = data.iter().map(|byte| format!("{byte:02X}")).collect();
+        let time = time(time_ns, time_ns - last.unwrap_or(time_ns));
+        last = Some(time_ns);
+        text += &format!("{time}  {interface}  {id:03X}   [{}]  {}\n", data.len(), bytes.join(" "));
+    }
+    text.into_bytes()
+}
+
+#[test]
+fn a_log_that_was_printed_for_a_person_reads_like_one_that_was_recorded() {
+    let log = include_bytes!("../../../tests/logs/mission.log");
+    let recorded = read(log);
+    let first = recorded.first().map(time_of).expect("a frame");
+    let seconds = |ns: i64| format!("{:03}.{:06}", ns / 1_000_000_000, ns / 1000 % 1_000_000);
+    let day = |ns: i64| (ns / 1_000_000_000 % 86_400, ns / 86_400_000_000_000 * 86_400_000_000_000);
+    let (_, midnight) = day(first);
+    let absolute = printed(log, |now, _| format!(" ({})", seconds(now)));
+    let since_first = printed(log, |now, _| format!(" ({})", seconds(now - first)));
+    let since_last = printed(log, |_, delta| format!(" ({})", seconds(delta)));
+    let date = printed(log, |now, _| {
+        let (of_day, _) = day(now);
+        let clock = format!("{:02}:{:02}:{:02}", of_day / 3600, of_day / 60 % 60, of_day % 60);
+        format!(" (1970-01-02 {clock}.{:06})", now / 1000 % 1_000_000)
+    });
+    for (text, begin) in [(absolute, 0), (since_first, first), (date, midnight - 86_400_000_000_000)] {
+        let mut expected = recorded.clone();
+        expected.iter_mut().for_each(|entry| set_time(entry, |time_ns| time_ns - begin));
+        assert!(read(&text) == expected, "{}", String::from_utf8_lossy(&text[..200]));
+    }
+    // Only of the first few it is not known yet that their times are since the frame before.
+    let read = read(&since_last);
+    let wrong = read.iter().zip(&recorded).filter(|(read, is)| time_of(read) != time_of(is) - first).count();
+    assert!(wrong < 20 && read.len() == recorded.len(), "{wrong}");
+    // Without times none passes.
+    assert!(self::read(&printed(log, |_, _| String::new())).iter().all(|entry| time_of(entry) == 0));
+}
+
 #[test]
 fn a_broken_line_is_reported_with_where_what_and_why_and_costs_only_itself() {
     let broken: [(&[u8], &str); 6] = [
         (
             b"vcan0  520   [8]  00 00",
-            r#"line 2, column 1: found "vcan0  520   [8]  00 00", expected a time such as (1436509052.249713)"#,
+            "line 2, column 24: found the end of the line, expected as many data bytes as the length says, such as 00 1A",
         ),
         (
             b"(1.000000) vcan0 52x#00\r",
