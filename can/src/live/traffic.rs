@@ -2,7 +2,7 @@
 
 use adsdv_oracle::candump::FrameKind;
 
-use crate::bus::{Disturbance, Received};
+use crate::bus::Disturbance;
 
 /// The second in which frames are counted moves on in steps of this length.
 const STEP_NS: i64 = 100_000_000;
@@ -30,10 +30,11 @@ pub struct Traffic {
 }
 
 impl Traffic {
-    pub(super) fn count(&mut self, frame: &Received) {
+    /// Another frame, of this kind, came at this time, in nanoseconds.
+    pub fn count(&mut self, kind: FrameKind, time_ns: i64) {
         self.frames += 1;
-        self.errors += u64::from(frame.kind == FrameKind::Error);
-        self.busiest = self.busiest.max(self.last_second.count(frame.time_ns));
+        self.errors += u64::from(kind == FrameKind::Error);
+        self.busiest = self.busiest.max(self.last_second.count(time_ns));
     }
 }
 
@@ -127,7 +128,7 @@ mod tests {
         let mut traffic = Traffic::default();
         for time_ns in times {
             let (kind, id, len, data) = (FrameKind::Standard, 1, 0, [0; 8]);
-            traffic.count(&Received { time_ns, kind, id, len, data });
+            traffic.count(kind, time_ns);
         }
         traffic.busiest
     }

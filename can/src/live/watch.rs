@@ -4,7 +4,6 @@ use adsdv_oracle::candump::Dropped;
 use adsdv_oracle::judge::{Finding, Report, Transition};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 use adsdv_oracle::recognise::Recognised;
-use adsdv_oracle::why::Stay;
 use adsdv_spec::Edition;
 
 use super::traffic::{Outage, Outages, Traffic};
@@ -74,7 +73,7 @@ impl Watch {
     pub fn frame(&mut self, frame: &Received) -> Received {
         let frame = Received { time_ns: logged(frame.time_ns.max(0)), ..*frame };
         self.first_ns.get_or_insert(frame.time_ns);
-        self.traffic.count(&frame);
+        self.traffic.count(frame.kind, frame.time_ns);
         self.judge.frame(&frame.record(&self.bus));
         frame
     }
@@ -111,9 +110,9 @@ impl Watch {
         self.judge.news()
     }
 
-    /// What the VCU waits for: the state that lasts, with what blocks its arrows, and the time up to which that is so.
-    pub fn waits(&self) -> Option<(i64, &Stay)> {
-        self.judge.waits()
+    /// The judge of the frames, whatever they come from.
+    pub const fn judge(&mut self) -> &mut LogJudge {
+        &mut self.judge
     }
 
     /// A time of the frames' clock, in nanoseconds since the first frame, as in transitions and findings; 0 before it.

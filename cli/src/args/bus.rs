@@ -176,6 +176,10 @@ pub(crate) struct AiArgs {
 /// Which edition of the interface the bus speaks is recognised by its frames, as `adsdv check` does it: within a second of the
 /// first frame, or within ten where they tell too little, as those of an AI Computer alone may. A line then says which it is and by
 /// what, and all that came before is judged as well. --edition overrides.
+///
+/// With - instead of an interface the frames come from standard input, as text of candump or python-can or in any format that
+/// `adsdv check` reads, on every system. Their times are those of the lines: what a pipe holds back for a while is not late. Silence
+/// is judged as soon as a later line shows it.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -193,6 +197,10 @@ EXAMPLES
 
   Two minutes, for a program:
       timeout --signal INT 120 adsdv watch can0 --json > run.json
+
+  Frames that another program hears, on any system: python-can's logger, candump on a car:
+      can_logger -i pcan -c PCAN_USBBUS1 -b 500000 | adsdv watch -
+      ssh car candump -L can0 | adsdv watch -
 
   A virtual bus to try it on; `adsdv vcu` and `adsdv ai` make the traffic:
       sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up
@@ -216,7 +224,7 @@ EXIT STATUS
   2  no verdict: the interface could not be opened, no frame came, or the arguments are
      wrong; or the report or the log could not be written")]
 pub(crate) struct WatchArgs {
-    /// The CAN interface, such as can0.
+    /// The CAN interface, such as can0, or - for frames from standard input.
     #[arg(value_name = "IFACE")]
     pub(crate) interface: String,
 

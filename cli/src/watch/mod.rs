@@ -5,10 +5,12 @@
 //!                                                |--> log     --> summary, in the end
 //! ```
 //!
-//! It has nothing to send with: what it opens can only listen.
+//! It has nothing to send with: what it opens can only listen. Where another program hears the bus, `piped` takes the place of the ears.
 
 mod ears;
 mod lines;
+mod news;
+mod piped;
 mod record;
 #[cfg(test)]
 mod tests;
@@ -18,12 +20,11 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use adsdv_can::bus::{Event, Listen};
-use adsdv_can::live::Watch;
+use adsdv_can::live::{Outage, Traffic, Watch};
 use adsdv_can::socket;
 use adsdv_oracle::judge::{JudgeOptions, Report};
-use adsdv_oracle::log::{LogError, LogOptions};
+use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 use adsdv_oracle::recognise::Recognised;
-use adsdv_oracle::rules::RuleFile;
 
 use crate::args::WatchArgs;
 use crate::error::Error;
@@ -32,8 +33,9 @@ use crate::status::Status;
 use crate::{interrupt, json, output, pins, rules};
 use ears::{Arrival, Ears};
 use lines::Lines;
+use news::News;
+use piped::Piped;
 use record::Recorder;
-use waits::Waits;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
@@ -48,25 +50,29 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let rules = rules::read(args.rules.as_deref(), chosen.edition(), by_bus)?;
     let mut options = LogOptions { judge, interface: None, rules };
     let stop = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
-    let listener = socket::listen(&args.interface)?;
-    let recorder = args.log.as_deref().map(Recorder::create).transpose()?;
-    let lines = Lines::new(args, chosen);
-    let Watched { watch, recorder, lines, .. } = watch(listener, &options, recorder, lines, &stop)?;
+    let news = News::new(Lines::new(args, chosen), options.rules.clone());
+    let heard = if args.interface == piped::STDIN {
+        let log = piped::open(&stop)?;
+        let recorder = recorder(args)?;
+        Heard::piped(piped::watch(log, judge_of(&options, by_bus), recorder, news, &stop))
+    } else {
+        let listener = socket::listen(&args.interface)?;
+        Heard::on_bus(watch(listener, &options, recorder(args)?, news, &stop)?)
+    };
+    let Heard { name, recognised, report, traffic, outages, recorder, lines, failure } = heard;
     let log = recorder.map_or(Ok(()), Recorder::finish);
-    let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
-    let recognised = watch.recognised().cloned();
     if let Some(recognised) = &recognised {
         options.judge = options.judge.under(recognised.edition);
     }
-    let report = watch.finish().map_err(|error| match (error, &args.rules) {
-        (LogError::NoFrame { .. }, _) => Error::silent_bus(&args.interface),
+    let report = report.map_err(|error| match (error, &args.rules) {
+        (LogError::NoFrame { .. }, _) if args.interface != piped::STDIN => Error::silent_bus(&name),
         (LogError::Rules(error), Some(file)) => rules::refused(file, &error),
-        (error, _) => Error::log(&args.interface, &error),
+        (error, _) => Error::log(&name, &error),
     });
     let printed = match &report {
         Ok(report) if lines.is_read() => {
             let line = recognised.as_ref().map_or_else(|| chosen.to_string(), report::recognised);
-            let judged = Judged { line, recognised, options };
+            let judged = Judged { name, line, recognised, options };
             summarize(args, &judged, report, &json::Bus { traffic, outages: &outages })
         }
         _ => lines.finish(),
@@ -76,7 +82,8 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         Ok(report) => (Some(report.verdict()), Ok(())),
         Err(error) => (None, Err(error)),
     };
-    let mut errors: Vec<Error> = [report, log, printed].into_iter().filter_map(Result::err).collect();
+    let read = failure.map_or(Ok(()), Err);
+    let mut errors: Vec<Error> = [report, log, printed, read].into_iter().filter_map(Result::err).collect();
     match (errors.pop(), verdict) {
         (None, Some(verdict)) => Ok(verdict.into()),
         (Some(last), _) => {
@@ -89,17 +96,50 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     }
 }
 
-/// What there is while it is watched, and when that ends.
+fn recorder(args: &WatchArgs) -> Result<Option<Recorder>, Error> {
+    args.log.as_deref().map(Recorder::create).transpose()
+}
+
+fn judge_of(options: &LogOptions, by_bus: bool) -> LogJudge {
+    if by_bus { LogJudge::recognising(options.clone()) } else { LogJudge::new(options.clone()) }
+}
+
+/// What came of watching, wherever the frames came from.
+struct Heard {
+    name: String,
+    recognised: Option<Recognised>,
+    report: Result<Report, LogError>,
+    traffic: Traffic,
+    outages: Vec<Outage>,
+    recorder: Option<Recorder>,
+    lines: Lines,
+    /// Why no more could be read.
+    failure: Option<Error>,
+}
+
+impl Heard {
+    fn on_bus(watched: Watched) -> Self {
+        let Watched { name, watch, recorder, news } = watched;
+        let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
+        let recognised = watch.recognised().cloned();
+        let (report, lines) = (watch.finish(), news.lines);
+        Self { name, recognised, report, traffic, outages, recorder, lines, failure: None }
+    }
+
+    fn piped(piped: Piped) -> Self {
+        let Piped { judge, traffic, recorder, news, lines: count, failure } = piped;
+        let recognised = judge.recognised().cloned();
+        let (name, report) = (piped::NAME.to_owned(), judge.finish(count));
+        Self { name, recognised, report, traffic, outages: Vec::new(), recorder, lines: news.lines, failure }
+    }
+}
+
+/// What there is while a bus is watched, and when that ends.
 struct Watched {
     name: String,
     watch: Watch,
     recorder: Option<Recorder>,
-    lines: Lines,
-    waits: Waits,
-    /// The user's own rules, which the edition that is recognised has to have.
-    rules: Option<RuleFile>,
-    /// Which edition was recognised has been said.
-    is_recognised: bool,
+    news: News,
 }
 
 /// Watches until it is stopped, or nothing can be printed any more.
@@ -109,24 +149,16 @@ fn watch(
     listener: impl Listen + Send + 'static,
     options: &LogOptions,
     recorder: Option<Recorder>,
-    mut lines: Lines,
+    mut news: News,
     stop: &AtomicBool,
 ) -> Result<Watched, Error> {
     let name = listener.name().to_owned();
-    let begin = if lines.is_named() { Watch::new } else { Watch::recognising };
+    let begin = if news.lines.is_named() { Watch::new } else { Watch::recognising };
     let watch = begin(&name, options.clone());
     let ears = Ears::start(listener).map_err(|error| Error::system("threads", &error))?;
-    lines.begin(&name, recorder.as_ref().map(Recorder::path));
-    let mut watched = Watched {
-        name,
-        watch,
-        recorder,
-        lines,
-        waits: Waits::default(),
-        rules: options.rules.clone(),
-        is_recognised: false,
-    };
-    while watched.lines.is_read() && !stop.load(Ordering::Relaxed) {
+    news.lines.begin(&name, recorder.as_ref().map(Recorder::path));
+    let mut watched = Watched { name, watch, recorder, news };
+    while watched.news.lines.is_read() && !stop.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
         ears.take().into_iter().for_each(|heard| watched.hear(heard));
         if let Some(recorder) = &mut watched.recorder {
@@ -143,7 +175,7 @@ fn watch(
 
 impl Watched {
     fn hear(&mut self, heard: Arrival) {
-        let Self { name, watch, recorder, lines, .. } = self;
+        let Self { name, watch, recorder, news } = self;
         let Arrival { event, dropped, now_ns } = heard;
         if let Some(lost) = watch.dropped(dropped)
             && let Some(recorder) = recorder
@@ -160,36 +192,24 @@ impl Watched {
             Event::Nothing => watch.silence(now_ns),
             Event::Disturbance(trouble) => {
                 watch.trouble(now_ns, &trouble);
-                lines.trouble(watch.since_first(now_ns), &trouble);
+                news.lines.trouble(watch.since_first(now_ns), &trouble);
             }
             Event::Up => {
                 watch.up(now_ns);
-                lines.up(watch.since_first(now_ns));
+                news.lines.up(watch.since_first(now_ns));
             }
         }
     }
 
     fn print_news(&mut self) {
-        if let Some(recognised) = self.watch.recognised().filter(|_| !self.is_recognised) {
-            self.is_recognised = true;
-            self.lines.recognised(recognised);
-            if self.rules.as_ref().is_some_and(|rules| rules.check(recognised.edition).is_err()) {
-                // The end tells why.
-                self.lines.end();
-            }
-        }
-        let news = self.watch.news();
-        let rules = &self.watch.edition().rules;
-        self.lines.news(rules, news);
-        let waits = self.watch.waits().and_then(|(t, stay)| Some((t, self.waits.news(rules, t, stay)?)));
-        if let Some((t, text)) = waits {
-            self.lines.waits(t, &text);
-        }
+        self.news.print(self.watch.judge());
+        self.news.print_waits(self.watch.judge());
     }
 }
 
 /// How a bus was judged in the end.
 struct Judged {
+    name: String,
     /// The line about the edition.
     line: String,
     /// How that was recognised, where nobody named it.
@@ -198,12 +218,11 @@ struct Judged {
 }
 
 fn summarize(args: &WatchArgs, judged: &Judged, report: &Report, bus: &json::Bus<'_>) -> Result<(), Error> {
-    let Judged { line, recognised, options } = judged;
+    let Judged { name, line, recognised, options } = judged;
     if args.json {
         return output::plain(&json::watched(options.judge.edition, recognised.as_ref(), report, bus));
     }
-    let (name, pins) = (&args.interface, &args.readings);
-    let subject = JudgedLog { edition: Some(line), name, options, pins, required: &[] };
+    let subject = JudgedLog { edition: Some(line), name, options, pins: &args.readings, required: &[] };
     let text = format!(
         "\n{}{}",
         report::text(&subject, report, output::width()),

@@ -56,6 +56,10 @@ fn lines(args: &WatchArgs) -> Lines {
     Lines::new(args, args.edition.chosen().expect("the default"))
 }
 
+fn news(args: &WatchArgs, options: &LogOptions) -> News {
+    News::new(lines(args), options.rules.clone())
+}
+
 fn watched(events: impl IntoIterator<Item = Event>, dropped: u64) -> Watched {
     // With --json nothing is printed while it is watched.
     watched_as(&["--json"], events, dropped)
@@ -73,7 +77,7 @@ fn watched_by(
 ) -> Watched {
     let stop = Arc::new(AtomicBool::new(false));
     let script = Script(events.into_iter().collect(), Arc::clone(&stop), Arc::new(Mutex::new(dropped)));
-    watch(script, options, None, lines(&args(words)), &stop).expect("it watches")
+    watch(script, options, None, news(&args(words), options), &stop).expect("it watches")
 }
 
 /// A mission of an edition, both sides.
@@ -98,7 +102,7 @@ fn a_bus_is_judged_by_the_edition_that_it_speaks_and_by_the_one_that_is_named() 
         let watched = watched(mission(edition), 0);
         let recognised = watched.watch.recognised().cloned().expect("it is decided");
         assert_eq!((recognised.edition, recognised.certain), (*edition, true), "{recognised}");
-        assert!(watched.is_recognised && watched.lines.is_read());
+        assert!(watched.news.is_recognised && watched.news.lines.is_read());
         let report = watched.watch.finish().expect("frames");
         assert_eq!(report.findings, [], "nothing is noted");
         assert_eq!(report.transitions.len(), 4, "of the whole run");
@@ -106,7 +110,7 @@ fn a_bus_is_judged_by_the_edition_that_it_speaks_and_by_the_one_that_is_named() 
         for named in Edition::ALL {
             let words = ["--json", "--edition", named.version];
             let watched = watched_as(&words, mission(edition), 0);
-            assert!(watched.watch.recognised().is_none() && !watched.is_recognised);
+            assert!(watched.watch.recognised().is_none() && !watched.news.is_recognised);
         }
     }
 }
@@ -119,7 +123,7 @@ fn a_run_that_is_short_is_judged_by_the_edition_that_it_speaks_as_well() {
         let recognised = watched.watch.recognised().expect("it is decided in the end");
         let is_default = |edition: &Edition| edition == Edition::DEFAULT;
         assert_eq!(is_default(recognised.edition), is_default(edition), "{recognised}");
-        assert!(watched.is_recognised);
+        assert!(watched.news.is_recognised);
     }
 }
 
@@ -127,10 +131,10 @@ fn a_run_that_is_short_is_judged_by_the_edition_that_it_speaks_as_well() {
 fn a_reading_that_is_no_answer_in_the_edition_ends_the_watching() {
     let words = ["--json", "--reading", "fault-trigger=edge"];
     let allowed = watched_as(&words, mission(&Edition::V3_0), 0);
-    assert!(allowed.lines.finish().is_ok());
+    assert!(allowed.news.lines.finish().is_ok());
     let refused = watched_as(&words, mission(&Edition::V4_0), 0);
-    assert!(!refused.lines.is_read());
-    let error = refused.lines.finish().expect_err("4.0 has no such answer").to_string();
+    assert!(!refused.news.lines.is_read());
+    let error = refused.news.lines.finish().expect_err("4.0 has no such answer").to_string();
     let said = "--reading fault-trigger=edge: is no answer in edition 4.0; expected fault-trigger=level\n";
     assert!(error.starts_with(said), "{error}");
 }
@@ -161,9 +165,9 @@ fn rules_are_judged_live_and_stand_in_the_json() {
 #[test]
 fn rules_that_the_edition_has_not_end_the_watching() {
     let rules = "started: never AS_STATE is AS_INIT";
-    assert!(with_rules(rules, &Edition::V2026).lines.is_read());
+    assert!(with_rules(rules, &Edition::V2026).news.lines.is_read());
     let refused = with_rules(rules, &Edition::V4_0);
-    assert!(!refused.lines.is_read() && refused.lines.finish().is_ok(), "the end tells why");
+    assert!(!refused.news.lines.is_read() && refused.news.lines.finish().is_ok(), "the end tells why");
     assert!(matches!(refused.watch.finish(), Err(LogError::Rules(error)) if error.column == 28));
 }
 
@@ -255,7 +259,8 @@ fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
     let recorder = Recorder::create(&log).expect("a file");
     let mut lines = lines(&args(&["--json"]));
     lines.note(Err(Error::output(&std::io::ErrorKind::StorageFull.into())));
-    let watched = watch(script, &LogOptions::default(), Some(recorder), lines, &stop).expect("it watches");
+    let news = News::new(lines, None);
+    let watched = watch(script, &LogOptions::default(), Some(recorder), news, &stop).expect("it watches");
     assert!(watched.recorder.is_some_and(|recorder| recorder.finish().is_ok()));
     let text = std::fs::read_to_string(&log).expect("the log");
     _ = std::fs::remove_file(&log);
@@ -266,7 +271,7 @@ fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
     // All that was heard, and as much as was judged: the thread that listens may have been stopped early.
     assert_eq!(text.lines().count() as u64, watched.watch.traffic().frames + 1);
     assert!(watched.watch.traffic().frames > 0);
-    let error = watched.lines.finish().expect_err("the output failed").to_string();
+    let error = watched.news.lines.finish().expect_err("the output failed").to_string();
     assert!(error.starts_with("standard output: "), "{error}");
 }
 

@@ -19,6 +19,7 @@ mod explore;
 mod export;
 mod golden;
 mod help;
+mod piped;
 mod readings;
 mod readme;
 mod rules;
