@@ -143,7 +143,7 @@ fn what_is_no_recording_is_refused_with_what_it_is() {
     };
     assert!(refused("").starts_with("adsdv: standard input: the log is empty"), "{}", refused(""));
     assert!(
-        refused("hello\n").starts_with("standard input: no readable frame in 1 line"),
+        refused("hello\n").starts_with("adsdv: standard input: no readable frame in 1 line"),
         "{}",
         refused("hello\n")
     );
