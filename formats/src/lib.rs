@@ -28,6 +28,7 @@ mod format;
 mod head;
 mod lines;
 mod log;
+mod many;
 mod open_error;
 mod unpack;
 
@@ -35,6 +36,7 @@ pub use adsdv_oracle::candump::{Entries, Entry};
 pub use foreign::Foreign;
 pub use format::Format;
 pub use log::{Log, open};
+pub use many::{Step, each};
 pub use open_error::OpenError;
 
 /// Where bytes come from, once they are unpacked.

@@ -1,0 +1,179 @@
+//! Many recordings, on all cores: the unit of work is one recording.
+//!
+//! Results come in the order of the recordings, however long each takes, and no more of them wait than there are cores for: memory is bounded by
+//! the cores and not by the recordings.
+
+use std::collections::BTreeMap;
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use rayon::iter::{ParallelBridge as _, ParallelIterator as _};
+
+/// So many results for each core may wait for one before them.
+const WAITING: usize = 8;
+/// So often it is told that time passes, while nothing is done.
+const TICK: Duration = Duration::from_millis(100);
+
+/// What [`each`] has to tell.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Step<R> {
+    /// What came of the next item, in order.
+    Done(R),
+    /// Time passed: how far it is can be shown.
+    Tick,
+}
+
+/// Does `work` on each item, on all cores, and tells `take` what came of each, in order of the items. `take` answers whether to go on; what is
+/// in work by then is done, and nobody learns of it.
+///
+/// ```
+/// use adsdv_formats::{Step, each};
+///
+/// let mut squares = Vec::new();
+/// each(vec![1, 2, 3], |number| number * number, |step| {
+///     if let Step::Done(square) = step {
+///         squares.push(square);
+///     }
+///     true
+/// });
+/// assert_eq!(squares, [1, 4, 9]);
+/// ```
+pub fn each<T: Send, R: Send>(
+    items: Vec<T>,
+    work: impl Fn(T) -> R + Sync,
+    mut take: impl FnMut(Step<R>) -> bool,
+) {
+    let cores = rayon::current_num_threads();
+    let gate = Gate::default();
+    let (tell, hear) = sync_channel(cores);
+    thread::scope(|scope| {
+        let (gate, work) = (&gate, &work);
+        // From a thread of its own: one of the pool that waited for results would not work.
+        scope.spawn(move || {
+            let items = items.into_iter().enumerate().par_bridge();
+            items.for_each_with(tell, |tell, (place, item)| {
+                if gate.pass(place, cores * WAITING) {
+                    // Nobody hears any more: the gate is about to close.
+                    let _ = tell.send((place, work(item)));
+                }
+            });
+        });
+        let (mut next, mut early) = (0, BTreeMap::new());
+        loop {
+            let go_on = match hear.recv_timeout(TICK) {
+                Ok((place, result)) => {
+                    early.insert(place, result);
+                    let mut go_on = true;
+                    while let Some(result) = early.remove(&next).filter(|_| go_on) {
+                        next += 1;
+                        go_on = take(Step::Done(result));
+                    }
+                    gate.open(next);
+                    go_on
+                }
+                Err(RecvTimeoutError::Timeout) => take(Step::Tick),
+                Err(RecvTimeoutError::Disconnected) => return,
+            };
+            if !go_on {
+                gate.close();
+                // What is being sent finds nobody.
+                drop(hear);
+                return;
+            }
+        }
+    });
+}
+
+/// Lets nothing begin that would have to wait for long.
+#[derive(Default)]
+struct Gate {
+    /// How many results were taken; `None` once no more are.
+    taken: Mutex<Taken>,
+    moved: Condvar,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Taken {
+    count: usize,
+    closed: bool,
+}
+
+impl Gate {
+    /// Waits until the item at this place is near enough to the one that is to be taken next. Whether it is to be done.
+    fn pass(&self, place: usize, ahead: usize) -> bool {
+        let taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
+        let far = |taken: &mut Taken| !taken.closed && place >= taken.count + ahead;
+        !self.moved.wait_while(taken, far).unwrap_or_else(PoisonError::into_inner).closed
+    }
+
+    fn open(&self, count: usize) {
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner).count = count;
+        self.moved.notify_all();
+    }
+
+    fn close(&self) {
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner).closed = true;
+        self.moved.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::*;
+
+    #[test]
+    fn results_come_in_order_however_long_each_takes() {
+        let mut taken = Vec::new();
+        let work = |n: u64| {
+            thread::sleep(Duration::from_millis(if n.is_multiple_of(7) { 20 } else { n % 3 }));
+            n
+        };
+        each((0..100).collect(), work, |step| {
+            if let Step::Done(n) = step {
+                taken.push(n);
+            }
+            true
+        });
+        assert_eq!(taken, (0..100).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn no_more_results_wait_than_the_cores_are_for() {
+        let (begun, limit) = (AtomicUsize::new(0), rayon::current_num_threads() * (WAITING + 2));
+        let work = |n: usize| {
+            if n == 0 {
+                thread::sleep(Duration::from_millis(200));
+            }
+            begun.fetch_add(1, Ordering::Relaxed);
+        };
+        let mut first = true;
+        each((0..10_000).collect(), work, |step| {
+            if step == Step::Done(()) && std::mem::take(&mut first) {
+                let begun = begun.load(Ordering::Relaxed);
+                assert!(begun <= limit, "{begun}");
+            }
+            true
+        });
+        assert_eq!(begun.into_inner(), 10_000);
+    }
+
+    #[test]
+    fn what_is_not_wanted_any_more_is_not_begun() {
+        let begun = AtomicUsize::new(0);
+        each(
+            (0..100_000).collect(),
+            |_: u32| begun.fetch_add(1, Ordering::Relaxed),
+            |step| step == Step::Tick,
+        );
+        assert!(begun.into_inner() < 1000);
+    }
+
+    #[test]
+    fn of_nothing_nothing_comes() {
+        each(Vec::<u8>::new(), |n| n, |step| panic!("{step:?}"));
+    }
+}
