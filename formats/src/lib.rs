@@ -23,11 +23,17 @@
 //! ```
 
 mod ahead;
+mod blf;
+mod bytes;
 mod foreign;
 mod format;
 mod head;
+// The readers of text formats have these in common.
+#[allow(dead_code)]
 mod lines;
 mod log;
+#[cfg(feature = "mcap")]
+mod mcap;
 mod open_error;
 mod unpack;
 
