@@ -4,6 +4,7 @@
 //! ```text
 //! source --> unpack --> Format::of --> a reader of that format --> Entries: frames, losses, and what could not be read
 //!            gzip, zstd                candump: adsdv_oracle::candump; all others: a module of that name here
+//!                                      (MCAP with the feature `mcap`)
 //! ```
 //!
 //! [`open`] does all of it. What a reader hands out is what that of candump hands out, an [`Entry`] after the other: what cannot be read costs

@@ -59,8 +59,11 @@ pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Resul
             Field::Time => found.time = found.time.or(cursor.time()?),
             Field::Text => cursor.text()?,
             Field::Number { size, many: Many::One, role } => {
-                found.at = cursor.at;
-                found.take(role, cursor.number(size)?);
+                let number = cursor.number(size)?;
+                if role == Role::Id {
+                    found.id_at = cursor.at - size;
+                }
+                found.take(role, number);
             }
             Field::Number { size, many, role } => {
                 let count = match many {
@@ -70,6 +73,7 @@ pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Resul
                 let bytes = cursor.array(size, count)?;
                 if role == Role::Data {
                     found.data = bytes;
+                    found.data_at = cursor.at - bytes.len();
                     found.counted = many == Many::Counted;
                 }
             }
@@ -83,8 +87,9 @@ pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Resul
 struct Found<'a> {
     time: Option<i64>,
     id: u32,
-    /// Where the last field begins.
-    at: usize,
+    /// Where the identifier stands, and where the data.
+    id_at: usize,
+    data_at: usize,
     remote: bool,
     extended: bool,
     error: bool,
@@ -119,7 +124,6 @@ impl Found<'_> {
     }
 
     fn frame(self) -> Result<Frame, Flaw> {
-        let flaw = |expected| (self.at, expected);
         // Of an array whose size is fixed a number says how much counts; where it is a code, 9 to 15 stand for all 8.
         let len = match self.len {
             Some(len) if !self.counted && !self.fd && len <= 15 => len.min(8),
@@ -144,9 +148,9 @@ impl Found<'_> {
             _ => (len, 8),
         };
         if self.id > kind.max_id() {
-            return Err(flaw(STANDARD_ID));
+            return Err((self.id_at, STANDARD_ID));
         }
-        let from = self.data.get(..len).filter(|_| len <= most).ok_or(flaw(AT_MOST))?;
+        let from = self.data.get(..len).filter(|_| len <= most).ok_or((self.data_at, AT_MOST))?;
         let mut data = [0; 64];
         for (place, byte) in data.iter_mut().zip(from) {
             *place = *byte;
@@ -251,9 +255,9 @@ mod tests {
     #[test]
     fn a_frame_has_no_more_data_than_its_kind_holds() {
         assert_eq!(fd(1, 0, 0, 64).map(|frame| frame.len), Ok(64));
-        assert_eq!(fd(1, 0, 0, 65).map(|frame| frame.len), Err((8, AT_MOST)));
+        assert_eq!(fd(1, 0, 0, 65).map(|frame| frame.len), Err((16, AT_MOST)));
         assert_eq!(fd(1, 1, 0, 8).map(|frame| frame.kind), Ok(FrameKind::Error));
-        assert_eq!(fd(1, 1, 0, 9).map(|frame| frame.len), Err((9, AT_MOST)));
+        assert_eq!(fd(1, 1, 0, 9).map(|frame| frame.len), Err((16, AT_MOST)));
         assert_eq!(fd(1, 0, 1, 9).map(|frame| frame.len), Ok(0));
     }
 
@@ -262,6 +266,10 @@ mod tests {
         let kind = |id| fd(id, 0, 0, 8).map(|frame| (frame.kind, frame.id));
         assert_eq!(kind(0x9234_5678), Ok((FrameKind::Fd { extended: true, flags: 0 }, 0x1234_5678)));
         assert_eq!(kind(0x2000_0004), Ok((FrameKind::Error, 4)));
-        assert!(kind(0x800).is_err());
+        let standard = Layout::of("can_msgs/Frame", "", b"").expect("it is known");
+        let mut message = vec![0; 20];
+        message[17] = 8;
+        message.extend([0; 12]);
+        assert_eq!(read(&standard, Encoding::Ros1, &message), Err((16, STANDARD_ID)));
     }
 }
