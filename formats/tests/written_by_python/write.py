@@ -44,6 +44,8 @@ for level in (-1, 0, 1, 9):
 HEADER = "std_msgs/Header header\nuint32 id\n"
 FRAME = HEADER + "bool is_rtr\nbool is_extended\nbool is_error\nuint8 dlc\nuint8[8] data\n"
 FD = HEADER + "bool is_extended\nbool is_error\nuint8 len\nuint8[<=64] data\n"
+OTHERS = f"{'=' * 80}\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n"
+OTHERS += f"{'=' * 80}\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n"
 
 
 def message(f, ros1, big):
@@ -71,7 +73,7 @@ def mcap(name, ros1=False, big=False, bare=False, **options):
         scan = writer.register_schema(f"sensor_msgs{part}LaserScan", "ros2msg", b"float32[] ranges\n")
         other = writer.register_channel("/scan", encoding, scan)
         schemas = {fd: writer.register_schema(f"ros2_socketcan_msgs{part}FdFrame" if fd else f"can_msgs{part}Frame", encoding.replace("cdr", "ros2") + "msg",
-                                              b"" if bare else (FD if fd else FRAME).encode()) for fd in (False, True)}
+                                              b"" if bare else ((FD if fd else FRAME) + ("" if ros1 else OTHERS)).encode()) for fd in (False, True)}
         channels = {}
         for f in FRAMES:
             key = (f["channel"], f["tx"], f["kind"] == "fd")
