@@ -53,6 +53,11 @@ impl Error {
             RecordingError::Foreign(foreign) => {
                 Self { what: name.to_owned(), why: error.to_string(), hint: foreign.hint.to_owned() }
             }
+            RecordingError::NotBuilt { format, feature } => Self {
+                what: name.to_owned(),
+                why: format!("it is {format}, which this build does not read"),
+                hint: format!("cargo install adsdv --features {feature}, or take a release binary"),
+            },
         }
     }
 

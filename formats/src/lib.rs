@@ -4,6 +4,7 @@
 //! ```text
 //! source --> unpack --> Format::of --> a reader of that format --> Entries: frames, losses, and what could not be read
 //!            gzip, zstd                candump: adsdv_oracle::candump; all others: a module of that name here
+//!                                      (MCAP with the feature `mcap`)
 //! ```
 //!
 //! [`open`] does all of it. What a reader hands out is what that of candump hands out, an [`Entry`] after the other: what cannot be read costs
@@ -23,12 +24,16 @@
 //! ```
 
 mod ahead;
+mod blf;
+mod bytes;
 mod foreign;
 mod format;
 mod head;
 mod lines;
 mod log;
 mod many;
+#[cfg(feature = "mcap")]
+mod mcap;
 mod open_error;
 mod unpack;
 

@@ -5,7 +5,7 @@ use std::io::Read;
 use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
 
 use crate::unpack::unpack;
-use crate::{Format, OpenError, Source, foreign};
+use crate::{Format, OpenError, Source, blf, foreign};
 
 /// A recording of any format, whose entries come one after the other.
 pub struct Log {
@@ -16,7 +16,6 @@ pub struct Log {
 enum Inner {
     /// Most are of this format, and it is the fastest: nothing is looked up for each frame.
     Candump(Reader<Source>),
-    #[allow(dead_code)]
     Other(Box<dyn Entries + Send>),
 }
 
@@ -26,7 +25,8 @@ enum Inner {
 ///
 /// # Errors
 ///
-/// Fails if the source does before its first byte, or if it is a file of a kind that is known, and not read.
+/// Fails if the source does before its first byte, or if it is a file of a kind that is known, and not read: by nobody here, or not by a
+/// build without the feature for it.
 pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
     let (head, source) = unpack(Box::new(source)).map_err(OpenError::Read)?;
     if let Some(foreign) = foreign::find(&head) {
@@ -35,6 +35,11 @@ pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
     let format = Format::of(&head);
     let reader = match format {
         Format::Candump => Inner::Candump(Reader::new(source)),
+        Format::Blf => Inner::Other(Box::new(blf::Reader::new(source))),
+        #[cfg(feature = "mcap")]
+        Format::Mcap => Inner::Other(Box::new(crate::mcap::Reader::new(source))),
+        #[cfg(not(feature = "mcap"))]
+        Format::Mcap => return Err(OpenError::NotBuilt { format, feature: "mcap" }),
     };
     Ok(Log { format, reader })
 }

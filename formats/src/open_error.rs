@@ -3,6 +3,7 @@
 use std::fmt;
 use std::io;
 
+use crate::Format;
 use crate::foreign::Foreign;
 
 /// Why a recording cannot be opened.
@@ -12,6 +13,13 @@ pub enum OpenError {
     Read(io::Error),
     /// It is a file that is known, and not read.
     Foreign(Foreign),
+    /// It is of a format whose reader was not built in.
+    NotBuilt {
+        /// The format.
+        format: Format,
+        /// The feature of this crate, and of `adsdv`, that builds it in.
+        feature: &'static str,
+    },
 }
 
 impl fmt::Display for OpenError {
@@ -19,6 +27,13 @@ impl fmt::Display for OpenError {
         match self {
             Self::Read(error) => write!(f, "cannot read it: {error}"),
             Self::Foreign(foreign) => write!(f, "it is {}, which is not read", foreign.what),
+            Self::NotBuilt { format, feature } => {
+                write!(
+                    f,
+                    "it is {format}, which this build does not read: it was built without the feature {feature}"
+                )?;
+                write!(f, " (cargo install adsdv --features {feature}, or a release binary, has it)")
+            }
         }
     }
 }
@@ -27,7 +42,7 @@ impl std::error::Error for OpenError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Read(error) => Some(error),
-            Self::Foreign(_) => None,
+            Self::Foreign(_) | Self::NotBuilt { .. } => None,
         }
     }
 }

@@ -30,7 +30,7 @@ pub(crate) fn unpack(source: Source) -> io::Result<(Vec<u8>, Source)> {
         source = if head.starts_with(GZIP) {
             ahead(Box::new(MultiGzDecoder::new(source)))
         } else if is_zstd(&head) {
-            ahead(Box::new(Zstd::new(source)))
+            ahead(Box::new(Zstd::new(BufReader::new(source))))
         } else {
             break;
         };
@@ -45,18 +45,24 @@ fn is_zstd(head: &[u8]) -> bool {
 }
 
 /// Frames of Zstandard, one behind the other.
-struct Zstd {
-    source: BufReader<Source>,
+pub(crate) struct Zstd<R> {
+    source: R,
     decoder: FrameDecoder,
     /// A frame has begun, and has not ended.
     inside: bool,
 }
 
-impl Zstd {
-    fn new(source: Source) -> Self {
+impl<R: Read> Zstd<R> {
+    pub(crate) fn new(source: R) -> Self {
         let mut decoder = FrameDecoder::new();
         decoder.set_max_window_size(WINDOW);
-        Self { source: BufReader::new(source), decoder, inside: false }
+        Self { source, decoder, inside: false }
+    }
+
+    /// What it reads from.
+    #[cfg(feature = "mcap")]
+    pub(crate) fn into_inner(self) -> R {
+        self.source
     }
 
     /// Begins the next frame; `false` at the end of the source.
@@ -91,7 +97,7 @@ fn damaged(error: &dyn std::error::Error) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, format!("damaged Zstandard: {error}"))
 }
 
-impl Read for Zstd {
+impl<R: Read> Read for Zstd<R> {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
         loop {
             if !self.inside && !self.begin()? {
