@@ -257,6 +257,12 @@ impl Estimator {
         i64::from(self.edition.rules.timing.handshake_ms) * MS
     }
 
+    /// How long after its cause an effect may be recorded that comes in time, in nanoseconds: the deadline, and how late its frame may
+    /// be.
+    pub(crate) const fn patience(&self) -> i64 {
+        self.deadline + self.window
+    }
+
     /// The cycle of the reference VCU, in nanoseconds.
     pub(crate) fn cycle(&self) -> i64 {
         i64::from(self.edition.rules.timing.cycle_ms) * MS
