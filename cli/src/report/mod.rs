@@ -4,7 +4,7 @@
 
 mod exercised;
 mod findings;
-mod margins;
+pub(crate) mod margins;
 mod rules;
 pub(crate) mod style;
 mod timeline;
