@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# How much the judge sees, and that it blames nobody who is right: every mutation of an edition's table, times and thresholds drives
-# missions on a simulated bus, whose recordings are late or lose frames; the judge says of each what it can. Behind that, the VCU of
+# How much the judge sees, and that it blames nobody who is right: every mutation of an edition's table, times and thresholds, and
+# every VCU that remembers something otherwise or whose flag in 520h is stuck, drives missions on a simulated bus, whose recordings are late or lose frames; the judge says of each what it can. Behind that, the VCU of
 # the specification does anything at all, and the judge must not blame it.
 #
-# usage: scripts/sensitivity.sh [-s] [-e EDITION] [-n RUNS]
+# usage: scripts/sensitivity.sh [-s | -k KIND] [-e EDITION] [-n RUNS]
 #   -s          the specification only, which takes much less time
+#   -k KIND     the mutants of one kind only: table, time, memory or flag
 #   -e EDITION  3.0, 4.0 or 2026; 3.0 if nothing is said
 #   -n RUNS     how many runs of the specification are judged; 20000 if nothing is said
 # A recording in which the specification is blamed is kept in target/sensitivity, for adsdv check.
@@ -14,9 +15,10 @@ cd "$(dirname "$0")/.."
 
 usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/sensitivity.sh; }
 edition=3.0 runs=20000 only=
-while getopts se:n:h option; do
+while getopts sk:e:n:h option; do
   case $option in
     s) only=soundness ;;
+    k) only=$OPTARG ;;
     e) edition=$OPTARG ;;
     n) runs=$OPTARG ;;
     h) usage; exit 0 ;;

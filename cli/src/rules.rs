@@ -1,10 +1,11 @@
 //! `--rules FILE`: a team's own rules, judged beside the document. `RULES.md` has the language.
 
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
 
-use adsdv_oracle::rules::{RuleError, RuleFile};
+use adsdv_oracle::rules::{RuleError, RuleErrors, RuleFile};
 use adsdv_spec::Edition;
 
 use crate::error::Error;
@@ -18,11 +19,8 @@ const SHOWN: usize = 90;
 /// The rules of a file, if one is named: such as this edition has, or where a log is to tell which it is, any.
 pub(crate) fn read(file: Option<&Path>, edition: &Edition, by_log: bool) -> Result<Option<RuleFile>, Error> {
     let Some(file) = file else { return Ok(None) };
-    let wrong = |error: RuleError| refused(file, &error);
-    let rules: RuleFile = text(file)?.parse().map_err(wrong)?;
-    let possible = if by_log { rules.check_any(edition) } else { rules.check(edition) };
-    possible.map_err(wrong)?;
-    Ok(Some(rules))
+    let edition = (!by_log).then_some(edition);
+    RuleFile::read(&text(file)?, edition).map(Some).map_err(|errors| refused(file, &errors))
 }
 
 fn text(file: &Path) -> Result<String, Error> {
@@ -49,24 +47,42 @@ fn text(file: &Path) -> Result<String, Error> {
         let (line, last) = (before.matches('\n').count() + 1, before.rsplit('\n').next().unwrap_or_default());
         let why = "found bytes that are no text in UTF-8; expected a file of rules".to_owned();
         let text = last.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        refused(file, &RuleError { line, column: last.chars().count() + 1, width: 1, text, why })
+        refused(file, &RuleError { line, column: last.chars().count() + 1, width: 1, text, why }.into())
     })
 }
 
-/// What is wrong with a file, with its line, and a mark below the place.
-pub(crate) fn refused(file: &Path, error: &RuleError) -> Error {
+/// What is wrong with a file: each mistake with its line, and a mark below the place.
+pub(crate) fn refused(file: &Path, errors: &RuleErrors) -> Error {
+    let mut why = shown(errors.first());
+    for error in errors.iter().skip(1) {
+        // Writing to a string does not fail.
+        let _ = write!(why, "\n{}: {}", place(file, error), shown(error));
+    }
+    if let Some(more) = errors.and_more() {
+        let _ = write!(why, "\n{more}");
+    }
+    Error {
+        what: place(file, errors.first()),
+        why,
+        hint: "RULES.md has the language; `adsdv dbc --edition VERSION` prints every signal of an edition"
+            .to_owned(),
+    }
+}
+
+/// Where a mistake is, as editors read it.
+fn place(file: &Path, error: &RuleError) -> String {
+    format!("{}:{}:{}", file.display(), error.line, error.column)
+}
+
+/// A mistake, and below it the line with a mark.
+fn shown(error: &RuleError) -> String {
     let RuleError { line, column, width, text, why } = error;
     let from = column.saturating_sub(BEFORE);
     let shown: String = text.chars().skip(from).take(SHOWN).collect();
     let (number, at) = (line.to_string(), column.saturating_sub(from + 1));
     let mark = "^".repeat((*width).clamp(1, SHOWN.saturating_sub(at).max(1)));
     let (shown, margin) = (shown.trim_end(), " ".repeat(number.len()));
-    Error {
-        what: format!("{}:{line}:{column}", file.display()),
-        why: format!("{why}\n {number} | {shown}\n {margin} | {}{mark}", " ".repeat(at)),
-        hint: "RULES.md has the language; `adsdv dbc --edition VERSION` prints every signal of an edition"
-            .to_owned(),
-    }
+    format!("{why}\n {number} | {shown}\n {margin} | {}{mark}", " ".repeat(at))
 }
 
 #[cfg(test)]
@@ -80,7 +96,7 @@ mod tests {
                 let text = format!("{}wrong{}", "-".repeat(before), "-".repeat(behind));
                 let error =
                     RuleError { line: 12, column: before + 1, width: 5, text, why: "is wrong".to_owned() };
-                let shown = refused(Path::new("a.rules"), &error).to_string();
+                let shown = refused(Path::new("a.rules"), &error.into()).to_string();
                 let lines: Vec<&str> = shown.lines().collect();
                 assert_eq!(lines[0], format!("a.rules:12:{}: is wrong", before + 1));
                 let at = lines[1].find("wrong").expect("it is shown");

@@ -82,7 +82,7 @@ pub use diagnose::{Diagnosis, diagnose, diagnose_within, records};
 pub use example::{Example, examples};
 pub use figure::{Arrow, figure};
 pub use interface::Interface;
-pub use model::Model;
+pub use model::{Memory, Model};
 pub use record::Record;
 pub use running::Running;
 pub use subject::Subject;

@@ -125,7 +125,7 @@ pub(crate) enum Refusal<'a> {
     #[cfg(feature = "judge")]
     Finished,
     #[cfg(feature = "judge")]
-    Rules(Box<adsdv_oracle::rules::RuleError>),
+    Rules(Box<adsdv_oracle::rules::RuleErrors>),
     #[cfg(feature = "std")]
     Internal,
 }
@@ -203,7 +203,14 @@ impl fmt::Display for Refusal<'_> {
             }
             Self::TooMany { what, given, most } => write!(f, "{what} is {given}; expected at most {most}"),
             #[cfg(feature = "judge")]
-            Self::Rules(wrong) => write!(f, "rules, {wrong}"),
+            Self::Rules(wrong) => {
+                write!(f, "rules, {}", wrong.first())?;
+                match wrong.iter().count() + wrong.more() {
+                    1 => Ok(()),
+                    2 => f.write_str(" (and 1 more mistake)"),
+                    all => write!(f, " (and {} more mistakes)", all - 1),
+                }
+            }
             #[cfg(feature = "judge")]
             Self::Finished => f.write_str("the judge has finished; expected a new one for more frames"),
             #[cfg(feature = "std")]

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use std::ffi::CString;
 
 use adsdv_oracle::judge::{Finding, Judge, JudgeOptions, Severity};
-use adsdv_oracle::rules::{RuleError, RuleFile, RuleReport};
+use adsdv_oracle::rules::{RuleErrors, RuleFile, RuleReport};
 use adsdv_spec::Choices;
 
 use crate::border::{Plain, answer, check, load, out, slice};
@@ -147,9 +147,13 @@ impl adsdv_judge {
         })
     }
 
-    /// Follows these rules from now on, or says what the edition has not of what they name.
-    pub(crate) fn follow(&mut self, rules: &RuleFile) -> Result<Result<(), RuleError>, Refusal<'static>> {
-        self.at_work(|this| Ok(this.judge.as_mut().ok_or(Refusal::Finished)?.follow(rules)))
+    /// Follows the rules of this text from now on, or says all that is wrong with it.
+    pub(crate) fn follow(&mut self, rules: &str) -> Result<Result<(), RuleErrors>, Refusal<'static>> {
+        self.at_work(|this| {
+            let judge = this.judge.as_mut().ok_or(Refusal::Finished)?;
+            let rules = RuleFile::read(rules, Some(judge.edition()));
+            Ok(rules.and_then(|rules| judge.follow(&rules)))
+        })
     }
 
     fn finish(&mut self) -> Result<adsdv_report, Refusal<'static>> {

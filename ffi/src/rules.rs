@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 use std::ffi::CString;
 
-use adsdv_oracle::rules::{RuleError, RuleFile, RuleReport, RuleVerdict};
+use adsdv_oracle::rules::{RuleError, RuleReport, RuleVerdict};
 
 use crate::border::{Plain, answer, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
@@ -114,8 +114,8 @@ impl Texts {
 /// a file of rules. What breaks one is a violation among the findings, of party "OWN", whose section is the line. Rules that it was
 /// given before are followed no longer.
 ///
-/// A text that is wrong, or names what the edition has not, is an error (ADSDV_BAD_RULES) that says what was found and what was
-/// expected, and `place`, which may be NULL, is where.
+/// A text that is wrong, or names what the edition has not, is an error (ADSDV_BAD_RULES) that says of the first mistake what was
+/// found and what was expected, and how many more there are; `place`, which may be NULL, is where the first is.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn adsdv_judge_follow(
     judge: *mut adsdv_judge,
@@ -132,13 +132,9 @@ pub unsafe extern "C" fn adsdv_judge_follow(
             // SAFETY: the caller promises it for the place.
             Some(unsafe { out(place, "place")? })
         };
-        let followed = match rules.parse::<RuleFile>() {
-            Ok(rules) => judge.follow(&rules)?,
-            Err(wrong) => Err(wrong),
-        };
-        followed.map_err(|wrong| {
+        judge.follow(rules)?.map_err(|wrong| {
             if let Some(place) = place {
-                place.set((&wrong).into());
+                place.set(wrong.first().into());
             }
             Refusal::Rules(Box::new(wrong))
         })

@@ -60,11 +60,7 @@ pub(crate) fn check(
         Some(edition) => (edition, edition::pinned(edition, &pins)?),
         None => (edition::DEFAULT, edition::pinned_in_some(edition::DEFAULT, &pins)?),
     };
-    let rules = rules::read(py, rules)?;
-    if let Some(rules) = &rules {
-        let possible = if edition.is_some() { rules.check(by) } else { rules.check_any(by) };
-        possible.map_err(|error| rules::wrong(py, &error))?;
-    }
+    let rules = rules::read(py, rules, edition)?;
     let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules };
     let mut source = Source::open(log)?;
     if edition.is_some() {

@@ -31,7 +31,7 @@ create_exception!(
     adsdv,
     RulesError,
     InputError,
-    "Rules of one's own that are wrong, or name what the edition has not; line and column say where, both from 1."
+    "Rules of one's own that are wrong, or name what the edition has not. line and column say where the first mistake is, both from 1; mistakes lists the first twenty, and more counts the others."
 );
 create_exception!(
     adsdv,

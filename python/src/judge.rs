@@ -64,7 +64,7 @@ impl Judge {
         let readings = edition::pinned(edition, &value::choices(readings)?)?;
         let options = check::options(edition, readings, window_ms, deadline_ms)?;
         let mut judge = adsdv_oracle::judge::Judge::new(options);
-        if let Some(rules) = rules::read(py, rules)? {
+        if let Some(rules) = rules::read(py, rules, Some(edition))? {
             judge.follow(&rules).map_err(|error| rules::wrong(py, &error))?;
         }
         Ok(Self { working: Some(Box::new(judge)), edition, origin: None })

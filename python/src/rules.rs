@@ -1,6 +1,7 @@
 //! A team's own rules, which a judge follows beside the document.
 
-use adsdv_oracle::rules::{RuleError, RuleFile, RuleReport};
+use adsdv_oracle::rules::{RuleErrors, RuleFile, RuleReport};
+use adsdv_spec::Edition;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -8,20 +9,38 @@ use crate::error::RulesError;
 use crate::report::seconds;
 use crate::value;
 
-/// The rules of a text, if there is one.
-pub(crate) fn read(py: Python<'_>, text: Option<&Bound<'_, PyAny>>) -> PyResult<Option<RuleFile>> {
+/// The rules of a text, if there is one; for an edition, or where a log is to tell which it is, for any.
+pub(crate) fn read(
+    py: Python<'_>,
+    text: Option<&Bound<'_, PyAny>>,
+    edition: Option<&Edition>,
+) -> PyResult<Option<RuleFile>> {
     let Some(given) = text else { return Ok(None) };
     let text = value::text(given)
         .ok_or_else(|| value::refused("rules", given, "the text of a file of rules, or None"))?;
-    text.parse().map(Some).map_err(|error| wrong(py, &error))
+    RuleFile::read(&text, edition).map(Some).map_err(|errors| wrong(py, &errors))
 }
 
-/// What is wrong with rules, as an exception that has the place.
-pub(crate) fn wrong(py: Python<'_>, error: &RuleError) -> PyErr {
-    let exception = RulesError::new_err(format!("rules, {error}"));
+/// What is wrong with rules, as an exception that has the place of the first mistake, and all that are listed.
+pub(crate) fn wrong(py: Python<'_>, errors: &RuleErrors) -> PyErr {
+    let exception = RulesError::new_err(format!("rules, {errors}"));
     let value = exception.value(py);
-    let placed = value.setattr("line", error.line).and_then(|()| value.setattr("column", error.column));
-    placed.err().unwrap_or(exception)
+    let placed = || {
+        let mistakes = PyList::empty(py);
+        for error in errors.iter() {
+            let dict = PyDict::new(py);
+            dict.set_item("line", error.line)?;
+            dict.set_item("column", error.column)?;
+            dict.set_item("width", error.width)?;
+            dict.set_item("why", &error.why)?;
+            mistakes.append(dict)?;
+        }
+        value.setattr("line", errors.first().line)?;
+        value.setattr("column", errors.first().column)?;
+        value.setattr("mistakes", mistakes)?;
+        value.setattr("more", errors.more())
+    };
+    placed().err().unwrap_or(exception)
 }
 
 /// What became of each, as `adsdv check --json` has it.

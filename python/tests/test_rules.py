@@ -67,6 +67,12 @@ def test_what_is_wrong_is_said_with_its_place(judge):
     with pytest.raises(adsdv.RulesError, match=r'^rules, line 2, column 13: found "sped"') as wrong:
         judge(rules="# ours\nsafe: never sped > 5", edition="3.0")
     assert (wrong.value.line, wrong.value.column) == (2, 13)
+    with pytest.raises(adsdv.RulesError, match=r"\nline 2, column 4: found ") as wrong:
+        judge(rules="safe: never sped > 5\nb: > 3\n" + "".join(f"c{n}: sped on until moving\n" for n in range(19)))
+    places = [(one["line"], one["column"], one["width"]) for one in wrong.value.mistakes]
+    assert places[:2] == [(1, 13, 4), (2, 4, 1)]
+    assert (len(places), wrong.value.more) == (20, 1)
+    assert wrong.value.mistakes[1]["why"].startswith('found ">"; expected')
     newer = "stage: never EBS_STATE is EBS_FAULT"
     with pytest.raises(adsdv.RulesError, match="edition 3.0 has no such signal") as wrong:
         judge(rules=newer, edition="3.0")

@@ -15,7 +15,7 @@ use super::EditionArgs;
 /// ones: what blocked the way there, whose move it was, which message shows it, and how that was in the other recording.
 ///
 /// What varies from run to run counts only if it differs by more than 20 %: how long a state lasted, which range a request had,
-/// how often a message came, how fast the handshake was answered.
+/// how often a message came, how fast the handshake was answered. How close it came to its limits counts from a tenth of these on.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -44,6 +44,8 @@ OUTPUT
   REQUESTS         the range that each request of the AI Computer had in a state, from
                    a window of 30 ms after it began on, and the values of MISSION_STATUS,
                    DIRECTION_REQUEST and ESTOP_REQUEST one after the other
+  MARGINS          how much closer to its limits one came, by a tenth of the limit or
+                   past it: what got worse in BAD first
   FRAMES           identifiers that only one has, the median of their cycles, lengths, and
                    the times of the AI Computer's answers to the handshake
   Times are in seconds since the first frame of that log. A section that has nothing to

@@ -5,6 +5,7 @@
 //! ```
 
 mod frames;
+mod margins;
 mod parting;
 mod requests;
 mod section;

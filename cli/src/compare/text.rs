@@ -6,7 +6,7 @@ use adsdv_oracle::compare::{Comparison, FoundOnce, LastedDiffers, OnlyTransition
 use adsdv_oracle::judge::{Severity, Verdict};
 
 use super::section::{heading, more};
-use super::{frames, parting, requests};
+use super::{frames, margins, parting, requests};
 use crate::layout::{Seconds, counted, wrapped};
 use crate::report::style::{self, Styled};
 
@@ -44,6 +44,7 @@ fn write(
     lasted(out, &comparison.lasted)?;
     found(out, &comparison.found, width)?;
     requests::write(out, &comparison.ranges, &comparison.sequences, width)?;
+    margins::write(out, &comparison.margins)?;
     frames::write(out, &comparison.frames, comparison.answers.as_ref(), width)?;
     let (style, said) = match summary(comparison) {
         Some(said) => (style::CARE, format!("they differ: {said}")),
@@ -149,6 +150,7 @@ fn summary(comparison: &Comparison<'_>) -> Option<String> {
         sequences,
         frames,
         answers,
+        margins,
     } = comparison;
     let way = parting.as_ref().map(|parting| format!("the way from {} on", parting.state));
     let requests = ranges.len() + sequences.len();
@@ -160,6 +162,7 @@ fn summary(comparison: &Comparison<'_>) -> Option<String> {
         number(lasted.len(), "duration"),
         number(found.len(), "finding"),
         number(requests, "request"),
+        number(margins::that_matter(margins).len(), "margin"),
         number(frames.len(), "identifier"),
         answers.is_some().then(|| "handshake".to_owned()),
     ];

@@ -1,12 +1,13 @@
 //! A comparison of two recordings. `schema/compare.schema.json` describes it.
 
 use adsdv_oracle::compare::{
-    Comparison, FoundOnce, FrameDiffers, LastedDiffers, OnlyTransition, Parting, Range, RangeDiffers,
-    Recording, Sequence, SequenceDiffers, Way, Which,
+    Comparison, FoundOnce, FrameDiffers, LastedDiffers, MarginDiffers, OnlyTransition, Parting, Range,
+    RangeDiffers, Recording, Sequence, SequenceDiffers, Way, Which,
 };
 use adsdv_oracle::judge::ResponseTimes;
 use serde::Serialize;
 
+use super::exercised::MarginJson;
 use super::stays::BlockedJson;
 use super::{FindingJson, RecognisedJson, ResponseJson, SCHEMA, line, seconds, to_microseconds};
 
@@ -26,6 +27,7 @@ pub(crate) fn compared(good: &Recording, bad: &Recording, comparison: &Compariso
         ranges: comparison.ranges.iter().filter_map(RangesJson::of).collect(),
         sequences: comparison.sequences.iter().map(SequencesJson::from).collect(),
         frames: comparison.frames.iter().map(FramesJson::from).collect(),
+        margins: comparison.margins.iter().map(MarginsJson::from).collect(),
         handshake_response_ms: comparison.answers.as_ref().map(|answers| AnswersJson::of(&answers.times)),
     })
 }
@@ -44,6 +46,7 @@ struct CompareJson<'a> {
     ranges: Vec<RangesJson>,
     sequences: Vec<SequencesJson>,
     frames: Vec<FramesJson>,
+    margins: Vec<MarginsJson>,
     handshake_response_ms: Option<AnswersJson>,
 }
 
@@ -151,6 +154,13 @@ struct FramesJson {
     cycle_ms: Option<PairJson<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     lengths: Option<PairJson<Vec<u32>>>,
+}
+
+#[derive(Serialize)]
+struct MarginsJson {
+    matters: Option<&'static str>,
+    good: Option<MarginJson>,
+    bad: Option<MarginJson>,
 }
 
 #[derive(Serialize)]
@@ -288,6 +298,17 @@ impl From<&FrameDiffers> for FramesJson {
             only: frame.only.map(|(only, _)| which(only)),
             cycle_ms: frame.cycle_ms.map(cycle),
             lengths: frame.lengths.map(both),
+        }
+    }
+}
+
+impl From<&MarginDiffers<'_>> for MarginsJson {
+    fn from(differs: &MarginDiffers<'_>) -> Self {
+        let better = differs.got_better().then_some("better");
+        Self {
+            matters: if differs.got_worse() { Some("worse") } else { better },
+            good: differs.good.map(MarginJson::from),
+            bad: differs.bad.map(MarginJson::from),
         }
     }
 }

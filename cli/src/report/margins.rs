@@ -24,8 +24,8 @@ pub(super) fn write(out: &mut String, margins: &[Margin]) -> fmt::Result {
 }
 
 fn write_one(out: &mut String, margin: &Margin) -> fmt::Result {
-    let Margin { what, message, party, section, value, limit, unit, basis, t_ns, .. } = margin;
-    let what = message.map_or_else(|| what.id().to_owned(), |id| format!("{} {id:03X}h", what.id()));
+    let Margin { party, section, value, limit, unit, basis, t_ns, .. } = margin;
+    let what = name(margin);
     let named = match (basis, margin.what.needs()) {
         (Basis::Cycle, _) => "cycle",
         (Basis::Deadline, _) => "deadline",
@@ -58,8 +58,14 @@ fn kind(margin: &Margin) -> (Measure, Party) {
     (what, margin.party)
 }
 
+/// What was measured, with the message where there are several.
+pub(crate) fn name(margin: &Margin) -> String {
+    let id = margin.what.id();
+    margin.message.map_or_else(|| id.to_owned(), |message| format!("{id} {message:03X}h"))
+}
+
 /// With up to two decimals.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

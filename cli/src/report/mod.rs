@@ -4,7 +4,7 @@
 
 mod exercised;
 mod findings;
-mod margins;
+pub(crate) mod margins;
 mod rules;
 pub(crate) mod style;
 mod timeline;
@@ -102,7 +102,7 @@ fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usiz
     why::write(out, &subject.options.judge.edition.rules, report, width)?;
     timeline::write(out, &subject.options.judge.edition.rules, &report.transitions, width)?;
     findings::write(out, &report.findings, width)?;
-    rules::write(out, &report.rules)?;
+    rules::write(out, &report.rules, width)?;
     margins::write(out, &report.margins)?;
     answers(out, report)?;
     exercised::write(out, &report.exercised)?;

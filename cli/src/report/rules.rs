@@ -5,21 +5,26 @@ use std::fmt::{self, Write as _};
 use adsdv_oracle::rules::{RuleReport, RuleVerdict};
 
 use super::style::{self, Styled};
-use crate::layout::{Seconds, counted};
+use crate::layout::{Seconds, counted, wrapped};
+use crate::output;
 
 /// Names up to this length stand below one another.
 const NAME: usize = 24;
+/// How many columns stand beside the name, in front of what became of the rule.
+const BETWEEN: usize = 30;
+/// Where that stands below it, if it has no room there.
+const INDENT: usize = 6;
 
-pub(super) fn write(out: &mut String, rules: &[RuleReport]) -> fmt::Result {
+pub(super) fn write(out: &mut String, rules: &[RuleReport], width: usize) -> fmt::Result {
     if rules.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", Styled(style::HEADING, "CUSTOM RULES"))?;
     let longest = rules.iter().map(|rule| rule.name.chars().count()).max().unwrap_or_default().min(NAME);
-    rules.iter().try_for_each(|rule| write_one(out, rule, longest))
+    rules.iter().try_for_each(|rule| write_one(out, rule, longest, width))
 }
 
-fn write_one(out: &mut String, rule: &RuleReport, longest: usize) -> fmt::Result {
+fn write_one(out: &mut String, rule: &RuleReport, longest: usize, width: usize) -> fmt::Result {
     let (verdict, style) = match rule.verdict() {
         verdict @ RuleVerdict::Broken => (verdict, style::BAD),
         verdict @ RuleVerdict::Holds => (verdict, style::GOOD),
@@ -42,5 +47,12 @@ fn write_one(out: &mut String, rule: &RuleReport, longest: usize) -> fmt::Result
     }
     facts.extend(why.clone());
     let verdict = Styled(style, verdict.name());
-    writeln!(out, "  {name:<longest$}  line {line:<4}  {verdict:13}  {}", facts.join("; "))
+    let facts = facts.join("; ");
+    let before = longest.max(name.chars().count()) + BETWEEN;
+    if before + facts.chars().count() <= width.max(output::WIDTH) {
+        return writeln!(out, "  {name:<longest$}  line {line:<4}  {verdict:13}  {facts}");
+    }
+    writeln!(out, "  {name:<longest$}  line {line:<4}  {verdict}")?;
+    wrapped(out, facts.split(' '), INDENT, width);
+    Ok(())
 }

@@ -168,7 +168,7 @@ fn rules_that_the_edition_has_not_end_the_watching() {
     assert!(with_rules(rules, &Edition::V2026).news.lines.is_read());
     let refused = with_rules(rules, &Edition::V4_0);
     assert!(!refused.news.lines.is_read() && refused.news.lines.finish().is_ok(), "the end tells why");
-    assert!(matches!(refused.watch.finish(), Err(LogError::Rules(error)) if error.column == 28));
+    assert!(matches!(refused.watch.finish(), Err(LogError::Rules(error)) if error.first().column == 28));
 }
 
 #[test]

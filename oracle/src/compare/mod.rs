@@ -8,6 +8,7 @@
 //! Comparison: where the paths from state to state part (path, parting)
 //!             how long states lasted (lasted), what only one was found to do (found)
 //!             what the AI Computer requested in each state (requested)
+//!             how close each came to its limits (margins)
 //!             identifiers, cycles and lengths of frames, answers of the handshake (frames)
 //! ```
 //!
@@ -33,6 +34,7 @@ mod cycle;
 mod found;
 mod frames;
 mod lasted;
+mod margins;
 mod parting;
 mod path;
 mod requested;
@@ -44,6 +46,7 @@ pub use cycle::Cycle;
 pub use found::FoundOnce;
 pub use frames::{AnswersDiffer, FrameDiffers};
 pub use lasted::LastedDiffers;
+pub use margins::MarginDiffers;
 pub use parting::{Parting, Way};
 pub use path::{Aligned, OnlyTransition, Path, align};
 pub use requested::{RangeDiffers, SequenceDiffers};
@@ -147,6 +150,9 @@ pub struct Comparison<'a> {
     pub frames: Vec<FrameDiffers>,
     /// The answers of the handshake, if they took longer in one.
     pub answers: Option<AnswersDiffer>,
+    /// Every margin that one of them has, those that got notably worse first. Only [these](MarginDiffers::got_worse) and
+    /// [the opposite](MarginDiffers::got_better) matter.
+    pub margins: Vec<MarginDiffers<'a>>,
 }
 
 impl<'a> Comparison<'a> {
@@ -167,17 +173,30 @@ impl<'a> Comparison<'a> {
             sequences: requested::sequences([&good.collected, &bad.collected], &places),
             frames: frames::between(&good.collected, &bad.collected),
             answers: frames::answers(good, bad),
+            margins: margins::between(&good.report.margins, &bad.report.margins),
         }
     }
 
     /// Whether anything that matters does.
     pub fn differs(&self) -> bool {
-        let Self { editions, begin, parting, transitions, lasted, found, ranges, sequences, frames, answers } =
-            self;
+        let Self {
+            editions,
+            begin,
+            parting,
+            transitions,
+            lasted,
+            found,
+            ranges,
+            sequences,
+            frames,
+            answers,
+            margins,
+        } = self;
         editions.is_some()
             || begin.is_some()
             || parting.is_some()
             || answers.is_some()
+            || margins.iter().any(|margin| margin.got_worse() || margin.got_better())
             || !(transitions.is_empty() && lasted.is_empty() && found.is_empty() && frames.is_empty())
             || !(ranges.is_empty() && sequences.is_empty())
     }

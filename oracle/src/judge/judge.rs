@@ -17,7 +17,7 @@ use super::sampler::slot::Slot;
 use super::sampler::{Came, Says};
 use super::senders::Senders;
 use super::time::{FAR_NS, milliseconds};
-use crate::rules::{RuleError, RuleFile};
+use crate::rules::{RuleErrors, RuleFile};
 use crate::why::Stay;
 
 /// The judge of one log, or of one live bus.
@@ -207,13 +207,13 @@ impl Judge {
     /// let report = judge.finish();
     /// assert_eq!(report.findings[0].message(), "calm: AS_STATE is AS_READY; expected never AS_STATE is AS_READY");
     /// assert_eq!((report.findings[0].party, report.rules[0].broken), (Party::Own, 1));
-    /// # Ok::<(), adsdv_oracle::rules::RuleError>(())
+    /// # Ok::<(), adsdv_oracle::rules::RuleErrors>(())
     /// ```
     ///
     /// # Errors
     ///
     /// Fails, and changes nothing, if the edition has not all that the rules name.
-    pub fn follow(&mut self, rules: &RuleFile) -> Result<(), RuleError> {
+    pub fn follow(&mut self, rules: &RuleFile) -> Result<(), RuleErrors> {
         self.own.follow(rules, &self.est)
     }
 

@@ -1,10 +1,12 @@
 //! Rules of the user's own, followed beside the document: by what the judge knows, at the time that it gives each frame.
 
+use adsdv_spec::Reading;
+
 use super::book::Book;
 use super::estimator::base::Estimator;
 use super::sampler::places::slot_of;
 use super::sampler::slot::Slot;
-use crate::rules::{RuleError, RuleFile, RuleReport, Runner};
+use crate::rules::{RuleErrors, RuleFile, RuleReport, Runner};
 
 /// The rules that are followed, if there are any.
 #[derive(Debug, Default)]
@@ -15,7 +17,7 @@ pub(super) struct Own {
 }
 
 impl Own {
-    pub(super) fn follow(&mut self, rules: &RuleFile, est: &Estimator) -> Result<(), RuleError> {
+    pub(super) fn follow(&mut self, rules: &RuleFile, est: &Estimator) -> Result<(), RuleErrors> {
         self.runner = Some(Box::new(Runner::new(rules, &est.edition)?));
         Ok(())
     }
@@ -31,6 +33,10 @@ impl Own {
     #[inline]
     pub(super) fn judged(&mut self, est: &Estimator, book: &mut Book) {
         if let Some(runner) = &mut self.runner {
+            // What the frame before showed is over, and what was so up to this one is known by it alone.
+            if est.go_rose_at == Some(est.now) {
+                runner.go_was_off(est.now);
+            }
             runner.shown(est.now, est.known, |id| shown(est, id));
             runner.news().into_iter().for_each(|finding| book.found(finding));
         }
@@ -47,7 +53,7 @@ impl Own {
     /// There is nothing more to come.
     pub(super) fn end(&mut self, est: &Estimator, book: &mut Book) {
         if let Some(mut runner) = self.runner.take() {
-            runner.end(est.now);
+            runner.end(est.now, est.go_is_hidden().then(|| est.pinned(Reading::GoSignal)));
             runner.news().into_iter().for_each(|finding| book.found(finding));
             self.reports = runner.reports();
         }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::counted;
 use crate::candump::{ReadError, Unit};
-use crate::rules::RuleError;
+use crate::rules::RuleErrors;
 
 /// Why there is no report.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ pub enum LogError {
         found: Vec<String>,
     },
     /// The edition that is judged by has not all that the rules of the user's own name.
-    Rules(RuleError),
+    Rules(RuleErrors),
 }
 
 impl fmt::Display for LogError {

@@ -10,7 +10,7 @@ use crate::candump::Dropped;
 use crate::compare::Collector;
 use crate::judge::{Finding, Judge, Party, Rule, Transition};
 use crate::recognise::{Hearing, Held, Later, Recognised};
-use crate::rules::RuleError;
+use crate::rules::RuleErrors;
 use crate::why::Stay;
 
 /// The judge of a log that comes frame by frame; [`judge_log`](super::judge_log) reads one with it.
@@ -59,7 +59,7 @@ pub struct LogJudge {
     /// Takes down what the frames are like, where that is asked for.
     pub(super) collector: Option<Box<Collector>>,
     /// What the edition has not of what the rules of the user's own name.
-    pub(super) impossible: Option<Box<RuleError>>,
+    pub(super) impossible: Option<Box<RuleErrors>>,
 }
 
 impl LogJudge {

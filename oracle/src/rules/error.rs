@@ -1,14 +1,14 @@
-//! What is wrong with a file of rules, and where.
+//! A mistake in a file of rules, and where it is.
 
 use std::fmt;
 
-/// What is wrong with a file of rules.
+/// A mistake in a file of rules: one of its [`RuleErrors`](super::RuleErrors).
 ///
 /// ```
 /// use adsdv_oracle::rules::RuleFile;
 ///
-/// let error = "# ours\nready: after Go on, AS_STATE == AS_DRIVING".parse::<RuleFile>().unwrap_err();
-/// assert_eq!(error.to_string(), "line 2, column 43: found the end of the line; expected within, for or until");
+/// let errors = "# ours\nready: after Go on, AS_STATE == AS_DRIVING".parse::<RuleFile>().unwrap_err();
+/// assert_eq!(errors.first().to_string(), "line 2, column 43: found the end of the line; expected within, for or until");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RuleError {

@@ -10,6 +10,8 @@ pub(super) const DEPTH: usize = 50;
 pub(super) const DIGITS: usize = 12;
 /// The longest bound, in nanoseconds: an hour.
 pub(super) const LONGEST_NS: i64 = 3_600_000_000_000;
+/// So many mistakes of a file are listed; further ones are counted.
+pub(super) const MISTAKES: usize = 20;
 /// So many breaches of a rule are listed; further ones are counted.
 pub(super) const BREACHES: usize = 20;
 /// So many times of one rule are followed at once; those beyond are not decided.

@@ -40,6 +40,7 @@
 mod error;
 mod lex;
 mod limits;
+mod mistakes;
 mod names;
 mod number;
 mod parse;
@@ -52,6 +53,7 @@ mod term;
 #[cfg(test)]
 mod tests;
 mod track;
+mod undecided;
 
 use std::str::FromStr;
 use std::sync::Arc;
@@ -59,10 +61,14 @@ use std::sync::Arc;
 use adsdv_spec::Edition;
 
 pub use error::RuleError;
+pub use mistakes::RuleErrors;
 pub use report::{Breach, RuleReport, RuleVerdict};
 pub(crate) use runner::Runner;
 
-/// The rules of a file, as they were written: which edition has their names is another question.
+/// The rules of a file, as they were written.
+///
+/// Which edition they are for need not be known yet, as where a log is to tell it. So a name that some edition has can be read, and one
+/// that none has cannot; once the edition is known, [`RuleFile::check`] tells what it has not.
 ///
 /// ```
 /// use adsdv_oracle::rules::RuleFile;
@@ -71,10 +77,10 @@ pub(crate) use runner::Runner;
 /// let rules: RuleFile = "slow: always VEH_SPEED_ACTUAL < 10 m/s\nstage: never EBS_STATE is EBS_FAULT".parse()?;
 /// assert_eq!(rules.len(), 2);
 /// rules.check(&Edition::V2026)?;
-/// let error = rules.check(&Edition::V4_0).unwrap_err();
-/// assert_eq!((error.line, error.column), (2, 14));
-/// assert!(error.why.ends_with("edition 4.0 has no such signal; expected one that it has, or the edition that has this: 2026"));
-/// # Ok::<(), adsdv_oracle::rules::RuleError>(())
+/// let errors = rules.check(&Edition::V4_0).unwrap_err();
+/// assert_eq!((errors.first().line, errors.first().column), (2, 14));
+/// assert!(errors.first().why.ends_with("edition 4.0 has no such signal; expected one that it has, or the edition that has this: 2026"));
+/// # Ok::<(), adsdv_oracle::rules::RuleErrors>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct RuleFile {
@@ -82,6 +88,17 @@ pub struct RuleFile {
 }
 
 impl RuleFile {
+    /// Reads the text of a file: at most 1000 lines of at most 2000 characters.
+    ///
+    /// # Errors
+    ///
+    /// Fails with all that is wrong with it, what the edition has not among that. Where no edition is given, what none has is wrong,
+    /// and so is that none has all.
+    pub fn read(text: &str, edition: Option<&Edition>) -> Result<Self, RuleErrors> {
+        let scope = edition.map_or(resolve::Scope::Any, resolve::Scope::One);
+        Ok(Self { rules: parse::file(text, scope)?.into() })
+    }
+
     /// How many rules there are.
     pub fn len(&self) -> usize {
         self.rules.len()
@@ -92,23 +109,21 @@ impl RuleFile {
         self.rules.is_empty()
     }
 
-    /// Whether an edition has every signal and every word that is named. The error is about the first that it has not.
-    pub fn check(&self, edition: &Edition) -> Result<(), RuleError> {
+    /// Whether an edition has every signal and every word that is named.
+    ///
+    /// # Errors
+    ///
+    /// Fails with all that it has not.
+    pub fn check(&self, edition: &Edition) -> Result<(), RuleErrors> {
         resolve::all(&self.rules, edition).map(drop)
-    }
-
-    /// Whether some edition has all that is named: a log may speak any. The error is that of `default`.
-    pub fn check_any(&self, default: &Edition) -> Result<(), RuleError> {
-        let possible = Edition::ALL.iter().any(|edition| self.check(edition).is_ok());
-        if possible { Ok(()) } else { self.check(default) }
     }
 }
 
 impl FromStr for RuleFile {
-    type Err = RuleError;
+    type Err = RuleErrors;
 
-    /// Reads the text of a file: at most 1000 lines of at most 2000 characters.
-    fn from_str(text: &str) -> Result<Self, RuleError> {
-        Ok(Self { rules: parse::file(text)?.into() })
+    /// Reads the text of a file whose edition is not known yet, as [`RuleFile::read`] does.
+    fn from_str(text: &str) -> Result<Self, RuleErrors> {
+        Self::read(text, None)
     }
 }

@@ -16,6 +16,14 @@ pub(super) struct SignalPlace {
     pub(super) signal: &'static SignalDef,
 }
 
+/// Why a name is that of no signal.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum NoSignal {
+    /// No edition has it: [`unknown`] says what is like it.
+    Unknown,
+    Other(String),
+}
+
 /// Whether a word means on or off.
 pub(super) fn switch(word: &str) -> Option<bool> {
     let is = |words: [&str; 2]| words.iter().any(|one| one.eq_ignore_ascii_case(word));
@@ -39,7 +47,7 @@ pub(super) fn atom(name: &str) -> Option<Atom> {
 }
 
 /// The signal of this name, in this message if one is named; or what is wrong.
-pub(super) fn signal(edition: &Edition, message: Option<&str>, name: &str) -> Result<SignalPlace, String> {
+pub(super) fn signal(edition: &Edition, message: Option<&str>, name: &str) -> Result<SignalPlace, NoSignal> {
     let mut found: Vec<SignalPlace> = of_name(edition, message, name).collect();
     let mut elsewhere = Vec::new();
     if found.is_empty() {
@@ -52,22 +60,22 @@ pub(super) fn signal(edition: &Edition, message: Option<&str>, name: &str) -> Re
     }
     match (&found[..], &elsewhere[..]) {
         ([place], _) => Ok(*place),
-        ([], []) => Err(unknown(edition, message, name)),
+        ([], []) => Err(NoSignal::Unknown),
         ([], _) => {
             elsewhere.dedup();
             let version = edition.version;
-            Err(format!(
+            Err(NoSignal::Other(format!(
                 "found {name:?}, and edition {version} has no such signal; expected one that it has, or the edition that has this: {}",
                 elsewhere.join(", ")
-            ))
+            )))
         }
         (several, _) => {
             let all = several.iter().map(|place| format!("{}.{}", place.message.name, place.signal.name));
             let all: Vec<String> = all.collect();
-            Err(format!(
+            Err(NoSignal::Other(format!(
                 "found {name:?}, which is a signal of several messages; expected one of {}",
                 all.join(", ")
-            ))
+            )))
         }
     }
 }
@@ -103,25 +111,23 @@ fn same(edition: &Edition, place: SignalPlace) -> Option<SignalPlace> {
     Some(SignalPlace { message, signal: message.signal_of(place.signal.field)? })
 }
 
-/// Nothing has this name.
-fn unknown(edition: &Edition, message: Option<&str>, name: &str) -> String {
-    let messages = edition.bus.messages.iter().copied();
+/// Nothing in these editions has this name: what is wrong, with the names that are most like it. That takes its time.
+pub(super) fn unknown(editions: &[&Edition], message: Option<&str>, name: &str) -> String {
+    let of = match editions {
+        [one] => format!("edition {}", one.version),
+        _ => "any edition".to_owned(),
+    };
+    let messages = editions.iter().flat_map(|edition| edition.bus.messages).copied();
     let in_message = |known: &&MessageDef| message.is_none_or(|message| is_message(known, message));
     let within: Vec<&MessageDef> = messages.clone().filter(in_message).collect();
     if let (Some(message), true) = (message, within.is_empty()) {
         let near = nearest(message, messages.map(|message| message.name).collect());
-        return format!(
-            "found {message:?}, which is no message of edition {}; expected {near}",
-            edition.version
-        );
+        return format!("found {message:?}, which is no message of {of}; expected {near}");
     }
     let signals = within.iter().flat_map(|message| message.signals).map(|signal| signal.name);
     let conditions = Atom::ALL.iter().map(|atom| atom.id()).filter(|_| message.is_none());
     let near = nearest(name, signals.chain(conditions).collect());
-    format!(
-        "found {name:?}, which is no signal and no condition of edition {}; expected {near}",
-        edition.version
-    )
+    format!("found {name:?}, which is no signal and no condition of {of}; expected {near}")
 }
 
 /// Those of the names that are most like this one, for an error.

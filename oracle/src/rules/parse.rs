@@ -2,40 +2,56 @@
 
 use std::collections::BTreeMap;
 
-use super::error::{RuleError, Span, SpannedError};
+use super::error::{Span, SpannedError};
 use super::lex::{self, Token};
 use super::limits::{CHARACTERS, LINES, LONGEST_NS};
+use super::mistakes::{Mistakes, RuleErrors};
 use super::number;
+use super::resolve::{self, Scope};
 use super::syntax::{Expression, Form, RuleLine, Spanned};
 
 /// What a rule can begin with.
 const FORMS: &str = "always, never, after, or a condition with until or for at most behind it";
 
-/// The rules of a text.
-pub(super) fn file(text: &str) -> Result<Vec<RuleLine>, RuleError> {
+/// The rules of a text, whose names are to be there in this scope; or all its mistakes.
+pub(super) fn file(text: &str, scope: Scope<'_>) -> Result<Vec<RuleLine>, RuleErrors> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (mut rules, mut names) = (Vec::new(), BTreeMap::new());
-    let mut last = 1;
+    let (mut rules, mut names, mut mistakes) = (Vec::new(), BTreeMap::new(), Mistakes::default());
+    let (mut last, mut is_blank) = (1, true);
     for (number, line) in (1..).zip(text.lines()) {
         last = number;
-        if let Some(rule) = one(number, line, &names).map_err(|wrong| wrong.in_line(number, line))? {
-            names.insert(rule.name.clone(), number);
-            rules.push(rule);
+        if number > LINES {
+            let why = format!("found a further line; expected at most {LINES}");
+            mistakes.add(SpannedError::new(Span { start: 0, width: 1 }, why), number, line);
+            break;
         }
+        match one(number, line, &mut names, &mut mistakes) {
+            Ok(Some(rule)) => {
+                resolve::check_line(&rule, scope, &mut mistakes);
+                rules.push(rule);
+            }
+            Ok(None) => continue,
+            Err(wrong) => mistakes.add(wrong, number, line),
+        }
+        is_blank = false;
     }
-    if rules.is_empty() {
+    if is_blank {
         let why = "found no rule; expected a line such as \"calm: never VEH_SPEED_ACTUAL > 20 km/h\"";
-        return Err(SpannedError::new(Span { start: 0, width: 1 }, why).in_line(last, ""));
+        mistakes.add(SpannedError::new(Span { start: 0, width: 1 }, why), last, "");
     }
+    mistakes.finish()?;
+    resolve::check_together(&rules, scope)?;
     Ok(rules)
 }
 
-/// The rule of a line, if it has one. The names are those before, with their lines.
-fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Option<RuleLine>, SpannedError> {
-    if number > LINES {
-        let why = format!("found a further line; expected at most {LINES}");
-        return Err(SpannedError::new(Span { start: 0, width: 1 }, why));
-    }
+/// The rule of a line, if it has one. The names are those before, with their lines; that one of them is taken is a mistake, and the
+/// rest of the line may have others.
+fn one(
+    number: usize,
+    text: &str,
+    names: &mut BTreeMap<String, usize>,
+    mistakes: &mut Mistakes,
+) -> Result<Option<RuleLine>, SpannedError> {
     if text.chars().nth(CHARACTERS).is_some() {
         let why = format!("found a longer line; expected at most {CHARACTERS} characters");
         return Err(SpannedError::new(Span { start: CHARACTERS - 1, width: 1 }, why));
@@ -45,11 +61,12 @@ fn one(number: usize, text: &str, names: &BTreeMap<String, usize>) -> Result<Opt
         return Ok(None);
     }
     let name = parser.word("the name of a rule")?;
-    if let Some(before) = names.get(&name.value) {
-        let why = format!("line {before} has a rule of this name; expected another one");
-        return Err(SpannedError::new(name.span, why));
-    }
     parser.sign(":", "a colon behind the name of the rule")?;
+    let before = *names.entry(name.value.clone()).or_insert(number);
+    if before != number {
+        let why = format!("line {before} has a rule of this name; expected another one");
+        mistakes.add(SpannedError::new(name.span, why), number, text);
+    }
     let start = parser.span().start;
     let form = parser.form()?;
     let end = parser.span().start;

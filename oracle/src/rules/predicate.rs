@@ -28,6 +28,11 @@ impl Subject {
         Self { what, value: None, came: false }
     }
 
+    /// Whether it is the "Go" switch.
+    pub(super) const fn is_go(&self) -> bool {
+        matches!(self.what, SubjectKind::Atom(Atom::GoOn))
+    }
+
     /// What is left of it when some of the messages have become too old.
     pub(super) fn aged(&self, known: Knowledge, fresh: &impl Fn(u16) -> bool) -> RawValue {
         match self.what {
@@ -87,6 +92,17 @@ impl Predicate {
             Self::Not(inner) => inner.truth(subjects).not(),
             Self::All(all) => all.iter().fold(Truth::True, |truth, one| truth.and(one.truth(subjects))),
             Self::Any(any) => any.iter().fold(Truth::False, |truth, one| truth.or(one.truth(subjects))),
+        }
+    }
+
+    /// Whether everything is known that it is about, or all but "Go": if it is unknown, that is why.
+    pub(super) fn is_known_but_for_go(&self, subjects: &[Subject]) -> bool {
+        match self {
+            Self::Test(place, _) => {
+                subjects.get(*place).is_some_and(|subject| subject.is_go() || subject.value.is_some())
+            }
+            Self::Not(inner) => inner.is_known_but_for_go(subjects),
+            Self::All(all) | Self::Any(all) => all.iter().all(|one| one.is_known_but_for_go(subjects)),
         }
     }
 

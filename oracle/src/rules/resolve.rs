@@ -3,24 +3,90 @@
 use adsdv_spec::Edition;
 use adsdv_spec::messages::SignalDef;
 
-use super::error::{RuleError, SpannedError};
-use super::names::{self, SignalPlace};
+use super::error::{Span, SpannedError};
+use super::mistakes::{Mistakes, RuleErrors};
+use super::names::{self, NoSignal, SignalPlace};
 use super::number;
 use super::predicate::{Check, Predicate, Subject, SubjectKind};
 use super::syntax::{Expression, Form, Relation, RuleLine, Spanned, Term, TermTest};
+
+/// Which editions are asked for what a rule names.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Scope<'a> {
+    /// This one has to have all of it.
+    One(&'a Edition),
+    /// Any may turn out to be the one: each name has to be in some edition, and all of them in one.
+    Any,
+}
 
 /// All rules under an edition, and what they are about.
 pub(super) fn all(
     lines: &[RuleLine],
     edition: &Edition,
-) -> Result<(Vec<Form<Predicate>>, Vec<Subject>), RuleError> {
+) -> Result<(Vec<Form<Predicate>>, Vec<Subject>), RuleErrors> {
     let mut resolver = Resolver { edition, subjects: Vec::new() };
-    let mut forms = Vec::new();
+    let (mut forms, mut mistakes) = (Vec::new(), Mistakes::default());
     for line in lines {
-        let form = line.form.try_map(|expression| resolver.predicate(expression));
-        forms.push(form.map_err(|wrong| wrong.in_line(line.number, &line.text))?);
+        match line.form.try_map(|expression| resolver.predicate(expression)) {
+            Ok(form) => forms.push(form),
+            // That is the first mistake of the line only.
+            Err(_) => check_line(line, Scope::One(edition), &mut mistakes),
+        }
     }
-    Ok((forms, resolver.subjects))
+    mistakes.finish().map(|()| (forms, resolver.subjects))
+}
+
+/// Adds what a rule names and this scope has not.
+pub(super) fn check_line(line: &RuleLine, scope: Scope<'_>, mistakes: &mut Mistakes) {
+    for_each_term(line, |term| {
+        let told = !mistakes.are_counted_only();
+        let found = match scope {
+            Scope::One(edition) => meaning(edition, term, told).map(drop),
+            Scope::Any => in_some(term, told),
+        };
+        if let Err(wrong) = found {
+            mistakes.add(wrong, line.number, &line.text);
+        }
+    });
+}
+
+/// Whether one edition has all that the rules name, where each name is in some.
+pub(super) fn check_together(lines: &[RuleLine], scope: Scope<'_>) -> Result<(), RuleErrors> {
+    let has_all = |edition: &Edition| {
+        let mut all = true;
+        let mut has = |term: &Term| all = all && meaning(edition, term, false).is_ok();
+        lines.iter().for_each(|line| for_each_term(line, &mut has));
+        all
+    };
+    if matches!(scope, Scope::One(_)) || Edition::ALL.iter().any(|edition| has_all(edition)) {
+        return Ok(());
+    }
+    let mut mistakes = Mistakes::default();
+    for line in lines {
+        for_each_term(line, |term| {
+            let (mut having, mut lacks) = (Vec::new(), None);
+            for edition in Edition::ALL {
+                match meaning(edition, term, false) {
+                    Ok(_) => having.push(edition.version),
+                    Err(wrong) => lacks = Some(wrong.span),
+                }
+            }
+            let Some(span) = lacks else { return };
+            let having = match &having[..] {
+                [one] => format!("edition {one} has"),
+                several => format!("editions {} have", several.join(" and ")),
+            };
+            let why = format!(
+                "found what only {having}, and no edition has all that these rules name; expected rules of one edition"
+            );
+            mistakes.add(SpannedError::new(span, why), line.number, &line.text);
+        });
+    }
+    mistakes.finish()
+}
+
+fn for_each_term(line: &RuleLine, mut each: impl FnMut(&Term)) {
+    line.form.predicates().for_each(|expression| expression.for_each_term(&mut each));
 }
 
 struct Resolver<'a> {
@@ -34,29 +100,15 @@ impl Resolver<'_> {
             Expression::All(all) => Predicate::All(self.predicates(all)?),
             Expression::Any(all) => Predicate::Any(self.predicates(all)?),
             Expression::Not(inner) => Predicate::Not(Box::new(self.predicate(inner)?)),
-            Expression::Term(term) => self.term(term)?,
+            Expression::Term(term) => {
+                let (what, check) = meaning(self.edition, term, false)?;
+                Predicate::Test(self.subject(what), check)
+            }
         })
     }
 
     fn predicates(&mut self, all: &[Expression]) -> Result<Vec<Predicate>, SpannedError> {
         all.iter().map(|one| self.predicate(one)).collect()
-    }
-
-    fn term(&mut self, term: &Term) -> Result<Predicate, SpannedError> {
-        let message = term.message.as_ref().map(|message| message.value.as_str());
-        let atom = names::atom(&term.name.value).filter(|_| message.is_none());
-        if let Some(atom) = atom {
-            let check = switched(term, &format!("{:?} is a condition", term.name.value))?;
-            return Ok(Predicate::Test(self.subject(SubjectKind::Atom(atom)), check));
-        }
-        let span = match &term.message {
-            Some(message) => message.span.to(term.name.span),
-            None => term.name.span,
-        };
-        let place = names::signal(self.edition, message, &term.name.value);
-        let place = place.map_err(|why| SpannedError::new(span, why))?;
-        let check = check(self.edition, place, term)?;
-        Ok(Predicate::Test(self.subject(SubjectKind::Signal(place)), check))
     }
 
     fn subject(&mut self, what: SubjectKind) -> usize {
@@ -66,6 +118,53 @@ impl Resolver<'_> {
             self.subjects.len() - 1
         })
     }
+}
+
+/// What a term is about in an edition, and what it asks; or what is wrong with it. What an unknown name is like is only looked for
+/// where it is to be `told`.
+fn meaning(edition: &Edition, term: &Term, told: bool) -> Result<(SubjectKind, Check), SpannedError> {
+    let message = term.message.as_ref().map(|message| message.value.as_str());
+    let name = term.name.value.as_str();
+    if let Some(atom) = names::atom(name).filter(|_| message.is_none()) {
+        let check = switched(term, &format!("{name:?} is a condition"))?;
+        return Ok((SubjectKind::Atom(atom), check));
+    }
+    let place = names::signal(edition, message, name).map_err(|no_signal| {
+        let why = match no_signal {
+            NoSignal::Unknown if told => names::unknown(&[edition], message, name),
+            NoSignal::Unknown => String::new(),
+            NoSignal::Other(why) => why,
+        };
+        SpannedError::new(span(term), why)
+    })?;
+    Ok((SubjectKind::Signal(place), check(edition, place, term)?))
+}
+
+/// Whether a term means something in some edition; or what is wrong with it in all of them.
+fn in_some(term: &Term, told: bool) -> Result<(), SpannedError> {
+    let each: Vec<_> = Edition::ALL.iter().map(|edition| meaning(edition, term, false)).collect();
+    if each.iter().any(Result::is_ok) {
+        return Ok(());
+    }
+    let message = term.message.as_ref().map(|message| message.value.as_str());
+    let name = term.name.value.as_str();
+    // The edition with most words of the signal says best which are right.
+    let words =
+        |edition: &Edition| names::signal(edition, message, name).map(|place| place.signal.values.len());
+    let found = Edition::ALL.iter().zip(each).map(|(edition, wrong)| (words(edition), wrong.err()));
+    match found.max_by_key(|(words, _)| words.as_ref().ok().copied()) {
+        Some((Err(NoSignal::Unknown), _)) => {
+            let why = if told { names::unknown(Edition::ALL, message, name) } else { String::new() };
+            Err(SpannedError::new(span(term), why))
+        }
+        Some((_, Some(wrong))) => Err(wrong),
+        _ => Ok(()),
+    }
+}
+
+/// Where a name is, with its message.
+fn span(term: &Term) -> Span {
+    term.message.as_ref().map_or(term.name.span, |message| message.span.to(term.name.span))
 }
 
 /// What is asked of something that is on or off.

@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
-use adsdv_spec::{Edition, Knowledge, Truth};
+use adsdv_spec::{Choice, Edition, Knowledge, Truth};
 
-use super::error::RuleError;
 use super::limits::BREACHES;
+use super::mistakes::RuleErrors;
 use super::predicate::{Predicate, Subject, SubjectKind};
 use super::report::{Breach, RuleReport};
 use super::syntax::Form;
 use super::track::{RuleOutcome, Track};
+use super::undecided::Course;
 use super::{RuleFile, resolve};
 use crate::judge::{Finding, Party, Rule, Section};
 
@@ -34,13 +35,15 @@ struct RunningRule {
     subjects: Vec<usize>,
     /// Whether what it begins with was ever true.
     begun: bool,
+    /// Which of its predicates were ever unknown for nothing but "Go".
+    up_to_go: [bool; 3],
     /// Of those that are undecided, how many the end of the recording left so.
     ended: u64,
     report: RuleReport,
 }
 
 impl Runner {
-    pub(crate) fn new(file: &RuleFile, edition: &Edition) -> Result<Self, RuleError> {
+    pub(crate) fn new(file: &RuleFile, edition: &Edition) -> Result<Self, RuleErrors> {
         let (forms, subjects) = resolve::all(&file.rules, edition)?;
         let rules = file.rules.iter().zip(forms).map(|(line, form)| {
             let mut subjects = Vec::new();
@@ -63,7 +66,15 @@ impl Runner {
                 breaches: Vec::new(),
                 why: None,
             };
-            RunningRule { track: Track::of(&form), form, subjects, begun: false, ended: 0, report }
+            RunningRule {
+                track: Track::of(&form),
+                form,
+                subjects,
+                begun: false,
+                up_to_go: [false; 3],
+                ended: 0,
+                report,
+            }
         });
         Ok(Self { edition: *edition, subjects, rules: rules.collect(), now: i64::MIN, findings: Vec::new() })
     }
@@ -100,14 +111,25 @@ impl Runner {
             subject.value = value;
             subject.came |= value.is_some();
         }
-        if !changed {
-            return;
+        if changed {
+            self.follow();
         }
+    }
+
+    /// "Go" was off up to `t`, and that is known only now: what else is known is as it was.
+    pub(crate) fn go_was_off(&mut self, t: i64) {
+        self.step(t, |subject| if subject.is_go() { subject.value.or(Some(0)) } else { subject.value });
+    }
+
+    /// The rules go by what is known now.
+    fn follow(&mut self) {
         let Self { edition, subjects, rules, now, findings } = self;
-        for RunningRule { form, track, subjects: about, begun, ended, report } in rules {
+        for RunningRule { form, track, subjects: about, begun, up_to_go, ended, report } in rules {
             let mut truths = [Truth::Unknown; 3];
-            for (truth, predicate) in truths.iter_mut().zip(form.predicates()) {
+            for ((truth, up_to_go), predicate) in truths.iter_mut().zip(up_to_go).zip(form.predicates()) {
                 *truth = predicate.truth(subjects);
+                let unknown = *truth == Truth::Unknown && !*up_to_go;
+                *up_to_go |= unknown && predicate.is_known_but_for_go(subjects);
             }
             *begun |= truths[0] == Truth::True;
             track.step(*now, truths, &mut |outcome| {
@@ -121,8 +143,9 @@ impl Runner {
         std::mem::take(&mut self.findings)
     }
 
-    /// There is nothing more to come after `t`.
-    pub(crate) fn end(&mut self, t: i64) {
+    /// There is nothing more to come after `t`. `hidden`: nothing shows "Go" but where AS_DRIVING lasts, and what is settled of the
+    /// reading that would.
+    pub(crate) fn end(&mut self, t: i64, hidden: Option<Option<Choice>>) {
         self.pass(t);
         let Self { edition, subjects, rules, now, findings } = self;
         for running in rules {
@@ -131,7 +154,11 @@ impl Runner {
                 findings.extend(count(report, ended, outcome, || values(edition, subjects, about)));
             });
             if running.report.held + running.report.broken == 0 {
-                running.report.why = Some(why(edition, subjects, running));
+                let RunningRule { form, subjects: about, begun, up_to_go, ended, report, .. } = running;
+                let about = about.iter().filter_map(|place| subjects.get(*place)).copied().collect();
+                let (begun, up_to_go, undecided) = (*begun, *up_to_go, [report.undecided, *ended]);
+                let course = Course { form, about, begun, up_to_go, undecided };
+                report.why = Some(course.why(edition, hidden));
             }
         }
     }
@@ -190,32 +217,4 @@ fn values(edition: &Edition, subjects: &[Subject], about: &[usize]) -> String {
         };
     }
     text
-}
-
-/// Why nothing can be said of a rule.
-fn why(edition: &Edition, subjects: &[Subject], running: &RunningRule) -> String {
-    let missing = running.subjects.iter().filter_map(|place| subjects.get(*place)).find(|one| !one.came);
-    match missing.map(|subject| subject.what) {
-        Some(SubjectKind::Signal(place)) => {
-            return format!(
-                "{} ({:03X}h) never showed {}",
-                place.message.name, place.message.id, place.signal.name
-            );
-        }
-        Some(SubjectKind::Atom(atom)) => {
-            return format!("it was never known whether {} ({atom})", edition.rules.text(atom, true));
-        }
-        None => {}
-    }
-    let RuleReport { undecided, .. } = running.report;
-    match (&running.form, undecided > running.ended) {
-        (_, true) => "something that it goes by was unknown each time".to_owned(),
-        _ if undecided > 0 => "the recording ends before it is decided".to_owned(),
-        (Form::AtMost(..), _) if !running.begun => "what must not last never began".to_owned(),
-        (Form::Always(_) | Form::Never(_) | Form::AtMost(..) | Form::Until(None, ..), _) => {
-            "what it goes by was never known".to_owned()
-        }
-        _ if running.begun => "what it waits for was so from the beginning, and never became so".to_owned(),
-        _ => "what it waits for never came".to_owned(),
-    }
 }

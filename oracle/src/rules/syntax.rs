@@ -73,6 +73,17 @@ pub(super) enum Expression {
     Any(Vec<Self>),
 }
 
+impl Expression {
+    /// Every term of it, in the order in which they stand.
+    pub(super) fn for_each_term(&self, each: &mut impl FnMut(&Term)) {
+        match self {
+            Self::Term(term) => each(term),
+            Self::Not(inner) => inner.for_each_term(each),
+            Self::All(all) | Self::Any(all) => all.iter().for_each(|one| one.for_each_term(each)),
+        }
+    }
+}
+
 /// A signal or a condition, and what is asked of it.
 #[derive(Clone, Debug)]
 pub(super) struct Term {

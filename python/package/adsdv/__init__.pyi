@@ -17,6 +17,14 @@ class InputError(AdsdvError): ...
 class RulesError(InputError):
     line: int
     column: int
+    mistakes: list[_RuleMistake]
+    more: int
+
+class _RuleMistake(TypedDict):
+    line: int
+    column: int
+    width: int
+    why: str
 
 class CodecError(AdsdvError): ...
 class StackError(AdsdvError): ...

@@ -4,11 +4,13 @@
 //! later. What it records can be jittered and thinned as a real recorder does.
 //!
 //! `routes.rs` leads to every state, `atoms.rs` makes any condition true or false, `deeds.rs` does anything at all, `forced.rs`
-//! is a VCU that does what a test forces on it instead of what the table says, and `recording.rs` is what a recorder and the judge
+//! is a VCU that does what a test forces on it instead of what the table says, `deviating.rs` one that remembers or shows something
+//! else than the specification, and `recording.rs` is what a recorder and the judge
 //! make of it all.
 
 mod atoms;
 mod deeds;
+mod deviating;
 mod forced;
 mod random;
 mod recording;
@@ -19,7 +21,9 @@ use adsdv_oracle::remote::{Remote, Switches};
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Vcu2AiStatus,
 };
-use adsdv_spec::{AiMessages, Choice, Control, Edition, Inputs, Machine, Readings};
+use adsdv_spec::{AiMessages, Choice, Control, Edition, Inputs, Machine, Outputs, Readings};
+
+use deviating::Deviating;
 
 pub use deeds::{Chance, any_readings};
 pub use random::Random;
@@ -51,6 +55,8 @@ pub struct World {
     pub mutes: Vec<u16>,
     /// Changes each message of 520h before it is sent: for a VCU that shows something else than it does.
     pub shows: fn(&mut Vcu2AiStatus),
+    /// What it does otherwise than the specification, where that is no change of its table, its times or its thresholds.
+    deviating: Option<Deviating>,
     /// The time.
     pub t: i64,
     /// When the EBS last changed.
@@ -74,6 +80,7 @@ impl World {
             ai_answers: true,
             mutes: Vec::new(),
             shows: |_| {},
+            deviating: None,
             t: 0,
             ebs_changed: 0,
             log: Vec::new(),
@@ -108,12 +115,15 @@ impl World {
     pub fn cycle(&mut self) {
         self.remote();
         self.steps.push((self.control, self.inputs));
-        let (control, outputs) = self.vcu.step(&self.control, &self.inputs, CYCLE_MS.into());
-        self.control = control;
+        let outputs = self.step();
         let mut messages = outputs.messages(&self.inputs);
         (self.shows)(&mut messages.status);
         let bus = &self.vcu.edition().bus;
-        for (place, frame) in (0..).zip(messages.frames(bus)) {
+        for (place, mut frame) in (0..).zip(messages.frames(bus)) {
+            if let Some(deviating) = &mut self.deviating {
+                deviating.shows(&mut frame, &outputs, &self.inputs, self.t);
+                messages.status.handshake = deviating.handshake(&frame).unwrap_or(messages.status.handshake);
+            }
             if bus.message(frame.id).is_some_and(|message| self.t % (i64::from(message.cycle_ms) * MS) == 0) {
                 self.log.push(Recorded { t: self.t + place * MS / 4, frame });
             }
@@ -139,6 +149,17 @@ impl World {
             }
         }
         self.t += CYCLE;
+    }
+
+    /// A step of the VCU.
+    fn step(&mut self) -> Outputs {
+        let dt_ms = CYCLE_MS.into();
+        let (control, outputs) = match &mut self.deviating {
+            Some(deviating) => deviating.step(&self.inputs, dt_ms),
+            None => self.vcu.step(&self.control, &self.inputs, dt_ms),
+        };
+        self.control = control;
+        outputs
     }
 
     /// Whether the AI Computer sends messages of this identifier.

@@ -58,6 +58,25 @@ pub(super) fn rules_that_are_wrong() {
         let stderr = is_refused(&format!("rules-wrong-{name}"), content, error);
         assert!(stderr.contains(shown), "{shown:?} is not in {stderr}");
     }
+    let several = "# ours\nsafe: never sped > 5\n\nturn: always abs(ANGLE) < 15 rpm or\n\nlost: never ASMSS on or ANGLE > 5 rpm\n";
+    let stderr = is_refused("rules-several", several.as_bytes(), "team.rules:2:13: found \"sped\"");
+    let places = [
+        ":4:36: found the end of the line; ",
+        ":6:13: found \"ASMSS\"",
+        ":6:35: found \"rpm\"; expected deg",
+    ];
+    let shown: Vec<&str> = stderr.lines().filter(|line| line.contains("team.rules:")).collect();
+    assert!(
+        shown.len() == 4 && shown.iter().skip(1).zip(places).all(|(line, place)| line.contains(place)),
+        "{stderr}"
+    );
+    assert!(
+        stderr.contains("\n 6 | lost: never ASMSS on or ANGLE > 5 rpm\n   |             ^^^^^\n"),
+        "{stderr}"
+    );
+    let many = "a: > 3\n".repeat(23);
+    let stderr = is_refused("rules-many", many.as_bytes(), "team.rules:1:4: found \">\"");
+    assert!(stderr.contains("\nand 3 more mistakes\nhint: "), "{stderr}");
     is_refused("rules-rubbish", &rubbish(), "team.rules:2:118: found bytes that are no text");
     is_refused(
         "rules-long",

@@ -38,6 +38,8 @@ pub(crate) struct Estimator {
     /// The AI Computer's last status.
     pub(crate) ai: Option<Ai2VcuStatus>,
     pub(crate) remote: RemoteSide,
+    /// When `GO_SIGNAL` last rose in such a way that "Go" went on by either answer to what that signal is.
+    pub(crate) go_rose_at: Option<i64>,
     /// Changes that count, which the rules have not looked at: the condition, and whether it does count.
     pub(crate) edges: Vec<(Atom, Truth)>,
     pub(crate) why: StayRecorder,
@@ -115,6 +117,7 @@ impl Estimator {
             comms_at: i64::MAX,
             ai: None,
             remote: RemoteSide::default(),
+            go_rose_at: None,
             edges: Vec::new(),
             why: StayRecorder::new(options.edition, options.readings),
         }
@@ -129,7 +132,7 @@ impl Estimator {
         self.timers.clear();
         (self.handshake, self.comms_at) = (Watch::default(), i64::MAX);
         self.silences.forget();
-        self.remote = RemoteSide::default();
+        (self.remote, self.go_rose_at) = (RemoteSide::default(), None);
         self.sampler.forget();
     }
 
@@ -255,6 +258,12 @@ impl Estimator {
     /// How long an edge of the handshake may stay unanswered, in nanoseconds.
     pub(crate) fn handshake_limit(&self) -> i64 {
         i64::from(self.edition.rules.timing.handshake_ms) * MS
+    }
+
+    /// How long after its cause an effect may be recorded that comes in time, in nanoseconds: the deadline, and how late its frame may
+    /// be.
+    pub(crate) const fn patience(&self) -> i64 {
+        self.deadline + self.window
     }
 
     /// The cycle of the reference VCU, in nanoseconds.

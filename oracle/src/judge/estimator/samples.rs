@@ -161,7 +161,7 @@ impl Estimator {
 
     /// A frame of the remote control came with the same content.
     pub(crate) fn remote_lasts(&mut self, t: i64) {
-        self.remote.lasts(t, self.state_seen(), self.window + self.deadline);
+        self.remote.lasts(t, self.state_seen(), self.patience());
     }
 
     /// What the remote control shows is not known any more.

@@ -108,6 +108,7 @@ impl Estimator {
         let pressed = status.go_signal && previous.is_some_and(|previous| !previous.go_signal);
         if pressed && !gap && self.remote.shown.is_none() {
             self.why.go_pressed(t);
+            self.go_rises(t, old, new);
         }
         self.update_comms(t);
         shown
@@ -175,6 +176,23 @@ impl Estimator {
             self.change_seen(t, Atom::GoEdge, edge);
         }
         self.learn(t, known.set(Atom::GoEdge, edge));
+    }
+
+    /// `GO_SIGNAL` rises between two frames, none of which is missing.
+    ///
+    /// Where it is the switch, that went on then. Where it is the accepted edge, it shows in a step from AS_READY that the VCU has
+    /// accepted one: the switch was off in the step before.
+    //= DRV-14, D-7
+    fn go_rises(&mut self, t: i64, old: Option<AsState>, new: Option<AsState>) {
+        if old == Some(AsState::Ready) && matches!(new, Some(AsState::Ready | AsState::Driving)) {
+            self.go_rose_at = Some(t);
+        }
+    }
+
+    /// Whether nothing shows "Go" while AS_DRIVING does not last: no remote control came, and `GO_SIGNAL` need not be the switch.
+    pub(crate) fn go_is_hidden(&self) -> bool {
+        let remote = self.sampler.last(crate::judge::sampler::places::REMOTE).is_some();
+        !remote && self.pinned(Reading::GoSignal) != Some(Choice::GoRaw)
     }
 
     /// Whether a "Go" edge was accepted, as far as `GO_SIGNAL` tells (section 3.2, item 3).

@@ -79,7 +79,7 @@ impl Ebs {
         let both = self.stage.zip(self.status).filter(|_| est.sampler.is_fresh(BRAKE));
         self.differs.is(t, both.is_some_and(|(stage, status)| !agree(stage, status)), false);
         // Each shows a change in its own time.
-        let (since, (stage, status)) = (self.differs.overdue(t - est.window - est.deadline)?, both?);
+        let (since, (stage, status)) = (self.differs.overdue(t - est.patience())?, both?);
         let finding = Finding::note(Party::Vcu, "2.2", Rule::EbsDiffers, since)
             .seen(format!("520h shows EBS_STATE {stage}, but 524h shows STATUS_EBS {status}"))
             .expected("them to agree");

@@ -51,8 +51,7 @@ impl GoSignal {
         let missing = self.at.replace(t).is_none_or(|at| t - at > est.window);
         let turned = self.differs.since.is_some_and(|since| est.remote.go_changed_since(since));
         self.differs.is(t, differs.is_some(), missing || turned);
-        let (since, (state, signal, severity)) =
-            (self.differs.overdue(t - est.window - est.deadline)?, differs?);
+        let (since, (state, signal, severity)) = (self.differs.overdue(t - est.patience())?, differs?);
         let driving = state == AsState::Driving;
         let (section, requirement) = if driving { ("3.2", DETECTED) } else { ("2.2", SENT) };
         let switch = if signal { "off" } else { "on" };

@@ -38,7 +38,7 @@ impl Silence {
         }
         self.shown += 1;
         let limit = est.handshake_limit().max(est.silences.limit.unwrap_or_default());
-        let patience = limit + est.deadline + est.window;
+        let patience = limit + est.patience();
         if t - self.since <= patience || 2 * self.shown * est.cycle() < patience {
             return;
         }

@@ -209,7 +209,7 @@ impl StatusWatch {
         let action = self.action.filter(|&shown| shown != SysActionState::DriveAuto);
         let driving = est.state_seen() == Some(AsState::Driving) && est.known.of(Atom::Tsms) == Truth::True;
         self.mode_differs.is(t, driving && (sm_sys.is_some() || action.is_some()), false);
-        let since = self.mode_differs.overdue(t - est.window - est.deadline)?;
+        let since = self.mode_differs.overdue(t - est.patience())?;
         let sm_sys = sm_sys.map(|shown| format!("SM_SYS {shown}"));
         let action = action.map(|shown| format!("SYS_ACTION_STATE {shown}"));
         let shown: Vec<String> = sm_sys.into_iter().chain(action).collect();
@@ -227,7 +227,7 @@ impl StatusWatch {
             //= D-57
             let flag = status.map(|status| Faults::shown_by(&status).has(fault));
             differs.is(t, flag.is_some_and(|flag| flag != raised(shown)), false);
-            let Some(since) = differs.overdue(t - est.window - est.deadline) else { continue };
+            let Some(since) = differs.overdue(t - est.patience()) else { continue };
             let (warns, flag) = (u8::from(raised(shown)), u8::from(!raised(shown)));
             let seen =
                 format!("120h shows {} {warns}, but 520h shows {} {flag}", name_of(est, field), fault.flag());

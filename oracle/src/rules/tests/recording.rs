@@ -222,5 +222,5 @@ fn rules_are_of_the_edition_that_is_recognised() {
     assert!(judged.recognised.edition.version != "3.0" && only(&judged.report).broken == 0);
     let endless = std::io::Read::chain(log.as_bytes(), std::io::repeat(b'\n'));
     let error = judge_log(endless, &options(&Edition::V3_0, rules), |_| {}).expect_err("not in 3.0");
-    assert!(matches!(&error, LogError::Rules(error) if error.column == 10), "{error}");
+    assert!(matches!(&error, LogError::Rules(error) if error.first().column == 10), "{error}");
 }

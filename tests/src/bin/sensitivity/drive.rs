@@ -1,7 +1,7 @@
 //! Missions of a VCU, on the simulated bus.
 
 use adsdv_spec::{Choices, Edition, Machine};
-use adsdv_tests::world::{Chance, MS, Random, World, any_readings};
+use adsdv_tests::world::{Chance, Random, World, any_readings};
 
 /// A run, and when the VCU first did something that the specification does not.
 pub(crate) struct Run {
@@ -31,21 +31,51 @@ const ROUTES: [fn(&mut World); 5] = [
     World::driving,
 ];
 
+/// Ways on which it shows what is remembered, for VCUs that remember something otherwise.
+const TO_REMEMBER: [fn(&mut World); 3] = [
+    // Twice in AS_READY, each time for less than the time that counts.
+    |world| {
+        world.ready();
+        world.wait(3000);
+        world.inputs.asms = false;
+        world.wait(500);
+        world.inputs.asms = true;
+        world.wait(3000);
+        world.inputs.go = true;
+        world.wait(500);
+    },
+    // "Go" is on before it counts.
+    |world| {
+        world.ready();
+        world.inputs.go = true;
+        world.wait(7000);
+    },
+    // The AI Computer is gone for a while, and comes back.
+    |world| {
+        world.stopped();
+        world.ai_answers = false;
+        world.wait(500);
+        world.ai_answers = true;
+        world.wait(500);
+    },
+];
+
 /// So many runs in which anything is done behind a route.
 const RANDOM: u64 = 36;
 
-/// All routes, and runs in which anything is done.
-pub(crate) fn missions(edition: &Edition, vcu: &Edition) -> Vec<Run> {
-    let world = || World::new(Machine::new(*vcu, edition.readings));
-    let routes = ROUTES.iter().map(|route| {
-        let mut world = world();
+/// All routes, and runs in which anything is done, in a world with this VCU; `remembers`: those on which that shows as well.
+pub(crate) fn missions(edition: &Edition, vcu: &World, remembers: bool) -> Vec<Run> {
+    let besides = if remembers { &TO_REMEMBER[..] } else { &[] };
+    let routes = ROUTES.iter().chain(besides).map(|route| {
+        let mut world = vcu.clone();
         route(&mut world);
         world
     });
-    let random = (0..RANDOM).map(|seed| anything(world(), edition, seed, 600));
+    let random = (0..RANDOM).map(|seed| anything(vcu.clone(), edition, seed, 600));
     let runs = routes.chain(random).zip(0..);
-    let run = |(world, seed)| {
-        let differs_at = first_difference(&world, edition);
+    let specification = Machine::new(*edition, edition.readings);
+    let run = |(world, seed): (World, u64)| {
+        let differs_at = world.differs_at(&specification);
         Run { differs_at, world, seed, readings: edition.readings.choices(), cut: 0 }
     };
     runs.map(run).collect()
@@ -80,17 +110,4 @@ fn anything(mut world: World, edition: &Edition, seed: u64, cycles: u32) -> Worl
         world.cycle();
     }
     world
-}
-
-/// When the VCU first did what the specification would not have, from the same memory and the same inputs.
-fn first_difference(world: &World, edition: &Edition) -> Option<i64> {
-    let specification = Machine::new(*edition, edition.readings);
-    let cycle = i64::from(edition.rules.timing.cycle_ms) * MS;
-    let mut steps = world.steps.iter().zip(0_i64..);
-    steps.find_map(|((control, inputs), step)| {
-        let dt_ms = edition.rules.timing.cycle_ms.into();
-        let differs =
-            specification.step(control, inputs, dt_ms).0 != world.vcu.step(control, inputs, dt_ms).0;
-        differs.then_some(step * cycle)
-    })
 }

@@ -1,24 +1,26 @@
-//! How much the judge sees: every mutation of an edition drives missions, a recorder makes the recordings late or loses frames, and
+//! How much the judge sees: every mutation of an edition, and every VCU that remembers something or shows a flag otherwise, drives missions, a recorder makes the recordings late or loses frames, and
 //! the judge says what it can. And how little it sees where there is nothing: the same of the VCU of the specification.
 //!
 //! `scripts/sensitivity.sh` runs it, and says what the options are.
 
 mod drive;
+mod mutants;
 mod profile;
 
 use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitCode;
 
-use adsdv_spec::{Edition, Mutation};
+use adsdv_spec::Edition;
 
 use drive::{Run, missions};
+use mutants::{Kind, Mutant};
 use profile::{Detection, PROFILES, Profile};
 
 /// Where the recordings are kept in which the specification is blamed.
 const KEPT: &str = "target/sensitivity";
 
-/// What was said of all mutations under one profile.
+/// What was said of all mutants of a kind under one profile.
 #[derive(Default)]
 struct Tally {
     violations: usize,
@@ -35,51 +37,82 @@ fn main() -> ExitCode {
         eprintln!("sensitivity: no edition {version}");
         return ExitCode::from(2);
     };
-    // Only that nobody is blamed who is right.
-    if args.next().as_deref() != Some("soundness") {
-        sensitivity(edition);
+    // Only mutants of one kind, or only that nobody is blamed who is right.
+    let only = args.next();
+    match only.as_deref() {
+        Some("soundness") => {}
+        None => sensitivity(edition, &Kind::ALL),
+        Some(name) => {
+            let Some(kind) = Kind::ALL.into_iter().find(|kind| kind.id() == name) else {
+                eprintln!("sensitivity: no mutants of {name}; expected table, time, memory or flag");
+                return ExitCode::from(2);
+            };
+            sensitivity(edition, &[kind]);
+        }
     }
     if soundness(edition, runs) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Judges the missions of every mutation, and prints a table.
-fn sensitivity(edition: &'static Edition) {
-    let mutations: Vec<Mutation> = Mutation::all(edition).collect();
-    let mut tallies: Vec<Tally> = PROFILES.iter().map(|_| Tally::default()).collect();
-    let mut unseen = 0;
+/// Judges the missions of every mutant, and prints a table for each kind of them.
+fn sensitivity(edition: &'static Edition, kinds: &[Kind]) {
+    let mutants = mutants::all(edition);
     let shows_progress = std::io::stderr().is_terminal();
-    for (place, mutation) in mutations.iter().enumerate() {
-        if shows_progress {
-            eprint!("\r{place} of {} mutations", mutations.len());
-        }
-        let runs: Vec<Run> = missions(edition, &mutation.apply(edition));
-        // What shows in no recording at all, with nothing late and nothing lost, nobody can tell from the bus.
-        let detected = |profile: &Profile| {
-            runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Detection::Nothing)
-        };
-        if !matches!(detected(&Profile::PERFECT), Detection::Violation { .. }) {
-            unseen += 1;
-            continue;
-        }
-        for (profile, tally) in PROFILES.iter().zip(&mut tallies) {
-            match detected(profile) {
-                Detection::Violation { delay_ms } => {
-                    tally.violations += 1;
-                    tally.delays_ms.push(delay_ms);
-                }
-                Detection::Warning => tally.warnings += 1,
-                Detection::Nothing => tally.nothing.push(mutation.to_string()),
+    let mut done = 0;
+    for &kind in kinds {
+        let mut tallies: Vec<Tally> = PROFILES.iter().map(|_| Tally::default()).collect();
+        let mut unseen = Vec::new();
+        let of_kind: Vec<&Mutant> = mutants.iter().filter(|mutant| mutant.kind == kind).collect();
+        for mutant in &of_kind {
+            if shows_progress {
+                eprint!("\r{done} of {} mutants", mutants.len());
+            }
+            done += 1;
+            if !drives(edition, mutant, &mut tallies) {
+                unseen.push(mutant.name.as_str());
             }
         }
+        if shows_progress {
+            eprint!("\r");
+        }
+        println!(
+            "edition {}, {}: {} mutants, of which {} show in no recording",
+            edition.version,
+            kind.name(),
+            of_kind.len(),
+            unseen.len()
+        );
+        print_table(tallies);
+        if matches!(kind, Kind::Memory | Kind::Flag) {
+            unseen.iter().for_each(|name| println!("    shows in no recording: {name}"));
+        }
+        println!();
     }
-    if shows_progress {
-        eprint!("\r");
+}
+
+/// Has a mutant drive missions, and counts what is said of it under each profile. Tells whether it shows in any recording at all.
+fn drives(edition: &'static Edition, mutant: &Mutant, tallies: &mut [Tally]) -> bool {
+    let runs: Vec<Run> = missions(edition, &mutant.world, mutant.kind == Kind::Memory);
+    // What shows in no recording at all, with nothing late and nothing lost, nobody can tell from the bus.
+    let detected = |profile: &Profile| {
+        runs.iter().map(|run| profile.judge(edition, run)).max().unwrap_or(Detection::Nothing)
+    };
+    if !matches!(detected(&Profile::PERFECT), Detection::Violation { .. }) {
+        return false;
     }
-    println!(
-        "edition {}: {} mutations, of which {unseen} show in no recording",
-        edition.version,
-        mutations.len()
-    );
+    for (profile, tally) in PROFILES.iter().zip(tallies) {
+        match detected(profile) {
+            Detection::Violation { delay_ms } => {
+                tally.violations += 1;
+                tally.delays_ms.push(delay_ms);
+            }
+            Detection::Warning => tally.warnings += 1,
+            Detection::Nothing => tally.nothing.push(mutant.name.clone()),
+        }
+    }
+    true
+}
+
+fn print_table(tallies: Vec<Tally>) {
     println!("{:<44} {:>10} {:>8} {:>8}  median delay", "recording", "violation", "warning", "nothing");
     for (profile, mut tally) in PROFILES.iter().zip(tallies) {
         tally.delays_ms.sort_unstable();
@@ -92,8 +125,8 @@ fn sensitivity(edition: &'static Edition) {
             tally.warnings,
             tally.nothing.len()
         );
-        for mutation in tally.nothing.iter().take(5) {
-            println!("    nothing is said of {mutation}");
+        for mutant in tally.nothing.iter().take(5) {
+            println!("    nothing is said of {mutant}");
         }
     }
 }
