@@ -76,8 +76,7 @@ impl Catalog {
     }
 
     fn at(&self, extended: bool, id: u32) -> Option<&Message> {
-        let place =
-            if extended { self.extended.get(&id) } else { self.standard.get(id as usize)?.as_ref() };
+        let place = if extended { self.extended.get(&id) } else { self.standard.get(id as usize)?.as_ref() };
         self.messages.get(usize::from(*place?))
     }
 

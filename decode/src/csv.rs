@@ -72,7 +72,8 @@ impl<W: Write> Sink for Csv<W> {
             && let Some(texts) = self.messages.get(place)
         {
             for (signal, (name, unit)) in message.signals.iter().zip(&texts.signals) {
-                let Some(bits) = signal.place.bits(record.data).filter(|_| message.has(signal, record.data)) else {
+                let Some(bits) = signal.place.bits(record.data).filter(|_| message.has(signal, record.data))
+                else {
                     continue;
                 };
                 empty = false;
@@ -130,6 +131,9 @@ mod tests {
             put_cell(&mut out, text);
             String::from_utf8(out).expect("text")
         };
-        assert_eq!(["AS OFF", "a,b", "a\"b", "a\nb", ""].map(cell), ["AS OFF", "\"a,b\"", "\"a\"\"b\"", "\"a\nb\"", ""]);
+        assert_eq!(
+            ["AS OFF", "a,b", "a\"b", "a\nb", ""].map(cell),
+            ["AS OFF", "\"a,b\"", "\"a\"\"b\"", "\"a\nb\"", ""]
+        );
     }
 }

@@ -83,7 +83,8 @@ impl<W: Write> Sink for JsonLines<W> {
             out.extend_from_slice(b",\"signals\":{");
             let mut first = true;
             for (signal, text) in message.signals.iter().zip(&texts.signals) {
-                let Some(bits) = signal.place.bits(record.data).filter(|_| message.has(signal, record.data)) else {
+                let Some(bits) = signal.place.bits(record.data).filter(|_| message.has(signal, record.data))
+                else {
                     continue;
                 };
                 if !first {

@@ -148,7 +148,13 @@ mod tests {
             put_line(&mut out, record);
             String::from_utf8(out).expect("text")
         };
-        assert_eq!(line(&record(FrameKind::Xl, 5, 0x12, &[0xAB; 9])), "(0000000000.000000005) can0 012##ABABABABABABABABAB");
-        assert_eq!(line(&record(FrameKind::Standard, -1_500_000_000, 0x12, &[1])), "(-0000000001.500000) can0 012#01");
+        assert_eq!(
+            line(&record(FrameKind::Xl, 5, 0x12, &[0xAB; 9])),
+            "(0000000000.000000005) can0 012##ABABABABABABABABAB"
+        );
+        assert_eq!(
+            line(&record(FrameKind::Standard, -1_500_000_000, 0x12, &[1])),
+            "(-0000000001.500000) can0 012#01"
+        );
     }
 }

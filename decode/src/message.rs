@@ -103,9 +103,7 @@ impl Message {
             && match kind {
                 FrameKind::Standard => !self.extended,
                 FrameKind::Extended => self.extended,
-                FrameKind::Fd { extended, .. } => {
-                    self.extended == extended && self.origin != Origin::Edition
-                }
+                FrameKind::Fd { extended, .. } => self.extended == extended && self.origin != Origin::Edition,
                 FrameKind::Remote { .. } | FrameKind::Error | FrameKind::Xl => false,
             }
     }
@@ -148,10 +146,18 @@ mod tests {
 
     #[test]
     fn a_multiplexer_chooses_and_may_be_chosen_itself() {
-        let message =
-            message(&[signal(0, None), signal(8, Some((0, 1))), signal(16, Some((1, 2))), signal(16, Some((1, 3)))]);
+        let message = message(&[
+            signal(0, None),
+            signal(8, Some((0, 1))),
+            signal(16, Some((1, 2))),
+            signal(16, Some((1, 3))),
+        ]);
         let has = |data: &[u8]| {
-            message.readings(data).map(|reading| reading.signal.name.to_string()).collect::<Vec<_>>().join(" ")
+            message
+                .readings(data)
+                .map(|reading| reading.signal.name.to_string())
+                .collect::<Vec<_>>()
+                .join(" ")
         };
         assert_eq!(has(&[0, 2, 9]), "S0");
         assert_eq!(has(&[1, 2, 9]), "S0 S8 S16");

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::ops::RangeInclusive;
 
 use can_dbc::{
-    ByteOrder, MessageId, MultiplexIndicator, SignalExtendedValueType, ValDescription, ValueDescription, ValueType,
+    ByteOrder, MessageId, MultiplexIndicator, SignalExtendedValueType, ValDescription, ValueDescription,
+    ValueType,
 };
 
 use super::DbcError;
@@ -71,7 +72,8 @@ pub(super) fn message(
     let convert = |signal: &can_dbc::Signal| -> Result<Signal, DbcError> {
         let refuse = |what: String| DbcError::at(lines.of_signal(&signal.name), what);
         let key = (message.id, signal.name.as_str());
-        let place = place(signal, tables.floats.get(&key).copied()).filter(|place| place.bytes_needed() <= len);
+        let place =
+            place(signal, tables.floats.get(&key).copied()).filter(|place| place.bytes_needed() <= len);
         let Some(place) = place else {
             let (start, size) = (signal.start_bit, signal.size);
             return Err(refuse(format!(
@@ -79,7 +81,8 @@ pub(super) fn message(
                 clean(&signal.name)
             )));
         };
-        let multiplexed = multiplexed(signal, signals, &places, tables.multiplexers.get(&key)).map_err(refuse)?;
+        let multiplexed =
+            multiplexed(signal, signals, &places, tables.multiplexers.get(&key)).map_err(refuse)?;
         Ok(Signal {
             name: clean(&signal.name),
             unit: clean(&signal.unit),
@@ -136,7 +139,8 @@ fn multiplexed(
         MultiplexIndicator::MultiplexedSignal(value)
         | MultiplexIndicator::MultiplexorAndMultiplexedSignal(value) => value,
     };
-    let is_multiplexer = |other: &can_dbc::Signal| other.multiplexer_indicator == MultiplexIndicator::Multiplexor;
+    let is_multiplexer =
+        |other: &can_dbc::Signal| other.multiplexer_indicator == MultiplexIndicator::Multiplexor;
     match signals.iter().position(is_multiplexer) {
         Some(by) => Ok(Some(Multiplexed { by, values: [value..=value].into() })),
         None => Err(format!("{} is multiplexed, and the message has no multiplexer (M)", signal.name)),

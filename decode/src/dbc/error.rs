@@ -31,7 +31,7 @@ impl DbcError {
         let found = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
         let found: String = found.chars().skip(column.saturating_sub(1)).take(24).collect();
         let found = if found.is_empty() { "the end of the line".to_owned() } else { format!("{found:?}") };
-        Self { line: Some(line), what: format!("column {column}: {found} does not belong there") }
+        Self { line: Some(line), what: format!("column {column}: cannot read on at {found}") }
     }
 }
 

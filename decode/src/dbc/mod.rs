@@ -72,7 +72,8 @@ impl Database {
             }
         }
         let mut names = HashSet::new();
-        messages.retain(|message: &Message| names.insert((message.extended, message.id, message.name.clone())));
+        messages
+            .retain(|message: &Message| names.insert((message.extended, message.id, message.name.clone())));
         Ok(Self { name: name.to_owned(), messages })
     }
 }

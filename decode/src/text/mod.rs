@@ -82,8 +82,9 @@ impl<W: Write> Sink for Text<W> {
 fn put_unknown(out: &mut Vec<u8>, kind: FrameKind, id: u32) {
     let name = kind_name(kind);
     if name.is_empty() {
+        let kind = if matches!(kind, FrameKind::Fd { .. }) { "CAN FD frame" } else { "frame" };
         // A vector takes everything.
-        let _ = write!(out, " Unknown frame id {id} (0x{id:x})");
+        let _ = write!(out, " Unknown {kind} id {id} (0x{id:x})");
         return;
     }
     let (first, rest) = name.split_at(1);

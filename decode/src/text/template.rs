@@ -76,7 +76,9 @@ impl Template {
             first = false;
             template.put(out, signal, bits);
         }
-        out.extend_from_slice(self.end);
+        if !first {
+            out.extend_from_slice(self.end);
+        }
         out.push(b')');
         if data.len() != message.len {
             put_wrong_size(out, data.len(), message.len);
@@ -89,7 +91,8 @@ impl SignalTemplate {
         let unit = if signal.unit.is_empty() { String::new() } else { format!(" {}", signal.unit) };
         let is_dense = |raw: i64| (0..DENSE).contains(&raw);
         let last = signal.names.iter().map(|(raw, _)| *raw).rfind(|raw| is_dense(*raw));
-        let mut dense: Vec<Box<[u8]>> = vec![[].into(); last.map_or(0, |last| usize::try_from(last + 1).unwrap_or(0))];
+        let mut dense: Vec<Box<[u8]>> =
+            vec![[].into(); last.map_or(0, |last| usize::try_from(last + 1).unwrap_or(0))];
         for (raw, name) in &signal.names {
             if let Some(place) = usize::try_from(*raw).ok().and_then(|raw| dense.get_mut(raw)) {
                 *place = name.as_bytes().into();
@@ -117,7 +120,9 @@ impl SignalTemplate {
     fn put(&self, out: &mut Vec<u8>, signal: &Signal, bits: u64) {
         out.extend_from_slice(&self.label);
         let dense = usize::try_from(bits).ok().and_then(|bits| self.dense.get(bits));
-        if let Some(name) = dense.filter(|name| !name.is_empty() && signal.place.raw(bits) == i128::from(bits)) {
+        if let Some(name) =
+            dense.filter(|name| !name.is_empty() && signal.place.raw(bits) == i128::from(bits))
+        {
             out.extend_from_slice(name);
         } else if let Some(name) = signal.value_name(bits).filter(|_| self.sparse) {
             out.extend_from_slice(name.as_bytes());
