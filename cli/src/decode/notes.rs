@@ -17,7 +17,9 @@ pub(super) fn print(
     of_format: &[String],
 ) {
     let mut text = String::new();
-    let mut note = |what: &str| drop(writeln!(text, "note: {what}"));
+    let mut note = |what: &str| {
+        let _ = writeln!(text, "note: {what}");
+    };
     if by_log && !(recognised.certain && recognised.against.is_empty()) {
         note(&format!("decoded by {recognised}"));
     }
