@@ -1,6 +1,6 @@
 //! The arguments, and the help texts that stand for a manual page: `bus`, `conform`, `exam` and `verify` have those of the commands on
 //! a bus, of those that judge a program, of the one that examines an AI Computer, and of those that explore the state machine, `diff` those of the comparison of editions,
-//! and `compare` those of the comparison of recordings; this file has all others.
+//! `compare` those of the comparison of recordings, and `decode` those of the one that decodes them; this file has all others.
 
 use std::path::PathBuf;
 
@@ -12,6 +12,7 @@ use clap::{Args, ColorChoice, Parser, Subcommand, ValueEnum};
 mod bus;
 mod compare;
 mod conform;
+mod decode;
 mod diff;
 mod edition;
 mod exam;
@@ -20,6 +21,7 @@ mod verify;
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
 pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
+pub(crate) use decode::{DecodeArgs, Decoded};
 pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use exam::ExamArgs;
@@ -52,6 +54,9 @@ EXAMPLES
 
   It worked yesterday: what differs between two recordings?
       adsdv compare yesterday.log today.log
+
+  Every signal of a log, with units and the names of values:
+      adsdv decode run.log
 
   Drive an AI stack against the virtual VCU, with a judge beside it:
       adsdv vcu vcan0
@@ -97,6 +102,7 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     Conform(ConformArgs),
     Dbc(DbcArgs),
+    Decode(DecodeArgs),
     Demo(DemoArgs),
     Diagram(DiagramArgs),
     Diff(DiffArgs),

@@ -5,6 +5,7 @@
 //!   |          |         json   (for a program)
 //!   |          +-------> the verdict is the exit status
 //!   +------> compare --> what differs between two logs, and the exit status
+//!   +------> decode --> every signal of a log, for a person or for another tool
 //!   +------> conform --> a program under test, asked and judged, and the exit status
 //!   +------> exam -----> an AI Computer under test, asked and judged, and the exit status
 //!   +------> demo -----> a mission without any CAN, judged as a log is
@@ -28,6 +29,7 @@ mod args;
 mod check;
 mod compare;
 mod conform;
+mod decode;
 mod demo;
 mod diff;
 mod error;
@@ -79,6 +81,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
         Command::Exam(args) => exam::run(args),
+        Command::Decode(args) => decode::run(args),
         Command::Dbc(args) => tables::dbc(args),
         Command::Diagram(args) => tables::diagram(args),
         Command::Diff(args) => diff::run(args),

@@ -2,9 +2,9 @@
 
 use crate::run::{run, temporary};
 
-const COMMANDS: [&str; 17] = [
-    "ai", "check", "compare", "conform", "dbc", "demo", "diagram", "diff", "exam", "explore", "export",
-    "readings", "schema", "suite", "vcu", "verify", "watch",
+const COMMANDS: [&str; 18] = [
+    "ai", "check", "compare", "conform", "dbc", "decode", "demo", "diagram", "diff", "exam", "explore",
+    "export", "readings", "schema", "suite", "vcu", "verify", "watch",
 ];
 
 #[test]

@@ -7,6 +7,7 @@ mod bad_input;
 mod color;
 mod compare;
 mod conform;
+mod decode;
 mod demo;
 mod diagnosis;
 mod diff;

@@ -24,6 +24,8 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["conform", "--runs", "0", "--no-diagnosis", "--", "sh", "-c", DUMB], 1),
     (&["conform", "--runs", "0", "--no-diagnosis", "--json", "--", "sh", "-c", DUMB], 1),
     (&["dbc"], 0),
+    (&["decode", MISSION], 0),
+    (&["decode", "--format", "vcd", MISSION], 0),
     (&["exam", "--list"], 0),
     (&["exam", "--stdio", "--only", "mission-acceleration", "--", "sh", "-c", SILENT], 1),
     (&["demo"], 0),

@@ -1,0 +1,104 @@
+//! The arguments of the command that decodes recordings.
+
+use std::path::PathBuf;
+
+use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, ValueEnum};
+
+use super::EditionArgs;
+
+/// Print every signal of a log, with its unit and the names of its values.
+///
+/// As text in the way of `cantools decode`, or for other tools: CSV, JSON Lines, or VCD for GTKWave and Surfer. No database is
+/// needed: the signals are those of the edition that the log speaks, which is recognised by its frames as `adsdv check` does.
+/// --dbc adds a team's own messages.
+///
+/// No frame is lost: one that nothing knows is printed with its bytes, and one that is too short with the signals that it has.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+EXAMPLES
+  What was on the bus?
+      adsdv decode --single-line run.log | less
+
+  From the bus as it comes, by an edition that is named, so that nothing is waited for:
+      candump -L can0 | adsdv decode --edition 2026 --single-line -
+
+  A team's own devices beside the ADS-DV's:
+      adsdv decode --dbc team.dbc run.log
+
+  For a spreadsheet or pandas, and for jq:
+      adsdv decode --format csv -o run.csv run.log
+      adsdv decode --format jsonl run.log | jq -c 'select(.message == \"VCU2AI_Status\") | .signals.AS_STATE.name'
+
+  As waves, with what blocks each arrow of the state machine:
+      adsdv decode --format vcd -o run.vcd run.log
+      gtkwave run.vcd
+
+OUTPUT
+  text   the frame as candump -L prints it, and behind it the message with its signals: a
+         line for each, or with --single-line all in one. Unlike cantools 45, fractions
+         are exact, and a frame of another length than its message is decoded as far as
+         it goes, with `Wrong data size` behind it.
+  csv    a row for each signal: time_s,interface,id,message,signal,value,unit,name.
+         value is always a number. A frame that nothing knows has a row with its bytes in
+         name.
+  jsonl  an object for each frame: time_s, interface, id, data, and of a message that is
+         known message and signals, each with value, unit and name
+  vcd    a scope for each message, with wires and reals; `state` has the AS state, and
+         `blocked` what blocks each arrow of Figure 2: a condition is 1 if it is as the
+         arrow needs it, 0 if not, x if that is not known. Of one interface.
+  Times are those of the log; in a VCD, since its first frame. Lines that could not be
+  read, frames that the log says were lost, and frames that nothing knows are counted on
+  standard error at the end.
+
+ENVIRONMENT
+  ADSDV_EDITION  the edition where --edition names none and the log does not tell
+
+EXIT STATUS
+  0  the log was decoded
+  2  a log or a database could not be read, the answer not be written, or the arguments
+     are wrong; of a log that could not be read to its end, what could be was decoded")]
+pub(crate) struct DecodeArgs {
+    /// The log: a file of `candump -L`, or - for standard input.
+    #[arg(value_name = "LOG")]
+    pub(crate) log: PathBuf,
+
+    /// What to make of it.
+    #[arg(long, value_name = "FORMAT", default_value_t = Decoded::Text, value_enum)]
+    pub(crate) format: Decoded,
+
+    /// Text in one line for each frame.
+    #[arg(short, long)]
+    pub(crate) single_line: bool,
+
+    /// Write to this file instead of standard output. One that is there is replaced.
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Decode the messages of this database (DBC) as well; may be repeated.
+    ///
+    /// Extended identifiers, multiplexers, both byte orders, floats and value tables are read. Of an identifier that the edition
+    /// has as well, the edition's counts, and a note says so; what this database says is never judged.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) dbc: Vec<PathBuf>,
+
+    /// Decode the frames of this CAN interface alone, as the log names it.
+    #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) interface: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) edition: EditionArgs,
+}
+
+/// What a log is decoded to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Decoded {
+    /// Text in the way of `cantools decode`.
+    Text,
+    /// A row for each signal.
+    Csv,
+    /// A JSON object for each frame.
+    Jsonl,
+    /// Waves for GTKWave and Surfer.
+    Vcd,
+}

@@ -1,0 +1,8 @@
+//! Whole recordings, decoded.
+
+#![forbid(unsafe_code)]
+
+mod cantools;
+mod dbc;
+mod formats;
+mod frames;
