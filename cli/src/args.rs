@@ -188,7 +188,7 @@ pub(crate) enum WithJson {
 
 /// Judge a recorded CAN log.
 ///
-/// Reads a log of `candump -L` (can-utils), of any length, and holds both sides of it against the document: every
+/// Reads a log of any length, and holds both sides of it against the document: every
 /// transition of the AS state machine that was seen or was due, the handshake, fault flags and shutdown causes, the
 /// conduct of the AI Computer, values and lengths.
 ///
@@ -197,6 +197,12 @@ pub(crate) enum WithJson {
 ///
 /// Which edition of the interface the log speaks is recognised by its frames: how long they are, which there are, and what
 /// they say. The first line says which it is and by what, and a note what does not fit it. --edition overrides.
+///
+/// The format of a log is recognised by its content, whatever its name: candump (with -L, or as it prints on a screen), what
+/// python-can prints, Vector ASC and BLF, PEAK TRC, the CSV of python-can, and MCAP of ROS 2 where it is built in; gzip and Zstandard around any of these.
+///
+/// Several logs, and directories of logs, are judged on all cores: a line for each, the worst first, then the report of the
+/// worst. In a directory, what has no frame is passed over.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 EXAMPLES
@@ -204,8 +210,12 @@ EXAMPLES
       adsdv check run.log
 
   Judge a compressed log, or one that is still being recorded:
-      zcat run.log.gz | adsdv check -
+      adsdv check run.log.gz
       candump -L can0 | adsdv check -
+
+  A season of logs, and what came of it for a CI:
+      adsdv check logs
+      adsdv check --junit check.xml --summary check.md logs/2026/*.log.zst
 
   The VCU takes the change to FINISHED as the fault, not the value:
       adsdv check --edition 3.0 --reading fault-trigger=edge run.log
@@ -245,6 +255,8 @@ OUTPUT
   Last come the times of the AI Computer's answers to the handshake (p99: 99 percent
   came within it), how many requirements the log shows to hold, and the verdict, which
   says what was not there: one side, a state other than AS_OFF, or any at all.
+  Of several logs a line for each comes first: its verdict, violations and warnings, how
+  long it is, its name and the first violation; then the report of the worst.
   With --excerpt the logs that were written follow, on standard error with --json; of one
   that does not show its finding alone, with up to 20 s of what came before, that is said.
 
@@ -259,15 +271,17 @@ EXIT STATUS
   2  no verdict: the log or the rules could not be read, the report or an excerpt not be written, or
      the arguments are wrong")]
 pub(crate) struct CheckArgs {
-    /// The log: a file of `candump -L`, or - for standard input.
+    /// The log, or - for standard input; or several logs, and directories of logs.
     ///
-    /// A file whose name is - is given as ./-
-    #[arg(value_name = "LOG")]
-    pub(crate) log: PathBuf,
+    /// A text of candump or python-can, or any format that is named above, compressed or not. A file whose name is - is given
+    /// as ./-
+    #[arg(value_name = "LOG", required = true)]
+    pub(crate) logs: Vec<PathBuf>,
 
     /// Print one JSON object instead of text.
     ///
     /// `adsdv schema` prints its JSON Schema. Times are in seconds since the first frame.
+    /// Of several logs there is a line for each, in their order, with its name.
     #[arg(long)]
     pub(crate) json: bool,
 
@@ -317,6 +331,14 @@ pub(crate) struct CheckArgs {
     /// The directory is made if it is not there; files of other names are left alone. At most 20 are written.
     #[arg(long, value_name = "DIR")]
     pub(crate) excerpt: Option<PathBuf>,
+
+    /// Write what came of it to this file as JUnit XML: a suite for each log, a case for each rule.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) junit: Option<PathBuf>,
+
+    /// Write what came of it to this file in Markdown, for the summary page of a CI run.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) summary: Option<PathBuf>,
 
     /// The CAN interface to judge, as the log names it.
     ///

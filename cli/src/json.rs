@@ -52,15 +52,36 @@ pub(crate) const SUITE_SCHEMA: &str = include_str!("../schema/suite.schema.json"
 /// The JSON Schema of what `adsdv suite --prove --json` writes.
 pub(crate) const PROVE_SCHEMA: &str = include_str!("../schema/prove.schema.json");
 
-/// A report as one JSON object on one line, with whether it has what was required.
+/// A report as one JSON object on one line, with whether it has what was required; with the name of the log, where it is one of
+/// several.
 pub(crate) fn text(
+    log: Option<&str>,
     edition: &Edition,
     recognised: Option<&Recognised>,
     report: &Report,
     required: &[Required],
 ) -> String {
     let required = RequiredJson::all(required, report);
-    line(&CheckJson { required, ..CheckJson::new(edition, recognised, report) })
+    line(&CheckJson { log, required, ..CheckJson::new(edition, recognised, report) })
+}
+
+/// One of several logs that could not be judged, as one JSON object on one line.
+pub(crate) fn unreadable(log: &str, error: &Error) -> String {
+    let Error { why, hint, .. } = error;
+    line(&UnreadableJson { schema: SCHEMA, log, error: ErrorJson { why, hint } })
+}
+
+#[derive(Serialize)]
+struct UnreadableJson<'a> {
+    schema: u32,
+    log: &'a str,
+    error: ErrorJson<'a>,
+}
+
+#[derive(Serialize)]
+struct ErrorJson<'a> {
+    why: &'a str,
+    hint: &'a str,
 }
 
 /// A report of a live bus, and what went over it, as one JSON object on one line.
@@ -100,6 +121,9 @@ pub(crate) fn line(value: &impl Serialize) -> String {
 #[derive(Serialize)]
 struct CheckJson<'a> {
     schema: u32,
+    /// Its name, where it is one of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    log: Option<&'a str>,
     edition: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     recognised: Option<RecognisedJson<'a>>,
