@@ -141,8 +141,7 @@ impl Subject {
 
     /// The report for a person.
     pub(crate) fn text(&self, args: &CheckArgs, plan: &Plan, name: &str) -> String {
-        let line =
-            if self.by_log { report::recognised(&self.recognised) } else { plan.chosen.to_string() };
+        let line = if self.by_log { report::recognised(&self.recognised) } else { plan.chosen.to_string() };
         let subject = JudgedLog {
             edition: Some(&line),
             name,

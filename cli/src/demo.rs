@@ -80,7 +80,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
     written(flushed)?;
     let report = judge.finish(run.frames).map_err(|error| Error::log(&name, &error))?;
     if args.json {
-        output::plain(&json::text(chosen.edition(), None, &report, &[]))?;
+        output::plain(&json::text(None, chosen.edition(), None, &report, &[]))?;
     } else {
         let width = output::width();
         let subject = JudgedLog { edition: None, name: &name, options: &options, pins: &[], required: &[] };

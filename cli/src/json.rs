@@ -19,6 +19,8 @@ use serde::Serialize;
 pub(crate) use compare::compared;
 use stays::{GoPressJson, StayJson};
 
+use crate::error::Error;
+
 /// The number of the form that every answer in JSON has, which is its first key; `schema/README.md` says when it changes.
 pub(crate) const SCHEMA: u32 = 1;
 
@@ -230,6 +232,7 @@ impl<'a> CheckJson<'a> {
     fn new(edition: &Edition, recognised: Option<&'a Recognised>, report: &'a Report) -> Self {
         Self {
             schema: SCHEMA,
+            log: None,
             edition: edition.version,
             recognised: recognised.map(RecognisedJson::of),
             frames: report.frames,

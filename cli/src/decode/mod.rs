@@ -48,9 +48,9 @@ pub(crate) fn run(args: &DecodeArgs) -> Result<Status, Error> {
         Decoded::Jsonl => Box::new(JsonLines::new(&catalog, writer, live)),
         Decoded::Vcd => Box::new(VcdFile::new(&catalog, writer)),
     };
-    let mut line = ProgressLine::new();
-    let decoded = recording.decode(&catalog, &mut *sink, |lines| line.show(format_args!("{lines} lines")));
-    drop(line);
+    let mut shown = ProgressLine::new();
+    let decoded = recording.decode(&catalog, &mut *sink, |lines| shown.show(format_args!("{lines} lines")));
+    drop(shown);
     match decoded {
         Ok(summary) => {
             notes::print(&recognised, options.edition.is_none(), &catalog, &summary, &sink.notes());

@@ -37,7 +37,9 @@ pub(super) fn print(
             summary.frames
         ));
     }
-    of_format.iter().for_each(|what| note(what));
+    for what in of_format {
+        note(what);
+    }
     // If standard error cannot be written there is nobody to tell; the answer is complete all the same.
     let _ = io::stderr().write_all(text.as_bytes());
 }

@@ -55,7 +55,8 @@ pub(super) fn find(logs: &[PathBuf]) -> Result<Vec<Found>, Error> {
         if log == Path::new(recording::STDIN) {
             return Err(Error {
                 what: "-".to_owned(),
-                why: "standard input is judged alone; expected files and directories beside each other".to_owned(),
+                why: "standard input is judged alone; expected files and directories beside each other"
+                    .to_owned(),
                 hint: "save it first: cat > run.log".to_owned(),
             });
         }

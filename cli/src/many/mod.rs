@@ -94,7 +94,8 @@ fn done(args: &CheckArgs, plan: &Plan, found: Found, read: &Arc<AtomicU64>) -> D
     match judged {
         Ok(subject) => {
             let row = Row::of(&name, &subject);
-            let text = if args.json { subject.json(args, Some(&name)) } else { subject.text(args, plan, &name) };
+            let text =
+                if args.json { subject.json(args, Some(&name)) } else { subject.text(args, plan, &name) };
             Done { found, row: Ok(row), is_empty: false, text: Some(text) }
         }
         Err(error) => {

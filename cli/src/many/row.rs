@@ -63,10 +63,12 @@ impl Row {
             frames: report.frames,
             duration_ns: report.duration_ns,
             status: subject.status(),
-            counts: Severity::ALL.map(|severity| report.count(severity)),
+            counts: [Severity::Violation, Severity::Warning, Severity::Note]
+                .map(|severity| report.count(severity)),
             rules,
             missing: subject.missing(),
-            first: failure.or_else(|| broken.map(|finding| format!("{} {}", finding.party.name(), words(finding)))),
+            first: failure
+                .or_else(|| broken.map(|finding| format!("{} {}", finding.party.name(), words(finding)))),
         }
     }
 
@@ -151,7 +153,11 @@ impl Rows {
             let count = self.count(status);
             (count > 0).then(|| format!("{count} {words}"))
         };
-        let of = [(Status::NoAnswer, "unreadable"), (Status::Violates, "violating"), (Status::Conforms, "conforming")];
+        let of = [
+            (Status::NoAnswer, "unreadable"),
+            (Status::Violates, "violating"),
+            (Status::Conforms, "conforming"),
+        ];
         let of: Vec<String> = of.into_iter().filter_map(|(status, words)| one(status, words)).collect();
         format!("{}: {}", counted(self.all.len() as u64, "log"), of.join(", "))
     }

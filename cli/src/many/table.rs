@@ -54,7 +54,8 @@ fn line(out: &mut String, row: &Row, width: usize) -> fmt::Result {
         Seconds(row.duration_ns),
         row.name
     )?;
-    let missing = (!row.missing.is_empty()).then(|| format!("required and missing: {}", row.missing.join(", ")));
+    let missing =
+        (!row.missing.is_empty()).then(|| format!("required and missing: {}", row.missing.join(", ")));
     for text in row.first.iter().chain(&missing) {
         writeln!(out, "            {}", cut(text, width.saturating_sub(12)))?;
     }

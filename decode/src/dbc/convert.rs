@@ -19,11 +19,14 @@ const MAX_STANDARD: u64 = 0x7FF;
 /// In a database this bit says that an identifier is extended.
 const EXTENDED: u64 = 1 << 31;
 
+/// The signal that selects, and the values for which it does.
+type Multiplexer<'a> = (&'a str, Vec<RangeInclusive<u64>>);
+
 /// What stands apart from the messages, found by message and signal.
 pub(super) struct Tables<'a> {
     names: HashMap<(MessageId, &'a str), &'a [ValDescription]>,
     floats: HashMap<(MessageId, &'a str), SignalExtendedValueType>,
-    multiplexers: HashMap<(MessageId, &'a str), (&'a str, Vec<RangeInclusive<u64>>)>,
+    multiplexers: HashMap<(MessageId, &'a str), Multiplexer<'a>>,
 }
 
 impl<'a> Tables<'a> {

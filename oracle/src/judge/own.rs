@@ -6,7 +6,7 @@ use super::book::Book;
 use super::estimator::base::Estimator;
 use super::sampler::places::slot_of;
 use super::sampler::slot::Slot;
-use crate::rules::{RuleErrors, RuleFile, RuleReport, Runner};
+use crate::rules::{GoHidden, RuleErrors, RuleFile, RuleReport, Runner};
 
 /// The rules that are followed, if there are any.
 #[derive(Debug, Default)]
@@ -53,7 +53,10 @@ impl Own {
     /// There is nothing more to come.
     pub(super) fn end(&mut self, est: &Estimator, book: &mut Book) {
         if let Some(mut runner) = self.runner.take() {
-            runner.end(est.now, est.go_is_hidden().then(|| est.pinned(Reading::GoSignal)));
+            runner.end(
+                est.now,
+                est.go_is_hidden().then(|| GoHidden { settled: est.pinned(Reading::GoSignal) }),
+            );
             runner.news().into_iter().for_each(|finding| book.found(finding));
             self.reports = runner.reports();
         }

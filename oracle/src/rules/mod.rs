@@ -64,6 +64,7 @@ pub use error::RuleError;
 pub use mistakes::RuleErrors;
 pub use report::{Breach, RuleReport, RuleVerdict};
 pub(crate) use runner::Runner;
+pub(crate) use undecided::GoHidden;
 
 /// The rules of a file, as they were written.
 ///

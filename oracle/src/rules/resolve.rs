@@ -55,7 +55,9 @@ pub(super) fn check_together(lines: &[RuleLine], scope: Scope<'_>) -> Result<(),
     let has_all = |edition: &Edition| {
         let mut all = true;
         let mut has = |term: &Term| all = all && meaning(edition, term, false).is_ok();
-        lines.iter().for_each(|line| for_each_term(line, &mut has));
+        for line in lines {
+            for_each_term(line, &mut has);
+        }
         all
     };
     if matches!(scope, Scope::One(_)) || Edition::ALL.iter().any(|edition| has_all(edition)) {

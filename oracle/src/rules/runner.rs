@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use adsdv_spec::{Choice, Edition, Knowledge, Truth};
+use adsdv_spec::{Edition, Knowledge, Truth};
 
 use super::limits::BREACHES;
 use super::mistakes::RuleErrors;
@@ -10,7 +10,7 @@ use super::predicate::{Predicate, Subject, SubjectKind};
 use super::report::{Breach, RuleReport};
 use super::syntax::Form;
 use super::track::{RuleOutcome, Track};
-use super::undecided::Course;
+use super::undecided::{Course, GoHidden};
 use super::{RuleFile, resolve};
 use crate::judge::{Finding, Party, Rule, Section};
 
@@ -143,9 +143,8 @@ impl Runner {
         std::mem::take(&mut self.findings)
     }
 
-    /// There is nothing more to come after `t`. `hidden`: nothing shows "Go" but where AS_DRIVING lasts, and what is settled of the
-    /// reading that would.
-    pub(crate) fn end(&mut self, t: i64, hidden: Option<Option<Choice>>) {
+    /// There is nothing more to come after `t`.
+    pub(crate) fn end(&mut self, t: i64, hidden: Option<GoHidden>) {
         self.pass(t);
         let Self { edition, subjects, rules, now, findings } = self;
         for running in rules {

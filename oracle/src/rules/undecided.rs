@@ -8,6 +8,13 @@ use super::predicate::{Predicate, Subject, SubjectKind};
 use super::syntax::Form;
 use crate::remote::Remote;
 
+/// Nothing shows whether "Go" is on, but where AS_DRIVING lasts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct GoHidden {
+    /// What is settled of the reading that would show it.
+    pub(crate) settled: Option<Choice>,
+}
+
 /// How a rule went that was never decided.
 #[derive(Debug)]
 pub(super) struct Course<'a> {
@@ -23,14 +30,13 @@ pub(super) struct Course<'a> {
 }
 
 impl Course<'_> {
-    /// Why nothing can be said of it. `hidden`: nothing shows "Go" but where AS_DRIVING lasts, and what is settled of the reading that
-    /// would.
-    pub(super) fn why(&self, edition: &Edition, hidden: Option<Option<Choice>>) -> String {
-        if let Some(settled) = hidden.filter(|_| self.is_up_to_go()) {
+    /// Why nothing can be said of it.
+    pub(super) fn why(&self, edition: &Edition, hidden: Option<GoHidden>) -> String {
+        if let Some(GoHidden { settled }) = hidden.filter(|_| self.is_up_to_go()) {
             return go(edition, settled);
         }
         // It is not for "Go" that nothing was known, if that is hidden.
-        let missing = |one: &&Subject| !one.came && !(one.is_go() && hidden.is_some());
+        let missing = |one: &&Subject| !(one.came || one.is_go() && hidden.is_some());
         match self.about.iter().find(missing).map(|subject| subject.what) {
             Some(SubjectKind::Signal(place)) => {
                 return format!(
