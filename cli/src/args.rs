@@ -166,6 +166,8 @@ pub(crate) struct SchemaArgs {
 pub(crate) enum WithJson {
     /// adsdv check, and adsdv demo.
     Check,
+    /// adsdv check of several logs: a line.
+    Logs,
     /// adsdv watch.
     Watch,
     /// adsdv conform.
@@ -280,8 +282,8 @@ pub(crate) struct CheckArgs {
 
     /// Print one JSON object instead of text.
     ///
-    /// `adsdv schema` prints its JSON Schema. Times are in seconds since the first frame.
-    /// Of several logs there is a line for each, in their order, with its name.
+    /// `adsdv schema` prints its JSON Schema. Times are in seconds since the first frame. Of several logs there is a line for
+    /// each, in their order, with its name: `adsdv schema logs`.
     #[arg(long)]
     pub(crate) json: bool,
 

@@ -201,7 +201,7 @@ fn unreadable(error: &io::Error) -> &'static str {
     match error.kind() {
         // What is unpacked says so, and no disk does.
         io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput | io::ErrorKind::UnexpectedEof => {
-            "the file is damaged, or was cut off; copy it anew from where it was recorded"
+            "it is damaged, or was cut off; copy it anew from where it was recorded"
         }
         _ => "copy the log to another disk, and check the copy",
     }

@@ -36,6 +36,9 @@ pub(crate) const COMPARE_SCHEMA: &str = include_str!("../schema/compare.schema.j
 /// The JSON Schema of what [`text`] writes.
 pub(crate) const CHECK_SCHEMA: &str = include_str!("../schema/check.schema.json");
 
+/// The JSON Schema of what [`text`] with the name of a log and [`unreadable`] write.
+pub(crate) const LOGS_SCHEMA: &str = include_str!("../schema/logs.schema.json");
+
 /// The JSON Schema of what [`watched`] writes.
 pub(crate) const WATCH_SCHEMA: &str = include_str!("../schema/watch.schema.json");
 

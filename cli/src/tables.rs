@@ -39,6 +39,7 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
         WithJson::Check => json::CHECK_SCHEMA,
         WithJson::Compare => json::COMPARE_SCHEMA,
         WithJson::Watch => json::WATCH_SCHEMA,
+        WithJson::Logs => json::LOGS_SCHEMA,
         WithJson::Conform => json::CONFORM_SCHEMA,
         WithJson::Exam => json::EXAM_SCHEMA,
         WithJson::Suite => json::SUITE_SCHEMA,

@@ -138,9 +138,11 @@ impl Rows {
         rows
     }
 
-    /// The report of the worst, where that says more than its row.
+    /// The report of the worst; of several that are without fault there is none.
     pub(super) fn report_of_worst(&self) -> Option<&str> {
-        self.worst.as_ref().map(|(_, text)| text.as_str())
+        let (place, text) = self.worst.as_ref()?;
+        let without_fault = self.all.get(*place)?.badness() == (0, 0, 0);
+        (!without_fault || self.all.len() == 1).then_some(text)
     }
 
     pub(super) fn count(&self, status: Status) -> usize {

@@ -125,6 +125,7 @@ const OTHERS: &[&[&str]] = &[
     &["watch", "none0", "--json"],
     &["demo", "--screen"],
     &["compare", "none.log", "none.log"],
+    &["decode", "none.log"],
     &["explore"],
     &["conform", "--", "none"],
     &["exam", "--stdio", "--", "none"],

@@ -29,7 +29,7 @@ fn a_missing_file() {
 
 #[test]
 fn a_directory() {
-    refused(&run(&["check", "tests"]), "tests: is a directory; expected a log", "one of the files");
+    refused(&run(&["check", "docs"]), "docs: has no log; ", "with recordings in it");
     let folder = File::open(workspace()).expect("the workspace");
     let given = outcome(adsdv(&["check", "-"]).stdin(folder));
     refused(&given, "standard input: is a directory; expected a log", "one of the files");
@@ -119,7 +119,7 @@ fn times_that_are_none() {
 #[test]
 fn other_arguments() {
     wrong_arguments(&["check"], "<LOG>");
-    wrong_arguments(&["check", MISSION, MISSION], "unexpected argument");
+    wrong_arguments(&["compare", MISSION, MISSION, MISSION], "unexpected argument");
     wrong_arguments(&["chekc", MISSION], "'check'");
     wrong_arguments(&["check", "--jsno", MISSION], "--json");
     wrong_arguments(&["check", "--color", "sometimes", MISSION], "auto, always, never");
@@ -127,7 +127,7 @@ fn other_arguments() {
     wrong_arguments(&["verify", "--vectors", "few"], "every, read");
     wrong_arguments(&["export"], "--format <FORMAT>");
     wrong_arguments(&["export", "--format", "tla"], "promela");
-    wrong_arguments(&["schema", "dbc"], "check, watch, conform, exam, suite, prove, ");
+    wrong_arguments(&["schema", "dbc"], "check, logs, watch, conform, exam, suite, prove, ");
     wrong_arguments(&["schema", "check", "verify"], "unexpected argument 'verify'");
 }
 

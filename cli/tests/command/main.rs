@@ -20,6 +20,7 @@ mod explore;
 mod export;
 mod golden;
 mod help;
+mod many;
 mod piped;
 mod readings;
 mod readme;

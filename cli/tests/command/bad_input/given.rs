@@ -46,10 +46,18 @@ pub(super) fn a_missing_folder_for_what_is_written() {
 
 #[test]
 pub(super) fn a_directory() {
-    for (reader, what) in READERS {
+    for (reader, what) in READERS.into_iter().filter(|(reader, _)| *reader != ["check"]) {
         let outcome = run(&given(reader, "tests"));
         refused(&outcome, &format!("tests: is a directory; expected a {what}"), "");
     }
+    // A directory may hold logs; this one does not.
+    refused(&run(&["check", "docs"]), "docs: has no log; ", "with recordings in it");
+    let folder = folder_with("bad-input-logs", "notes.txt", b"not a log\n");
+    fs::write(folder.join("run.log"), lines(3)).expect("it is ours");
+    let outcome = run(&["check", text(&folder)]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), ""));
+    let begins = "1 log: 1 conforming\n1 file without a frame passed over\n";
+    assert!(outcome.stdout.starts_with(begins), "{}", outcome.stdout);
     for program in ["./tests", "tests"] {
         let expected = format!("{program}: is a directory; expected a program");
         refused(&run(&["conform", "--", program]), &expected, "the program in it");
@@ -123,10 +131,11 @@ pub(super) fn standard_input_for_both_logs() {
     refused(&empty, "GOOD, standard input: the log is empty", "candump -L");
 }
 
-/// What a compressed log, and one that was copied through the wrong program, begin with is known, and named.
+/// What a damaged compressed log, and one that was copied through the wrong program, begin with is known, and named.
 #[test]
 pub(super) fn logs_in_another_wrapping() {
-    refused(&check(b"\x1f\x8b\x08\0rest\n"), ": no readable frame in 1 line", "zcat ");
+    refused(&check(b"\x1f\x8b\x08\0rest\n"), ": cannot read it: ", "it is damaged, or was cut off");
+    refused(&check(b"SQLite format 3\0"), ": it is an SQLite database, ", "adsdv.check");
     for edition in Edition::ALL {
         // Printed with tabs, as databases are.
         let database = crate::run::run(&["dbc", "--edition", edition.version]).stdout;

@@ -111,7 +111,10 @@ pub(super) fn a_log_that_fails_while_it_is_read() {
     for (option, read) in [("--color=auto", 1000), ("--color=auto", 0), ("--json", 1000)] {
         let Outcome { status, stdout, stderr } = failing(&["check", option, "-"], &lines(read));
         assert_eq!(status, Some(2), "{stderr}");
-        let error = format!("standard input: cannot read on after line {read}: ");
+        let error = match read {
+            0 => "standard input: cannot read it: ".to_owned(),
+            _ => format!("standard input: cannot read on after line {read}: "),
+        };
         explained(&stderr, &error, "copy the log to another disk");
         match (option, read) {
             (_, 0) => assert_eq!(stdout, ""),

@@ -49,10 +49,11 @@ const ROWS: &[Row] = &[
     ),
     (
         "a directory",
-        "`check`, `compare`, `conform`, `demo`, `vcu`, `watch --log`",
+        "`compare`, `conform`, `demo`, `vcu`, `watch --log`",
         tests![given::a_directory],
         &["a_log_that_cannot_be_made_is_reported"],
     ),
+    ("a directory", "`check`", tests![given::a_directory], &[]),
     (
         "an empty file",
         "`check`, `compare`, `conform`, `demo`, `vcu`",
