@@ -85,7 +85,7 @@ impl Catalog {
         if left_out.is_empty() {
             return;
         }
-        let listed: Vec<_> = left_out.iter().take(LISTED).map(|message| message.id_text()).collect();
+        let listed: Vec<_> = left_out.iter().take(LISTED).map(Message::id_text).collect();
         let more = left_out.len().saturating_sub(LISTED);
         let more = if more == 0 { String::new() } else { format!(" and {more} more") };
         self.notes.push(format!(

@@ -74,7 +74,7 @@ impl Steps {
         let fits = |digits: u32| {
             let weight = 10_u64.checked_pow(digits)?;
             let step = num.checked_mul(weight)?;
-            (step % den == 0 && step / den <= u64::from(u32::MAX)).then_some((
+            (step % den == 0 && u32::try_from(step / den).is_ok()).then_some((
                 step / den,
                 weight,
                 digits as usize,
