@@ -19,14 +19,14 @@ const MAX_STANDARD: u64 = 0x7FF;
 /// In a database this bit says that an identifier is extended.
 const EXTENDED: u64 = 1 << 31;
 
-/// The signal that selects, and the values for which it does.
-type Multiplexer<'a> = (&'a str, Vec<RangeInclusive<u64>>);
+/// A multiplexer, by its name, and the values by which it chooses.
+type Chosen<'a> = (&'a str, Vec<RangeInclusive<u64>>);
 
 /// What stands apart from the messages, found by message and signal.
 pub(super) struct Tables<'a> {
     names: HashMap<(MessageId, &'a str), &'a [ValDescription]>,
     floats: HashMap<(MessageId, &'a str), SignalExtendedValueType>,
-    multiplexers: HashMap<(MessageId, &'a str), Multiplexer<'a>>,
+    multiplexers: HashMap<(MessageId, &'a str), Chosen<'a>>,
 }
 
 impl<'a> Tables<'a> {
@@ -130,7 +130,7 @@ fn multiplexed(
     signal: &can_dbc::Signal,
     signals: &[can_dbc::Signal],
     places: &HashMap<&str, usize>,
-    apart: Option<&(&str, Vec<RangeInclusive<u64>>)>,
+    apart: Option<&Chosen<'_>>,
 ) -> Result<Option<Multiplexed>, String> {
     if let Some((by, values)) = apart {
         let missing = || format!("{} is multiplexed by {by}, which the message does not have", signal.name);

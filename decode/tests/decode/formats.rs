@@ -1,5 +1,7 @@
 //! Each format, of a recording that has one of everything.
 
+use std::fmt::Write as _;
+
 use adsdv_spec::Edition;
 use expect_test::expect_file;
 use vcd::{Command, Parser, ScopeItem, Value};
@@ -103,7 +105,7 @@ fn a_vcd_has_every_signal_as_a_wave() {
 fn a_vcd_shows_the_state_and_what_blocks_its_arrows() {
     let mut log = String::new();
     for frame in 0..50 {
-        log += &format!("(1.{:03}000) can0 520#0000010000000000\n", frame * 10);
+        let _ = writeln!(log, "(1.{:03}000) can0 520#0000010000000000", frame * 10);
     }
     let (vcd, _, notes) = decode(&log, &catalog(&Edition::V2026), Format::Vcd);
     assert_eq!(notes, Vec::<String>::new());
