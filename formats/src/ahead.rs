@@ -84,6 +84,13 @@ impl Read for Ahead {
 mod tests {
     use super::*;
 
+    struct Fails;
+    impl Read for Fails {
+        fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::TimedOut.into())
+        }
+    }
+
     #[test]
     fn all_of_a_source_is_read_in_order_and_its_failure_after_it() {
         let bytes: Vec<u8> = (0..3_000_000_u32).map(|n| (n % 251) as u8).collect();
@@ -91,12 +98,6 @@ mod tests {
         ahead(Box::new(io::Cursor::new(bytes.clone()))).read_to_end(&mut all).expect("it does not fail");
         assert_eq!(all, bytes);
 
-        struct Fails;
-        impl Read for Fails {
-            fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-                Err(io::ErrorKind::TimedOut.into())
-            }
-        }
         let mut all = Vec::new();
         let mut source = ahead(Box::new(io::Cursor::new(bytes.clone()).chain(Fails)));
         assert_eq!(source.read_to_end(&mut all).map_err(|error| error.kind()), Err(io::ErrorKind::TimedOut));

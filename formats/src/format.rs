@@ -2,32 +2,97 @@
 
 use std::fmt;
 
+use crate::{asc, csv, trc};
+
 /// A format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// The text of candump (can-utils): of `candump -L`, or as it prints for a person.
     Candump,
+    /// The text of Vector's CANalyzer and CANoe, and of programs that write for them.
+    Asc,
+    /// The text of PEAK's PCAN-View and PCAN-Explorer.
+    Trc,
+    /// The CSV of python-can.
+    Csv,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 1] = [Self::Candump];
+    pub const ALL: [Self; 4] = [Self::Candump, Self::Asc, Self::Trc, Self::Csv];
 
     /// Its name, as people know it.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Candump => "candump",
+            Self::Asc => "Vector ASC",
+            Self::Trc => "PEAK TRC",
+            Self::Csv => "python-can CSV",
         }
     }
 
     /// The format of a recording that begins so; that of candump where nothing else fits, since it can say of any text what it is not.
-    pub(crate) fn of(_head: &[u8]) -> Self {
-        Self::Candump
+    pub(crate) fn of(head: &[u8]) -> Self {
+        let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
+        if csv::is(head) {
+            Self::Csv
+        } else if trc::is(head) {
+            Self::Trc
+        } else if asc::is(head) {
+            Self::Asc
+        } else {
+            Self::Candump
+        }
     }
 }
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_recording_is_known_by_how_it_begins() {
+        let cases: [(&str, Format); 24] = [
+            ("", Format::Candump),
+            ("(1795209995.234358) vcan0 520#00\n", Format::Candump),
+            (" (000.000000)  vcan0  520   [8]  00 00 01 00 00 00 00 00\n", Format::Candump),
+            ("  vcan0  520   [1]  00\n", Format::Candump),
+            ("rubbish\n", Format::Candump),
+            ("2026-11-25 a day\n", Format::Candump),
+            ("1.5\n", Format::Candump),
+            ("date of the run\n", Format::Candump),
+            ("date Wed Nov 25 13:14:22.123 2026\nbase hex", Format::Asc),
+            ("\u{feff}\r\ndate Wed Nov 25 01:14:22.123 pm 2026\n", Format::Asc),
+            ("date Mer Nov 25 13:14:22 2026\n", Format::Asc),
+            ("Date Wed Foo 25 01:14:22.123 pm 2026\n", Format::Asc),
+            ("base hex  timestamps absolute\n", Format::Asc),
+            ("no internal events logged\n", Format::Asc),
+            ("internal events logged\n", Format::Asc),
+            ("// version 9.0.0\n", Format::Asc),
+            ("Begin TriggerBlock Wed\n", Format::Asc),
+            ("   0.012345 1  520             Rx   d 1 00\n", Format::Asc),
+            (";$FILEVERSION=1.1\r\n", Format::Trc),
+            ("\n ;####\n", Format::Trc),
+            ("timestamp,arbitration_id,extended,remote,error,dlc,data\n", Format::Csv),
+            ("timestamp,arbitration_id,extended,remote,error,dlc,data", Format::Csv),
+            ("timestamp,id,data\n", Format::Candump),
+            ("// a comment\n", Format::Candump),
+        ];
+        for (head, format) in cases {
+            assert_eq!(Format::of(head.as_bytes()), format, "{head}");
+        }
+    }
+
+    #[test]
+    fn every_format_has_a_name_of_its_own() {
+        let mut names = Format::ALL.map(|format| format.to_string());
+        names.sort();
+        assert!(names.iter().zip(names.iter().skip(1)).all(|(one, next)| one != next));
     }
 }

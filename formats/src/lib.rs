@@ -23,12 +23,16 @@
 //! ```
 
 mod ahead;
+mod asc;
+mod csv;
 mod foreign;
 mod format;
 mod head;
 mod lines;
 mod log;
 mod open_error;
+mod text;
+mod trc;
 mod unpack;
 
 pub use adsdv_oracle::candump::{Entries, Entry};

@@ -4,6 +4,10 @@ use std::io::Read;
 
 use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
 
+use crate::asc::Asc;
+use crate::csv::Csv;
+use crate::text::TextReader;
+use crate::trc::Trc;
 use crate::unpack::unpack;
 use crate::{Format, OpenError, Source, foreign};
 
@@ -16,7 +20,6 @@ pub struct Log {
 enum Inner {
     /// Most are of this format, and it is the fastest: nothing is looked up for each frame.
     Candump(Reader<Source>),
-    #[allow(dead_code)]
     Other(Box<dyn Entries + Send>),
 }
 
@@ -35,6 +38,9 @@ pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
     let format = Format::of(&head);
     let reader = match format {
         Format::Candump => Inner::Candump(Reader::new(source)),
+        Format::Asc => Inner::Other(Box::new(TextReader::new(source, Asc::new(), "1"))),
+        Format::Trc => Inner::Other(Box::new(TextReader::new(source, Trc::new(), "1"))),
+        Format::Csv => Inner::Other(Box::new(TextReader::new(source, Csv, "can"))),
     };
     Ok(Log { format, reader })
 }
