@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::blf;
+use crate::{asc, blf, csv, trc};
 
 /// How a file of MCAP begins, and ends.
 const MCAP: &[u8] = b"\x89MCAP0\r\n";
@@ -16,11 +16,17 @@ pub enum Format {
     Blf,
     /// The container that ROS 2 records into.
     Mcap,
+    /// The text of Vector's CANalyzer and CANoe, and of programs that write for them.
+    Asc,
+    /// The text of PEAK's PCAN-View and PCAN-Explorer.
+    Trc,
+    /// The CSV of python-can.
+    Csv,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 3] = [Self::Candump, Self::Blf, Self::Mcap];
+    pub const ALL: [Self; 6] = [Self::Candump, Self::Blf, Self::Mcap, Self::Asc, Self::Trc, Self::Csv];
 
     /// Its name, as people know it.
     pub const fn name(self) -> &'static str {
@@ -28,15 +34,25 @@ impl Format {
             Self::Candump => "candump",
             Self::Blf => "Vector BLF",
             Self::Mcap => "MCAP",
+            Self::Asc => "Vector ASC",
+            Self::Trc => "PEAK TRC",
+            Self::Csv => "python-can CSV",
         }
     }
 
     /// The format of a recording that begins so; that of candump where nothing else fits, since it can say of any text what it is not.
     pub(crate) fn of(head: &[u8]) -> Self {
+        let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
         if head.starts_with(blf::MAGIC) {
             Self::Blf
         } else if head.starts_with(MCAP) {
             Self::Mcap
+        } else if csv::is(text) {
+            Self::Csv
+        } else if trc::is(text) {
+            Self::Trc
+        } else if asc::is(text) {
+            Self::Asc
         } else {
             Self::Candump
         }
@@ -46,5 +62,50 @@ impl Format {
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_recording_is_known_by_how_it_begins() {
+        let cases: [(&str, Format); 24] = [
+            ("", Format::Candump),
+            ("(1795209995.234358) vcan0 520#00\n", Format::Candump),
+            (" (000.000000)  vcan0  520   [8]  00 00 01 00 00 00 00 00\n", Format::Candump),
+            ("  vcan0  520   [1]  00\n", Format::Candump),
+            ("rubbish\n", Format::Candump),
+            ("2026-11-25 a day\n", Format::Candump),
+            ("1.5\n", Format::Candump),
+            ("date of the run\n", Format::Candump),
+            ("date Wed Nov 25 13:14:22.123 2026\nbase hex", Format::Asc),
+            ("\u{feff}\r\ndate Wed Nov 25 01:14:22.123 pm 2026\n", Format::Asc),
+            ("date Mer Nov 25 13:14:22 2026\n", Format::Asc),
+            ("Date Wed Foo 25 01:14:22.123 pm 2026\n", Format::Asc),
+            ("base hex  timestamps absolute\n", Format::Asc),
+            ("no internal events logged\n", Format::Asc),
+            ("internal events logged\n", Format::Asc),
+            ("// version 9.0.0\n", Format::Asc),
+            ("Begin TriggerBlock Wed\n", Format::Asc),
+            ("   0.012345 1  520             Rx   d 1 00\n", Format::Asc),
+            (";$FILEVERSION=1.1\r\n", Format::Trc),
+            ("\n ;####\n", Format::Trc),
+            ("timestamp,arbitration_id,extended,remote,error,dlc,data\n", Format::Csv),
+            ("timestamp,arbitration_id,extended,remote,error,dlc,data", Format::Csv),
+            ("timestamp,id,data\n", Format::Candump),
+            ("// a comment\n", Format::Candump),
+        ];
+        for (head, format) in cases {
+            assert_eq!(Format::of(head.as_bytes()), format, "{head}");
+        }
+    }
+
+    #[test]
+    fn every_format_has_a_name_of_its_own() {
+        let mut names = Format::ALL.map(|format| format.to_string());
+        names.sort();
+        assert!(names.iter().zip(names.iter().skip(1)).all(|(one, next)| one != next));
     }
 }

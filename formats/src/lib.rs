@@ -24,8 +24,10 @@
 //! ```
 
 mod ahead;
+mod asc;
 mod blf;
 mod bytes;
+mod csv;
 mod foreign;
 mod format;
 mod head;
@@ -35,6 +37,8 @@ mod many;
 #[cfg(feature = "mcap")]
 mod mcap;
 mod open_error;
+mod text;
+mod trc;
 mod unpack;
 
 pub use adsdv_oracle::candump::{Entries, Entry};

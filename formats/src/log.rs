@@ -4,6 +4,10 @@ use std::io::Read;
 
 use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
 
+use crate::asc::Asc;
+use crate::csv::Csv;
+use crate::text::TextReader;
+use crate::trc::Trc;
 use crate::unpack::unpack;
 use crate::{Format, OpenError, Source, blf, foreign};
 
@@ -40,6 +44,9 @@ pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
         Format::Mcap => Inner::Other(Box::new(crate::mcap::Reader::new(source))),
         #[cfg(not(feature = "mcap"))]
         Format::Mcap => return Err(OpenError::NotBuilt { format, feature: "mcap" }),
+        Format::Asc => Inner::Other(Box::new(TextReader::new(source, Asc::new(), "1"))),
+        Format::Trc => Inner::Other(Box::new(TextReader::new(source, Trc::new(), "1"))),
+        Format::Csv => Inner::Other(Box::new(TextReader::new(source, Csv, "can"))),
     };
     Ok(Log { format, reader })
 }
