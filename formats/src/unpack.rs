@@ -120,3 +120,100 @@ impl<R: Read> Read for Zstd<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Cursor, Write as _};
+
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use ruzstd::encoding::{CompressionLevel, compress_to_vec};
+
+    use super::*;
+
+    fn text() -> Vec<u8> {
+        (0..20_000).flat_map(|n| format!("({n}.000000) can0 520#{:08X}\n", n * 7).into_bytes()).collect()
+    }
+
+    fn gzip(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::fast());
+        encoder.write_all(bytes).expect("memory takes it");
+        encoder.finish().expect("memory takes it")
+    }
+
+    fn zstd(bytes: &[u8]) -> Vec<u8> {
+        compress_to_vec(bytes, CompressionLevel::Fastest)
+    }
+
+    /// What is unpacked of it, and how it ends.
+    fn unpacked(bytes: Vec<u8>) -> (Vec<u8>, io::Result<()>) {
+        let mut all = Vec::new();
+        let end =
+            unpack(Box::new(Cursor::new(bytes))).and_then(|(_, mut source)| source.read_to_end(&mut all));
+        (all, end.map(drop))
+    }
+
+    #[test]
+    fn what_is_compressed_once_or_twice_is_read_as_if_it_were_not() {
+        let text = text();
+        let skipped = [&b"\x52\x2a\x4d\x18\x03\0\0\0abc"[..], &zstd(&text)].concat();
+        let (half, rest) = text.split_at(text.len() / 2);
+        let cases = [
+            ("not at all", text.clone()),
+            ("gzip", gzip(&text)),
+            ("zstd", zstd(&text)),
+            ("gzip of zstd", gzip(&zstd(&text))),
+            ("zstd of gzip", zstd(&gzip(&text))),
+            ("two members", [gzip(half), gzip(rest)].concat()),
+            ("two frames", [zstd(half), zstd(rest)].concat()),
+            ("a frame to be skipped", skipped),
+        ];
+        for (how, bytes) in cases {
+            let (all, end) = unpacked(bytes);
+            assert!(end.is_ok() && all == text, "{how}: {} bytes, {end:?}", all.len());
+        }
+    }
+
+    #[test]
+    fn what_is_cut_off_is_read_up_to_there_and_the_end_says_so() {
+        let text = text();
+        for packed in [gzip(&text), zstd(&text)] {
+            let mut most = 0;
+            for len in [0, 1, 2, 3, 5, 9, 17, packed.len() / 3, packed.len() / 2, packed.len() - 1] {
+                let (all, end) = unpacked(packed[..len].to_vec());
+                // So few bytes are no compression yet.
+                assert!(len < 4 || end.is_err(), "{len}");
+                assert!(len < 4 || text.starts_with(&all), "{len}: {} bytes", all.len());
+                most = most.max(all.len());
+            }
+            assert!(most > text.len() / 4, "{most}");
+        }
+    }
+
+    #[test]
+    fn a_bit_that_is_turned_round_is_found() {
+        let text = text();
+        for packed in [gzip(&text), zstd(&text)] {
+            for place in (20..packed.len()).step_by(packed.len() / 50) {
+                let mut packed = packed.clone();
+                packed[place] ^= 0x10;
+                let (all, end) = unpacked(packed);
+                assert!(end.is_err() || all == text, "{place}: it is another text, and nobody knows");
+            }
+        }
+    }
+
+    #[test]
+    fn more_compressions_than_anybody_makes_are_not_undone() {
+        let often = (0..=DEPTH).fold(b"x".to_vec(), |bytes, _| gzip(&bytes));
+        assert!(unpacked(often).0.starts_with(GZIP));
+    }
+
+    #[test]
+    fn a_file_that_claims_much_and_has_little_is_no_memory() {
+        // A frame header with a window of 2^41 bytes.
+        let claims = [ZSTD, &[0x00, 0xF8, 0x01, 0, 0, 0]].concat();
+        let (all, end) = unpacked(claims);
+        assert!(all.is_empty() && end.is_err_and(|error| error.kind() == io::ErrorKind::InvalidData));
+    }
+}

@@ -60,7 +60,7 @@ fn as_printed(mut line: impl FnMut(f64, &str, u32, &[u8]) -> String) -> String {
         let Entry::Frame(record) = entry else { panic!("{entry:?}") };
         #[expect(clippy::cast_precision_loss, reason = "microseconds of 2026 fit")]
         let seconds = (record.time_ns / 1000) as f64 / 1e6;
-        text += &line(seconds, record.interface, record.id, record.data);
+        text.push_str(&line(seconds, record.interface, record.id, record.data));
     }
     text
 }

@@ -1,5 +1,6 @@
 //! The reader as its users see it: whole logs, rubbish, failing sources, and the way there and back.
 
+use std::fmt::Write as _;
 use std::io::{self, Read};
 
 use super::*;
@@ -210,7 +211,8 @@ fn printed(log: &[u8], mut time: impl FnMut(i64, i64) -> String) -> Vec<u8> {
         let bytes: Vec<String> = data.iter().map(|byte| format!("{byte:02X}")).collect();
         let time = time(time_ns, time_ns - last.unwrap_or(time_ns));
         last = Some(time_ns);
-        text += &format!("{time}  {interface}  {id:03X}   [{}]  {}\n", data.len(), bytes.join(" "));
+        writeln!(text, "{time}  {interface}  {id:03X}   [{}]  {}", data.len(), bytes.join(" "))
+            .expect("text");
     }
     text.into_bytes()
 }
@@ -233,7 +235,9 @@ fn a_log_that_was_printed_for_a_person_reads_like_one_that_was_recorded() {
     });
     for (text, begin) in [(absolute, 0), (since_first, first), (date, midnight - 86_400_000_000_000)] {
         let mut expected = recorded.clone();
-        expected.iter_mut().for_each(|entry| set_time(entry, |time_ns| time_ns - begin));
+        for entry in &mut expected {
+            set_time(entry, |time_ns| time_ns - begin);
+        }
         assert!(read(&text) == expected, "{}", String::from_utf8_lossy(&text[..200]));
     }
     // Only of the first few it is not known yet that their times are since the frame before.

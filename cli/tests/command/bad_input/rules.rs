@@ -74,7 +74,8 @@ pub(super) fn rules_that_are_wrong() {
         stderr.contains("\n 6 | lost: never ASMSS on or ANGLE > 5 rpm\n   |             ^^^^^\n"),
         "{stderr}"
     );
-    let many: String = (0..23).map(|line| format!("a{line:02}: > 3\n")).collect();
+    let many: Vec<String> = (0..23).map(|line| format!("a{line:02}: > 3\n")).collect();
+    let many = many.concat();
     let stderr = is_refused("rules-many", many.as_bytes(), "team.rules:1:6: found \">\"");
     assert!(stderr.contains("\nand 3 more mistakes\nhint: "), "{stderr}");
     is_refused("rules-rubbish", &rubbish(), "team.rules:2:118: found bytes that are no text");

@@ -185,7 +185,10 @@ mod tests {
     use super::super::parse;
     use super::*;
 
-    fn read(line: &str) -> Result<(i64, String, FrameKind, u32, Vec<u8>, Option<Direction>), Flaw> {
+    type Read = (i64, String, FrameKind, u32, Vec<u8>, Option<Direction>);
+    type Case = (&'static str, &'static str, FrameKind, u32, &'static [u8], Option<Direction>);
+
+    fn read(line: &str) -> Result<Read, Flaw> {
         let mut data = [0; MAX_DATA];
         let Printed { stamp, interface, kind, id, len, direction } =
             parse(line.as_bytes(), &mut data).expect("it is python-can's")?;
@@ -198,7 +201,7 @@ mod tests {
         use FrameKind::{Error, Extended, Fd, Remote, Standard};
         let (rx, tx) = (Some(Direction::Rx), Some(Direction::Tx));
         let begin = "Timestamp:        1.500000    ID:";
-        let cases: [(&str, &str, FrameKind, u32, &[u8], Option<Direction>); 6] = [
+        let cases: [Case; 6] = [
             (
                 "      520    S Rx                DL:  2    00 fF     Channel: vcan0",
                 "vcan0",

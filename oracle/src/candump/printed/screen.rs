@@ -142,6 +142,7 @@ mod tests {
     use super::super::parse;
     use super::*;
 
+    type Case = (&'static str, Stamp, FrameKind, u32, &'static [u8], Option<Direction>);
     type Read = (Stamp, String, FrameKind, u32, Vec<u8>, Option<Direction>);
 
     fn read(line: &str) -> Result<Read, Flaw> {
@@ -158,7 +159,7 @@ mod tests {
         let fd = |extended| Fd { extended, flags: 0 };
         let clock = Absolute(1_795_209_995_234_358_000);
         let (rx, tx) = (Some(Direction::Rx), Some(Direction::Tx));
-        let cases: [(&str, Stamp, FrameKind, u32, &[u8], Option<Direction>); 13] = [
+        let cases: [Case; 13] = [
             (
                 "  vcan0  520   [8]  00 00 01 00 00 00 00 FF",
                 Stamp::None,

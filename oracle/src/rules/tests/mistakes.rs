@@ -32,7 +32,10 @@ d: always EBS_STATE is EBS_FAULT
 
 #[test]
 fn further_mistakes_are_counted() {
-    let wrong = |count: usize| (0..count).map(|line| format!("a{line}: never sped\n")).collect::<String>();
+    let wrong = |count: usize| -> String {
+        let lines: Vec<String> = (0..count).map(|line| format!("a{line}: never sped\n")).collect();
+        lines.concat()
+    };
     for (count, more) in
         [(MISTAKES, None), (MISTAKES + 1, Some("and 1 more mistake")), (LINES, Some("and 980 more mistakes"))]
     {
