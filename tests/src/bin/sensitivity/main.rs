@@ -83,7 +83,9 @@ fn sensitivity(edition: &'static Edition, kinds: &[Kind]) {
         );
         print_table(tallies);
         if matches!(kind, Kind::Memory | Kind::Flag) {
-            unseen.iter().for_each(|name| println!("    shows in no recording: {name}"));
+            for name in &unseen {
+                println!("    shows in no recording: {name}");
+            }
         }
         println!();
     }
