@@ -127,7 +127,7 @@ mod tests {
     fn busiest(times: impl IntoIterator<Item = i64>) -> u64 {
         let mut traffic = Traffic::default();
         for time_ns in times {
-            let (kind, id, len, data) = (FrameKind::Standard, 1, 0, [0; 8]);
+            let kind = FrameKind::Standard;
             traffic.count(kind, time_ns);
         }
         traffic.busiest
