@@ -1,23 +1,25 @@
 //! `check`: judges a recorded log.
 
+use adsdv_formats::Log;
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_log, judge_recognised};
+use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_entries, judge_recognised};
 use adsdv_spec::{Choice, Choices, Edition};
 use pyo3::prelude::*;
 
 use crate::edition;
 use crate::report::Report;
 use crate::rules;
-use crate::source::Source;
+use crate::source::{self, Origin};
 use crate::value;
 
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
 
-/// Judges a log of `candump -L`: says who broke which section of the document, when, and what was expected instead.
+/// Judges a log: says who broke which section of the document, when, and what was expected instead.
 ///
 /// log: the path of a file (str or os.PathLike), its contents (bytes), or its lines, from any iterable of str or bytes: a
-/// list, a generator, a file that gzip.open has opened.
+/// list, a generator. The format is recognised by the content: candump, Vector ASC and BLF, PEAK TRC, python-can's CSV, MCAP of
+/// ROS 2; gzip and Zstandard around any of these.
 /// readings: where the document allows more than one meaning, those that are known to be followed, such as
 /// {"fault-trigger": "edge"}; adsdv.readings() lists them. A violation is what is one under all that remain possible.
 /// window_ms: how long after a cause its effect may be seen; None for 30.
@@ -62,31 +64,33 @@ pub(crate) fn check(
     };
     let rules = rules::read(py, rules, edition)?;
     let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules };
-    let mut source = Source::open(log)?;
+    let (origin, log) = source::open(log)?;
     if edition.is_some() {
-        return match py.detach(|| judge_log(&mut source, &options, |_| {})) {
-            Ok(report) => Report::of(py, by, None, &report),
-            Err(error) => Err(source.error(py, &error)),
+        return match py.detach(|| judge_entries(log, &options, |_| {})) {
+            Ok((report, None)) => Report::of(py, by, None, &report),
+            Ok((_, Some(failure))) => Err(origin.error(py, &LogError::Read(failure))),
+            Err(error) => Err(origin.error(py, &error)),
         };
     }
-    recognising(py, source, &options, &pins)
+    recognising(py, &origin, log, &options, &pins)
 }
 
 /// Judges by the edition that the log tells.
 fn recognising(
     py: Python<'_>,
-    mut source: Source,
+    origin: &Origin,
+    log: Log,
     options: &LogOptions,
     pins: &[Choice],
 ) -> PyResult<Report> {
-    match py.detach(|| judge_recognised(&mut source, options, |_| {})) {
-        Ok(Judged { failure: Some(failure), .. }) => Err(source.error(py, &LogError::Read(failure))),
+    match py.detach(|| judge_recognised(log, options, |_| {})) {
+        Ok(Judged { failure: Some(failure), .. }) => Err(origin.error(py, &LogError::Read(failure))),
         Ok(Judged { report, recognised, failure: None }) => {
             edition::pinned(recognised.edition, pins)?;
             Report::of(py, recognised.edition, Some(&recognised), &report)
         }
         Err(LogError::Rules(error)) => Err(rules::wrong(py, &error)),
-        Err(error) => Err(source.error(py, &error)),
+        Err(error) => Err(origin.error(py, &error)),
     }
 }
 

@@ -3,7 +3,10 @@
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
 
+use adsdv_formats::{Log, OpenError};
+use adsdv_oracle::candump::{ReadError, Unit};
 use adsdv_oracle::log::LogError;
 use pyo3::exceptions::{PyOSError, PyTypeError};
 use pyo3::prelude::*;
@@ -19,14 +22,22 @@ const UNINTERRUPTED: usize = 1 << 24;
 /// How many bytes of lines are fetched from Python at a time.
 const FETCHED: usize = 1 << 16;
 
-/// A log, and what Python itself had against reading it.
-pub(crate) struct Source {
+/// The bytes of a log.
+struct Source {
     kind: Kind,
-    /// What to name in an error: the path.
-    name: Py<PyAny>,
     /// Bytes read since Python was asked whether to go on.
     unasked: usize,
-    failure: Option<PyErr>,
+    failure: Failure,
+}
+
+/// What Python itself had against reading a log.
+type Failure = Arc<Mutex<Option<PyErr>>>;
+
+/// Where a log comes from, for errors.
+pub(crate) struct Origin {
+    /// What to name: the path.
+    name: Py<PyAny>,
+    failure: Failure,
 }
 
 enum Kind {
@@ -35,8 +46,28 @@ enum Kind {
     Lines(Lines),
 }
 
-impl Source {
-    pub(crate) fn open(log: &Bound<'_, PyAny>) -> PyResult<Self> {
+/// Opens a log, whatever format it has.
+pub(crate) fn open(log: &Bound<'_, PyAny>) -> PyResult<(Origin, Log)> {
+    let py = log.py();
+    let failure = Failure::default();
+    let kind = Kind::of(log)?;
+    let source = Source { kind, unasked: 0, failure: Arc::clone(&failure) };
+    let origin = Origin { name: log.clone().unbind(), failure };
+    match py.detach(|| adsdv_formats::open(source)) {
+        Ok(log) => Ok((origin, log)),
+        Err(OpenError::Read(source)) => {
+            Err(origin.error(py, &LogError::Read(ReadError { unit: Unit::Line, line: 0, source })))
+        }
+        Err(OpenError::Foreign(foreign)) => Err(error::LogError::new_err(format!(
+            "the log is {}, which is not read: {}",
+            foreign.what, foreign.hint
+        ))),
+        Err(error @ OpenError::NotBuilt { .. }) => Err(error::LogError::new_err(error.to_string())),
+    }
+}
+
+impl Kind {
+    fn of(log: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = log.py();
         let kind = if let Some(bytes) = value::bytes(log)? {
             Kind::Bytes(Cursor::new(bytes))
@@ -54,12 +85,15 @@ impl Source {
             })?;
             Kind::Lines(Lines::new(lines))
         };
-        Ok(Self { kind, name: log.clone().unbind(), unasked: 0, failure: None })
+        Ok(kind)
     }
+}
 
+impl Origin {
     /// Why there is no report.
-    pub(crate) fn error(self, py: Python<'_>, error: &LogError) -> PyErr {
-        match (self.failure, error) {
+    pub(crate) fn error(&self, py: Python<'_>, error: &LogError) -> PyErr {
+        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
+        match (failure, error) {
             (Some(failure), _) => failure,
             (None, LogError::Read(read)) if read.source.raw_os_error().is_some() => {
                 error::os_error(py, &read.source, self.name.bind(py))
@@ -67,6 +101,13 @@ impl Source {
             (None, LogError::Read(_)) => PyOSError::new_err(error.to_string()),
             (None, _) => error::LogError::new_err(error.to_string()),
         }
+    }
+}
+
+impl Source {
+    fn fail(&self, error: PyErr) -> io::Error {
+        *self.failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+        io::ErrorKind::Other.into()
     }
 }
 
@@ -79,8 +120,7 @@ impl Read for Source {
                 reason = "the method alone is not general enough"
             )]
             if let Err(error) = Python::attach(|py| py.check_signals()) {
-                self.failure = Some(error);
-                return Err(io::ErrorKind::Other.into());
+                return Err(self.fail(error));
             }
         }
         let read = match &mut self.kind {
@@ -88,10 +128,7 @@ impl Read for Source {
             Kind::Bytes(bytes) => bytes.read(room)?,
             Kind::Lines(lines) => match lines.read(room) {
                 Ok(read) => read,
-                Err(error) => {
-                    self.failure = Some(error);
-                    return Err(io::ErrorKind::Other.into());
-                }
+                Err(error) => return Err(self.fail(error)),
             },
         };
         self.unasked += read;

@@ -10,6 +10,7 @@
 //! | [`belief`] | what may be known of a step, under any readings of any edition | the step itself: allowed, exact where all is known |
 //! | [`theorems`] | any theorem of `adsdv-proofs`, on any values | the theorem |
 //! | [`candump`] | any bytes as a log | the same log in other pieces; the same log written again |
+//! | [`recording`] | any bytes as a recording of any format, compressed or not | the same, byte by byte; what each entry promises |
 //! | [`judge_any`] | any bytes as a log, any frames at any time | the same frames as a log; what each report promises |
 //! | [`judge_reference`] | logs of the reference under any readings of any edition, late and with losses | the VCU is never blamed |
 //! | [`protocol`] | any line between `conform` and a program of any edition | the same line written again |
@@ -34,6 +35,7 @@ pub mod judge_any;
 pub mod judge_reference;
 pub mod names;
 pub mod protocol;
+pub mod recording;
 pub mod replay;
 pub mod scenario;
 pub mod seeds;
@@ -47,7 +49,7 @@ pub use bytes::Bytes;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every body of this crate. `fuzz/Cargo.toml` has a fuzzer of each name.
-pub const TARGETS: [Target; 13] = [
+pub const TARGETS: [Target; 14] = [
     ("belief", belief::body),
     ("candump", candump::body),
     ("car", car::body),
@@ -57,6 +59,7 @@ pub const TARGETS: [Target; 13] = [
     ("judge_reference", judge_reference::body),
     ("names", names::body),
     ("protocol", protocol::body),
+    ("recording", recording::body),
     ("scenario", scenario::body),
     ("step", step::body),
     ("suite", suite::body),

@@ -39,6 +39,23 @@ pub const MOST: usize = 256;
 /// By the name of a body, the inputs that it begins with, each with its name.
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
 
+/// A recording of each format, as its tool or another writes it.
+fn recordings() -> [(&'static str, &'static [u8]); 8] {
+    macro_rules! samples {
+        ($($name:literal),*) => { [$(($name, include_bytes!(concat!("../../../formats/tests/samples/", $name)))),*] };
+    }
+    samples!(
+        "vector.asc",
+        "python-can.csv",
+        "peak-1.1.trc",
+        "peak-2.1.trc",
+        "python-can.blf",
+        "python-can-stored.blf",
+        "zstd.mcap",
+        "lz4.mcap"
+    )
+}
+
 /// Every input of `fuzz/corpus`.
 pub fn corpus() -> Corpus {
     let mut all = Corpus::new();
@@ -55,6 +72,9 @@ pub fn corpus() -> Corpus {
     for (name, line) in other_lines() {
         add("candump", name, with(&[0], line.as_bytes()));
         add("judge_any", name, with(&judge_any::AS_TEXT, line.as_bytes()));
+    }
+    for (name, bytes) in recordings() {
+        add("recording", name, bytes.to_vec());
     }
     for (name, text) in Scenario::SAMPLES {
         add("scenario", name, with(text.as_bytes(), &with(&[0], &any_bytes(name.len() as u64, 60))));

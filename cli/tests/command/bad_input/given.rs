@@ -148,6 +148,22 @@ pub(super) fn logs_in_another_wrapping() {
     judged(&check(&[b"\xef\xbb\xbf\r\n", &lines(3)[..]].concat()), 3, &["no violations, no warnings"]);
 }
 
+/// A recording of each format that was cut off in the middle: what came before is judged, or it says why there is nothing.
+#[test]
+pub(super) fn a_recording_of_any_format_that_was_cut_off() {
+    let samples = crate::run::workspace().join("formats/tests/samples");
+    let mut count = 0;
+    for file in fs::read_dir(samples).expect("there are samples") {
+        let path = file.expect("it can be listed").path();
+        let bytes = fs::read(&path).expect("it can be read");
+        let outcome = check(&bytes[..bytes.len() / 2]);
+        let says = if outcome.status == Some(2) { &outcome.stderr } else { &outcome.stdout };
+        assert!(says.contains(" frame") || says.contains("--features"), "{}: {outcome:?}", path.display());
+        count += 1;
+    }
+    assert!(count > 10, "{count}");
+}
+
 /// One line that is wrong among good ones is reported with its number; a scenario or a suite of which it is part is not run.
 #[test]
 pub(super) fn rubbish_between_good_lines() {

@@ -93,6 +93,12 @@ const ROWS: &[Row] = &[
         &[],
     ),
     (
+        "a truncated log",
+        "`check`, of any format, compressed or not",
+        tests![given::a_recording_of_any_format_that_was_cut_off],
+        &[],
+    ),
+    (
         "a 1 GB line",
         "`check`, `compare`",
         tests![long_line::in_a_log, long_line::in_a_log_that_is_compared],
