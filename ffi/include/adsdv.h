@@ -896,8 +896,8 @@ enum adsdv_status adsdv_judge_finish(struct adsdv_judge *judge,
 // a file of rules. What breaks one is a violation among the findings, of party "OWN", whose section is the line. Rules that it was
 // given before are followed no longer.
 //
-// A text that is wrong, or names what the edition has not, is an error (ADSDV_BAD_RULES) that says what was found and what was
-// expected, and `place`, which may be NULL, is where.
+// A text that is wrong, or names what the edition has not, is an error (ADSDV_BAD_RULES) that says of the first mistake what was
+// found and what was expected, and how many more there are; `place`, which may be NULL, is where the first is.
 enum adsdv_status adsdv_judge_follow(struct adsdv_judge *judge,
                                      const char *rules,
                                      struct adsdv_rule_place *place,

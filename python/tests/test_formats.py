@@ -1,7 +1,6 @@
 """Recordings in other formats than that of candump -L, and what is around them."""
 
 import gzip
-import json
 from pathlib import Path
 
 import adsdv
@@ -12,16 +11,12 @@ MISSION = ROOT / "tests" / "logs" / "mission.log"
 SAMPLES = ROOT / "formats" / "tests" / "samples"
 
 
-def same(one, other):
-    return json.loads(one.to_json()) == json.loads(other.to_json())
-
-
 def test_a_compressed_log_is_judged_like_the_log(tmp_path):
     packed = tmp_path / "run"
     packed.write_bytes(gzip.compress(MISSION.read_bytes()))
     expected = adsdv.check(MISSION)
-    assert same(adsdv.check(packed), expected)
-    assert same(adsdv.check(packed.read_bytes()), expected)
+    assert adsdv.check(packed) == expected
+    assert adsdv.check(packed.read_bytes()) == expected
 
 
 @pytest.mark.parametrize("sample", sorted(SAMPLES.iterdir()), ids=lambda sample: sample.name)
