@@ -78,7 +78,7 @@ impl Lines {
             let end = memchr(b'\n', here);
             let room = (MAX_LINE + 1).saturating_sub(self.text.len());
             let line = here.get(..end.unwrap_or(here.len())).unwrap_or(here);
-            self.text.extend(line.iter().take(room));
+            self.text.extend_from_slice(line.get(..room).unwrap_or(line));
             let taken = end.map_or(here.len(), |end| end + 1);
             self.source.consume(taken);
             if end.is_some() {

@@ -34,6 +34,9 @@ use Column::{Bus, Code, Data, Direction, Id, Len, Number, Offset, Other, Reserve
 pub(super) struct Columns {
     all: [Column; MOST],
     len: usize,
+    /// Whether the bus and the type are among them: that is asked for each frame.
+    pub(super) bus: bool,
+    pub(super) typed: bool,
 }
 
 const MOST: usize = 12;
@@ -48,12 +51,15 @@ impl Columns {
     const V2_1: Self = Self::new(&[Number, Offset, Type, Bus, Id, Direction, Reserved, Code, Data]);
 
     const fn new(columns: &[Column]) -> Self {
-        let (mut all, mut len) = ([Other; MOST], 0);
-        while len < columns.len() {
-            all[len] = columns[len];
-            len += 1;
+        let mut new = Self { all: [Other; MOST], len: 0, bus: false, typed: false };
+        while new.len < columns.len() {
+            let column = columns[new.len];
+            new.all[new.len] = column;
+            new.len += 1;
+            new.bus |= matches!(column, Bus);
+            new.typed |= matches!(column, Type);
         }
-        Self { all, len }
+        new
     }
 
     /// Those of a version.
@@ -71,7 +77,7 @@ impl Columns {
 
     /// Those of a header, such as `N,O,T,B,I,d,R,L,D`; `None` if one is missing that a frame needs.
     pub(super) fn named(letters: &[u8]) -> Option<Self> {
-        let mut columns = Self { all: [Other; MOST], len: 0 };
+        let mut columns = Self::new(&[]);
         for letter in letters.split(|byte| *byte == b',') {
             let column = match letter.trim_ascii() {
                 b"N" => Number,
@@ -89,6 +95,8 @@ impl Columns {
             };
             *columns.all.get_mut(columns.len)? = column;
             columns.len += 1;
+            columns.bus |= column == Bus;
+            columns.typed |= column == Type;
         }
         // What follows depends on the type, and the data on the length.
         let has = |column| columns.iter().any(|other| other == column);
@@ -105,12 +113,6 @@ impl Columns {
     #[inline]
     pub(super) fn iter(&self) -> impl Iterator<Item = Column> + '_ {
         self.all.iter().copied().take(self.len)
-    }
-
-    /// Whether a column is among them.
-    #[inline]
-    pub(super) fn have(&self, column: Column) -> bool {
-        self.iter().any(|other| other == column)
     }
 
     /// Whether one stands right behind another.

@@ -113,7 +113,7 @@ impl Trc {
     fn frame(&self, mut cursor: Cursor<'_>, frame: &mut Frame) -> Result<Meaning, Flaw> {
         let mut parts = Parts { sort: Sort::Data, extended: false, len: 0 };
         frame.direction = None;
-        if !self.columns.have(Column::Bus) {
+        if !self.columns.bus {
             frame.set_interface(Word { text: b"1", at: 0 }, BUS)?;
         }
         for column in self.columns.iter() {
@@ -125,7 +125,7 @@ impl Trc {
                     Sort::Error => return self.error(cursor, frame),
                     _ => {}
                 }
-            } else if column == Column::Id && !self.columns.have(Column::Type) && is_status(cursor) {
+            } else if column == Column::Id && !self.columns.typed && is_status(cursor) {
                 return Ok(Meaning::Other);
             } else {
                 self.take(column, &mut cursor, &mut parts, frame)?;
