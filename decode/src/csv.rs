@@ -22,13 +22,13 @@ const HEADER: &[u8] = b"time_s,interface,id,message,signal,value,unit,name\n";
 /// Writes CSV.
 pub struct Csv<W> {
     out: Out<W>,
-    messages: Vec<Message>,
+    messages: Vec<CsvMessage>,
     /// The columns up to the identifier, of the frame at hand.
     frame: Vec<u8>,
 }
 
 /// What of a message's rows does not depend on the frame.
-struct Message {
+struct CsvMessage {
     name: Vec<u8>,
     /// `,signal,` and `,unit,` of each signal.
     signals: Vec<(Vec<u8>, Vec<u8>)>,
@@ -43,7 +43,7 @@ impl<W: Write> Csv<W> {
             cell.extend_from_slice(after.as_bytes());
             cell
         };
-        let messages = catalog.messages().iter().map(|message| Message {
+        let messages = catalog.messages().iter().map(|message| CsvMessage {
             name: cell(",", &message.name, ""),
             signals: message
                 .signals

@@ -39,9 +39,9 @@ pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
     let format = Format::of(&head);
     let reader = match format {
         Format::Candump => Inner::Candump(Reader::new(source)),
-        Format::Blf => Inner::Other(Box::new(blf::Reader::new(source))),
+        Format::Blf => Inner::Other(Box::new(blf::BlfReader::new(source))),
         #[cfg(feature = "mcap")]
-        Format::Mcap => Inner::Other(Box::new(crate::mcap::Reader::new(source))),
+        Format::Mcap => Inner::Other(Box::new(crate::mcap::McapReader::new(source))),
         #[cfg(not(feature = "mcap"))]
         Format::Mcap => return Err(OpenError::NotBuilt { format, feature: "mcap" }),
         Format::Asc => Inner::Other(Box::new(TextReader::new(source, Asc::new(), "1"))),

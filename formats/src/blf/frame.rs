@@ -35,11 +35,11 @@ const AT_MOST_8: &str = "at most 8 bytes of data, the most that a CAN frame hold
 const AT_MOST_64: &str = "at most 64 bytes of data, the most that a CAN FD frame holds";
 
 /// Where in the object's own bytes it cannot be read, and what should stand there.
-pub(super) type Flaw = (usize, &'static str);
+pub(super) type BlfFlaw = (usize, &'static str);
 
 /// What was read, apart from its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Frame {
+pub(super) struct BlfFrame {
     pub(super) channel: u16,
     pub(super) kind: FrameKind,
     pub(super) id: u32,
@@ -48,7 +48,7 @@ pub(super) struct Frame {
     pub(super) len: usize,
 }
 
-impl Frame {
+impl BlfFrame {
     /// None so far.
     pub(super) const NONE: Self =
         Self { channel: 0, kind: FrameKind::Standard, id: 0, direction: None, data: [0; 64], len: 0 };
@@ -70,7 +70,7 @@ pub(super) const fn is_frame(kind: u32) -> bool {
 }
 
 /// Reads the bytes behind the header of an object of a type; `None` if it is no frame that was on the bus.
-pub(super) fn read(kind: u32, body: &[u8]) -> Result<Option<Frame>, Flaw> {
+pub(super) fn read(kind: u32, body: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     match kind {
         CAN_MESSAGE | CAN_MESSAGE2 => message(body),
         CAN_FD_MESSAGE => fd_message(body),
@@ -86,27 +86,33 @@ pub(super) fn read(kind: u32, body: &[u8]) -> Result<Option<Frame>, Flaw> {
 /// ```text
 /// channel 2, flags 1, length code 1, identifier 4, data 8
 /// ```
-fn message(body: &[u8]) -> Result<Option<Frame>, Flaw> {
+fn message(body: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     let [_, _, flags, code, ..] = *body else { return Err((0, SHORT)) };
     let (id, data) = u32_at(body, 4).zip(body.get(8..16)).ok_or((0, SHORT))?;
     if flags & 0x0F == REQUEST {
         return Ok(None);
     }
     let data = classic_len(code).and_then(|len| data.get(..len)).ok_or((3, CODE))?;
-    frame(u16_at(body, 0), Sort::Classic { remote: flags & REMOTE != 0 }, id, direction(flags & 0x0F), data)
+    frame(
+        u16_at(body, 0),
+        BlfSort::Classic { remote: flags & REMOTE != 0 },
+        id,
+        direction(flags & 0x0F),
+        data,
+    )
 }
 
 /// ```text
 /// channel 2, flags 1, length code 1, identifier 4, frame's length 4, bits 1, FD flags 1, bytes 1, - 5, data 64
 /// ```
-fn fd_message(body: &[u8]) -> Result<Option<Frame>, Flaw> {
+fn fd_message(body: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     let [_, _, flags, code, ..] = *body else { return Err((0, SHORT)) };
     let (id, rest) = u32_at(body, 4).zip(body.get(13..)).ok_or((0, SHORT))?;
     let [fd, bytes, _, _, _, _, _, ref data @ ..] = *rest else { return Err((0, SHORT)) };
     if flags & 0x0F == REQUEST {
         return Ok(None);
     }
-    let sort = Sort::of([fd & 1 != 0, fd & 2 != 0, fd & 4 != 0, flags & REMOTE != 0]);
+    let sort = BlfSort::of([fd & 1 != 0, fd & 2 != 0, fd & 4 != 0, flags & REMOTE != 0]);
     let len = sort.len(code, bytes).map_err(|expected| (14, expected))?;
     let data = data.get(..len).ok_or((20, SHORT))?;
     frame(u16_at(body, 0), sort, id, direction(flags & 0x0F), data)
@@ -116,14 +122,14 @@ fn fd_message(body: &[u8]) -> Result<Option<Frame>, Flaw> {
 /// channel 1, length code 1, bytes 1, - 1, identifier 4, frame's length 4, flags 4, - 16, bits 2, direction 1, offset of more 1, checksum 4,
 /// data: as many as there are
 /// ```
-fn fd_message_64(body: &[u8]) -> Result<Option<Frame>, Flaw> {
+fn fd_message_64(body: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     let [channel, code, bytes, ..] = *body else { return Err((0, SHORT)) };
     let (id, flags) = u32_at(body, 4).zip(u32_at(body, 12)).ok_or((0, SHORT))?;
     let (&sent, there) = body.get(34).zip(body.get(40..)).ok_or((0, SHORT))?;
     if sent == REQUEST {
         return Ok(None);
     }
-    let sort = Sort::of([0x1000, 0x2000, 0x4000, 0x10].map(|bit| flags & bit != 0));
+    let sort = BlfSort::of([0x1000, 0x2000, 0x4000, 0x10].map(|bit| flags & bit != 0));
     let len = sort.len(code, bytes).map_err(|expected| (2, expected))?;
     // Vector's own library takes bytes that were not written for zeros.
     let mut data = [0; 64];
@@ -139,7 +145,7 @@ fn fd_message_64(body: &[u8]) -> Result<Option<Frame>, Flaw> {
 ///
 /// A controller of Vector's says in the flags what it knows, and the identifier is that of the frame which failed. Without flags it is a
 /// class of errors with its data, as SocketCAN has them and python-can writes them.
-fn error_ext(body: &[u8]) -> Result<Option<Frame>, Flaw> {
+fn error_ext(body: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     let (channel, flags) = (u16_at(body, 0), u32_at(body, 4).ok_or((0, SHORT))?);
     if flags != 0 {
         return error(channel, CLASS_BUS_ERROR, &[]);
@@ -149,18 +155,18 @@ fn error_ext(body: &[u8]) -> Result<Option<Frame>, Flaw> {
     error(channel, class & ID, body.get(24..24 + len).ok_or((24, SHORT))?)
 }
 
-fn error(channel: Option<u16>, class: u32, data: &[u8]) -> Result<Option<Frame>, Flaw> {
+fn error(channel: Option<u16>, class: u32, data: &[u8]) -> Result<Option<BlfFrame>, BlfFlaw> {
     filled(channel, FrameKind::Error, class, None, data)
 }
 
 /// What sort of frame it is, before its identifier is known.
 #[derive(Clone, Copy)]
-enum Sort {
+enum BlfSort {
     Classic { remote: bool },
     Fd { flags: u8 },
 }
 
-impl Sort {
+impl BlfSort {
     /// That of a frame with these marks: of CAN FD, of the rate switch, of the error state, of a remote frame.
     fn of([fd, rate_switch, error_state, remote]: [bool; 4]) -> Self {
         if fd {
@@ -185,19 +191,19 @@ impl Sort {
 /// A frame of this sort. The data of a remote frame only stand for a length.
 fn frame(
     channel: Option<u16>,
-    sort: Sort,
+    sort: BlfSort,
     id: u32,
     direction: Option<Direction>,
     data: &[u8],
-) -> Result<Option<Frame>, Flaw> {
+) -> Result<Option<BlfFrame>, BlfFlaw> {
     let extended = id & EXTENDED != 0;
     let (kind, data) = match sort {
-        Sort::Classic { remote: true } => {
+        BlfSort::Classic { remote: true } => {
             (FrameKind::Remote { extended, len: u8::try_from(data.len()).unwrap_or(8) }, &[][..])
         }
-        Sort::Classic { remote: false } if extended => (FrameKind::Extended, data),
-        Sort::Classic { remote: false } => (FrameKind::Standard, data),
-        Sort::Fd { flags } => (FrameKind::Fd { extended, flags }, data),
+        BlfSort::Classic { remote: false } if extended => (FrameKind::Extended, data),
+        BlfSort::Classic { remote: false } => (FrameKind::Standard, data),
+        BlfSort::Fd { flags } => (FrameKind::Fd { extended, flags }, data),
     };
     let id = id & ID;
     if id > kind.max_id() {
@@ -212,13 +218,13 @@ fn filled(
     id: u32,
     direction: Option<Direction>,
     from: &[u8],
-) -> Result<Option<Frame>, Flaw> {
+) -> Result<Option<BlfFrame>, BlfFlaw> {
     let mut data = [0; 64];
     for (place, byte) in data.iter_mut().zip(from) {
         *place = *byte;
     }
     let channel = channel.ok_or((0, SHORT))?;
-    Ok(Some(Frame { channel, kind, id, direction, data, len: from.len().min(64) }))
+    Ok(Some(BlfFrame { channel, kind, id, direction, data, len: from.len().min(64) }))
 }
 
 /// How many bytes a classic frame has of this code: 9 to 15 stand for 8.

@@ -34,7 +34,7 @@ use std::fmt::Write as _;
 use adsdv_oracle::candump::{Entries, Entry, LineError, ReadError, Record, Unit};
 
 use self::contents::{Contents, More, PADDING, broken};
-use self::frame::Frame;
+use self::frame::BlfFrame;
 use self::object::{BASE, Header, LOG_CONTAINER};
 pub(crate) use self::start::MAGIC;
 use self::window::Window;
@@ -50,7 +50,7 @@ const TIME: &str = "a time before the year 2262";
 const WHOLE: &str = "the rest of an object, before the end of the file";
 
 /// Reads the objects of a file.
-pub(crate) struct Reader {
+pub(crate) struct BlfReader {
     contents: Contents,
     content: Window,
     /// So many bytes of an object that is not read are still to come.
@@ -60,14 +60,14 @@ pub(crate) struct Reader {
     /// How many objects have been read.
     count: u64,
     /// The last frame.
-    frame: Frame,
+    frame: BlfFrame,
     interface: String,
     /// The channel that the interface is named for.
     channel: Option<u16>,
 }
 
 /// What became of the next object.
-enum Step {
+enum BlfStep {
     Frame(i64),
     Broken(LineError),
     /// It is nothing to be told.
@@ -75,7 +75,7 @@ enum Step {
     End,
 }
 
-impl Reader {
+impl BlfReader {
     pub(crate) fn new(source: Source) -> Self {
         Self {
             contents: Contents::new(source),
@@ -83,14 +83,14 @@ impl Reader {
             skip: 0,
             searching: false,
             count: 0,
-            frame: Frame::NONE,
+            frame: BlfFrame::NONE,
             interface: String::new(),
             channel: None,
         }
     }
 
     /// Waits until so many bytes are there. What is there instead, if they are not to come.
-    fn fill(&mut self, count: usize) -> Result<Option<Step>, ReadError> {
+    fn fill(&mut self, count: usize) -> Result<Option<BlfStep>, ReadError> {
         while self.content.len() < count {
             match self.contents.read(&mut self.content) {
                 Ok(More::Bytes) => {}
@@ -100,25 +100,25 @@ impl Reader {
                     (self.skip, self.searching) = (0, true);
                     return Ok(Some(self.broken(error)));
                 }
-                Ok(More::End) => return Ok(Some(Step::End)),
+                Ok(More::End) => return Ok(Some(BlfStep::End)),
                 Err(source) => return Err(ReadError { unit: Unit::Object, line: self.count, source }),
             }
         }
         Ok(None)
     }
 
-    fn broken(&mut self, error: LineError) -> Step {
+    fn broken(&mut self, error: LineError) -> BlfStep {
         self.count += 1;
-        Step::Broken(error)
+        BlfStep::Broken(error)
     }
 
     /// One step on.
-    fn step(&mut self) -> Result<Step, ReadError> {
+    fn step(&mut self) -> Result<BlfStep, ReadError> {
         if self.skip > 0 {
             return self.pass();
         }
         if let Some(step) = self.fill(BASE)? {
-            return Ok(if matches!(step, Step::End) { self.end() } else { step });
+            return Ok(if matches!(step, BlfStep::End) { self.end() } else { step });
         }
         match object::header(self.content.bytes()) {
             Some(header) => {
@@ -130,9 +130,9 @@ impl Reader {
     }
 
     /// Passes over what is not read.
-    fn pass(&mut self) -> Result<Step, ReadError> {
+    fn pass(&mut self) -> Result<BlfStep, ReadError> {
         if let Some(step) = self.fill(1)? {
-            if matches!(step, Step::End) {
+            if matches!(step, BlfStep::End) {
                 self.skip = 0;
                 return Ok(self.broken(broken(&[], 0, WHOLE)));
             }
@@ -141,20 +141,20 @@ impl Reader {
         let count = self.skip.min(self.content.len());
         self.content.skip(count);
         self.skip -= count;
-        Ok(Step::Passed)
+        Ok(BlfStep::Passed)
     }
 
     /// What is left at the end is padding, or an object that was cut off.
-    fn end(&mut self) -> Step {
+    fn end(&mut self) -> BlfStep {
         let rest = self.content.bytes();
         let told = rest.len() <= PADDING || self.searching;
         let error = broken(rest, 0, WHOLE);
         self.content.skip(self.content.len());
-        if told { Step::End } else { self.broken(error) }
+        if told { BlfStep::End } else { self.broken(error) }
     }
 
     /// Looks for the next object, behind padding or behind damage.
-    fn search(&mut self) -> Step {
+    fn search(&mut self) -> BlfStep {
         let bytes = self.content.bytes();
         let next = object::find(bytes);
         // So much is certain to be none, and there are more bytes than a header has: this goes on.
@@ -162,7 +162,7 @@ impl Reader {
         let begins = bytes.get(none..).unwrap_or_default().starts_with(object::SIGNATURE);
         if self.searching || begins && none <= PADDING {
             self.content.skip(none);
-            return Step::Passed;
+            return BlfStep::Passed;
         }
         self.searching = true;
         let error = broken(bytes, 0, LOBJ);
@@ -174,7 +174,7 @@ impl Reader {
     }
 
     /// Reads an object, or begins to pass over it.
-    fn object(&mut self, header: Header) -> Result<Step, ReadError> {
+    fn object(&mut self, header: Header) -> Result<BlfStep, ReadError> {
         let Header { len, size, kind } = header;
         if kind == LOG_CONTAINER {
             // The size of the one around it is damaged; if this one is not compressed, its objects can be read.
@@ -186,7 +186,7 @@ impl Reader {
         if !frame::is_frame(kind) {
             self.count += 1;
             self.skip = size;
-            return Ok(Step::Passed);
+            return Ok(BlfStep::Passed);
         }
         if size > LARGEST {
             let error = broken(self.content.bytes().get(8..).unwrap_or_default(), 8, SMALLER);
@@ -195,7 +195,7 @@ impl Reader {
             return Ok(self.broken(error));
         }
         if let Some(step) = self.fill(size)? {
-            return Ok(if matches!(step, Step::End) { self.end() } else { step });
+            return Ok(if matches!(step, BlfStep::End) { self.end() } else { step });
         }
         let object = self.content.bytes().get(..size).unwrap_or_default();
         let time = object::time(object).and_then(|time| time.checked_add(self.contents.began()));
@@ -203,12 +203,12 @@ impl Reader {
         let step = match (frame::read(kind, body), time) {
             (Ok(Some(frame)), Some(time)) => {
                 self.frame = frame;
-                Step::Frame(time)
+                BlfStep::Frame(time)
             }
-            (Ok(None), _) => Step::Passed,
-            (Ok(_), None) => Step::Broken(broken(object.get(24..).unwrap_or_default(), 24, TIME)),
+            (Ok(None), _) => BlfStep::Passed,
+            (Ok(_), None) => BlfStep::Broken(broken(object.get(24..).unwrap_or_default(), 24, TIME)),
             (Err((at, expected)), _) => {
-                Step::Broken(broken(body.get(at..).unwrap_or_default(), len.saturating_add(at), expected))
+                BlfStep::Broken(broken(body.get(at..).unwrap_or_default(), len.saturating_add(at), expected))
             }
         };
         self.count += 1;
@@ -230,13 +230,13 @@ impl Reader {
     }
 }
 
-impl Entries for Reader {
+impl Entries for BlfReader {
     fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         loop {
             match self.step()? {
-                Step::Frame(time_ns) => {
+                BlfStep::Frame(time_ns) => {
                     self.name(self.frame.channel);
-                    let Frame { kind, id, direction, len, .. } = self.frame;
+                    let BlfFrame { kind, id, direction, len, .. } = self.frame;
                     return Ok(Some(Entry::Frame(Record {
                         line: self.count,
                         time_ns,
@@ -248,11 +248,11 @@ impl Entries for Reader {
                         terminated: true,
                     })));
                 }
-                Step::Broken(error) => {
+                BlfStep::Broken(error) => {
                     return Ok(Some(Entry::Broken(LineError { line: self.count, ..error })));
                 }
-                Step::Passed => {}
-                Step::End => return Ok(None),
+                BlfStep::Passed => {}
+                BlfStep::End => return Ok(None),
             }
         }
     }

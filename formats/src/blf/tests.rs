@@ -6,7 +6,7 @@ use adsdv_oracle::candump::{Entries as _, Entry, FrameKind};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
-use super::Reader;
+use super::BlfReader;
 
 /// The header of a file whose measurement began a second after 1970.
 fn file() -> Vec<u8> {
@@ -74,7 +74,7 @@ fn message(id: u32) -> Vec<u8> {
 
 /// Frames as text, what is broken in words.
 fn read(parts: &[Vec<u8>]) -> Vec<String> {
-    let mut reader = Reader::new(Box::new(Cursor::new(parts.concat())));
+    let mut reader = BlfReader::new(Box::new(Cursor::new(parts.concat())));
     let mut all = Vec::new();
     while let Some(entry) = reader.next_entry().expect("memory does not fail") {
         all.push(match entry {

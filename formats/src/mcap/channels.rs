@@ -19,7 +19,7 @@ const KNOWN_SCHEMA: &str = "the schema of this channel, before it";
 const FRAMES: &str = "frames of CAN as ROS defines them, an id and data as bytes, in the encoding cdr or ros1; this channel is not read";
 
 /// Where a record cannot be read, what was found, and what should stand there.
-pub(super) type Flaw<'a> = (usize, &'a [u8], &'static str);
+pub(super) type ChannelFlaw<'a> = (usize, &'a [u8], &'static str);
 
 /// A channel whose messages are frames.
 pub(super) struct Channel {
@@ -60,7 +60,7 @@ impl Channels {
     }
 
     /// Takes the body of a schema.
-    pub(super) fn schema(&mut self, body: &[u8]) -> Result<(), Flaw<'static>> {
+    pub(super) fn schema(&mut self, body: &[u8]) -> Result<(), ChannelFlaw<'static>> {
         let mut at = 2;
         let id = u16_at(body, 0).ok_or((0, &[][..], SCHEMA))?;
         let name = text(body, &mut at).ok_or((2, &[][..], SCHEMA))?;
@@ -80,7 +80,7 @@ impl Channels {
     }
 
     /// Takes the body of a channel.
-    pub(super) fn channel<'a>(&'a mut self, body: &'a [u8]) -> Result<(), Flaw<'a>> {
+    pub(super) fn channel<'a>(&'a mut self, body: &'a [u8]) -> Result<(), ChannelFlaw<'a>> {
         let (id, schema) = u16_at(body, 0).zip(u16_at(body, 2)).ok_or((0, &[][..], CHANNEL))?;
         let mut at = 4;
         let topic = text(body, &mut at).ok_or((4, &[][..], CHANNEL))?;

@@ -9,15 +9,15 @@ use crate::Source;
 use crate::unpack::Zstd;
 
 /// The file, of which no more is read than a chunk has.
-type File = Take<BufReader<Failing>>;
+type File = Take<BufReader<Remembering>>;
 
 /// A source whose failure is kept: to those who unpack what it gives it is the end of the file, so that all that came before is read.
-struct Failing {
+struct Remembering {
     source: Source,
     failure: Option<io::Error>,
 }
 
-impl Read for Failing {
+impl Read for Remembering {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
         if self.failure.is_some() {
             return Ok(0);
@@ -84,9 +84,9 @@ impl Read for Chunk {
 }
 
 /// Where records come from.
-pub(super) struct Content(Inner);
+pub(super) struct Content(Place);
 
-enum Inner {
+enum Place {
     File(File),
     /// A chunk, and what of its record stands behind what it holds.
     Chunk(BufReader<Chunk>, u64),
@@ -96,18 +96,18 @@ enum Inner {
 
 impl Content {
     pub(super) fn new(source: Source) -> Self {
-        let source = Failing { source, failure: None };
-        Self(Inner::File(BufReader::with_capacity(128 * 1024, source).take(u64::MAX)))
+        let source = Remembering { source, failure: None };
+        Self(Place::File(BufReader::with_capacity(128 * 1024, source).take(u64::MAX)))
     }
 
     pub(super) const fn is_chunk(&self) -> bool {
-        matches!(self.0, Inner::Chunk(..))
+        matches!(self.0, Place::Chunk(..))
     }
 
     /// Goes into a chunk, which has so many bytes in the file and claims to have so many unpacked; behind it are others of its record.
     pub(super) fn enter(&mut self, compression: Compression, packed: u64, unpacked: u64, behind: u64) {
-        let mut file = match std::mem::replace(&mut self.0, Inner::Nowhere) {
-            Inner::File(file) => file,
+        let mut file = match std::mem::replace(&mut self.0, Place::Nowhere) {
+            Place::File(file) => file,
             other => {
                 self.0 = other;
                 return;
@@ -120,13 +120,13 @@ impl Content {
             Compression::Lz4 => (Unpacked::Lz4(Box::new(FrameDecoder::new(file))), unpacked),
         };
         let chunk = Chunk { unpacked: packed, left, crc: Crc::new() };
-        self.0 = Inner::Chunk(BufReader::with_capacity(64 * 1024, chunk), behind);
+        self.0 = Place::Chunk(BufReader::with_capacity(64 * 1024, chunk), behind);
     }
 
     /// Leaves a chunk, whatever of it was read: the checksum of what was.
     pub(super) fn leave(&mut self) -> io::Result<u32> {
-        let (chunk, behind) = match std::mem::replace(&mut self.0, Inner::Nowhere) {
-            Inner::Chunk(chunk, behind) => (chunk.into_inner(), behind),
+        let (chunk, behind) = match std::mem::replace(&mut self.0, Place::Nowhere) {
+            Place::Chunk(chunk, behind) => (chunk.into_inner(), behind),
             other => {
                 self.0 = other;
                 return Ok(0);
@@ -141,15 +141,15 @@ impl Content {
         file.set_limit(rest);
         let skipped = io::copy(&mut file, &mut io::sink());
         file.set_limit(u64::MAX);
-        self.0 = Inner::File(file);
+        self.0 = Place::File(file);
         skipped.map(|_| chunk.crc.sum())
     }
 
     /// Why the source failed, if it did.
     pub(super) fn failure(&mut self) -> Option<io::Error> {
         match &mut self.0 {
-            Inner::File(file) => file.get_mut().get_mut().failure.take(),
-            Inner::Chunk(..) | Inner::Nowhere => None,
+            Place::File(file) => file.get_mut().get_mut().failure.take(),
+            Place::Chunk(..) | Place::Nowhere => None,
         }
     }
 
@@ -158,9 +158,9 @@ impl Content {
         room.clear();
         let count = count as u64;
         match &mut self.0 {
-            Inner::File(file) => file.by_ref().take(count).read_to_end(room),
-            Inner::Chunk(chunk, _) => chunk.by_ref().take(count).read_to_end(room),
-            Inner::Nowhere => Ok(0),
+            Place::File(file) => file.by_ref().take(count).read_to_end(room),
+            Place::Chunk(chunk, _) => chunk.by_ref().take(count).read_to_end(room),
+            Place::Nowhere => Ok(0),
         }
         .map(|_| ())
     }
@@ -168,9 +168,9 @@ impl Content {
     /// Passes over so many bytes; whether there were as many.
     pub(super) fn skip(&mut self, count: u64) -> io::Result<bool> {
         let skipped = match &mut self.0 {
-            Inner::File(file) => io::copy(&mut file.by_ref().take(count), &mut io::sink()),
-            Inner::Chunk(chunk, _) => io::copy(&mut chunk.by_ref().take(count), &mut io::sink()),
-            Inner::Nowhere => Ok(0),
+            Place::File(file) => io::copy(&mut file.by_ref().take(count), &mut io::sink()),
+            Place::Chunk(chunk, _) => io::copy(&mut chunk.by_ref().take(count), &mut io::sink()),
+            Place::Nowhere => Ok(0),
         }?;
         Ok(skipped == count)
     }

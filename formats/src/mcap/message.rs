@@ -24,11 +24,11 @@ pub(super) enum Encoding {
 }
 
 /// Where a message cannot be read, and what should stand there.
-pub(super) type Flaw = (usize, &'static str);
+pub(super) type MessageFlaw = (usize, &'static str);
 
 /// What was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Frame {
+pub(super) struct McapFrame {
     /// The time in its header; `None` where that is not set.
     pub(super) time: Option<i64>,
     pub(super) kind: FrameKind,
@@ -37,15 +37,15 @@ pub(super) struct Frame {
     pub(super) len: usize,
 }
 
-impl Frame {
+impl McapFrame {
     /// None so far.
     pub(super) const NONE: Self =
         Self { time: None, kind: FrameKind::Standard, id: 0, data: [0; 64], len: 0 };
 }
 
 /// Reads a message.
-pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Result<Frame, Flaw> {
-    let mut cursor = Cursor::new(encoding, message)?;
+pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Result<McapFrame, MessageFlaw> {
+    let mut cursor = CdrCursor::new(encoding, message)?;
     let mut found = Found { fd: layout.fd, ..Found::default() };
     for field in &layout.fields {
         match *field {
@@ -123,7 +123,7 @@ impl Found<'_> {
         }
     }
 
-    fn frame(self) -> Result<Frame, Flaw> {
+    fn frame(self) -> Result<McapFrame, MessageFlaw> {
         // Of an array whose size is fixed a number says how much counts; where it is a code, 9 to 15 stand for all 8.
         let len = match self.len {
             Some(len) if !self.counted && !self.fd && len <= 15 => len.min(8),
@@ -155,12 +155,12 @@ impl Found<'_> {
         for (place, byte) in data.iter_mut().zip(from) {
             *place = *byte;
         }
-        Ok(Frame { time: self.time, kind, id: self.id, data, len })
+        Ok(McapFrame { time: self.time, kind, id: self.id, data, len })
     }
 }
 
 /// Takes numbers out of a message.
-struct Cursor<'a> {
+struct CdrCursor<'a> {
     message: &'a [u8],
     at: usize,
     /// What numbers are aligned from; nothing is in ROS 1.
@@ -170,8 +170,8 @@ struct Cursor<'a> {
     big_endian: bool,
 }
 
-impl<'a> Cursor<'a> {
-    fn new(encoding: Encoding, message: &'a [u8]) -> Result<Self, Flaw> {
+impl<'a> CdrCursor<'a> {
+    fn new(encoding: Encoding, message: &'a [u8]) -> Result<Self, MessageFlaw> {
         if encoding == Encoding::Ros1 {
             return Ok(Self { message, at: 0, origin: None, alignment: 1, big_endian: false });
         }
@@ -192,7 +192,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    fn bytes(&mut self, count: usize) -> Result<&'a [u8], Flaw> {
+    fn bytes(&mut self, count: usize) -> Result<&'a [u8], MessageFlaw> {
         let rest = self.message.get(self.at..).unwrap_or_default();
         let bytes = rest.get(..count).ok_or((self.at.min(self.message.len()), LONGER))?;
         self.at += count;
@@ -200,32 +200,32 @@ impl<'a> Cursor<'a> {
     }
 
     /// A number of 1 to 8 bytes.
-    fn number(&mut self, size: usize) -> Result<u64, Flaw> {
+    fn number(&mut self, size: usize) -> Result<u64, MessageFlaw> {
         self.align(size);
         let bytes = self.bytes(size)?;
         let fold = |number: u64, byte: &u8| number << 8 | u64::from(*byte);
         Ok(if self.big_endian { bytes.iter().fold(0, fold) } else { bytes.iter().rev().fold(0, fold) })
     }
 
-    fn count(&mut self) -> Result<usize, Flaw> {
+    fn count(&mut self) -> Result<usize, MessageFlaw> {
         let at = self.at;
         usize::try_from(self.number(4)?).map_err(|_| (at, LONGER))
     }
 
-    fn array(&mut self, size: usize, count: usize) -> Result<&'a [u8], Flaw> {
+    fn array(&mut self, size: usize, count: usize) -> Result<&'a [u8], MessageFlaw> {
         if count > 0 {
             self.align(size);
         }
         self.bytes(count.checked_mul(size).ok_or((self.at, LONGER))?)
     }
 
-    fn text(&mut self) -> Result<(), Flaw> {
+    fn text(&mut self) -> Result<(), MessageFlaw> {
         let count = self.count()?;
         self.bytes(count).map(|_| ())
     }
 
     /// A time after 1970; `None` if it is none.
-    fn time(&mut self) -> Result<Option<i64>, Flaw> {
+    fn time(&mut self) -> Result<Option<i64>, MessageFlaw> {
         let (seconds, nanos) = (self.number(4)?, self.number(4)?);
         if nanos >= 1_000_000_000 {
             return Err((self.at - 4, STAMP));
@@ -243,7 +243,7 @@ mod tests {
 
     const FD: &str = "uint32 id\nbool is_error\nbool is_rtr\nuint8[<=64] data";
 
-    fn fd(id: u32, error: u8, remote: u8, count: u8) -> Result<Frame, Flaw> {
+    fn fd(id: u32, error: u8, remote: u8, count: u8) -> Result<McapFrame, MessageFlaw> {
         let layout = Layout::of("can/msg/FdFrame", "ros2msg", FD.as_bytes()).expect("it is a frame");
         let mut message = vec![0, 1, 0, 0];
         message.extend(id.to_le_bytes());

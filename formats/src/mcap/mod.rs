@@ -36,7 +36,7 @@ use adsdv_oracle::candump::{Entries, Entry, LineError, ReadError, Record, Unit};
 
 use self::channels::Channels;
 use self::content::{Compression, Content};
-use self::message::Frame;
+use self::message::McapFrame;
 use crate::Source;
 use crate::bytes::{u16_at, u32_at, u64_at};
 
@@ -62,7 +62,7 @@ const TIME: &str = "a message with a time before the year 2262";
 const CHANNEL: &str = "a message of a channel that was told of before it";
 
 /// Reads the records of a file.
-pub(crate) struct Reader {
+pub(crate) struct McapReader {
     content: Content,
     channels: Channels,
     body: Vec<u8>,
@@ -71,18 +71,18 @@ pub(crate) struct Reader {
     /// The checksum that the chunk claims; 0 if none.
     checksum: u32,
     count: u64,
-    frame: Frame,
+    frame: McapFrame,
 }
 
 /// What became of the next record.
-enum Step {
+enum McapStep {
     Frame { channel: u16, time: i64 },
     Broken(LineError),
     Passed,
     End,
 }
 
-impl Reader {
+impl McapReader {
     pub(crate) fn new(source: Source) -> Self {
         Self {
             content: Content::new(source),
@@ -92,17 +92,17 @@ impl Reader {
             ended: false,
             checksum: 0,
             count: 0,
-            frame: Frame::NONE,
+            frame: McapFrame::NONE,
         }
     }
 
-    fn step(&mut self) -> io::Result<Step> {
+    fn step(&mut self) -> io::Result<McapStep> {
         if !self.begun {
             self.begun = true;
             self.content.skip(MAGIC as u64)?;
         }
         if self.ended {
-            return Ok(Step::End);
+            return Ok(McapStep::End);
         }
         self.content.take(&mut self.body, HEAD)?;
         let (Some(&kind), Some(len)) = (self.body.first(), u64_at(&self.body, 1)) else {
@@ -113,7 +113,7 @@ impl Reader {
             0 if self.content.is_chunk() => self.leave(broken(&self.body, 0, KIND)),
             0 => {
                 self.ended = true;
-                Ok(Step::Broken(broken(&self.body, 0, KIND)))
+                Ok(McapStep::Broken(broken(&self.body, 0, KIND)))
             }
             0x03..=0x05 => self.read(kind, len),
             0x06 if self.content.is_chunk() => self.leave(broken(&self.body, 0, OUTSIDE)),
@@ -121,11 +121,11 @@ impl Reader {
             // The footer, or the end of the data before it.
             0x02 | 0x0F if !self.content.is_chunk() => {
                 self.ended = true;
-                Ok(Step::End)
+                Ok(McapStep::End)
             }
             _ => {
                 if self.content.skip(len)? {
-                    return Ok(Step::Passed);
+                    return Ok(McapStep::Passed);
                 }
                 self.short()
             }
@@ -133,14 +133,14 @@ impl Reader {
     }
 
     /// There was less than a record: a chunk has ended, or the file.
-    fn short(&mut self) -> io::Result<Step> {
+    fn short(&mut self) -> io::Result<McapStep> {
         if !self.content.is_chunk() {
             if let Some(failure) = self.content.failure() {
                 return Err(failure);
             }
             self.ended = true;
             self.count += 1;
-            return Ok(Step::Broken(broken(&self.body, 0, END_OF_FILE)));
+            return Ok(McapStep::Broken(broken(&self.body, 0, END_OF_FILE)));
         }
         if !self.body.is_empty() {
             self.count += 1;
@@ -148,20 +148,20 @@ impl Reader {
         }
         let sum = self.content.leave()?;
         if self.checksum == 0 || self.checksum == sum {
-            return Ok(Step::Passed);
+            return Ok(McapStep::Passed);
         }
         self.count += 1;
-        Ok(Step::Broken(broken(&sum.to_le_bytes(), 0, CHECKSUM)))
+        Ok(McapStep::Broken(broken(&sum.to_le_bytes(), 0, CHECKSUM)))
     }
 
     /// Leaves a chunk in which something is wrong.
-    fn leave(&mut self, error: LineError) -> io::Result<Step> {
+    fn leave(&mut self, error: LineError) -> io::Result<McapStep> {
         self.content.leave()?;
-        Ok(Step::Broken(error))
+        Ok(McapStep::Broken(error))
     }
 
     /// Goes into a chunk.
-    fn enter(&mut self, len: u64) -> io::Result<Step> {
+    fn enter(&mut self, len: u64) -> io::Result<McapStep> {
         let begin = CHUNK + 4;
         self.content.take(&mut self.body, begin)?;
         let named = u32_at(&self.body, CHUNK);
@@ -170,7 +170,7 @@ impl Reader {
         let Some(name_len) = name_len else {
             let error = broken(self.body.get(CHUNK..).unwrap_or_default(), CHUNK, COMPRESSION);
             self.content.skip(len.saturating_sub(self.body.len() as u64))?;
-            return Ok(Step::Broken(error));
+            return Ok(McapStep::Broken(error));
         };
         self.content.take(&mut self.body, name_len + 8)?;
         let compression = self.body.get(..name_len).and_then(Compression::named);
@@ -182,15 +182,15 @@ impl Reader {
         else {
             let error = broken(&self.body, begin, COMPRESSION);
             self.content.skip(rest.unwrap_or(0))?;
-            return Ok(Step::Broken(error));
+            return Ok(McapStep::Broken(error));
         };
         self.checksum = checksum.unwrap_or(0);
         self.content.enter(compression, packed, unpacked, behind);
-        Ok(Step::Passed)
+        Ok(McapStep::Passed)
     }
 
     /// Reads a schema, a channel or a message.
-    fn read(&mut self, kind: u8, len: u64) -> io::Result<Step> {
+    fn read(&mut self, kind: u8, len: u64) -> io::Result<McapStep> {
         let most = usize::try_from(len).unwrap_or(LARGEST).min(LARGEST);
         let first = if kind == 0x05 { most.min(MESSAGE) } else { most };
         self.content.take(&mut self.body, first)?;
@@ -204,14 +204,14 @@ impl Reader {
             _ => return self.message(left),
         };
         let step = match told {
-            Ok(()) => Step::Passed,
-            Err((at, found, expected)) => Step::Broken(broken(found, at, expected)),
+            Ok(()) => McapStep::Passed,
+            Err((at, found, expected)) => McapStep::Broken(broken(found, at, expected)),
         };
         if self.content.skip(left)? { Ok(step) } else { self.cut() }
     }
 
     /// A record that has begun, and does not end.
-    fn cut(&mut self) -> io::Result<Step> {
+    fn cut(&mut self) -> io::Result<McapStep> {
         self.count -= 1;
         if self.body.is_empty() {
             self.body.push(0);
@@ -219,14 +219,14 @@ impl Reader {
         self.short()
     }
 
-    fn message(&mut self, left: u64) -> io::Result<Step> {
+    fn message(&mut self, left: u64) -> io::Result<McapStep> {
         let (id, logged) = (u16_at(&self.body, 0), u64_at(&self.body, 6));
         let (Some(id), Some(logged)) = (id, logged) else { return self.unknown(None, left) };
         let Some(channel) = self.channels.get(id) else {
             if !self.channels.has(id) {
                 return self.unknown(Some(id), left);
             }
-            return if self.content.skip(left)? { Ok(Step::Passed) } else { self.cut() };
+            return if self.content.skip(left)? { Ok(McapStep::Passed) } else { self.cut() };
         };
         let most = usize::try_from(left).unwrap_or(LARGEST).min(LARGEST);
         self.content.take(&mut self.body, most)?;
@@ -241,28 +241,28 @@ impl Reader {
             Ok(frame) => match frame.time.or(i64::try_from(logged).ok()) {
                 Some(time) => {
                     self.frame = frame;
-                    Step::Frame { channel: id, time }
+                    McapStep::Frame { channel: id, time }
                 }
-                None => Step::Broken(broken(&logged.to_le_bytes(), 6, TIME)),
+                None => McapStep::Broken(broken(&logged.to_le_bytes(), 6, TIME)),
             },
             Err((at, expected)) => {
                 let found = self.body.get(at..).unwrap_or_default();
-                Step::Broken(broken(found, at.saturating_add(MESSAGE), expected))
+                McapStep::Broken(broken(found, at.saturating_add(MESSAGE), expected))
             }
         })
     }
 
     /// A message that cannot be told what it is of; whoever has more of these is not told again.
-    fn unknown(&mut self, channel: Option<u16>, left: u64) -> io::Result<Step> {
+    fn unknown(&mut self, channel: Option<u16>, left: u64) -> io::Result<McapStep> {
         let error = broken(&self.body, 0, CHANNEL);
         if let Some(id) = channel {
             self.channels.pass_over(id);
         }
-        if self.content.skip(left)? { Ok(Step::Broken(error)) } else { self.cut() }
+        if self.content.skip(left)? { Ok(McapStep::Broken(error)) } else { self.cut() }
     }
 
     /// The next step, after whatever cannot be unpacked.
-    fn sure_step(&mut self) -> Result<Step, ReadError> {
+    fn sure_step(&mut self) -> Result<McapStep, ReadError> {
         let step = match self.step() {
             // Only what unpacks a chunk fails so; the source says why it did when it is asked.
             Err(_) if self.content.is_chunk() => {
@@ -280,19 +280,19 @@ fn broken(found: &[u8], at: usize, expected: &'static str) -> LineError {
     LineError { column: at.saturating_add(1), ..LineError::new(Unit::Record, 0, found, 0, expected) }
 }
 
-impl Entries for Reader {
+impl Entries for McapReader {
     fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let (channel, time_ns) = loop {
             match self.sure_step()? {
-                Step::Frame { channel, time } => break (channel, time),
-                Step::Broken(error) => {
+                McapStep::Frame { channel, time } => break (channel, time),
+                McapStep::Broken(error) => {
                     return Ok(Some(Entry::Broken(LineError { line: self.count, ..error })));
                 }
-                Step::Passed => {}
-                Step::End => return Ok(None),
+                McapStep::Passed => {}
+                McapStep::End => return Ok(None),
             }
         };
-        let Frame { kind, id, len, .. } = self.frame;
+        let McapFrame { kind, id, len, .. } = self.frame;
         let channel = self.channels.get(channel);
         Ok(channel.map(|channel| {
             Entry::Frame(Record {

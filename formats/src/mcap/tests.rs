@@ -2,7 +2,7 @@ use std::io::Cursor;
 
 use adsdv_oracle::candump::{Direction, Entries as _, Entry};
 
-use super::Reader;
+use super::McapReader;
 
 fn text(text: &str) -> Vec<u8> {
     let mut bytes = u32::try_from(text.len()).expect("short").to_le_bytes().to_vec();
@@ -63,7 +63,7 @@ fn file(parts: &[Vec<u8>]) -> Vec<u8> {
 }
 
 fn read(bytes: Vec<u8>) -> Vec<String> {
-    let mut reader = Reader::new(Box::new(Cursor::new(bytes)));
+    let mut reader = McapReader::new(Box::new(Cursor::new(bytes)));
     let mut all = Vec::new();
     while let Some(entry) = reader.next_entry().expect("memory does not fail") {
         all.push(match entry {

@@ -40,7 +40,7 @@ impl<D: Dialect> TextReader<D> {
 }
 
 /// What a line came to.
-enum Step {
+enum TextStep {
     Frame { line: u64, terminated: bool },
     Broken(LineError),
 }
@@ -48,7 +48,7 @@ enum Step {
 impl<D: Dialect> TextReader<D> {
     /// Goes on to the next line that is worth an entry.
     #[inline]
-    fn step(&mut self) -> Result<Option<Step>, ReadError> {
+    fn step(&mut self) -> Result<Option<TextStep>, ReadError> {
         while let Some(line) = self.lines.next_line()? {
             let read = if line.is_too_long() {
                 Err(Flaw { at: 0, expected: D::SHORTER })
@@ -60,11 +60,11 @@ impl<D: Dialect> TextReader<D> {
             match read {
                 Ok(Meaning::Other) => {}
                 Ok(Meaning::Frame) => {
-                    return Ok(Some(Step::Frame { line: line.number, terminated: line.terminated }));
+                    return Ok(Some(TextStep::Frame { line: line.number, terminated: line.terminated }));
                 }
                 Err(Flaw { at, expected }) => {
                     let error = LineError::new(Unit::Line, line.number, line.text, at, expected);
-                    return Ok(Some(Step::Broken(error)));
+                    return Ok(Some(TextStep::Broken(error)));
                 }
             }
         }
@@ -76,8 +76,8 @@ impl<D: Dialect> Entries for TextReader<D> {
     #[inline]
     fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         Ok(self.step()?.map(|step| match step {
-            Step::Frame { line, terminated } => Entry::Frame(self.frame.record(line, terminated)),
-            Step::Broken(error) => Entry::Broken(error),
+            TextStep::Frame { line, terminated } => Entry::Frame(self.frame.record(line, terminated)),
+            TextStep::Broken(error) => Entry::Broken(error),
         }))
     }
 

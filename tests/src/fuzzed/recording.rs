@@ -12,7 +12,7 @@ const MANY: usize = 100_000;
 pub fn body(bytes: &[u8]) {
     let whole = read(Cursor::new(bytes.to_vec()));
     if bytes.len() < 4096 {
-        assert_eq!(read(Drip(Cursor::new(bytes.to_vec()))), whole);
+        assert_eq!(read(ByteByByte(Cursor::new(bytes.to_vec()))), whole);
     }
 }
 
@@ -61,9 +61,9 @@ fn read(source: impl Read + Send + 'static) -> Vec<String> {
 }
 
 /// A source that gives a byte at a time.
-struct Drip(Cursor<Vec<u8>>);
+struct ByteByByte(Cursor<Vec<u8>>);
 
-impl Read for Drip {
+impl Read for ByteByByte {
     fn read(&mut self, room: &mut [u8]) -> std::io::Result<usize> {
         self.0.read(room.get_mut(..1).unwrap_or_default())
     }

@@ -41,12 +41,12 @@ pub(super) fn read<'a>(mut cursor: Cursor<'a>, data: &mut [u8; MAX_DATA]) -> Res
     }
     let extended = flags.extended;
     let kind = match flags {
-        Flags { error: true, .. } => FrameKind::Error,
-        Flags { remote: true, .. } => {
+        PythonFlags { error: true, .. } => FrameKind::Error,
+        PythonFlags { remote: true, .. } => {
             FrameKind::Remote { extended, len: u8::try_from(len).unwrap_or_default() }
         }
-        Flags { fd: true, bits, .. } => FrameKind::Fd { extended, flags: bits },
-        Flags { extended: true, .. } => FrameKind::Extended,
+        PythonFlags { fd: true, bits, .. } => FrameKind::Fd { extended, flags: bits },
+        PythonFlags { extended: true, .. } => FrameKind::Extended,
         _ => FrameKind::Standard,
     };
     let len = if flags.remote { 0 } else { len };
@@ -63,7 +63,7 @@ pub(super) fn read<'a>(mut cursor: Cursor<'a>, data: &mut [u8; MAX_DATA]) -> Res
 }
 
 #[derive(Clone, Copy)]
-struct Flags {
+struct PythonFlags {
     extended: bool,
     direction: Direction,
     error: bool,
@@ -116,7 +116,7 @@ fn take_id(cursor: &mut Cursor<'_>) -> Result<u32, Flaw> {
     Ok(id)
 }
 
-fn take_flags(cursor: &mut Cursor<'_>) -> Result<Flags, Flaw> {
+fn take_flags(cursor: &mut Cursor<'_>) -> Result<PythonFlags, Flaw> {
     let extended = match cursor.peek() {
         Some(b'S') => false,
         Some(b'X') => true,
@@ -130,7 +130,7 @@ fn take_flags(cursor: &mut Cursor<'_>) -> Result<Flags, Flaw> {
         _ => return Err(cursor.flaw(FLAGS)),
     };
     cursor.skip(2);
-    let mut flags = Flags { extended, direction, error: false, remote: false, fd: false, bits: 0 };
+    let mut flags = PythonFlags { extended, direction, error: false, remote: false, fd: false, bits: 0 };
     loop {
         cursor.skip_blanks();
         match cursor.rest() {
@@ -185,10 +185,10 @@ mod tests {
     use super::super::parse;
     use super::*;
 
-    type Read = (i64, String, FrameKind, u32, Vec<u8>, Option<Direction>);
-    type Case = (&'static str, &'static str, FrameKind, u32, &'static [u8], Option<Direction>);
+    type PythonRead = (i64, String, FrameKind, u32, Vec<u8>, Option<Direction>);
+    type PythonCase = (&'static str, &'static str, FrameKind, u32, &'static [u8], Option<Direction>);
 
-    fn read(line: &str) -> Result<Read, Flaw> {
+    fn read(line: &str) -> Result<PythonRead, Flaw> {
         let mut data = [0; MAX_DATA];
         let Printed { stamp, interface, kind, id, len, direction } =
             parse(line.as_bytes(), &mut data).expect("it is python-can's")?;
@@ -201,7 +201,7 @@ mod tests {
         use FrameKind::{Error, Extended, Fd, Remote, Standard};
         let (rx, tx) = (Some(Direction::Rx), Some(Direction::Tx));
         let begin = "Timestamp:        1.500000    ID:";
-        let cases: [Case; 6] = [
+        let cases: [PythonCase; 6] = [
             (
                 "      520    S Rx                DL:  2    00 fF     Channel: vcan0",
                 "vcan0",
