@@ -1,6 +1,7 @@
 //! The header of the file, which tells when the measurement began.
 
 use crate::bytes::u16_at;
+use crate::text::days;
 
 /// How a file begins.
 pub(crate) const MAGIC: &[u8] = b"LOGG";
@@ -27,17 +28,11 @@ fn when(file: &[u8]) -> Option<i64> {
         && minute < 60
         && second < 60
         && millis < 1000;
+    let days = days(year, month, day)?;
     sane.then(|| {
-        let seconds = ((days(year, month, day) * 24 + hour) * 60 + minute) * 60 + second;
+        let seconds = ((days * 24 + hour) * 60 + minute) * 60 + second;
         (seconds * 1000 + millis) * 1_000_000
     })
-}
-
-/// Days from 1970-01-01 to a day of the Gregorian calendar. Years are counted from March, so that the day that some lack is the last.
-const fn days(year: i64, month: i64, day: i64) -> i64 {
-    let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
-    let of_year = (153 * month + 2) / 5 + day - 1;
-    year * 365 + year / 4 - year / 100 + year / 400 + of_year - 719_468
 }
 
 #[cfg(test)]

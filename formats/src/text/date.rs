@@ -90,8 +90,8 @@ fn time_of_day(text: &[u8], half: Option<bool>) -> Option<i64> {
     fits.then_some((hour * 3600 + minute * 60) * NS_PER_SECOND + second)
 }
 
-/// The days from 1970-01-01 to a day of the calendar.
-fn days(year: i64, month: i64, day: i64) -> Option<i64> {
+/// The days from 1970-01-01 to a day of the Gregorian calendar, up to the year that 64 bits of nanoseconds can hold.
+pub(crate) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
     if !(1970..2263).contains(&year) || !(1..=31).contains(&day) {
         return None;
     }
