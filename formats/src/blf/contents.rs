@@ -19,6 +19,12 @@ const DEFLATED: u16 = 2;
 const LONGEST_HEADER: u32 = 4096;
 /// So many bytes may stand between two objects.
 pub(super) const PADDING: usize = 4;
+/// What is decided by the next bytes, or shows them, waits for so many: the same comes of a file that is read in other pieces.
+pub(super) const LOOK: usize = 64;
+/// What goes into zlib at a time, and the most that comes out. What such a piece gives before it turns out to be damaged is lost, and it is
+/// the same piece however the file is read.
+const PIECE: usize = 512;
+const UNPACKED: usize = 32 * 1024;
 
 const LOGG: &str = "the header of a file, of 72 bytes or more";
 const LOBJ: &str = "an object, which begins with LOBJ";
@@ -107,11 +113,12 @@ impl Contents {
 
     /// Begins the next object of the file.
     fn begin(&mut self, said: bool) -> io::Result<Option<More>> {
-        let whole = self.file.fill(&mut self.source, BASE + CONTAINER)?;
-        let file = self.file.bytes();
-        if let Some(header) = object::header(file) {
+        let whole = self.file.fill(&mut self.source, LOOK)?;
+        if let Some(header) = object::header(self.file.bytes()) {
+            let whole = self.file.fill(&mut self.source, header.len + LOOK)?;
             return Ok(self.open(header, whole));
         }
+        let file = self.file.bytes();
         let next = object::find(file);
         let here = next.unwrap_or(file.len());
         if here > PADDING && !said {
@@ -178,16 +185,18 @@ impl Contents {
     }
 
     fn deflated(&mut self, left: usize, content: &mut Window) -> io::Result<Option<More>> {
-        let any = self.file.fill(&mut self.source, 1)?;
+        self.file.fill(&mut self.source, left.min(PIECE))?;
         let packed = self.file.bytes();
-        let packed = packed.get(..left).unwrap_or(packed);
+        let packed = packed.get(..left.min(PIECE)).unwrap_or(packed);
         if packed.is_empty() {
+            let any = left == 0;
             let expected = if any { WHOLE } else { WHOLE_FILE };
             self.state = if any { State::Between { said: true } } else { State::End };
             return Ok(Some(More::Broken(broken(&[], self.inflated(), expected))));
         }
         let (consumed, made) = (self.inflate.total_in(), self.inflate.total_out());
-        let status = self.inflate.decompress(packed, content.room(), FlushDecompress::None);
+        let room = content.room().get_mut(..UNPACKED).unwrap_or_default();
+        let status = self.inflate.decompress(packed, room, FlushDecompress::None);
         let count = |now: u64, before: u64| usize::try_from(now.saturating_sub(before)).unwrap_or(0);
         let consumed = count(self.inflate.total_in(), consumed);
         let made = count(self.inflate.total_out(), made);
@@ -199,6 +208,7 @@ impl Contents {
             // The size of what is damaged need not be right: the next container is looked for from here on.
             Ok(_) | Err(_) => {
                 self.state = State::Between { said: true };
+                self.file.fill(&mut self.source, LOOK)?;
                 return Ok(Some(More::Broken(broken(self.file.bytes(), self.inflated(), ZLIB))));
             }
         };

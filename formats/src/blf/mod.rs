@@ -30,10 +30,11 @@ mod tests;
 mod window;
 
 use std::fmt::Write as _;
+use std::mem;
 
 use adsdv_oracle::candump::{Entries, Entry, LineError, ReadError, Record, Unit};
 
-use self::contents::{Contents, More, PADDING, broken};
+use self::contents::{Contents, LOOK, More, PADDING, broken};
 use self::frame::BlfFrame;
 use self::object::{BASE, Header, LOG_CONTAINER};
 pub(crate) use self::start::MAGIC;
@@ -53,10 +54,14 @@ const WHOLE: &str = "the rest of an object, before the end of the file";
 pub(crate) struct BlfReader {
     contents: Contents,
     content: Window,
+    /// What stands behind the content, once it is known.
+    behind: Option<More>,
     /// So many bytes of an object that is not read are still to come.
     skip: usize,
     /// The next object is looked for, and it has been said why.
     searching: bool,
+    /// What came out of the container last was no object, and it has been said.
+    rubbish: bool,
     /// How many objects have been read.
     count: u64,
     /// The last frame.
@@ -80,8 +85,10 @@ impl BlfReader {
         Self {
             contents: Contents::new(source),
             content: Window::new(),
+            behind: None,
             skip: 0,
             searching: false,
+            rubbish: false,
             count: 0,
             frame: BlfFrame::NONE,
             interface: String::new(),
@@ -89,22 +96,28 @@ impl BlfReader {
         }
     }
 
-    /// Waits until so many bytes are there. What is there instead, if they are not to come.
-    fn fill(&mut self, count: usize) -> Result<Option<BlfStep>, ReadError> {
+    /// Waits until so many bytes are there; `false` if they are not to come.
+    fn fill(&mut self, count: usize) -> Result<bool, ReadError> {
         while self.content.len() < count {
+            if self.behind.is_some() {
+                return Ok(false);
+            }
             match self.contents.read(&mut self.content) {
                 Ok(More::Bytes) => {}
-                Ok(More::Broken(error)) => {
-                    // The object that has begun here does not go on behind it.
-                    self.content.skip(self.content.len());
-                    (self.skip, self.searching) = (0, true);
-                    return Ok(Some(self.broken(error)));
-                }
-                Ok(More::End) => return Ok(Some(BlfStep::End)),
+                Ok(behind) => self.behind = Some(behind),
                 Err(source) => return Err(ReadError { unit: Unit::Object, line: self.count, source }),
             }
         }
-        Ok(None)
+        Ok(true)
+    }
+
+    /// Tells what stands behind the content. An object that has begun there does not go on.
+    fn stopped(&mut self) -> BlfStep {
+        let Some(More::Broken(error)) = self.behind.take() else { return self.end() };
+        self.content.skip(self.content.len());
+        (self.skip, self.searching) = (0, true);
+        // What comes out of a container before its damage is found is rubbish at its end: it is one damage.
+        if mem::take(&mut self.rubbish) { BlfStep::Passed } else { self.broken(error) }
     }
 
     fn broken(&mut self, error: LineError) -> BlfStep {
@@ -117,26 +130,25 @@ impl BlfReader {
         if self.skip > 0 {
             return self.pass();
         }
-        if let Some(step) = self.fill(BASE)? {
-            return Ok(if matches!(step, BlfStep::End) { self.end() } else { step });
+        if !self.fill(BASE)? {
+            return Ok(self.stopped());
         }
         match object::header(self.content.bytes()) {
             Some(header) => {
-                self.searching = false;
+                (self.searching, self.rubbish) = (false, false);
                 self.object(header)
             }
-            None => Ok(self.search()),
+            None => {
+                self.fill(LOOK)?;
+                Ok(self.search())
+            }
         }
     }
 
     /// Passes over what is not read.
     fn pass(&mut self) -> Result<BlfStep, ReadError> {
-        if let Some(step) = self.fill(1)? {
-            if matches!(step, BlfStep::End) {
-                self.skip = 0;
-                return Ok(self.broken(broken(&[], 0, WHOLE)));
-            }
-            return Ok(step);
+        if !self.fill(1)? {
+            return Ok(self.stopped());
         }
         let count = self.skip.min(self.content.len());
         self.content.skip(count);
@@ -147,7 +159,8 @@ impl BlfReader {
     /// What is left at the end is padding, or an object that was cut off.
     fn end(&mut self) -> BlfStep {
         let rest = self.content.bytes();
-        let told = rest.len() <= PADDING || self.searching;
+        let told = self.skip == 0 && (rest.len() <= PADDING || self.searching);
+        self.skip = 0;
         let error = broken(rest, 0, WHOLE);
         self.content.skip(self.content.len());
         if told { BlfStep::End } else { self.broken(error) }
@@ -164,7 +177,7 @@ impl BlfReader {
             self.content.skip(none);
             return BlfStep::Passed;
         }
-        self.searching = true;
+        (self.searching, self.rubbish) = (true, true);
         let error = broken(bytes, 0, LOBJ);
         // The size of the object before it may be what is damaged: the next one may have begun inside of that.
         if self.content.take_back() {
@@ -176,6 +189,7 @@ impl BlfReader {
     /// Reads an object, or begins to pass over it.
     fn object(&mut self, header: Header) -> Result<BlfStep, ReadError> {
         let Header { len, size, kind } = header;
+        self.fill(LOOK)?;
         if kind == LOG_CONTAINER {
             // The size of the one around it is damaged; if this one is not compressed, its objects can be read.
             let error = broken(self.content.bytes(), 0, OUTSIDE);
@@ -194,8 +208,8 @@ impl BlfReader {
             self.searching = true;
             return Ok(self.broken(error));
         }
-        if let Some(step) = self.fill(size)? {
-            return Ok(if matches!(step, BlfStep::End) { self.end() } else { step });
+        if !self.fill(size)? {
+            return Ok(self.stopped());
         }
         let object = self.content.bytes().get(..size).unwrap_or_default();
         let time = object::time(object).and_then(|time| time.checked_add(self.contents.began()));

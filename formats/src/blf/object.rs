@@ -10,6 +10,8 @@ pub(super) const SIGNATURE: &[u8] = b"LOBJ";
 pub(super) const BASE: usize = 16;
 /// No object is larger than this; a size beyond it is damage, and is not believed.
 const LARGEST: u32 = 1 << 26;
+/// No header is longer than this.
+const LONGEST_HEADER: usize = 4096;
 
 /// The type of an object that holds others.
 pub(super) const LOG_CONTAINER: u32 = 10;
@@ -41,7 +43,8 @@ pub(super) fn header(bytes: &[u8]) -> Option<Header> {
         _ => return None,
     };
     let header = Header { len: usize::from(len), size: usize::try_from(size).ok()?, kind };
-    (header.len >= least && header.size >= header.len && size <= LARGEST).then_some(header)
+    let lengths = least..=header.size.min(LONGEST_HEADER);
+    (lengths.contains(&header.len) && size <= LARGEST).then_some(header)
 }
 
 /// Where the first header stands that makes sense; else, how many bytes at the beginning are certain to hold none.
@@ -88,6 +91,7 @@ mod tests {
             bytes(32, 3, 48, 1),
             bytes(32, 1, LARGEST + 1, 1),
             bytes(15, 1, 48, 10),
+            bytes(4097, 1, 5000, 10),
         ] {
             assert_eq!(header(&damaged), None, "{damaged:?}");
         }
