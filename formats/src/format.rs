@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use adsdv_oracle::text::BYTE_ORDER_MARK;
+
 use crate::{asc, blf, csv, trc};
 
 /// How a file of MCAP begins, and ends.
@@ -42,7 +44,7 @@ impl Format {
 
     /// The format of a recording that begins so; that of candump where nothing else fits, since it can say of any text what it is not.
     pub(crate) fn of(head: &[u8]) -> Self {
-        let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
+        let text = head.strip_prefix(BYTE_ORDER_MARK).unwrap_or(head).trim_ascii_start();
         if head.starts_with(blf::MAGIC) {
             Self::Blf
         } else if head.starts_with(MCAP) {

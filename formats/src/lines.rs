@@ -3,6 +3,7 @@
 use std::io::{self, BufRead as _, BufReader};
 
 use adsdv_oracle::candump::{MAX_LINE, ReadError, Unit};
+use adsdv_oracle::text::BYTE_ORDER_MARK;
 use memchr::memchr;
 
 use crate::Source;
@@ -52,7 +53,7 @@ impl Lines {
                 self.number += 1;
                 let mut text = self.text.as_slice();
                 if self.number == 1 {
-                    text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+                    text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
                 }
                 let text = text.strip_suffix(b"\r").unwrap_or(text);
                 Ok(Some(Line { number: self.number, text, terminated }))

@@ -13,4 +13,5 @@ pub mod recognise;
 pub mod remote;
 pub mod rules;
 pub mod suite;
+pub mod text;
 pub mod why;

@@ -1,6 +1,6 @@
 //! A place in a line.
 
-use super::number::{decimal, hex, hex_byte};
+use adsdv_oracle::text::{decimal, hex, hex_byte};
 
 /// Where and why a line could not be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

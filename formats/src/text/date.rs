@@ -2,7 +2,9 @@
 //!
 //! None of them says which time zone it is of: they are taken for UTC, so that times of one file fit together.
 
-use super::{Cursor, decimal, time_ns};
+use adsdv_oracle::text::{days, decimal, time_ns};
+
+use super::Cursor;
 
 const NS_PER_SECOND: i64 = 1_000_000_000;
 const NS_PER_DAY: i128 = 86_400 * 1_000_000_000;
@@ -88,16 +90,6 @@ fn time_of_day(text: &[u8], half: Option<bool>) -> Option<i64> {
     };
     let fits = minute < 60 && second < 61 * NS_PER_SECOND && parts.next().is_none();
     fits.then_some((hour * 3600 + minute * 60) * NS_PER_SECOND + second)
-}
-
-/// The days from 1970-01-01 to a day of the Gregorian calendar, up to the year that 64 bits of nanoseconds can hold.
-pub(crate) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
-    if !(1970..2263).contains(&year) || !(1..=31).contains(&day) {
-        return None;
-    }
-    // Years begin in March here, so that a leap day is the last of its year.
-    let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
-    Some(year * 365 + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day - 1 - 719_468)
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use super::error::Flaw;
 use super::hex;
 use super::line::Cursor;
 use super::record::{FrameKind, MAX_DATA};
+use crate::text::hex_digit;
 
 pub(super) const STANDARD_MASK: u32 = 0x7FF;
 pub(super) const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
@@ -94,7 +95,7 @@ fn take_body(
     match cursor.rest() {
         [b'#', ..] if kind != FrameKind::Error => {
             cursor.skip(1);
-            let flags = cursor.peek().and_then(hex::digit).ok_or_else(|| cursor.flaw(FD_FLAGS))?;
+            let flags = cursor.peek().and_then(hex_digit).ok_or_else(|| cursor.flaw(FD_FLAGS))?;
             cursor.skip(1);
             let len = take_data(cursor, data, MAX_FD, AT_MOST_64)?;
             Ok(Frame { kind: FrameKind::Fd { extended, flags }, id, len })
@@ -116,7 +117,7 @@ fn take_body(
 }
 
 fn take_remote_len(cursor: &mut Cursor<'_>) -> Result<u8, Flaw> {
-    let Some(len) = cursor.peek().and_then(hex::digit) else { return Ok(0) };
+    let Some(len) = cursor.peek().and_then(hex_digit) else { return Ok(0) };
     if usize::from(len) > MAX_CLASSIC {
         return Err(cursor.flaw(REMOTE_LEN));
     }
@@ -133,7 +134,7 @@ fn take_raw_len(cursor: &mut Cursor<'_>) -> Result<(), Flaw> {
     if cursor.skip_if(b'_') {
         cursor
             .peek()
-            .and_then(hex::digit)
+            .and_then(hex_digit)
             .filter(|code| usize::from(*code) > MAX_CLASSIC)
             .ok_or_else(|| cursor.flaw(RAW_LEN))?;
         cursor.skip(1);
@@ -147,7 +148,7 @@ fn take_xl(cursor: &mut Cursor<'_>, data: &mut [u8; MAX_DATA], id: u32) -> Resul
     const HEADER: &[u8; 15] = b"81:00:12345678#";
     for shape in HEADER {
         let fits = cursor.peek().is_some_and(|byte| {
-            if shape.is_ascii_digit() { hex::digit(byte).is_some() } else { byte == *shape }
+            if shape.is_ascii_digit() { hex_digit(byte).is_some() } else { byte == *shape }
         });
         if !fits {
             return Err(cursor.flaw(XL_HEADER));
@@ -177,8 +178,8 @@ fn take_data(
     }
     loop {
         cursor.skip_if(b'.');
-        let Some(high) = cursor.peek().and_then(hex::digit) else { return Ok(len) };
-        let Some(low) = cursor.rest().get(1).copied().and_then(hex::digit) else {
+        let Some(high) = cursor.peek().and_then(hex_digit) else { return Ok(len) };
+        let Some(low) = cursor.rest().get(1).copied().and_then(hex_digit) else {
             return Err(cursor.flaw_after(1, LOW_DIGIT));
         };
         match data.get_mut(len) {

@@ -1,29 +1,7 @@
-//! Hexadecimal digits, through a table: one load for each digit, and no branch until the end.
+//! Hexadecimal digits of a length that is known beforehand, all of them at once.
 
 use super::frame::MAX_CLASSIC;
-
-/// What the table holds for a byte that is no digit: any value with high bits set.
-const NONE: u8 = 0xFF;
-
-const VALUE: [u8; 256] = {
-    let mut table = [NONE; 256];
-    let mut digit = 0;
-    while digit < 16 {
-        table[b"0123456789abcdef"[digit as usize] as usize] = digit;
-        table[b"0123456789ABCDEF"[digit as usize] as usize] = digit;
-        digit += 1;
-    }
-    table
-};
-
-/// The value of one digit, upper or lower case.
-#[inline]
-pub(super) fn digit(byte: u8) -> Option<u8> {
-    match VALUE[usize::from(byte)] {
-        NONE => None,
-        value => Some(value),
-    }
-}
+use crate::text::{NONE, VALUE, hex_digit};
 
 /// The value of up to 8 digits, or the offset of the first byte that is none.
 #[inline]
@@ -36,7 +14,7 @@ pub(super) fn number<const N: usize>(digits: [u8; N]) -> Result<u32, usize> {
         value = value << 4 | u32::from(digit & 0xF);
     }
     if seen == NONE {
-        Err(digits.iter().take_while(|byte| digit(**byte).is_some()).count())
+        Err(digits.iter().take_while(|byte| hex_digit(**byte).is_some()).count())
     } else {
         Ok(value)
     }
@@ -101,14 +79,13 @@ mod tests {
     fn digits_agree_with_the_standard_library() {
         for byte in 0..=u8::MAX {
             let expected = char::from(byte).to_digit(16).and_then(|value| u8::try_from(value).ok());
-            assert_eq!(digit(byte), expected, "{byte:#04x}");
             assert_eq!(number([b'5', byte]), expected.map(|low| 0x50 | u32::from(low)).ok_or(1));
             assert_eq!(bytes([byte, b'a']), expected.map(|high| [high << 4 | 0xA]));
             assert_eq!(bytes([b'C', byte]), expected.map(|low| [0xC0 | low]));
             for place in 0..16 {
                 let mut text = *b"0123456789abCDEF\n";
                 text[place] = byte;
-                let digits = text.iter().take_while(|byte| digit(**byte).is_some()).count();
+                let digits = text.iter().take_while(|byte| hex_digit(**byte).is_some()).count();
                 let usual = text[digits] == b'\n' && digits % 2 == 0;
                 let expected = (0..8).map(|byte| number([text[2 * byte], text[2 * byte + 1]]).unwrap_or(0));
                 let expected: Vec<u8> =

@@ -12,6 +12,7 @@ use super::printed::{self, Clock, Printed};
 use super::record::{FrameKind, MAX_DATA, Record};
 use super::usual::{self, Interface, Usual};
 use super::{Entries, MAX_LINE, Unit};
+use crate::text::BYTE_ORDER_MARK;
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
 const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
@@ -19,9 +20,6 @@ const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
 /// Large enough that system calls do not count, small enough to stay in the processor's cache.
 const BUFFER: usize = 128 * 1024;
 const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to fit, with room to read more");
-
-/// What some editors put before the first line of a text in UTF-8.
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What a log has in store: a frame, word of frames that are missing, or a line that is neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,11 +8,11 @@
 
 use super::super::error::Flaw;
 use super::super::frame::{EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
-use super::super::hex;
 use super::super::line::{self, Cursor};
 use super::super::record::{Direction, FrameKind, MAX_DATA};
 use super::super::time::NS_PER_SECOND;
 use super::{Printed, Stamp};
+use crate::text;
 
 /// What such a line begins with.
 pub(super) const MARK: &[u8] = b"Timestamp:";
@@ -74,29 +74,12 @@ struct PythonFlags {
 }
 
 fn take_time(cursor: &mut Cursor<'_>) -> Result<i64, Flaw> {
-    let start = *cursor;
-    let (mut time_ns, mut unit, mut any) = (0_i64, NS_PER_SECOND, false);
-    let (mut behind, mut overflow) = (false, false);
-    while let Some(byte) = cursor.peek() {
-        match byte {
-            b'0'..=b'9' => {
-                let digit = i64::from(byte - b'0');
-                any = true;
-                let next = if behind {
-                    unit /= 10;
-                    time_ns.checked_add(digit * unit)
-                } else {
-                    time_ns.checked_mul(10).and_then(|tens| tens.checked_add(digit * NS_PER_SECOND))
-                };
-                overflow |= next.is_none();
-                time_ns = next.unwrap_or(time_ns);
-            }
-            b'.' if !behind => behind = true,
-            _ => break,
-        }
-        cursor.skip(1);
-    }
-    if any && !overflow { Ok(time_ns) } else { Err(start.flaw(TIME)) }
+    let rest = cursor.rest();
+    let len = rest.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+    let time_ns = text::time_ns(rest.get(..len).unwrap_or_default(), NS_PER_SECOND);
+    let time_ns = time_ns.ok_or_else(|| cursor.flaw(TIME))?;
+    cursor.skip(len);
+    Ok(time_ns)
 }
 
 fn take_id(cursor: &mut Cursor<'_>) -> Result<u32, Flaw> {
@@ -105,11 +88,11 @@ fn take_id(cursor: &mut Cursor<'_>) -> Result<u32, Flaw> {
     }
     cursor.skip(3);
     cursor.skip_blanks();
-    let digits = cursor.rest().iter().take_while(|byte| hex::digit(**byte).is_some()).count();
+    let digits = cursor.rest().iter().take_while(|byte| text::hex_digit(**byte).is_some()).count();
     if !(1..=8).contains(&digits) {
         return Err(cursor.flaw(ID));
     }
-    let bytes = cursor.rest().iter().take(digits).filter_map(|byte| hex::digit(*byte));
+    let bytes = cursor.rest().iter().take(digits).filter_map(|byte| text::hex_digit(*byte));
     let id = bytes.fold(0, |number, digit| number << 4 | u32::from(digit));
     cursor.skip(digits);
     cursor.skip_blanks();
@@ -162,7 +145,7 @@ fn take_bytes(cursor: &mut Cursor<'_>, len: usize, data: &mut [u8; MAX_DATA]) ->
     for byte in data.iter_mut().take(len) {
         let gap = cursor.skip_blanks();
         let [high, low, ..] = *cursor.rest() else { return Err(cursor.flaw(BYTE)) };
-        match (hex::digit(high), hex::digit(low)) {
+        match (text::hex_digit(high), text::hex_digit(low)) {
             (Some(high), Some(low)) if gap => *byte = high << 4 | low,
             _ => return Err(cursor.flaw(BYTE)),
         }

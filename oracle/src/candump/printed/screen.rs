@@ -4,8 +4,9 @@ use super::super::error::Flaw;
 use super::super::frame::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::super::line::{self, Cursor};
 use super::super::record::{Direction, FrameKind, MAX_DATA};
-use super::super::{hex, time};
+use super::super::time;
 use super::{Printed, Stamp, date};
+use crate::text::hex_digit;
 
 const EXAMPLE: &str = "a line such as vcan0  520   [8]  00 00 01 00 00 00 00 00";
 const IDENTIFIER: &str = "an identifier of 3 or 8 hexadecimal digits";
@@ -85,9 +86,9 @@ fn take_direction(cursor: &mut Cursor<'_>) -> Result<Option<Direction>, Flaw> {
 
 /// Takes the identifier, and whether it has 29 bits.
 fn take_identifier(cursor: &mut Cursor<'_>) -> Result<(u32, bool), Flaw> {
-    let digits = cursor.rest().iter().take_while(|byte| hex::digit(**byte).is_some()).count();
+    let digits = cursor.rest().iter().take_while(|byte| hex_digit(**byte).is_some()).count();
     let number = |cursor: &Cursor<'_>| {
-        let digits = cursor.rest().iter().take(digits).filter_map(|byte| hex::digit(*byte));
+        let digits = cursor.rest().iter().take(digits).filter_map(|byte| hex_digit(*byte));
         digits.fold(0, |number, digit| number << 4 | u32::from(digit))
     };
     let (id, extended) = match digits {
@@ -125,7 +126,7 @@ fn take_bytes(cursor: &mut Cursor<'_>, len: usize, data: &mut [u8; MAX_DATA]) ->
             gap(cursor, BYTE)?;
         }
         let [high, low, ..] = *cursor.rest() else { return Err(cursor.flaw(BYTE)) };
-        match (hex::digit(high), hex::digit(low)) {
+        match (hex_digit(high), hex_digit(low)) {
             (Some(high), Some(low)) => *byte = high << 4 | low,
             _ => return Err(cursor.flaw(BYTE)),
         }

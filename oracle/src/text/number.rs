@@ -1,9 +1,10 @@
-//! Numbers as text has them.
+//! Numbers of digits. The hexadecimal ones go through a table: one load for each digit, and no branch until the end.
 
-/// What the table holds for a byte that is no digit.
-const NONE: u8 = 0xFF;
+/// What [`VALUE`] holds for a byte that is no digit: any value with high bits set.
+pub(crate) const NONE: u8 = 0xFF;
 
-const VALUE: [u8; 256] = {
+/// The value of each byte as a hexadecimal digit.
+pub(crate) const VALUE: [u8; 256] = {
     let mut table = [NONE; 256];
     let mut digit = 0;
     while digit < 16 {
@@ -14,32 +15,38 @@ const VALUE: [u8; 256] = {
     table
 };
 
+/// The value of one hexadecimal digit, upper or lower case.
+#[inline]
+pub fn hex_digit(byte: u8) -> Option<u8> {
+    match VALUE[usize::from(byte)] {
+        NONE => None,
+        value => Some(value),
+    }
+}
+
 /// The value of a hexadecimal number of 1 to 8 digits, upper or lower case.
 #[inline]
-pub(crate) fn hex(text: &[u8]) -> Option<u32> {
+pub fn hex(text: &[u8]) -> Option<u32> {
     if text.is_empty() || text.len() > 8 {
         return None;
     }
     let mut number = 0;
     for byte in text {
-        match VALUE[usize::from(*byte)] {
-            NONE => return None,
-            digit => number = number << 4 | u32::from(digit),
-        }
+        number = number << 4 | u32::from(hex_digit(*byte)?);
     }
     Some(number)
 }
 
 /// The byte that two hexadecimal digits stand for.
 #[inline]
-pub(crate) fn hex_byte(high: u8, low: u8) -> Option<u8> {
+pub fn hex_byte(high: u8, low: u8) -> Option<u8> {
     let (high, low) = (VALUE[usize::from(high)], VALUE[usize::from(low)]);
     (high | low != NONE).then_some(high << 4 | low & 0xF)
 }
 
 /// The value of a decimal number of digits alone.
 #[inline]
-pub(crate) fn decimal(text: &[u8]) -> Option<u64> {
+pub fn decimal(text: &[u8]) -> Option<u64> {
     if text.is_empty() {
         return None;
     }
@@ -52,9 +59,10 @@ pub(crate) fn decimal(text: &[u8]) -> Option<u64> {
     })
 }
 
-/// The nanoseconds of a time such as 12.345, whose whole numbers are of `unit_ns` each. Digits finer than a nanosecond are dropped.
+/// The nanoseconds of a time such as 12.345, whose whole numbers are of `unit_ns` each; `None` if they do not fit into 64 bits, and for
+/// anything else. Digits finer than a nanosecond are dropped.
 #[inline]
-pub(crate) fn time_ns(text: &[u8], unit_ns: i64) -> Option<i64> {
+pub fn time_ns(text: &[u8], unit_ns: i64) -> Option<i64> {
     let point = text.iter().position(|byte| *byte == b'.').unwrap_or(text.len());
     let (whole, fraction) = text.split_at_checked(point)?;
     let whole = i64::try_from(decimal(whole)?).ok()?.checked_mul(unit_ns)?;
@@ -99,6 +107,8 @@ mod tests {
             assert_eq!(decimal(text.as_bytes()), number, "{text}");
         }
         for high in 0..=u8::MAX {
+            let expected = char::from(high).to_digit(16).and_then(|value| u8::try_from(value).ok());
+            assert_eq!(hex_digit(high), expected, "{high:#04x}");
             for low in [b'0', b'9', b'a', b'F', b'g', b' ', 0xFF] {
                 assert_eq!(hex_byte(high, low).map(u32::from), hex(&[high, low]), "{high} {low}");
             }
