@@ -4,24 +4,23 @@
 //! selected on the AMI, holds its requests at zero until the car drives, drives a bit, stops with the service brake, and says
 //! so. What it looks at on the way is one straight road without a cone.
 //!
-//! ```text
-//! Idle -> Selected -> Started -> Driving -> Braking -> Finished -> Neutral
-//!  (AMI)        (AS_DRIVING)  (so far)      (at rest)  (AS_FINISHED)
-//! ```
+//! Its program is that of [`adsdv_ai`], which the model explores as well. Here it gets a plan, a road, and what else a stack on a bus
+//! sends: speeds and accelerations as it measures them.
 //!
 //! Like the car it is pure: it gets the frames that came and how much time has passed.
 
-mod from_vcu;
+mod measured;
 mod motion;
 
+pub use adsdv_ai::Stage;
+use adsdv_ai::{AiComputer, Decisions, Wanted};
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AsState, AxleTorqueRequest,
-    BrakePressure, DecodeError, DirectionRequest, Frame, MissionStatus, MotorSpeedMax, SpeedKmh, SteerAngle,
+    Ai2VcuStatus, AxleTorqueRequest, BrakePressure, DecodeError, Frame, MotorSpeedMax, SpeedKmh, SteerAngle,
 };
 use adsdv_spec::{AiMessages, Edition};
 
 use crate::car::Physics;
-use from_vcu::FromVcu;
+use measured::Measured;
 use motion::Motion;
 
 /// What it drives.
@@ -56,28 +55,6 @@ impl Plan {
     };
 }
 
-/// How far it has come with its mission.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Stage {
-    /// No mission is selected.
-    #[default]
-    Idle,
-    /// The selected mission is confirmed (RDY-7); all requests are zero (DRV-5 to DRV-8).
-    Selected,
-    /// The car drives: RUNNING and FORWARD (DRV-10), but no torque yet.
-    Started,
-    /// It drives.
-    Driving,
-    /// It stops the vehicle with the service brake (FIN-2).
-    Braking,
-    /// The vehicle has stopped: FINISHED (FIN-3). The brakes stay on.
-    Finished,
-    /// FINISHED and NEUTRAL, the brakes still on.
-    Neutral,
-    /// An emergency: nothing is requested.
-    Stopped,
-}
-
 /// The AI Computer.
 ///
 /// ```
@@ -105,8 +82,8 @@ pub struct Ai {
     edition: Edition,
     physics: Physics,
     plan: Plan,
-    stage: Stage,
-    heard: FromVcu,
+    program: AiComputer,
+    measured: Measured,
     motion: Motion,
     /// For how long the VCU has said nothing, in milliseconds.
     silent_ms: u32,
@@ -132,8 +109,8 @@ impl Ai {
             edition: *edition,
             physics: Physics::DEFAULT,
             plan,
-            stage: Stage::Idle,
-            heard: FromVcu::default(),
+            program: AiComputer::default(),
+            measured: Measured::default(),
             motion: Motion::default(),
             silent_ms: 0,
             driven_ms: 0,
@@ -149,13 +126,13 @@ impl Ai {
 
     /// How far it has come with its mission.
     pub const fn stage(&self) -> Stage {
-        self.stage
+        self.program.stage
     }
 
     /// A frame that came from the bus. What is not of the VCU changes nothing; what is, and does not decode, neither, and is an
     /// error.
     pub fn receive(&mut self, frame: &Frame) -> Result<(), DecodeError> {
-        if self.heard.frame(frame, &self.edition)? {
+        if self.measured.frame(frame, &self.edition, &mut self.program.heard)? {
             self.silent_ms = 0;
         }
         Ok(())
@@ -166,9 +143,9 @@ impl Ai {
     /// Until it has heard the VCU it sends none: it cannot know what would be right in the state that the car is in.
     pub fn cycle(&mut self, dt_ms: u32) -> Vec<Frame> {
         self.silent_ms = self.silent_ms.saturating_add(dt_ms);
-        self.motion.measure(&self.heard, &self.physics, dt_ms);
+        self.motion.measure(&self.measured, &self.physics, dt_ms);
         self.advance(dt_ms);
-        if !self.heard.vcu {
+        if !self.measured.vcu {
             return Vec::new();
         }
         let bus = &self.edition.bus;
@@ -176,110 +153,67 @@ impl Ai {
     }
 
     fn advance(&mut self, dt_ms: u32) {
-        if self.stage == Stage::Driving {
+        if self.program.stage == Stage::Driving {
             self.driven_ms = self.driven_ms.saturating_add(dt_ms);
             self.driven_m += self.motion.speed_mps * f64::from(dt_ms) / 1000.0;
         }
-        let at_rest = self.stage == Stage::Braking && self.heard.has_stopped();
+        let at_rest = self.program.stage == Stage::Braking && self.program.heard.has_stopped();
         self.rested_ms = if at_rest { self.rested_ms.saturating_add(dt_ms) } else { 0 };
-        self.stage = self.next_stage();
-        if self.stage < Stage::Started {
+        self.program = self.program.cycle(Decisions {
+            stop: self.must_stop() || self.driven_m >= self.plan.distance_m,
+            settled: self.rested_ms > self.plan.settle_ms,
+        });
+        if self.program.stage < Stage::Started {
             self.driven_ms = 0;
             self.driven_m = 0.0;
-        }
-    }
-
-    fn next_stage(&self) -> Stage {
-        let status = &self.heard.status;
-        match (status.as_state, self.stage) {
-            (AsState::Off | AsState::Ready, _) => match status.ami_state {
-                AmiState::NotSelected => Stage::Idle,
-                _ => Stage::Selected,
-            },
-            // Somebody else has selected it, or it has been switched off and on again on the way.
-            (AsState::Driving, Stage::Idle) => Stage::Braking,
-            (AsState::Driving, Stage::Selected) => Stage::Started,
-            (AsState::Driving, Stage::Started | Stage::Driving) if self.must_stop() => Stage::Braking,
-            (AsState::Driving, Stage::Started) => Stage::Driving,
-            (AsState::Driving, Stage::Driving) if self.driven_m >= self.plan.distance_m => Stage::Braking,
-            (AsState::Driving, Stage::Braking) if self.rested_ms > self.plan.settle_ms => Stage::Finished,
-            (AsState::Driving, stage) => stage,
-            (AsState::Finished, _) => Stage::Neutral,
-            (AsState::EmergencyBrake, _) => Stage::Stopped,
         }
     }
 
     /// Whether it is no longer safe to drive: the VCU asks it to stop, or is not heard for so long that it would count the
     /// AI Computer as lost.
     fn must_stop(&self) -> bool {
-        self.heard.status.shutdown_request || self.silent_ms > self.edition.rules.timing.handshake_ms.into()
+        self.measured.status.shutdown_request
+            || self.silent_ms > self.edition.rules.timing.handshake_ms.into()
     }
 
     /// What it says to the VCU (section 2.1).
     fn messages(&self) -> AiMessages {
-        let torque = AxleTorqueRequest::from_nm(self.torque_nm()).unwrap_or_default();
-        let limit = self.motor_speed_max();
-        let pressure = match self.stage {
-            //= FIN-2
-            Stage::Braking | Stage::Finished | Stage::Neutral => {
-                BrakePressure::from_pct(self.plan.brake_pct).unwrap_or(BrakePressure::MAX)
-            }
-            _ => BrakePressure::MIN,
-        };
-        let driving = self.stage == Stage::Driving;
+        let driving = self.program.stage == Stage::Driving;
         let speed = |mps: f64| SpeedKmh::from_kmh(mps * 3.6).unwrap_or(SpeedKmh::MAX);
+        let messages = self.program.messages(&Wanted {
+            torque: AxleTorqueRequest::from_nm(self.torque_nm()).unwrap_or_default(),
+            motor_speed_max: self.motor_speed_max(),
+            steer: SteerAngle::from_deg(self.steer_deg()).unwrap_or_default(),
+            pressure: match self.program.stage {
+                // The EBS stops the vehicle.
+                Stage::Stopped => BrakePressure::MIN,
+                _ => BrakePressure::from_pct(self.plan.brake_pct).unwrap_or(BrakePressure::MAX),
+            },
+        });
         AiMessages {
             status: Ai2VcuStatus {
-                handshake: self.heard.status.handshake, //= HS-5
-                mission_status: match self.stage {
-                    Stage::Idle | Stage::Stopped => MissionStatus::NotSelected,
-                    Stage::Selected => MissionStatus::Selected, //= RDY-7
-                    Stage::Started | Stage::Driving | Stage::Braking => MissionStatus::Running,
-                    Stage::Finished | Stage::Neutral => MissionStatus::Finished, //= FIN-1, FIN-3
-                },
-                direction_request: match self.stage {
-                    Stage::Idle | Stage::Selected | Stage::Neutral | Stage::Stopped => {
-                        DirectionRequest::Neutral
-                    }
-                    Stage::Started | Stage::Driving | Stage::Braking | Stage::Finished => {
-                        //= DRV-10
-                        DirectionRequest::Forward
-                    }
-                },
                 veh_speed_actual: speed(self.motion.speed_mps),
                 veh_speed_demand: speed(if driving { self.plan.speed_mps } else { 0.0 }),
-                ..Ai2VcuStatus::default()
+                ..messages.status
             },
-            drive_f: Ai2VcuDriveF { front_axle_trq_request: torque, front_motor_speed_max: limit },
-            drive_r: Ai2VcuDriveR { rear_axle_trq_request: torque, rear_motor_speed_max: limit },
-            steer: Ai2VcuSteer { steer_request: SteerAngle::from_deg(self.steer_deg()).unwrap_or_default() },
-            brake: Ai2VcuBrake { hyd_press_f_req: pressure, hyd_press_r_req: pressure },
+            ..messages
         }
     }
 
     /// Less and less torque as it gets faster, so that it never gets to the limit of the motors, where torque brakes.
     fn torque_nm(&self) -> f64 {
-        if self.stage != Stage::Driving {
-            return 0.0;
-        }
         let missing = 1.0 - self.motion.speed_mps / self.plan.speed_mps;
         // Full torque up to three quarters of the speed.
         (4.0 * missing * self.plan.torque_nm).max(0.0).min(self.plan.torque_nm)
     }
 
     fn motor_speed_max(&self) -> MotorSpeedMax {
-        if self.stage != Stage::Driving {
-            return MotorSpeedMax::MIN;
-        }
         // The outer wheel is faster, and the regulation has some room.
         let rpm = 1.25 * self.plan.speed_mps * self.physics.rpm_per_mps() * self.physics.gear_ratio;
         MotorSpeedMax::from_rpm(rpm).unwrap_or(MotorSpeedMax::MAX)
     }
 
     fn steer_deg(&self) -> f64 {
-        if self.stage != Stage::Driving {
-            return 0.0;
-        }
         let turn = f64::from(self.driven_ms) / self.plan.sway_ms;
         self.plan.sway_deg * (std::f64::consts::TAU * turn).sin()
     }

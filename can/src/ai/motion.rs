@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{Acceleration, Ai2LogDynamics2, YawRate};
 
-use super::from_vcu::FromVcu;
+use super::measured::Measured;
 use crate::car::Physics;
 
 /// The time constant that takes the steps out of the measured speed, in milliseconds.
@@ -23,8 +23,8 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub(super) fn measure(&mut self, heard: &FromVcu, physics: &Physics, dt_ms: u32) {
-        let speeds = &heard.wheel_speeds;
+    pub(super) fn measure(&mut self, measured: &Measured, physics: &Physics, dt_ms: u32) {
+        let speeds = &measured.wheel_speeds;
         let rear = [speeds.rl_wheel_speed, speeds.rr_wheel_speed];
         let rpm = rear.iter().map(|speed| speed.to_physical()).sum::<f64>() / 2.0;
         self.speed_mps = rpm / physics.rpm_per_mps();
@@ -32,7 +32,7 @@ impl Motion {
         self.longitudinal = (self.speed_mps - self.smooth_mps) * 1000.0 / SMOOTHING_MS;
         self.smooth_mps +=
             (self.speed_mps - self.smooth_mps) * (1.0 - (-f64::from(dt_ms) / SMOOTHING_MS).exp());
-        let curvature = heard.steer_angle.to_physical().to_radians().tan() / physics.wheelbase_m;
+        let curvature = measured.steer_angle.to_physical().to_radians().tan() / physics.wheelbase_m;
         self.lateral = self.speed_mps * self.speed_mps * curvature;
         self.yaw_rate = (self.speed_mps * curvature).to_degrees();
     }

@@ -133,16 +133,12 @@ impl BlfReader {
         if !self.fill(BASE)? {
             return Ok(self.stopped());
         }
-        match object::header(self.content.bytes()) {
-            Some(header) => {
-                (self.searching, self.rubbish) = (false, false);
-                self.object(header)
-            }
-            None => {
-                self.fill(LOOK)?;
-                Ok(self.search())
-            }
+        if let Some(header) = object::header(self.content.bytes()) {
+            (self.searching, self.rubbish) = (false, false);
+            return self.object(header);
         }
+        self.fill(LOOK)?;
+        Ok(self.search())
     }
 
     /// Passes over what is not read.
@@ -189,7 +185,7 @@ impl BlfReader {
     /// Reads an object, or begins to pass over it.
     fn object(&mut self, header: Header) -> Result<BlfStep, ReadError> {
         let Header { len, size, kind } = header;
-        self.fill(LOOK)?;
+        self.fill(len.max(LOOK))?;
         if kind == LOG_CONTAINER {
             // The size of the one around it is damaged; if this one is not compressed, its objects can be read.
             let error = broken(self.content.bytes(), 0, OUTSIDE);

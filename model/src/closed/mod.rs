@@ -7,8 +7,8 @@
 //!                    AI Computer
 //! ```
 //!
-//! The VCU is the specification's [`Machine`], stepped every [`Timing::cycle_ms`]. The AI Computer is a small reference
-//! program that follows the document ([`ai`]). They know of each other only what real frames say, encoded and decoded by
+//! The VCU is the specification's [`Machine`], stepped every [`Timing::cycle_ms`]. The AI Computer is the reference one, a small
+//! program that follows the document ([`adsdv_ai`]). They know of each other only what real frames say, encoded and decoded by
 //! the specification's codec, which arrive one by one and late ([`bus`]).
 //!
 //! # What a conforming AI Computer is assumed to do
@@ -85,7 +85,8 @@ use crate::document::Document;
 pub use stateright::Expectation;
 
 pub use action::{Act, ClosedAction};
-pub use ai::{AiComputer, Conduct, Stage};
+pub use adsdv_ai::{AiComputer, Stage};
+pub use ai::Conduct;
 pub use bus::{Bus, WaitingFrames};
 pub use operator::{Operator, Switches};
 pub use properties::{CLOSED_PROPERTIES, ClosedExploration, ClosedProperty, EXHAUSTIVE, Found};
@@ -215,7 +216,7 @@ impl Closed {
 
     /// Whether the AI Computer's next cycle changes anything.
     fn ai_has_news(&self, state: &ClosedState) -> bool {
-        state.ai.cycle(self.conduct) != state.ai
+        ai::cycle(state.ai, self.conduct) != state.ai
     }
 
     /// Whether the VCU's cycle may end now, with all others as late as they are.
@@ -266,7 +267,7 @@ impl Closed {
         match action {
             ClosedAction::VcuCycle => self.vcu_cycle(&mut state),
             ClosedAction::AiCycle => {
-                state.ai = state.ai.cycle(self.conduct);
+                state.ai = ai::cycle(state.ai, self.conduct);
                 self.ai_sends(&mut state);
             }
             ClosedAction::FrameToAi => {
@@ -276,7 +277,7 @@ impl Closed {
                 state.received = self.received(&state.received, &state.bus.to_vcu.next()?);
             }
             ClosedAction::AiDecidesToStop => {
-                state.ai.stage = Stage::Braking;
+                state.ai = ai::decides_to_stop(state.ai);
                 self.ai_sends(&mut state);
             }
             ClosedAction::Operator(act) => {
@@ -309,7 +310,7 @@ impl Closed {
     fn ai_sends(&self, state: &mut ClosedState) {
         let received = state.received;
         let is_news = |frame: &Frame| self.received(&received, frame) != received;
-        state.bus.to_vcu.send(ai::frames(&state.ai.messages(), self.bus()), is_news);
+        state.bus.to_vcu.send(ai::frames(state.ai, self.bus()), is_news);
     }
 
     /// What the VCU has received, after one more frame.
@@ -366,7 +367,7 @@ impl Model for Closed {
             }
             return;
         }
-        if state.ai.may_decide_to_stop() {
+        if ai::may_decide_to_stop(state.ai) {
             actions.push(ClosedAction::AiDecidesToStop);
         }
         if state.motion.driven && state.motion.wheels.faster().is_some() {

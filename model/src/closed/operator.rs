@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{AmiState, AsState};
 
-use super::{Act, Closed, ClosedAction, ClosedState, DAWDLE_CYCLES, Mission};
+use super::{Act, Closed, ClosedAction, ClosedState, DAWDLE_CYCLES, Mission, ai};
 
 /// Who moves the switches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -101,7 +101,7 @@ impl Closed {
         }
         let mut acts = Vec::new();
         self.acts(state, &mut acts);
-        let awaited = !acts.is_empty() || state.ai.may_decide_to_stop() || state.motion.must_slow_down();
+        let awaited = !acts.is_empty() || ai::may_decide_to_stop(state.ai) || state.motion.must_slow_down();
         state.patience < if awaited { DAWDLE_CYCLES } else { self.longest_wait() }
     }
 

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{AsState, Frame};
 
 use super::meaning::meaning;
-use super::{Closed, ClosedAction, ClosedState};
+use super::{Closed, ClosedAction, ClosedState, ai};
 
 /// Who takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,7 +102,7 @@ fn enters(before: &ClosedState, after: &ClosedState) -> Option<AsState> {
 
 /// What the AI Computer asks for.
 fn in_words(state: &ClosedState) -> String {
-    let messages = state.ai.messages();
+    let messages = ai::messages(state.ai);
     let mut words = format!("{}, {}", messages.status.mission_status, messages.status.direction_request);
     if messages.drive_f.front_axle_trq_request.raw() > 0 {
         words += ", torque";

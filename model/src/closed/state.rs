@@ -2,10 +2,10 @@
 
 use std::hash::{Hash, Hasher};
 
+use adsdv_ai::FromVcu;
 use adsdv_spec::messages::{AsState, EbsState, Vcu2AiWheelSpeeds, WheelSpeed};
 use adsdv_spec::{AiMessages, Control, Inputs, ShutdownCircuit, Vehicle};
 
-use super::ai::FromVcu;
 use super::{AiComputer, Bus, Closed, ClosedAction, Operator, Switches};
 use crate::document::Document;
 

@@ -7,7 +7,7 @@ use adsdv_spec::{Atom, Edition, Rules};
 
 use super::action::on_off;
 use super::meaning::meaning;
-use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels};
+use super::{Closed, ClosedAction, ClosedState, WaitingFrames, Wheels, ai};
 
 /// A frame as `candump` writes it, and what it says.
 fn frame(frame: &Frame, edition: &Edition) -> String {
@@ -67,7 +67,7 @@ impl ClosedState {
     }
 
     fn ai_computer(&self) -> String {
-        let messages = self.ai.messages();
+        let messages = ai::messages(self.ai);
         format!(
             "{}, {}, HANDSHAKE {}, torque {}, brakes {}",
             messages.status.mission_status,
