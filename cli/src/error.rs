@@ -77,9 +77,6 @@ impl Error {
             LogError::NoFrame { first, .. } => {
                 let begins = first.as_ref().map(|first| first.found.as_bytes()).unwrap_or_default();
                 match begins {
-                    [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
-                        "it is text in UTF-16: iconv -f UTF-16 -t UTF-8 run.log | adsdv check -".to_owned()
-                    }
                     [b'V', b'E', b'R', b'S', b'I', b'O', b'N', b' ', b'"', ..] => DATABASE.to_owned(),
                     _ => RECORD.to_owned(),
                 }

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! source --> unpack --> Format::of --> a reader of that format --> Entries: frames, losses, and what could not be read
-//!            gzip, zstd                candump: adsdv_oracle::candump; all others: a module of that name here
+//!            gzip, zstd, UTF-16        candump: adsdv_oracle::candump; all others: a module of that name here
 //!                                      (MCAP with the feature `mcap`)
 //! ```
 //!
@@ -40,6 +40,7 @@ mod open_error;
 mod text;
 mod trc;
 mod unpack;
+mod utf16;
 
 pub use adsdv_oracle::candump::{Entries, Entry};
 pub use foreign::Foreign;

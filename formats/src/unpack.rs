@@ -12,6 +12,7 @@ use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 use crate::Source;
 use crate::ahead::ahead;
 use crate::head::look;
+use crate::utf16;
 
 /// So often a file may be compressed one over the other.
 const DEPTH: usize = 4;
@@ -23,7 +24,7 @@ const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
 /// A frame to be skipped has any number from 0x184D2A50 to 0x184D2A5F before it.
 const ZSTD_SKIPPED: &[u8] = b"\x2a\x4d\x18";
 
-/// A source without its compression, and its beginning.
+/// A source without its compression, text of it in UTF-8, and its beginning.
 pub(crate) fn unpack(source: Source) -> io::Result<(Vec<u8>, Source)> {
     let (mut head, mut source) = look(source)?;
     for _ in 0..DEPTH {
@@ -36,7 +37,10 @@ pub(crate) fn unpack(source: Source) -> io::Result<(Vec<u8>, Source)> {
         };
         (head, source) = look(source)?;
     }
-    Ok((head, source))
+    match utf16::narrow(&head, source) {
+        Ok(narrow) => look(narrow),
+        Err(source) => Ok((head, source)),
+    }
 }
 
 fn is_zstd(head: &[u8]) -> bool {

@@ -76,6 +76,8 @@ pub fn corpus() -> Corpus {
     for (name, bytes) in recordings() {
         add("recording", name, bytes.to_vec());
     }
+    let wide = "\u{feff}(1.000000) can0 520#0000010000000000\r\n(1.01) can0 \u{1f697}\r\n".encode_utf16();
+    add("recording", "utf-16", wide.flat_map(u16::to_le_bytes).collect());
     for (name, text) in Scenario::SAMPLES {
         add("scenario", name, with(text.as_bytes(), &with(&[0], &any_bytes(name.len() as u64, 60))));
     }

@@ -142,7 +142,7 @@ pub(super) fn logs_in_another_wrapping() {
         refused(&check(database.as_bytes()), "found \"VERSION ", "it is a CAN database and no recording");
     }
     let wide: Vec<u8> = lines(3).iter().flat_map(|&byte| [byte, 0]).collect();
-    refused(&check(&[b"\xff\xfe", &wide[..]].concat()), ": no readable frame in ", "iconv -f UTF-16 ");
+    judged(&check(&[b"\xff\xfe", &wide[..]].concat()), 3, &["no violations, no warnings"]);
     // The mark of UTF-8 costs nothing: not even the first frame.
     judged(&check(&[b"\xef\xbb\xbf", &lines(3)[..]].concat()), 3, &["no violations, no warnings"]);
     judged(&check(&[b"\xef\xbb\xbf\r\n", &lines(3)[..]].concat()), 3, &["no violations, no warnings"]);
