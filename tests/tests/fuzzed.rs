@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Taken};
-use adsdv_tests::fuzzed::{TARGETS, belief, car, judge_any, replay, seeds, step};
+use adsdv_tests::fuzzed::{TARGETS, belief, car, database, judge_any, replay, seeds, step};
 
 /// The body that stands with the border to C, and is run again by the tests there.
 const C_BORDER: &str = "c_border";
@@ -135,6 +135,15 @@ fn inputs_may_be_longer_than_a_line() {
 }
 
 /// The choices before a seed lead to what it is meant for.
+#[test]
+fn the_seeds_of_database_are_databases() {
+    let corpus = seeds::corpus();
+    for (name, bytes) in &corpus["database"] {
+        let (_, _, database) = database::read(bytes);
+        assert!(database.is_ok_and(|database| database.messages.len() > 4), "{name}");
+    }
+}
+
 #[test]
 fn the_seeds_of_judge_any_are_read_as_logs() {
     let corpus = seeds::corpus();

@@ -11,6 +11,7 @@
 //! | [`theorems`] | any theorem of `adsdv-proofs`, on any values | the theorem |
 //! | [`candump`] | any bytes as a log | the same log in other pieces; the same log written again |
 //! | [`recording`] | any bytes as a recording of any format, compressed or not | the same, byte by byte; what each entry promises |
+//! | [`database`] | any bytes as a database (DBC) of a user's own | shorter frames have no more signals; what is decoded by it can be read |
 //! | [`judge_any`] | any bytes as a log, any frames at any time | the same frames as a log; what each report promises |
 //! | [`judge_reference`] | logs of the reference under any readings of any edition, late and with losses | the VCU is never blamed |
 //! | [`protocol`] | any line between `conform` and a program of any edition | the same line written again |
@@ -31,6 +32,7 @@ pub mod candump;
 pub mod car;
 pub mod codec;
 pub mod conform;
+pub mod database;
 pub mod judge_any;
 pub mod judge_reference;
 pub mod names;
@@ -49,12 +51,13 @@ pub use bytes::Bytes;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every body of this crate. `fuzz/Cargo.toml` has a fuzzer of each name.
-pub const TARGETS: [Target; 14] = [
+pub const TARGETS: [Target; 15] = [
     ("belief", belief::body),
     ("candump", candump::body),
     ("car", car::body),
     ("codec", codec::body),
     ("conform", conform::body),
+    ("database", database::body),
     ("judge_any", judge_any::body),
     ("judge_reference", judge_reference::body),
     ("names", names::body),

@@ -76,6 +76,11 @@ pub fn corpus() -> Corpus {
     for (name, bytes) in recordings() {
         add("recording", name, bytes.to_vec());
     }
+    for edition in Edition::ALL {
+        let text = adsdv_spec::export::Dbc(edition).to_string();
+        add("database", &format!("edition-{}", edition.version), with(&[0; 9], text.as_bytes()));
+    }
+    add("database", "a-team-s-own", with(&[0; 9], include_bytes!("../../../decode/tests/decode/team.dbc")));
     let wide = "\u{feff}(1.000000) can0 520#0000010000000000\r\n(1.01) can0 \u{1f697}\r\n".encode_utf16();
     add("recording", "utf-16", wide.flat_map(u16::to_le_bytes).collect());
     for (name, text) in Scenario::SAMPLES {
