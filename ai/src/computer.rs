@@ -6,7 +6,7 @@ use adsdv_spec::messages::{
     MotorSpeedMax, SteerAngle,
 };
 
-use crate::{FromVcu, Stage};
+use crate::{Decisions, FromVcu, Stage};
 
 /// The AI Computer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -17,15 +17,6 @@ pub struct AiComputer {
     pub handshake: bool,
     /// How far it has come.
     pub stage: Stage,
-}
-
-/// What is decided for the AI Computer in a cycle; nothing by default.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Decisions {
-    /// Where it drives: the mission is completed, or it is no longer safe to go on.
-    pub stop: bool,
-    /// Where it brakes: the vehicle has stopped, for good.
-    pub settled: bool,
 }
 
 /// What the AI Computer asks for in the stages in which it may; zero in all others.

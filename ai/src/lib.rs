@@ -29,6 +29,6 @@ mod computer;
 mod heard;
 mod stage;
 
-pub use computer::{AiComputer, Decisions, Wanted};
+pub use computer::{AiComputer, Wanted};
 pub use heard::FromVcu;
-pub use stage::Stage;
+pub use stage::{Decisions, Stage};

@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::{AmiState, AsState, DirectionRequest, MissionStatus};
 
-use crate::{Decisions, FromVcu};
+use crate::FromVcu;
 
 /// How far the AI Computer has come with its mission, in this order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -24,6 +24,15 @@ pub enum Stage {
     Neutral,
     /// After an emergency: nothing is requested but the brakes, if any.
     Stopped,
+}
+
+/// What is decided for the AI Computer in a cycle; nothing by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Decisions {
+    /// Where it drives: the mission is completed, or it is no longer safe to go on.
+    pub stop: bool,
+    /// Where it brakes: the vehicle has stopped, for good.
+    pub settled: bool,
 }
 
 impl Stage {

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::report::{ExamFinding, ExamReport, Outcome};
 use crate::session::Sent;
-use crate::words::Shorter;
+use crate::shrink::Shorter;
 
 /// The number of the form.
 const SCHEMA: u32 = 1;

@@ -68,9 +68,9 @@ pub use scenario::ExamScenario;
 pub use scenarios::{NoScenario, chosen, scenarios};
 pub use serve::serve;
 pub use session::{Change, Sent};
-pub use shrink::{Shortest, shorter, shortest};
+pub use shrink::{FINDINGS, Shorter, Shortest, shorter, shortest};
 pub use stack::{Reference, Stack};
-pub use words::{FINDINGS, FRAMES, Pieces, Shorter};
+pub use words::{FRAMES, Pieces};
 
 /// The examples of the README.
 #[cfg(doctest)]

@@ -6,6 +6,8 @@
 use adsdv_can::car::Physics;
 use adsdv_can::scenario::{Line, Scenario, When};
 
+use std::collections::BTreeMap;
+
 use crate::exam::ExamOptions;
 use crate::findings::findings;
 use crate::program_error::StackError;
@@ -13,12 +15,17 @@ use crate::report::{ExamFinding, ExamReport};
 use crate::scenario::ExamScenario;
 use crate::session::{Ran, Sent, SessionError, run};
 use crate::stack::Stack;
-use crate::words::{FINDINGS, Shorter};
+
+/// So many findings are shown in full, and shortened.
+pub const FINDINGS: usize = 12;
 
 /// How long behind a finding a scenario may end, in milliseconds: some are settled only when something has not come for long.
 const SETTLED_MS: [u64; 3] = [20, 300, 1200];
 /// Times are made shorter down to this, in milliseconds.
 const SHORT_MS: u32 = 100;
+
+/// The shortest scenarios, each beside the place of its finding.
+pub type Shorter = BTreeMap<usize, Shortest>;
 
 /// A scenario that shows a finding.
 #[derive(Clone, Debug)]

@@ -1,19 +1,14 @@
 //! What a report says of a finding, in pieces that each form puts together in its own way.
 
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashSet};
 use std::fmt::{self, Write as _};
 
 use crate::report::{ExamFinding, ExamReport, Outcome};
 use crate::session::Sent;
-use crate::shrink::Shortest;
+use crate::shrink::Shorter;
 
-/// So many findings are shown in full, and shortened.
-pub const FINDINGS: usize = 12;
 /// So many frames stand in a line.
 pub const FRAMES: usize = 3;
-
-/// The shortest scenarios, each beside the place of its finding.
-pub type Shorter = BTreeMap<usize, Shortest>;
 
 /// What is beside the words of a finding.
 #[derive(Clone, Debug)]

@@ -24,7 +24,7 @@ struct Narrow<R> {
     /// Bytes that have come, of which the first few may wait for those behind them.
     wide: Box<[u8]>,
     waiting: usize,
-    narrow: String,
+    text: String,
     given: usize,
     ended: bool,
 }
@@ -32,7 +32,7 @@ struct Narrow<R> {
 impl<R: Read> Narrow<R> {
     fn new(source: R, little: bool) -> Self {
         let wide = vec![0; PIECE].into_boxed_slice();
-        Self { source, little, wide, waiting: 0, narrow: String::new(), given: 0, ended: false }
+        Self { source, little, wide, waiting: 0, text: String::new(), given: 0, ended: false }
     }
 
     /// Reads what is there, and turns it into UTF-8: maybe nothing, where a character is not complete.
@@ -46,12 +46,12 @@ impl<R: Read> Narrow<R> {
         // The second half of a character may still come.
         let half = units.last().is_some_and(|last| (0xD800..0xDC00).contains(&unit(last))) && !self.ended;
         let whole = units.get(..units.len() - usize::from(half)).unwrap_or_default();
-        self.narrow.clear();
+        self.text.clear();
         self.given = 0;
         let characters = char::decode_utf16(whole.iter().map(unit));
-        self.narrow.extend(characters.map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)));
+        self.text.extend(characters.map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)));
         if self.ended && !odd.is_empty() {
-            self.narrow.push(char::REPLACEMENT_CHARACTER);
+            self.text.push(char::REPLACEMENT_CHARACTER);
         }
         let (taken, end) = (2 * whole.len(), wide.len());
         self.waiting = if self.ended { 0 } else { end - taken };
@@ -62,10 +62,10 @@ impl<R: Read> Narrow<R> {
 
 impl<R: Read> Read for Narrow<R> {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
-        while self.given == self.narrow.len() && !self.ended {
+        while self.given == self.text.len() && !self.ended {
             self.more()?;
         }
-        let mut rest = self.narrow.as_bytes().get(self.given..).unwrap_or_default();
+        let mut rest = self.text.as_bytes().get(self.given..).unwrap_or_default();
         let count = rest.read(room)?;
         self.given += count;
         Ok(count)

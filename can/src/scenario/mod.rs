@@ -44,9 +44,9 @@ use adsdv_spec::messages::AsState;
 use crate::car::Action;
 
 pub use error::{LineError, MAX_ERRORS, Unreadable};
-pub use player::{Player, Waiting};
+pub use player::Player;
 pub use read::{MAX_BYTES, MAX_LINE};
-pub use stuck::{PATIENCE_MS, Stuck};
+pub use stuck::{PATIENCE_MS, Stuck, Waiting};
 
 use seconds::Seconds;
 

@@ -2,7 +2,7 @@
 
 use adsdv_spec::messages::AsState;
 
-use super::{Line, Scenario, Seconds, Stuck, When};
+use super::{Line, Scenario, Seconds, Stuck, Waiting, When};
 use crate::car::{Action, Missing};
 
 /// Plays a scenario: says at each cycle what the operator does.
@@ -33,17 +33,6 @@ pub struct Player {
     state: Option<AsState>,
     since: u64,
     over: bool,
-}
-
-/// A line that waits for a state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Waiting {
-    /// The number of the line in its file.
-    pub line: u64,
-    /// The state.
-    pub state: AsState,
-    /// Since when, in milliseconds since the start.
-    pub since_ms: u64,
 }
 
 impl Player {

@@ -4,11 +4,21 @@ use std::fmt;
 
 use adsdv_spec::messages::AsState;
 
-use super::Waiting;
 use crate::car::Missing;
 
 /// For how long a scenario may wait for a state where nothing else is said, in milliseconds: ten minutes.
 pub const PATIENCE_MS: u64 = 600_000;
+
+/// A line that waits for a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Waiting {
+    /// The number of the line in its file.
+    pub line: u64,
+    /// The state.
+    pub state: AsState,
+    /// Since when, in milliseconds since the start.
+    pub since_ms: u64,
+}
 
 /// A scenario has waited too long for a state.
 #[derive(Clone, Debug, PartialEq, Eq)]

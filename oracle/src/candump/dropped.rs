@@ -1,7 +1,8 @@
 //! The line that is no frame, but tells of frames that are missing: `candump -d` writes it before the next one.
 
+use super::cursor::{self, Cursor};
 use super::error::Flaw;
-use super::line::{self, Cursor};
+use super::line;
 
 const EXPECTED: &str = "a line such as DROPCOUNT: dropped 3 CAN frames on 'vcan0' socket (total drops 7)";
 const INTERFACE: &str = "the name of an interface, such as vcan0, and ' behind it";
@@ -48,7 +49,7 @@ fn read(line: u64, text: &[u8]) -> Result<Dropped<'_>, Flaw> {
     pass(&mut cursor, b"' socket (total drops ", EXPECTED)?;
     let total = take_count(&mut cursor)?;
     pass(&mut cursor, b")", EXPECTED)?;
-    if !line::is_blank(cursor.rest()) {
+    if !cursor::is_blank(cursor.rest()) {
         return Err(cursor.flaw(END));
     }
     Ok(Dropped { line, interface, count, total })

@@ -1,8 +1,17 @@
 //! What every log comes down to, whatever its format: entries, one after the other.
 
-use std::fmt;
+use super::{Dropped, LineError, ReadError, Record, Unit};
 
-use super::{Entry, ReadError};
+/// What a log has in store: a frame, word of frames that are missing, or a line that is neither.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry<'a> {
+    /// A line that was read.
+    Frame(Record<'a>),
+    /// Frames were lost before the next one.
+    Dropped(Dropped<'a>),
+    /// A line that was passed over.
+    Broken(LineError),
+}
 
 /// A log that hands out its entries one after the other.
 ///
@@ -66,42 +75,5 @@ impl<E: Entries + ?Sized> Entries for &mut E {
 
     fn unit(&self) -> Unit {
         (**self).unit()
-    }
-}
-
-/// What a log is made of, by which an entry's place is told.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// Lines of text, with columns.
-    #[default]
-    Line,
-    /// Objects of a binary file (BLF), with bytes.
-    Object,
-    /// Records of a binary file (MCAP), with bytes.
-    Record,
-}
-
-impl Unit {
-    /// `line`, `object` or `record`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Line => "line",
-            Self::Object => "object",
-            Self::Record => "record",
-        }
-    }
-
-    /// What a place within one is called: `column` or `byte`.
-    pub const fn part(self) -> &'static str {
-        match self {
-            Self::Line => "column",
-            Self::Object | Self::Record => "byte",
-        }
-    }
-}
-
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }

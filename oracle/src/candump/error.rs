@@ -41,8 +41,12 @@ impl LineError {
 impl fmt::Display for LineError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { unit, line, column, found, expected } = self;
-        write!(f, "{unit} {line}, {} {column}: found {found}", unit.part())?;
-        write!(f, ", expected {expected}")
+        write!(f, "{unit} {line}, {} {column}: found ", unit.part())?;
+        if found.as_bytes().is_empty() {
+            write!(f, "the end of the {unit}, expected {expected}")
+        } else {
+            write!(f, "{found}, expected {expected}")
+        }
     }
 }
 
@@ -125,6 +129,16 @@ mod tests {
     use std::error::Error as _;
 
     use super::*;
+
+    #[test]
+    fn what_ends_too_early_is_called_what_it_is() {
+        for (unit, text) in [
+            (Unit::Line, "line 3, column 5: found the end of the line, expected more"),
+            (Unit::Object, "object 3, byte 5: found the end of the object, expected more"),
+        ] {
+            assert_eq!(LineError::new(unit, 3, b"four", 4, "more").to_string(), text);
+        }
+    }
 
     #[test]
     fn an_excerpt_is_short_and_printable() {

@@ -10,19 +10,11 @@
 //! 45123#81:00:12345678#0011   CAN XL: network and priority, flags, type, acceptance
 //! ```
 
+use super::cursor::Cursor;
 use super::error::Flaw;
 use super::hex;
-use super::line::Cursor;
-use super::record::{FrameKind, MAX_DATA};
+use super::record::{ERROR_FLAG, EXTENDED_MASK, FrameKind, MAX_CLASSIC, MAX_DATA, MAX_FD, STANDARD_MASK};
 use crate::text::hex_digit;
-
-pub(super) const STANDARD_MASK: u32 = 0x7FF;
-pub(super) const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
-/// `CAN_ERR_FLAG` of `linux/can.h`: with it, the identifier is a class of errors.
-pub(super) const ERROR_FLAG: u32 = 0x2000_0000;
-
-pub(super) const MAX_CLASSIC: usize = 8;
-pub(super) const MAX_FD: usize = 64;
 
 const IDENTIFIER: &str = "an identifier of 3 or 8 hexadecimal digits and '#'";
 const ID_DIGIT: &str = "a hexadecimal digit of the identifier";

@@ -1,6 +1,6 @@
 //! Hexadecimal digits of a length that is known beforehand, all of them at once.
 
-use super::frame::MAX_CLASSIC;
+use super::record::MAX_CLASSIC;
 use crate::text::{NONE, VALUE, hex_digit};
 
 /// The value of up to 8 digits, or the offset of the first byte that is none.

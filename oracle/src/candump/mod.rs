@@ -36,6 +36,7 @@
 //! # Ok::<(), adsdv_oracle::candump::ReadError>(())
 //! ```
 
+mod cursor;
 mod dropped;
 mod entries;
 mod error;
@@ -48,14 +49,16 @@ mod record;
 #[cfg(test)]
 mod tests;
 mod time;
+mod unit;
 mod usual;
 mod writer;
 
 pub use dropped::Dropped;
-pub use entries::{Entries, Unit};
+pub use entries::{Entries, Entry};
 pub use error::{Excerpt, LineError, ReadError};
-pub use reader::{Entry, Reader};
+pub use reader::Reader;
 pub use record::{Direction, FrameKind, Record};
+pub use unit::Unit;
 pub use writer::{write_dropped, write_frame, write_record};
 
 /// The longest line that is read, in bytes; a longer one is reported as broken.

@@ -5,13 +5,14 @@ use std::ops::Range;
 
 use memchr::memchr;
 
-use super::dropped::{self, Dropped};
+use super::cursor;
+use super::dropped;
 use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::printed::{self, Clock, Printed};
 use super::record::{FrameKind, MAX_DATA, Record};
 use super::usual::{self, Interface, Usual};
-use super::{Entries, MAX_LINE, Unit};
+use super::{Entries, Entry, MAX_LINE, Unit};
 use crate::text::BYTE_ORDER_MARK;
 
 const SHORTER: &str = "a line of at most 8192 bytes; is this a log of candump -L?";
@@ -20,17 +21,6 @@ const _: () = assert!(MAX_LINE == 8192, "SHORTER names the limit");
 /// Large enough that system calls do not count, small enough to stay in the processor's cache.
 const BUFFER: usize = 128 * 1024;
 const _: () = assert!(BUFFER > 2 * MAX_LINE, "a line and its line feed have to fit, with room to read more");
-
-/// What a log has in store: a frame, word of frames that are missing, or a line that is neither.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Entry<'a> {
-    /// A line that was read.
-    Frame(Record<'a>),
-    /// Frames were lost before the next one.
-    Dropped(Dropped<'a>),
-    /// A line that was passed over.
-    Broken(LineError),
-}
 
 /// Reads a log line by line.
 ///
@@ -205,7 +195,7 @@ impl<R: Read> Reader<R> {
     #[inline]
     fn begin_line(&mut self, span: &Range<usize>) -> bool {
         self.line += 1;
-        !line::is_blank(text(&self.buffer, span.clone(), self.line))
+        !cursor::is_blank(text(&self.buffer, span.clone(), self.line))
     }
 
     /// Reads on, behind what is pending; 0 bytes at the end of the source.

@@ -1,7 +1,12 @@
 //! One line of a log, read.
 
-use super::frame::{EXTENDED_MASK, STANDARD_MASK};
+pub(super) const STANDARD_MASK: u32 = 0x7FF;
+pub(super) const EXTENDED_MASK: u32 = 0x1FFF_FFFF;
+/// `CAN_ERR_FLAG` of `linux/can.h`: with it, the identifier is a class of errors.
+pub(super) const ERROR_FLAG: u32 = 0x2000_0000;
 
+pub(super) const MAX_CLASSIC: usize = 8;
+pub(super) const MAX_FD: usize = 64;
 /// The largest data field of any frame: CAN XL.
 pub(super) const MAX_DATA: usize = 2048;
 

@@ -1,7 +1,7 @@
 //! The time stamp: seconds in parentheses, `(1795209995.234358)`.
 
+use super::cursor::Cursor;
 use super::error::Flaw;
-use super::line::Cursor;
 
 const TIME: &str = "a time such as (1436509052.249713)";
 const SECONDS: &str = "a time in seconds, such as (1436509052.249713)";

@@ -8,9 +8,9 @@
 //! identifier of 11 bits, up to eight bytes of data, and nothing else. [`line::parse`](super::line::parse) reads such
 //! a line to the same record, but slower: it has to be ready for anything, and to say where it went wrong.
 
-use super::frame::{MAX_CLASSIC, STANDARD_MASK};
+use super::cursor::Cursor;
 use super::hex;
-use super::line::Cursor;
+use super::record::{MAX_CLASSIC, STANDARD_MASK};
 use super::time;
 
 /// What a usual line says, apart from its interface.

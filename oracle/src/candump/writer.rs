@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use super::dropped::Dropped;
-use super::frame::{ERROR_FLAG, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::line;
 use super::record::{Direction, FrameKind, Record};
+use super::record::{ERROR_FLAG, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::time::{NS_PER_MICROSECOND, NS_PER_SECOND};
 
 /// Room for a line: 50 bytes without the interface, whose name Linux limits to 15; 112 more with the data of CAN FD.
@@ -209,7 +209,7 @@ fn invalid(message: String) -> io::Error {
 mod tests {
     use super::super::{Entry, Reader};
     use super::*;
-    use crate::candump::frame::EXTENDED_MASK;
+    use crate::candump::record::EXTENDED_MASK;
 
     fn written(time_ns: i64, interface: &str, id: u32, data: &[u8]) -> io::Result<String> {
         let mut out = Vec::new();

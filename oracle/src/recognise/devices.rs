@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use adsdv_spec::Edition;
 
-use super::facts::{Fact, weight};
+use super::fact::{Fact, weight};
 
 /// Which of the devices' messages were seen.
 #[derive(Debug)]

@@ -3,41 +3,8 @@
 use adsdv_spec::messages::{MessageDef, Node};
 
 use super::devices::Devices;
+use super::fact::{Fact, weight};
 use super::seen::{EditionFit, FrameStats, LONGEST};
-
-/// Milliseconds as nanoseconds.
-pub(super) const MS: i64 = 1_000_000;
-
-/// Something that was seen.
-#[derive(Debug)]
-pub(super) struct Fact {
-    /// In words, such as `511h has 4 bytes`.
-    pub(super) text: String,
-    /// What each edition says instead, such as `8`; `None` where it fits.
-    pub(super) instead: Vec<Option<String>>,
-    /// How much it says against the editions that it does not fit.
-    pub(super) weight: u32,
-}
-
-/// How much each kind of fact weighs. A length is nobody's choice. Where the two sides differ, the VCU's counts for more: it is
-/// its state machine that is judged.
-pub(super) mod weight {
-    pub(super) const LENGTH_OF_VCU: u32 = 9;
-    pub(super) const LENGTH_OF_AI: u32 = 8;
-    /// Bits for which an edition has no signal, and another has.
-    pub(super) const BITS: u32 = 4;
-    /// A message that an edition does not have: somebody else may send that identifier.
-    pub(super) const PRESENT: u32 = 2;
-    pub(super) const CYCLE: u32 = 2;
-    /// Messages of devices that an edition does not name: its vehicle may have them all the same.
-    pub(in crate::recognise) const DEVICE: u32 = 1;
-    /// A value that an edition does not allow: it may be a fault of the sender.
-    pub(super) const VALUE: u32 = 1;
-    /// Frames of another length beside most of them.
-    pub(super) const ALSO: u32 = 1;
-    /// The recorder may have left it out.
-    pub(super) const ABSENT: u32 = 0;
-}
 
 /// A message is missed after so many of its cycles.
 const CYCLES: i64 = 10;

@@ -24,6 +24,7 @@
 //! ```
 
 mod devices;
+mod fact;
 mod facts;
 mod hearing;
 mod later;

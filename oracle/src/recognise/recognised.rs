@@ -5,7 +5,7 @@ use std::fmt;
 
 use adsdv_spec::Edition;
 
-use super::facts::Fact;
+use super::fact::Fact;
 
 /// Which edition the frames fit best.
 #[derive(Clone, Debug, PartialEq, Eq)]

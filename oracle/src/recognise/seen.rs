@@ -3,7 +3,8 @@
 use adsdv_spec::Edition;
 use adsdv_spec::messages::{MessageDef, SignalDef};
 
-use super::facts::MS;
+/// Milliseconds as nanoseconds.
+const MS: i64 = 1_000_000;
 
 /// The longest frame of classic CAN, in bytes.
 pub(super) const LONGEST: usize = 8;

@@ -8,9 +8,9 @@ use std::sync::OnceLock;
 
 use adsdv_spec::{Edition, Machine, Reading};
 use serde::Deserialize;
-use serde_json::value::RawValue;
 
-use super::{Kind, Test, steps, untested};
+use super::steps::{self, RawStep};
+use super::{Kind, Test, untested};
 use crate::protocol::{InputsAsJson, Protocol, UNSAID};
 
 /// The number of the form that a line has. A line that says another one is not read; one that says none has this form, or is not
@@ -226,22 +226,6 @@ struct TestLine<'a> {
     reading: Option<String>,
     #[serde(borrow)]
     steps: Vec<RawStep<'a>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RawStep<'a> {
-    pub(super) dt_ms: u32,
-    /// How often it is made.
-    #[serde(default)]
-    pub(super) times: Option<u32>,
-    /// Whether the AI Computer answers the handshake; where that is not said, `inputs` say its bit.
-    #[serde(default)]
-    pub(super) answers: Option<bool>,
-    #[serde(borrow, default)]
-    pub(super) inputs: Option<&'a RawValue>,
-    #[serde(borrow, default)]
-    pub(super) expected: Option<&'a RawValue>,
 }
 
 /// The identifiers of all requirements that there are.

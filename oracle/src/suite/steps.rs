@@ -3,10 +3,28 @@
 use std::fmt::{self, Write as _};
 
 use adsdv_spec::{Control, Machine};
+use serde::Deserialize;
+use serde_json::value::RawValue;
 
-use super::lines::RawStep;
 use super::{Scenario, Step};
 use crate::protocol::{BadLine, InputsAsJson, Protocol, Shown};
+
+/// A step as a line has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawStep<'a> {
+    pub(super) dt_ms: u32,
+    /// How often it is made.
+    #[serde(default)]
+    pub(super) times: Option<u32>,
+    /// Whether the AI Computer answers the handshake; where that is not said, `inputs` say its bit.
+    #[serde(default)]
+    pub(super) answers: Option<bool>,
+    #[serde(borrow, default)]
+    pub(super) inputs: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    pub(super) expected: Option<&'a RawValue>,
+}
 
 /// No test has more steps than these where some are repeated: 200 s at 10 ms.
 const MOST: usize = 20_000;

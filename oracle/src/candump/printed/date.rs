@@ -3,7 +3,7 @@
 //! It is that of the clock on the wall where it was recorded, which zone that was it does not say: it is taken for UTC. Between two frames it
 //! makes no difference, but where the clock was set, such as at the end of summer time.
 
-use super::super::line::Cursor;
+use super::super::cursor::Cursor;
 use super::super::time::NS_PER_SECOND;
 use crate::text::days;
 

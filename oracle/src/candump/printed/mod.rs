@@ -17,8 +17,8 @@ mod screen;
 
 use memchr::memchr;
 
+use super::cursor::Cursor;
 use super::error::Flaw;
-use super::line::Cursor;
 use super::record::{Direction, FrameKind, MAX_DATA};
 
 pub(super) use clock::Clock;

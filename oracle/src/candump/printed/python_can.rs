@@ -6,10 +6,11 @@
 //!
 //! Between `ID:` and `DL:` stand S or X (an identifier of 11 or 29 bits), Rx or Tx, E (error frame), R (remote frame), F (CAN FD), BS and EI.
 
+use super::super::cursor::Cursor;
 use super::super::error::Flaw;
-use super::super::frame::{EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
-use super::super::line::{self, Cursor};
+use super::super::line;
 use super::super::record::{Direction, FrameKind, MAX_DATA};
+use super::super::record::{EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::super::time::NS_PER_SECOND;
 use super::{Printed, Stamp};
 use crate::text;

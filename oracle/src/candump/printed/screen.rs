@@ -1,9 +1,10 @@
 //! A frame as candump prints it on a screen: columns with blanks between them, and the bytes apart.
 
+use super::super::cursor::Cursor;
 use super::super::error::Flaw;
-use super::super::frame::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
-use super::super::line::{self, Cursor};
+use super::super::line;
 use super::super::record::{Direction, FrameKind, MAX_DATA};
+use super::super::record::{ERROR_FLAG, EXTENDED_MASK, MAX_CLASSIC, MAX_FD, STANDARD_MASK};
 use super::super::time;
 use super::{Printed, Stamp, date};
 use crate::text::hex_digit;

@@ -11,6 +11,7 @@ mod flags;
 mod go_signal;
 mod likely;
 mod pending;
+mod rise;
 mod silence;
 mod texts;
 pub(super) mod values;

@@ -2,7 +2,7 @@
 
 use adsdv_spec::{Atom, Fault, Knowledge, Truth};
 
-use super::vcu_status::Rise;
+use super::rise::Rise;
 use crate::judge::estimator::status::SeenChange;
 use crate::judge::estimator::watch::Suspect;
 use crate::judge::evidence::Frames;

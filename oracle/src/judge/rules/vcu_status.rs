@@ -10,6 +10,7 @@ use adsdv_spec::{AsState, Atom, Atoms, Fault, Faults, Knowledge, Truth};
 
 use super::alike::stood;
 use super::pending::{Pending, Persisting};
+use super::rise::{Raised, Rise};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::WATCHED;
@@ -45,24 +46,6 @@ pub(super) const TIMEOUTS: [&str; WATCHED.len()] =
 
 /// The flag of the handshake.
 const ANSWER: &str = "handshake_timeout";
-
-/// A flag that was raised.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Raised {
-    /// The timeout of this one of the messages that are watched.
-    Timeout(usize),
-    /// That the handshake is not answered.
-    Handshake,
-    /// This one of the warnings.
-    Warning(usize),
-}
-
-/// A flag that was raised, and since when: no frame showed it before.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Rise {
-    raised: Raised,
-    since: i64,
-}
 
 /// What 120h has shown.
 #[derive(Debug, Default)]
