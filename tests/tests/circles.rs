@@ -12,9 +12,33 @@ use syn::{Attribute, Item, ItemMod, ItemUse, UseTree};
 
 /// The circles that there are: a list to make shorter.
 const KNOWN: [&[&str]; 17] = [
-    &["cli/src/check.rs", "cli/src/many/files.rs", "cli/src/many/junit.rs", "cli/src/many/mod.rs", "cli/src/many/row.rs", "cli/src/many/summary.rs", "cli/src/many/table.rs", "cli/src/many/written.rs"],
-    &["diagnosis/src/candidates.rs", "diagnosis/src/deviation.rs", "diagnosis/src/dials.rs", "diagnosis/src/fixed.rs", "diagnosis/src/model.rs", "diagnosis/src/pilot.rs", "diagnosis/src/record.rs", "diagnosis/src/rest.rs", "diagnosis/src/ways.rs"],
-    &["exam/src/disturbance.rs", "exam/src/scenario.rs", "exam/src/scenario_text.rs", "exam/src/scenarios.rs"],
+    &[
+        "cli/src/check.rs",
+        "cli/src/many/files.rs",
+        "cli/src/many/junit.rs",
+        "cli/src/many/mod.rs",
+        "cli/src/many/row.rs",
+        "cli/src/many/summary.rs",
+        "cli/src/many/table.rs",
+        "cli/src/many/written.rs",
+    ],
+    &[
+        "diagnosis/src/candidates.rs",
+        "diagnosis/src/deviation.rs",
+        "diagnosis/src/dials.rs",
+        "diagnosis/src/fixed.rs",
+        "diagnosis/src/model.rs",
+        "diagnosis/src/pilot.rs",
+        "diagnosis/src/record.rs",
+        "diagnosis/src/rest.rs",
+        "diagnosis/src/ways.rs",
+    ],
+    &[
+        "exam/src/disturbance.rs",
+        "exam/src/scenario.rs",
+        "exam/src/scenario_text.rs",
+        "exam/src/scenarios.rs",
+    ],
     &["ffi/src/border.rs", "ffi/src/edition.rs", "ffi/src/error.rs", "ffi/src/plain.rs"],
     &["ffi/src/judge.rs", "ffi/src/rules.rs"],
     &["model/src/closed/operator.rs", "model/src/closed/state.rs"],
@@ -22,14 +46,34 @@ const KNOWN: [&[&str]; 17] = [
     &["model/src/moot.rs", "model/src/sweep.rs", "model/src/verify.rs"],
     &["model/src/properties.rs", "model/src/property.rs"],
     &["oracle/src/conform/failures.rs", "oracle/src/conform/run.rs", "oracle/src/conform/suite.rs"],
-    &["oracle/src/protocol/answer.rs", "oracle/src/protocol/inputs.rs", "oracle/src/protocol/request.rs", "oracle/src/protocol/shown.rs", "oracle/src/protocol/spoken.rs"],
+    &[
+        "oracle/src/protocol/answer.rs",
+        "oracle/src/protocol/inputs.rs",
+        "oracle/src/protocol/request.rs",
+        "oracle/src/protocol/shown.rs",
+        "oracle/src/protocol/spoken.rs",
+    ],
     &["proofs/src/prelude.rs", "proofs/src/steps.rs"],
     &["python/src/report.rs", "python/src/rules.rs"],
-    &["spec/src/atoms.rs", "spec/src/edition.rs", "spec/src/named.rs", "spec/src/observation.rs", "spec/src/readings.rs", "spec/src/silence.rs", "spec/src/table.rs", "spec/src/truth.rs"],
+    &[
+        "spec/src/atoms.rs",
+        "spec/src/edition.rs",
+        "spec/src/named.rs",
+        "spec/src/observation.rs",
+        "spec/src/readings.rs",
+        "spec/src/silence.rs",
+        "spec/src/table.rs",
+        "spec/src/truth.rs",
+    ],
     &["spec/src/export/dot.rs", "spec/src/export/drawing.rs"],
     &["spec/src/machine.rs", "spec/src/outputs.rs"],
-    &["spec/src/messages/any.rs", "spec/src/messages/content.rs", "spec/src/messages/definition.rs", "spec/src/messages/error.rs"],
-]; 0] = [];
+    &[
+        "spec/src/messages/any.rs",
+        "spec/src/messages/content.rs",
+        "spec/src/messages/definition.rs",
+        "spec/src/messages/error.rs",
+    ],
+];
 
 /// A module of a crate: the names from its root on.
 type Module = Vec<String>;
@@ -76,15 +120,14 @@ impl Sources {
                 }
                 let inner = [module.as_slice(), &[ident.to_string()]].concat();
                 let below = format!("{folder}/{ident}");
-                match content {
-                    Some((_, items)) => self.items(items, file, &below, &inner, text),
-                    None => {
-                        let own = [format!("{below}.rs"), format!("{below}/mod.rs")];
-                        // What is built for another system alone may stand elsewhere.
-                        if let Some(own) = own.iter().find(|own| text(own).is_some()) {
-                            self.file(own, &below, &inner, text);
-                        }
-                    }
+                if let Some((_, items)) = content {
+                    self.items(items, file, &below, &inner, text);
+                    continue;
+                }
+                let own = [format!("{below}.rs"), format!("{below}/mod.rs")];
+                // What is built for another system alone may stand elsewhere.
+                if let Some(own) = own.iter().find(|own| text(own).is_some()) {
+                    self.file(own, &below, &inner, text);
                 }
             } else {
                 let mut named = Named::default();

@@ -65,8 +65,9 @@ pub fn read(bytes: &[u8]) -> (&'static Edition, [u8; 8], Result<Database, DbcErr
 /// A frame of each of the first messages.
 fn log(database: &Database, data: [u8; 8]) -> String {
     let frame = |message: &adsdv_decode::Message| {
-        let data: String = data.iter().take(message.len).map(|byte| format!("{byte:02X}")).collect();
-        format!("(1.000000) can0 {}#{data}\n", message.id_text())
+        let digits = format!("{:016X}", u64::from_be_bytes(data));
+        let digits = digits.get(..2 * message.len).unwrap_or(&digits);
+        format!("(1.000000) can0 {}#{digits}\n", message.id_text())
     };
     database.messages.iter().take(MESSAGES).map(frame).collect()
 }
