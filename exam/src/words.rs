@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 use std::fmt::{self, Write as _};
 
-use crate::report::{ExamFinding, ExamReport, Outcome};
+use crate::report::{ExamFinding, ExamReport, FoundBy, Outcome};
 use crate::session::Sent;
 use crate::shrink::Shorter;
 
@@ -52,6 +52,14 @@ impl ExamFinding {
     }
 }
 
+impl ExamFinding {
+    /// Whether it is the same mistake in other numbers: by the same rule of the judge, or of what was expected the same was not done.
+    fn is_of_the_kind_of(&self, other: &Self) -> bool {
+        let by_rule = matches!(self.found_by, FoundBy::Judge(_));
+        self.found_by == other.found_by && (by_rule || self.expected == other.expected)
+    }
+}
+
 impl ExamReport {
     /// The places of the findings that are shown: of each requirement that failed the one that shows soonest, and all that are
     /// against none, once.
@@ -63,7 +71,7 @@ impl ExamReport {
         let mut shown: Vec<usize> = soonest.collect();
         for (place, finding) in self.findings.iter().enumerate() {
             let is_shown = |other: &usize| {
-                self.findings.get(*other).is_some_and(|other| other.found_by == finding.found_by)
+                self.findings.get(*other).is_some_and(|other| finding.is_of_the_kind_of(other))
             };
             if finding.requirements.is_empty() && !shown.iter().any(is_shown) {
                 shown.push(place);
@@ -122,4 +130,31 @@ impl fmt::Display for At {
 
 fn ms_to_ns(ms: u64) -> i64 {
     i64::try_from(ms).unwrap_or(i64::MAX / 1_000_000).saturating_mul(1_000_000)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_what_is_against_no_requirement_each_kind_is_shown_once() {
+        let finding = |expected: &str, seen: &str| ExamFinding {
+            expected: expected.to_owned(),
+            seen: seen.to_owned(),
+            ..ExamFinding::new(0, "2.1", FoundBy::Exam, Vec::new())
+        };
+        let findings = vec![
+            finding("it to run", "it ended after 1 s"),
+            finding("it to run", "it ended after 2 s"),
+            finding("it to listen", "it sent while it was off"),
+        ];
+        let report = ExamReport {
+            scenarios: Vec::new(),
+            requirements: Vec::new(),
+            findings,
+            slowest: None,
+            notes: Vec::new(),
+        };
+        assert_eq!(report.shown(), [0, 2]);
+    }
 }
