@@ -286,7 +286,12 @@ impl Judge {
     }
 
     /// The end of the log: settles what is still open.
-    pub fn finish(mut self) -> Report {
+    pub fn finish(self) -> Report {
+        self.finish_with_news().0
+    }
+
+    /// The same, with the findings that are new since they were last asked for: see [`Judge::news`].
+    pub fn finish_with_news(mut self) -> (Report, Vec<Finding>) {
         self.end();
         let now = self.est.now;
         let absent = values::absent(&self.est.sampler, &self.est.edition, now);
@@ -296,8 +301,9 @@ impl Judge {
         self.book.found(values::one_sided(&self.est.sampler, now));
         let (margins, exercised) = (self.book.margins(&self.est), self.book.exercised(&self.est));
         let (stays, go_presses) = self.est.why.end(now);
-        let rules = self.own.reports;
-        Report { stays, go_presses, margins, exercised, rules, ..self.book.out.report(self.frames, now) }
+        let (rules, (_, news)) = (self.own.reports, self.book.out.news());
+        let report = self.book.out.report(self.frames, now);
+        (Report { stays, go_presses, margins, exercised, rules, ..report }, news)
     }
 
     /// What has been settled since this was last asked, by time; for a live bus. The report has it as well. What takes longer to

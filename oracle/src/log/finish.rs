@@ -1,14 +1,35 @@
 //! The end of a log: what is said of it as a whole.
 
 use super::{LogError, LogJudge, counted};
-use crate::judge::{Report, Rule};
+use crate::judge::{Finding, Report, Rule};
 
 /// So many frames may be of one moment in a log whose times are coarse.
 const TIMELESS: u64 = 100;
 
 impl LogJudge {
     /// The end of the log, which had so many lines: settles what is still open.
-    pub fn finish(mut self, lines: u64) -> Result<Report, LogError> {
+    pub fn finish(self, lines: u64) -> Result<Report, LogError> {
+        self.finish_with_news(lines).map(|(report, _)| report)
+    }
+
+    /// The same, with the findings that are new since they were last asked for: see [`LogJudge::news`].
+    ///
+    /// ```
+    /// use adsdv_oracle::candump::{FrameKind, Record};
+    /// use adsdv_oracle::log::{LogJudge, LogOptions};
+    ///
+    /// let mut judge = LogJudge::new(LogOptions::default());
+    /// judge.frame(&Record {
+    ///     line: 1, time_ns: 0, interface: "can0", kind: FrameKind::Standard, id: 0x520, data: &[0; 8], direction: None,
+    ///     terminated: true,
+    /// });
+    /// let known = judge.news().1.len();
+    /// let (report, findings) = judge.finish_with_news(1)?;
+    /// assert!(!findings.is_empty(), "messages are missing, which only the end shows");
+    /// assert_eq!(known + findings.len(), report.findings.len());
+    /// # Ok::<(), adsdv_oracle::log::LogError>(())
+    /// ```
+    pub fn finish_with_news(mut self, lines: u64) -> Result<(Report, Vec<Finding>), LogError> {
         self.decide();
         if self.frames == 0 {
             return Err(LogError::NoFrame { lines, first: self.first_broken });
@@ -44,6 +65,6 @@ impl LogJudge {
             );
             self.warn(Rule::NotJudged, message);
         }
-        Ok(self.judge.finish())
+        Ok(self.judge.finish_with_news())
     }
 }

@@ -121,8 +121,9 @@ impl LogJudge {
         Self { collector: Some(Box::default()), ..self }
     }
 
-    /// When the last frame came, by the time that the judge gives it; `None` as long as nothing is judged.
-    pub(crate) fn judged_at(&self) -> Option<i64> {
+    /// When the last frame came, by the time that the judge gives it, in nanoseconds since the first frame: times of findings count so,
+    /// also where the clock of the log was set back. `None` as long as nothing is judged.
+    pub fn judged_at(&self) -> Option<i64> {
         self.hearing.is_none().then(|| self.judge.now_ns())
     }
 
