@@ -13,6 +13,9 @@ use crate::bytes::{u16_at, u32_at};
 /// No interface has a longer name.
 const LONGEST_NAME: usize = 200;
 
+/// The interface of topics that have nothing before their last part.
+const ROOT: &str = "/can_bus";
+
 const SCHEMA: &str = "a schema with an identifier, a name, an encoding and a definition";
 const CHANNEL: &str = "a channel with an identifier, a schema, a topic and an encoding";
 const KNOWN_SCHEMA: &str = "the schema of this channel, before it";
@@ -25,6 +28,8 @@ pub(super) type ChannelFlaw<'a> = (usize, &'a [u8], &'static str);
 pub(super) struct Channel {
     pub(super) interface: String,
     pub(super) direction: Option<Direction>,
+    /// The same for all channels of the interface.
+    pub(super) bus: usize,
     pub(super) encoding: Encoding,
     pub(super) layout: Arc<Layout>,
 }
@@ -40,23 +45,32 @@ enum Schema {
 #[derive(Default)]
 pub(super) struct Channels {
     schemas: HashMap<u16, Schema>,
-    channels: HashMap<u16, Option<Channel>>,
+    known: HashMap<u16, Option<Channel>>,
+    /// The interfaces of them.
+    buses: Vec<String>,
+    /// Whether there is one of frames that the host sends.
+    sends: bool,
 }
 
 impl Channels {
     /// The channel of this identifier, if its messages are frames.
     pub(super) fn get(&self, id: u16) -> Option<&Channel> {
-        self.channels.get(&id)?.as_ref()
+        self.known.get(&id)?.as_ref()
+    }
+
+    /// Whether a frame may be on two channels: sent, and looped back to the host that sent it.
+    pub(super) fn may_echo(&self) -> bool {
+        self.sends
     }
 
     /// Whether a channel of this identifier has been told of.
     pub(super) fn has(&self, id: u16) -> bool {
-        self.channels.contains_key(&id)
+        self.known.contains_key(&id)
     }
 
     /// Messages of this channel, which was never told of, are not asked about again.
     pub(super) fn pass_over(&mut self, id: u16) {
-        self.channels.insert(id, None);
+        self.known.insert(id, None);
     }
 
     /// Takes the body of a schema.
@@ -85,7 +99,7 @@ impl Channels {
         let mut at = 4;
         let topic = text(body, &mut at).ok_or((4, &[][..], CHANNEL))?;
         let encoding = text(body, &mut at).ok_or((at, &[][..], CHANNEL))?;
-        if self.channels.contains_key(&id) {
+        if self.known.contains_key(&id) {
             // It is told of again in each chunk, and does not change.
             return Ok(());
         }
@@ -97,8 +111,14 @@ impl Channels {
         };
         let (channel, told) = match (self.schemas.get(&schema), encoding) {
             (Some(Schema::Frames(layout)), Some(encoding)) => {
-                let (interface, direction) = (interface(&topic), direction(&topic));
-                (Some(Channel { interface, direction, encoding, layout: Arc::clone(layout) }), Ok(()))
+                let (interface, direction) = bus(&topic);
+                let known = self.buses.iter().position(|bus| *bus == interface);
+                let bus = known.unwrap_or(self.buses.len());
+                if known.is_none() {
+                    self.buses.push(interface.clone());
+                }
+                self.sends |= direction == Some(Direction::Tx);
+                (Some(Channel { interface, direction, bus, encoding, layout: Arc::clone(layout) }), Ok(()))
             }
             (Some(Schema::Frames(_)), None) => (None, Err((at, body.get(8..).unwrap_or_default(), FRAMES))),
             (Some(Schema::Unread(name)), _) => (None, Err((2, name.as_slice(), FRAMES))),
@@ -109,7 +129,7 @@ impl Channels {
             (None, _) if schema != 0 => (None, Err((2, body.get(2..4).unwrap_or_default(), KNOWN_SCHEMA))),
             (Some(Schema::Other) | None, _) => (None, Ok(())),
         };
-        self.channels.insert(id, channel);
+        self.known.insert(id, channel);
         told
     }
 }
@@ -123,18 +143,58 @@ pub(super) fn text<'a>(body: &'a [u8], at: &mut usize) -> Option<&'a [u8]> {
     Some(text)
 }
 
-/// An interface is named as the whole topic: its last part alone is the same for every bus.
-fn interface(topic: &str) -> String {
+/// The interface and the direction that a topic tells. An interface is named as the whole topic, for its last part alone is the same for
+/// every bus; where that part is one that a bridge between ROS and SocketCAN has, as what is before it.
+fn bus(topic: &str) -> (String, Option<Direction>) {
     let sane = |letter: char| if letter.is_whitespace() || letter.is_control() { '_' } else { letter };
-    let name: String = topic.chars().map(sane).take(LONGEST_NAME).collect();
-    if name.is_empty() { "mcap".to_owned() } else { name }
+    let named = |name: &str| name.chars().map(sane).take(LONGEST_NAME).collect::<String>();
+    let (namespace, last) = topic.rsplit_once('/').unwrap_or(("", topic));
+    let direction = match last {
+        // Frames that the host itself has sent are among them where its kernel loops them back.
+        "from_can_bus" | "from_can_bus_fd" | "received_messages" => Direction::Rx,
+        "to_can_bus" | "to_can_bus_fd" | "sent_messages" => Direction::Tx,
+        "" if namespace.is_empty() => return ("mcap".to_owned(), None),
+        _ => return (named(topic), None),
+    };
+    (if namespace.is_empty() { ROOT.to_owned() } else { named(namespace) }, Some(direction))
 }
 
-/// What is on a topic of frames to be sent was sent by the host. A topic of received frames has those as well where they are looped back, and
-/// says nothing.
-fn direction(topic: &str) -> Option<Direction> {
-    match topic.rsplit('/').next() {
-        Some("to_can_bus" | "to_can_bus_fd" | "sent_messages") => Some(Direction::Tx),
-        _ => None,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_topics_of_a_bridge_are_one_interface_with_directions() {
+        let (rx, tx) = (Some(Direction::Rx), Some(Direction::Tx));
+        for (topic, interface, direction) in [
+            ("/can0/from_can_bus", "/can0", rx),
+            ("/can0/to_can_bus", "/can0", tx),
+            ("/can0/from_can_bus_fd", "/can0", rx),
+            ("/can0/to_can_bus_fd", "/can0", tx),
+            ("/car/can 1/to_can_bus", "/car/can_1", tx),
+            ("/from_can_bus", "/can_bus", rx),
+            ("to_can_bus", "/can_bus", tx),
+            ("/front/received_messages", "/front", rx),
+            ("/front/sent_messages", "/front", tx),
+        ] {
+            assert_eq!(bus(topic), (interface.to_owned(), direction), "{topic}");
+        }
+    }
+
+    #[test]
+    fn any_other_topic_is_an_interface_by_itself() {
+        for topic in [
+            "/can0",
+            "/can0/from_can",
+            "/can0/from_can_bus/raw",
+            "/can0/From_can_bus",
+            "/can0/my_to_can_bus",
+            "from/to",
+            "/can0/",
+        ] {
+            assert_eq!(bus(topic), (topic.to_owned(), None));
+        }
+        assert_eq!([bus(""), bus("/")], [("mcap".to_owned(), None), ("mcap".to_owned(), None)]);
+        assert_eq!(bus(&"x".repeat(300)).0.len(), LONGEST_NAME);
     }
 }

@@ -74,7 +74,11 @@ fn read(bytes: Vec<u8>) -> Vec<String> {
                 record.interface,
                 record.id,
                 record.data,
-                if record.direction == Some(Direction::Tx) { "T" } else { "-" }
+                match record.direction {
+                    Some(Direction::Tx) => "T",
+                    Some(Direction::Rx) => "R",
+                    None => "-",
+                }
             ),
             Entry::Dropped(dropped) => format!("{dropped:?}"),
             Entry::Broken(error) => error.to_string(),
@@ -87,20 +91,35 @@ fn begin() -> Vec<u8> {
     [
         schema(1, "can_msgs/msg/Frame", "ros2msg"),
         channel(1, 1, "/can0/from_can_bus", "cdr"),
-        channel(2, 1, "/can 0/to_can_bus", "cdr"),
+        channel(2, 1, "/can0/to_can_bus", "cdr"),
+        channel(3, 1, "/can 1", "cdr"),
     ]
     .concat()
 }
 
 #[test]
 fn frames_are_read_with_their_own_time_or_that_of_the_log() {
-    let messages = [message(1, 5, &frame(9, 0x520, false)), message(2, 6, &frame(0, 0x511, true))].concat();
+    let frames = [frame(9, 0x520, false), frame(0, 0x511, true), frame(1, 0x123, false)];
+    let messages: Vec<u8> =
+        (1..).zip(&frames).flat_map(|(id, frame)| message(id, 4 + u64::from(id), frame)).collect();
     assert_eq!(
         read(file(&[begin(), messages])),
         [
-            "5 9000000007 /can0/from_can_bus 520 [1, 2, 3] -".to_owned(),
-            "6 6 /can_0/to_can_bus 511 [1, 2, 3] T".to_owned(),
+            "6 9000000007 /can0 520 [1, 2, 3] R".to_owned(),
+            "7 6 /can0 511 [1, 2, 3] T".to_owned(),
+            "8 1000000007 /can_1 123 [1, 2, 3] -".to_owned(),
         ]
+    );
+}
+
+#[test]
+fn a_frame_that_is_sent_and_looped_back_is_read_once() {
+    let sent_and_heard =
+        [message(2, 5, &frame(9, 0x511, false)), message(1, 6, &frame(9, 0x511, false))].concat();
+    let other = message(1, 7, &frame(9, 0x520, false));
+    assert_eq!(
+        read(file(&[begin(), sent_and_heard, other])),
+        ["6 9000000007 /can0 511 [1, 2, 3] T".to_owned(), "8 9000000007 /can0 520 [1, 2, 3] R".to_owned()]
     );
 }
 
