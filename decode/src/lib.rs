@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! adsdv_formats::open --> Recording::begin: which edition? --> Recording::decode --> a Sink
-//!                         (as the judge recognises it)          |                    Text, Csv, JsonLines, VcdFile
+//!                         (as the judge recognises it)          |                    Text, Csv, JsonLines, VcdFile, mcap
 //!                                                            Catalog
 //!                                   the edition's own tables, and databases (DBC) of the user's own
 //! ```
@@ -40,6 +40,7 @@
 
 #![forbid(unsafe_code)]
 
+mod arrows;
 mod bus;
 mod catalog;
 mod csv;
@@ -48,7 +49,9 @@ mod edition;
 mod jsonl;
 mod kept;
 mod line;
+mod mcap;
 mod message;
+mod not_built;
 mod out;
 mod place;
 mod recording;
@@ -63,7 +66,9 @@ pub use catalog::Catalog;
 pub use csv::Csv;
 pub use dbc::{Database, DbcError, MAX_DBC};
 pub use jsonl::JsonLines;
+pub use mcap::{mcap, mcap_layout};
 pub use message::{Message, Origin, Reading};
+pub use not_built::NotBuilt;
 pub use place::{Coding, Order, Place};
 pub use recording::{DecodeError, Options, Recording, Summary};
 pub use signal::{Multiplexed, Scaling, Signal};

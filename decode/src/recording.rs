@@ -190,6 +190,7 @@ struct Decoding<'a> {
 impl Decoding<'_> {
     #[inline]
     fn entry(&mut self, entry: &Entry<'_>) -> Result<(), SinkError> {
+        self.sink.heard(entry)?;
         match entry {
             Entry::Frame(record) => self.frame(record),
             Entry::Dropped(dropped) => {

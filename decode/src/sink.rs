@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use adsdv_oracle::candump::{Dropped, Record};
+use adsdv_oracle::candump::{Dropped, Entry, Record};
 
 use crate::Message;
 
@@ -18,6 +18,11 @@ pub struct Frame<'a> {
 
 /// Takes decoded frames, one after the other, in memory that does not grow with them.
 pub trait Sink {
+    /// Everything that the recording has, before any of it is decoded, also of interfaces that were not asked for: for a judge beside.
+    fn heard(&mut self, _entry: &Entry<'_>) -> Result<(), SinkError> {
+        Ok(())
+    }
+
     /// The next frame.
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError>;
 

@@ -5,8 +5,10 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use adsdv_oracle::candump::{Dropped, Record};
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogJudge, LogOptions};
-use adsdv_oracle::why::{Blocked, Stay, Untaken};
+use adsdv_oracle::why::Stay;
 use adsdv_spec::Edition;
+
+use crate::arrows::now;
 
 /// Follows the VCU.
 #[derive(Debug)]
@@ -42,13 +44,14 @@ impl Watch {
         self.judge.dropped(dropped);
     }
 
+    /// When the last frame came, by the time that the judge gives it: times of the stay count so.
+    #[cfg(feature = "mcap")]
+    pub(crate) fn judged_at(&self) -> i64 {
+        self.judge.judged_at().unwrap_or_default()
+    }
+
     /// The state that lasts, with its arrows; `None` while none is known.
     pub(crate) fn stay(&self) -> Option<&Stay> {
         self.judge.waits().map(|(_, stay)| stay)
     }
-}
-
-/// What blocks an arrow now; `None` where its guard holds.
-pub(crate) fn now(arrow: &Untaken) -> Option<&Blocked> {
-    arrow.blocked.last().filter(|blocked| blocked.until_ns == i64::MAX)
 }

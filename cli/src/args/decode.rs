@@ -9,8 +9,8 @@ use super::EditionArgs;
 
 /// Print every signal of a log, with its unit and the names of its values.
 ///
-/// As text in the way of `cantools decode`, or for other tools: CSV, JSON Lines, or VCD for GTKWave and Surfer. No database is
-/// needed: the signals are those of the edition that the log speaks, which is recognised by its frames as `adsdv check` does.
+/// As text in the way of `cantools decode`, or for other tools: CSV, JSON Lines, VCD for GTKWave and Surfer, or MCAP for Foxglove,
+/// Lichtblick and PlotJuggler. No database is needed: the signals are those of the edition that the log speaks, which is recognised by its frames as `adsdv check` does.
 /// --dbc adds a team's own messages.
 ///
 /// No frame is lost: one that nothing knows is printed with its bytes, and one that is too short with the signals that it has.
@@ -34,6 +34,9 @@ EXAMPLES
       adsdv decode --format vcd -o run.vcd run.log
       gtkwave run.vcd
 
+  In Foxglove or Lichtblick: open run.mcap, and import run-layout.json as a layout
+      adsdv decode --format mcap -o run.mcap --layout run-layout.json run.log
+
 OUTPUT
   text   the frame as candump -L prints it, and behind it the message with its signals: a
          line for each, or with --single-line all in one. Unlike cantools 45, fractions
@@ -47,6 +50,12 @@ OUTPUT
   vcd    a scope for each message, with wires and reals; `state` has the AS state, and
          `blocked` what blocks each arrow of Figure 2: a condition is 1 if it is as the
          arrow needs it, 0 if not, x if that is not known. Of one interface.
+  mcap   a channel for each message, as JSON with its JSON Schema, under /adsdv; the same
+         of other interfaces under their names, and a team's own messages under /dbc.
+         /adsdv/as_state has the AS state, /adsdv/blocked what blocks each arrow of
+         Figure 2, and /adsdv/findings what `adsdv check` finds. /can has every frame as
+         it was, so that `adsdv check run.mcap` judges it again. Where --output names a
+         file, that is there when all of it is written, and not before.
   Times are those of the log; in a VCD, since its first frame. Lines that could not be
   read, frames that the log says were lost, and frames that nothing knows are counted on
   standard error at the end.
@@ -75,6 +84,13 @@ pub(crate) struct DecodeArgs {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
+    /// Write a layout for Foxglove and Lichtblick to this file, which shows the MCAP.
+    ///
+    /// The states, what blocks each arrow, a plot for each unit, the findings, and the status of the VCU. It is of the edition that
+    /// the log speaks, not of the log: one does for all of a team's logs. In Foxglove and Lichtblick: Layout, Import from file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) layout: Option<PathBuf>,
+
     /// Decode the messages of this database (DBC) as well; may be repeated.
     ///
     /// Extended identifiers, multiplexers, both byte orders, floats and value tables are read. Of an identifier that the edition
@@ -101,4 +117,6 @@ pub(crate) enum Decoded {
     Jsonl,
     /// Waves for GTKWave and Surfer.
     Vcd,
+    /// Channels for Foxglove, Lichtblick and PlotJuggler.
+    Mcap,
 }

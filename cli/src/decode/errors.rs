@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use adsdv_decode::DbcError;
+use adsdv_decode::{DbcError, NotBuilt};
 
 use crate::error::Error;
 
@@ -12,6 +12,22 @@ pub(super) fn single_line() -> Error {
         what: "--single-line".to_owned(),
         why: "is for text, and --format asks for something else".to_owned(),
         hint: "leave one of the two options out".to_owned(),
+    }
+}
+
+pub(super) fn layout() -> Error {
+    Error {
+        what: "--layout".to_owned(),
+        why: "is for MCAP, and --format asks for something else".to_owned(),
+        hint: "add --format mcap, or leave --layout out".to_owned(),
+    }
+}
+
+pub(super) fn not_built(format: &str, error: NotBuilt) -> Error {
+    Error {
+        what: format!("--format {format}"),
+        why: error.to_string(),
+        hint: format!("cargo install adsdv --features {}, or take a release binary", error.feature),
     }
 }
 

@@ -89,13 +89,15 @@ fn bad_input_is_refused_in_words() {
     let (bad, none) = (bad.to_str().expect("text"), none.to_str().expect("text"));
     let line =
         "correct that line, or take the message out; python -m cantools dump shows how others read the file";
-    let cases: [(&[&str], String); 8] = [
+    let cases: [(&[&str], String); 10] = [
         (
             &["decode", "Cargo.toml"],
             "Cargo.toml: no readable frame in ".to_owned(),
         ),
         (&["decode", "nowhere.log"], "nowhere.log: cannot open the log: No such file or directory (os error 2)\nhint: check the path; - stands for standard input\n".to_owned()),
         (&["decode", "--single-line", "--format", "csv", MISSION], "--single-line: is for text, and --format asks for something else\nhint: leave one of the two options out\n".to_owned()),
+        (&["decode", "--layout", "layout.json", MISSION], "--layout: is for MCAP, and --format asks for something else\nhint: add --format mcap, or leave --layout out\n".to_owned()),
+        (&["decode", "--format", "mcap", "-o", "nowhere/run.mcap", MISSION], "nowhere/run.mcap: cannot write what was decoded: No such file or directory (os error 2)\nhint: make the directory first, or name another file with --output\n".to_owned()),
         (&["decode", "-o", "nowhere/run.txt", MISSION], "nowhere/run.txt: cannot write what was decoded: No such file or directory (os error 2)\nhint: make the directory first, or name another file with --output\n".to_owned()),
         (&["decode", "--dbc", bad, MISSION], format!("{bad}: line 2: A has 65 bits from bit 0 on, and M has 8 bytes; a float has 32 bits or 64\nhint: {line}\n")),
         (&["decode", "--dbc", none, MISSION], format!("{none}: it has no message: no line begins with BO_\nhint: --dbc takes a CAN database (DBC), such as adsdv dbc prints\n")),
@@ -116,10 +118,97 @@ fn bad_input_is_refused_in_words() {
     assert_eq!((unknown.status, unknown.stdout.as_str()), (Some(2), ""));
 }
 
+#[test]
+fn an_mcap_is_judged_as_the_log_that_it_was_made_of() {
+    let folder = emptied("decode-mcap");
+    for log in [MISSION, "tests/logs/finished-while-moving.log"] {
+        let mcap = folder.join("run.mcap");
+        let mcap = mcap.to_str().expect("text");
+        let outcome = run(&["decode", "--format", "mcap", "-o", mcap, log]);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(0), ""), "{outcome:?}");
+        let (of_log, of_mcap) = (run(&["check", log]), run(&["check", mcap]));
+        assert_eq!(of_mcap.stdout, of_log.stdout.replace(log, mcap));
+        assert_eq!(of_mcap.status, of_log.status);
+        // Through a pipe it is the same, byte for byte.
+        let piped = adsdv(&["decode", "--format", "mcap", log]).output().expect("the command starts");
+        assert!(piped.stdout == fs::read(mcap).expect("the file is there"));
+    }
+    assert_eq!(names(&folder), ["run.mcap"]);
+}
+
+#[test]
+fn a_layout_is_written_beside_the_mcap() {
+    let folder = emptied("decode-layout");
+    let [mcap, layout] = ["run.mcap", "layout.json"].map(|name| folder.join(name));
+    let [mcap, layout] = [&mcap, &layout].map(|file| file.to_str().expect("text"));
+    let args = ["decode", "--format", "mcap", "-o", mcap, "--layout", layout, MISSION];
+    assert_eq!(run(&args).status, Some(0));
+    let text = fs::read_to_string(layout).expect("the file is there");
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert!(json["configById"].is_object());
+    let nowhere = run(&["decode", "--format", "mcap", "-o", mcap, "--layout", "nowhere/l.json", MISSION]);
+    let says = "adsdv: nowhere/l.json: cannot write what --layout asks for: No such file or directory";
+    assert!(nowhere.stderr.starts_with(says), "{}", nowhere.stderr);
+    assert_eq!(nowhere.status, Some(2));
+}
+
+/// What is there stays as it is until the new file is whole.
+#[test]
+fn an_mcap_is_whole_or_not_there() {
+    let folder = emptied("decode-whole");
+    let mcap = folder.join("run.mcap");
+    let args =
+        ["decode", "--format", "mcap", "--interface", "can7", "-o", mcap.to_str().expect("text"), MISSION];
+    assert_eq!(run(&args).status, Some(2));
+    assert_eq!(names(&folder), [""; 0]);
+    fs::write(&mcap, "before").expect("the folder for tests can be written");
+    assert_eq!(run(&args).status, Some(2));
+    assert_eq!(fs::read(&mcap).expect("it is there"), b"before");
+    assert_eq!(names(&folder), ["run.mcap"]);
+}
+
+/// Files that any program may read are made, through links as well.
+#[cfg(unix)]
+#[test]
+fn an_mcap_has_the_permissions_of_any_new_file_and_links_stay() {
+    use std::os::unix::fs::{PermissionsExt as _, symlink};
+    let folder = emptied("decode-link");
+    let [mcap, link, text] = ["run.mcap", "link.mcap", "run.txt"].map(|name| folder.join(name));
+    fs::write(&mcap, "before").expect("the folder for tests can be written");
+    symlink(&mcap, &link).expect("the folder for tests can be written");
+    assert_eq!(
+        run(&["decode", "--format", "mcap", "-o", link.to_str().expect("text"), MISSION]).status,
+        Some(0)
+    );
+    assert_eq!(run(&["decode", "-o", text.to_str().expect("text"), MISSION]).status, Some(0));
+    assert!(fs::symlink_metadata(&link).expect("it is there").is_symlink());
+    let mode = |file: &Path| fs::metadata(file).expect("it is there").permissions().mode();
+    assert_eq!(mode(&mcap), mode(&text));
+}
+
+/// A folder for tests with nothing in it.
+fn emptied(name: &str) -> std::path::PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // It may not be there.
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir(&folder).expect("the folder for tests can be written");
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("it is there");
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.expect("it is there").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_said() {
+    let mcap = run(&["decode", "--format", "mcap", "-o", "/dev/full", MISSION]);
     let outcome = run(&["decode", "-o", "/dev/full", MISSION]);
+    assert_eq!((mcap.status, &mcap.stderr), (outcome.status, &outcome.stderr));
     let said = "adsdv: /dev/full: cannot write what was decoded: No space left on device (os error 28)\nhint: free some space, or name a file on another disk with --output\n";
     assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(2), said));
 }

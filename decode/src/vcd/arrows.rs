@@ -3,20 +3,19 @@
 use std::io::{self, Write};
 
 use ::vcd::{IdCode, Value as Level, Writer};
-use adsdv_oracle::why::{Condition, Stay};
-use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Edition};
+use adsdv_oracle::why::Stay;
+use adsdv_spec::Edition;
 
-use crate::watch;
+use crate::arrows::{GuardedArrow, condition_name};
 
 /// The waves of every arrow.
 pub(super) struct Arrows(Vec<Arrow>);
 
 struct Arrow {
-    from: AsState,
-    to: AsState,
+    of: GuardedArrow,
     blocked: Wave,
-    conditions: Vec<(Atom, bool, Wave)>,
+    /// One of each condition.
+    conditions: Vec<Wave>,
 }
 
 /// A wave of one bit, and what it showed last.
@@ -30,7 +29,8 @@ impl Wave {
         Ok(Self { id: writer.add_wire(1, name)?, level: Level::X })
     }
 
-    fn show<W: Write>(&mut self, writer: &mut Writer<W>, level: Level) -> io::Result<()> {
+    fn show<W: Write>(&mut self, writer: &mut Writer<W>, known: Option<bool>) -> io::Result<()> {
+        let level = known.map_or(Level::X, Level::from);
         if self.level == level {
             return Ok(());
         }
@@ -43,21 +43,15 @@ impl Arrows {
     pub(super) fn begin<W: Write>(writer: &mut Writer<W>, edition: &Edition) -> io::Result<Self> {
         writer.add_module("blocked")?;
         let mut arrows = Vec::new();
-        for row in edition.rules.table.rows() {
-            writer.add_module(&format!("{}_to_{}", row.from.name(), row.to.name()))?;
+        for arrow in GuardedArrow::all(edition) {
+            writer.add_module(&arrow.name())?;
             let blocked = Wave::new(writer, "blocked")?;
-            let mut literals: Vec<(Atom, bool)> =
-                row.terms().iter().flat_map(adsdv_spec::Term::literals).collect();
-            literals.sort_unstable();
-            literals.dedup();
             let mut conditions = Vec::new();
-            for (atom, needed) in literals {
-                let not = if needed { "" } else { "not_" };
-                let name = format!("{not}{}", atom.id().replace('-', "_"));
-                conditions.push((atom, needed, Wave::new(writer, &name)?));
+            for condition in &arrow.conditions {
+                conditions.push(Wave::new(writer, &condition_name(*condition))?);
             }
             writer.upscope()?;
-            arrows.push(Arrow { from: row.from, to: row.to, blocked, conditions });
+            arrows.push(Arrow { of: arrow, blocked, conditions });
         }
         writer.upscope()?;
         Ok(Self(arrows))
@@ -66,8 +60,7 @@ impl Arrows {
     /// Nothing is known yet.
     pub(super) fn dump<W: Write>(&self, writer: &mut Writer<W>) -> io::Result<()> {
         for arrow in &self.0 {
-            let conditions = arrow.conditions.iter().map(|(_, _, wave)| wave);
-            for wave in conditions.chain([&arrow.blocked]) {
+            for wave in arrow.conditions.iter().chain([&arrow.blocked]) {
                 writer.change_scalar(wave.id, Level::X)?;
             }
         }
@@ -76,28 +69,11 @@ impl Arrows {
 
     /// This is the state now, and these are its arrows.
     pub(super) fn show<W: Write>(&mut self, writer: &mut Writer<W>, stay: Option<&Stay>) -> io::Result<()> {
-        for Arrow { from, to, blocked, conditions } in &mut self.0 {
-            let stay = stay.filter(|stay| stay.state == *from);
-            let untaken = stay.and_then(|stay| stay.arrows.iter().find(|untaken| untaken.to == *to));
-            let Some(untaken) = untaken else {
-                blocked.show(writer, Level::X)?;
-                conditions.iter_mut().try_for_each(|(_, _, wave)| wave.show(writer, Level::X))?;
-                continue;
-            };
-            let now = watch::now(untaken);
-            blocked.show(writer, Level::from(now.is_some()))?;
-            for place in 0..conditions.len() {
-                // What holds is named without what it has to be, which counts where the guard asks for both.
-                let both = |atom: Atom| conditions.iter().filter(|(other, _, _)| *other == atom).count() > 1;
-                let is_both = conditions.get(place).is_some_and(|(atom, _, _)| both(*atom));
-                let Some((atom, needed, wave)) = conditions.get_mut(place) else { continue };
-                let is_this = |one: &Condition| (one.atom, one.needed) == (*atom, *needed);
-                let level = match now {
-                    Some(now) if now.failed.iter().any(is_this) => Level::V0,
-                    Some(now) if now.holding.has(*atom) && !is_both => Level::V1,
-                    _ => Level::X,
-                };
-                wave.show(writer, level)?;
+        for Arrow { of: arrow, blocked, conditions } in &mut self.0 {
+            let now = arrow.now(stay);
+            blocked.show(writer, now.blocked)?;
+            for (condition, wave) in arrow.conditions.iter().zip(conditions) {
+                wave.show(writer, arrow.holds(*condition, now))?;
             }
         }
         Ok(())

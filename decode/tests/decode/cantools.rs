@@ -1,7 +1,4 @@
 //! What is decoded, held against cantools, frame by frame and signal by signal.
-//!
-//! The interpreter that has cantools is `ADSDV_PYTHON`; without it these tests say that they are left out, unless
-//! `ADSDV_REQUIRE_PYTHON_CAN` is 1.
 
 use std::fs;
 use std::path::Path;
@@ -12,22 +9,9 @@ use adsdv_spec::Edition;
 use adsdv_spec::export::Dbc;
 
 use crate::frames::{Format, catalog, decode, random};
+use crate::python::python;
 
 const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/decode/compare_cantools.py");
-
-/// The interpreter, if there is one.
-fn python() -> Option<String> {
-    let python = std::env::var("ADSDV_PYTHON").ok().filter(|python| !python.is_empty());
-    if python.is_none() {
-        assert_ne!(
-            std::env::var("ADSDV_REQUIRE_PYTHON_CAN").as_deref(),
-            Ok("1"),
-            "ADSDV_PYTHON has to name an interpreter with cantools"
-        );
-        eprintln!("left out: ADSDV_PYTHON names no interpreter with cantools");
-    }
-    python
-}
 
 /// Lets cantools decode the same log by the same database.
 fn compare(name: &str, dbc: &str, log: &str, decoded: &str, frames: u64) {

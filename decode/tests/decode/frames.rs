@@ -16,7 +16,7 @@ pub(crate) enum Format {
     Vcd,
 }
 
-/// What a log decodes to with this catalog.
+/// What a log decodes to with this catalog, as text.
 pub(crate) fn decode(log: &str, catalog: &Catalog, format: Format) -> (String, Summary, Vec<String>) {
     let opened = adsdv_formats::open(Cursor::new(log.to_owned())).expect("a log");
     let options = Options { edition: Some(catalog.edition()), ..Options::default() };

@@ -6,3 +6,6 @@ mod cantools;
 mod dbc;
 mod formats;
 mod frames;
+#[cfg(feature = "mcap")]
+mod mcap;
+mod python;
