@@ -2,7 +2,9 @@
 
 import collections
 import json
+import struct
 import sys
+import zlib
 
 import jsonschema
 from mcap.reader import NonSeekingReader, make_reader
@@ -44,6 +46,15 @@ with open(sys.argv[1], "rb") as file:
         assert len(of_topic) == counts[channel.id] > 0, topic
         late = list(reader.iter_messages(topics=topic, start_time=middle))
         assert late == [message for message in of_topic if message[2].log_time >= middle]
+
+# The checksums that the reader passes over: of the data, and of the summary with the begin of the footer.
+with open(sys.argv[1], "rb") as file:
+    content = file.read()
+summary_start, _, summary_crc = struct.unpack("<QQI", content[-28:-8])
+data_end = summary_start - 13
+assert content[data_end] == 0x0F
+assert struct.unpack_from("<I", content, data_end + 9)[0] == zlib.crc32(content[:data_end]) != 0
+assert summary_crc == zlib.crc32(content[summary_start:-12])
 
 # Whoever cannot seek comes to the same.
 with open(sys.argv[1], "rb") as file:

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::io::Cursor;
 
-use adsdv_decode::{Catalog, Database, Options};
+use adsdv_decode::{Catalog, Database, Frame, Options, mcap};
 use adsdv_formats::{Entries as _, Entry, open};
-use adsdv_oracle::candump::{Direction, FrameKind};
+use adsdv_oracle::candump::{Direction, FrameKind, Record};
 use adsdv_spec::Edition;
 use serde_json::Value as Json;
 
@@ -123,4 +123,31 @@ fn what_does_not_fit_into_the_file_is_counted() {
     assert_eq!(notes, counted);
     assert_eq!(summary.frames, 65);
     assert_eq!(Contents::of(&file).others, 64);
+}
+
+#[test]
+fn what_was_before_1970_stands_at_its_begin() {
+    let (catalog, options, mut file) = (catalog(&Edition::V2026), Options::default(), Vec::new());
+    let mut sink = mcap(&catalog, &options, &mut file).expect("it was built in");
+    let (place, data) = (catalog.place(FrameKind::Standard, 0x513), [10, 0]);
+    let message = place.and_then(|place| Some((place, catalog.messages().get(place)?)));
+    let record = Record {
+        line: 1,
+        time_ns: -5,
+        interface: "can0",
+        kind: FrameKind::Standard,
+        id: 0x513,
+        data: &data,
+        direction: None,
+        terminated: true,
+    };
+    sink.heard(&Entry::Frame(record)).expect("a vector takes everything");
+    sink.frame(&Frame { record: &record, message }).expect("a vector takes everything");
+    sink.finish(1).expect("a vector takes everything");
+    let note = "1 frames have a time before 1970, which MCAP cannot tell; they stand at its begin";
+    assert_eq!(sink.notes(), [note]);
+    drop(sink);
+    let contents = Contents::of(&file);
+    let said = contents.on("/adsdv/AI2VCU_Steer").next().expect("it is there");
+    assert_eq!((said.time, &said.says["STEER_REQUEST"]), (0, &1.into()));
 }
