@@ -3,7 +3,8 @@
 //!
 //! ```text
 //! adsdv_formats::open --> Recording::begin: which edition? --> Recording::decode --> a Sink
-//!                         (as the judge recognises it)          |                    Text, Csv, JsonLines, VcdFile, mcap
+//!                         (as the judge recognises it)          |                    Text, Csv, JsonLines, VcdFile,
+//!                                                               |                    mcap, parquet (each a feature)
 //!                                                            Catalog
 //!                                   the edition's own tables, and databases (DBC) of the user's own
 //! ```
@@ -53,6 +54,7 @@ mod mcap;
 mod message;
 mod not_built;
 mod out;
+mod parquet;
 mod place;
 mod recording;
 mod signal;
@@ -69,10 +71,11 @@ pub use jsonl::JsonLines;
 pub use mcap::{mcap, mcap_layout};
 pub use message::{Message, Origin, Reading};
 pub use not_built::NotBuilt;
+pub use parquet::{Table, parquet, parquet_messages};
 pub use place::{Coding, Order, Place};
 pub use recording::{DecodeError, Options, Recording, Summary};
 pub use signal::{Multiplexed, Scaling, Signal};
-pub use sink::{Frame, Sink, SinkError};
+pub use sink::{BeginError, Frame, Sink, SinkError};
 pub use text::{Text, TextLayout};
 pub use value::Value;
 pub use vcd::VcdFile;

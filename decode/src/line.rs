@@ -28,16 +28,21 @@ fn put_digits(out: &mut Vec<u8>, number: u64, digits: usize) {
     out.extend_from_slice(text);
 }
 
-/// Appends an identifier as candump has it: three digits, or eight.
+/// Whether an identifier has 29 bits, or is the class of an error.
 #[inline]
-pub(crate) fn put_id(out: &mut Vec<u8>, record: &Record<'_>) {
-    let extended = match record.kind {
+pub(crate) const fn is_extended(kind: FrameKind) -> bool {
+    match kind {
         FrameKind::Extended | FrameKind::Error => true,
         FrameKind::Remote { extended, .. } | FrameKind::Fd { extended, .. } => extended,
         FrameKind::Standard | FrameKind::Xl => false,
-    };
+    }
+}
+
+/// Appends an identifier as candump has it: three digits, or eight.
+#[inline]
+pub(crate) fn put_id(out: &mut Vec<u8>, record: &Record<'_>) {
     let bytes = record.id.to_be_bytes();
-    if extended {
+    if is_extended(record.kind) {
         return put_hex(out, &bytes);
     }
     let [.., high, low] = bytes;

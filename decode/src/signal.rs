@@ -107,12 +107,16 @@ impl Signal {
 
     /// The name of the value of these bits, where it has one.
     pub fn value_name(&self, bits: u64) -> Option<&str> {
+        self.names.get(self.name_place(bits)?).map(|(_, name)| &**name)
+    }
+
+    /// The place of that among the names.
+    pub(crate) fn name_place(&self, bits: u64) -> Option<usize> {
         if self.names.is_empty() || self.place.coding() == Coding::Float {
             return None;
         }
         let raw = i64::try_from(self.place.raw(bits)).ok()?;
-        let place = self.names.binary_search_by_key(&raw, |(raw, _)| *raw).ok()?;
-        self.names.get(place).map(|(_, name)| &**name)
+        self.names.binary_search_by_key(&raw, |(raw, _)| *raw).ok()
     }
 
     /// Whether its values are whole numbers.

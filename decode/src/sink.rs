@@ -56,6 +56,46 @@ impl std::error::Error for SinkError {
     }
 }
 
+/// Why a sink could not be had.
+#[derive(Debug)]
+pub enum BeginError {
+    /// Its format was not built in.
+    NotBuilt {
+        /// The format.
+        format: &'static str,
+        /// The feature of this crate, and of `adsdv`, that builds it in.
+        feature: &'static str,
+    },
+    /// What stands at the beginning could not be written.
+    Sink(SinkError),
+}
+
+impl fmt::Display for BeginError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotBuilt { format, feature } => {
+                write!(f, "this build does not write {format}: it was built without the feature {feature}")
+            }
+            Self::Sink(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for BeginError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::NotBuilt { .. } => None,
+            Self::Sink(error) => Some(error),
+        }
+    }
+}
+
+impl From<SinkError> for BeginError {
+    fn from(error: SinkError) -> Self {
+        Self::Sink(error)
+    }
+}
+
 impl From<io::Error> for SinkError {
     fn from(error: io::Error) -> Self {
         Self(error)

@@ -9,7 +9,7 @@ use vcd::{Command, Parser, ScopeItem, Value};
 use crate::frames::{Format, catalog, decode};
 
 /// A steer angle, a message that is too short and one that is too long, what nothing knows, and every other kind of line.
-const EVERYTHING: &str = "\
+pub(crate) const EVERYTHING: &str = "\
 (1795209995.234703) vcan0 523#00001B000300
 (1795209995.234712) vcan0 524#0102
 (1795209995.234735) vcan0 513#F6FF00 T

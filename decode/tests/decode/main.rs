@@ -8,4 +8,10 @@ mod formats;
 mod frames;
 #[cfg(feature = "mcap")]
 mod mcap;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod python;
+#[cfg(feature = "parquet")]
+mod tables;
+#[cfg(not(feature = "parquet"))]
+mod without_parquet;
