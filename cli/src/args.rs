@@ -21,7 +21,7 @@ mod verify;
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
 pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
-pub(crate) use decode::{DecodeArgs, Decoded};
+pub(crate) use decode::{DecodeArgs, Decoded, DecodedTable};
 pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use exam::ExamArgs;

@@ -10,6 +10,8 @@ use crate::error::Error;
 
 /// The name that stands for standard input.
 pub(crate) const STDIN: &str = "-";
+/// The name that stands for standard output.
+pub(crate) const STDOUT: &str = "-";
 
 /// What an error and a report call it.
 pub(crate) fn name(log: &Path) -> String {

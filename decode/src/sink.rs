@@ -5,7 +5,7 @@ use std::io;
 
 use adsdv_oracle::candump::{Dropped, Entry, Record};
 
-use crate::Message;
+use crate::{Message, NotBuilt};
 
 /// A frame of the recording, with the message that it is of.
 #[derive(Clone, Copy, Debug)]
@@ -60,12 +60,7 @@ impl std::error::Error for SinkError {
 #[derive(Debug)]
 pub enum BeginError {
     /// Its format was not built in.
-    NotBuilt {
-        /// The format.
-        format: &'static str,
-        /// The feature of this crate, and of `adsdv`, that builds it in.
-        feature: &'static str,
-    },
+    NotBuilt(NotBuilt),
     /// What stands at the beginning could not be written.
     Sink(SinkError),
 }
@@ -73,9 +68,7 @@ pub enum BeginError {
 impl fmt::Display for BeginError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotBuilt { format, feature } => {
-                write!(f, "this build does not write {format}: it was built without the feature {feature}")
-            }
+            Self::NotBuilt(error) => error.fmt(f),
             Self::Sink(error) => error.fmt(f),
         }
     }
@@ -84,7 +77,7 @@ impl fmt::Display for BeginError {
 impl std::error::Error for BeginError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::NotBuilt { .. } => None,
+            Self::NotBuilt(_) => None,
             Self::Sink(error) => Some(error),
         }
     }

@@ -8,6 +8,7 @@ mod color;
 mod compare;
 mod conform;
 mod decode;
+mod decode_parquet;
 mod demo;
 mod diagnosis;
 mod diff;

@@ -35,7 +35,7 @@ mod signals;
 
 use std::io::{self, Write};
 
-use crate::{BeginError, Catalog, Sink};
+use crate::{BeginError, Catalog, NotBuilt, Sink};
 
 /// What a row of one Parquet file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,4 +112,4 @@ pub fn parquet_messages<'a, W: Write + Send + 'a>(
 }
 
 #[cfg(not(feature = "parquet"))]
-const NOT_BUILT: BeginError = BeginError::NotBuilt { format: "Parquet", feature: "parquet" };
+const NOT_BUILT: BeginError = BeginError::NotBuilt(NotBuilt { format: "Parquet", feature: "parquet" });

@@ -1,6 +1,6 @@
 //! Parquet, where it was not built in.
 
-use adsdv_decode::{BeginError, Catalog, Table, parquet, parquet_messages};
+use adsdv_decode::{BeginError, Catalog, NotBuilt, Table, parquet, parquet_messages};
 use adsdv_spec::Edition;
 
 #[test]
@@ -14,6 +14,6 @@ fn parquet_is_refused_with_the_name_of_its_feature() {
             error.to_string(),
             "this build does not write Parquet: it was built without the feature parquet"
         );
-        assert!(matches!(error, BeginError::NotBuilt { format: "Parquet", feature: "parquet" }));
+        assert!(matches!(error, BeginError::NotBuilt(NotBuilt { format: "Parquet", feature: "parquet" })));
     }
 }

@@ -26,6 +26,7 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["dbc"], 0),
     (&["decode", "--edition", "4.0", MISSION], 0),
     (&["decode", "--edition", "4.0", "--format", "vcd", MISSION], 0),
+    (&["decode", "--edition", "4.0", "--format", "parquet", MISSION], 0),
     (&["exam", "--list"], 0),
     (&["exam", "--stdio", "--only", "mission-acceleration", "--", "sh", "-c", SILENT], 1),
     (&["demo"], 0),
@@ -86,9 +87,10 @@ pub(super) fn a_pipe_that_is_closed_after_a_line() {
     for &(args, status) in COMMANDS {
         let mut child =
             adsdv(args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the command starts");
-        let mut line = String::new();
+        // Of what is no text, as far as the first byte that would end a line.
+        let mut line = Vec::new();
         let mut reader = BufReader::with_capacity(16, child.stdout.take().expect("a pipe"));
-        reader.read_line(&mut line).expect("a line");
+        reader.read_until(b'\n', &mut line).expect("a line");
         drop(reader);
         let output = child.wait_with_output().expect("the command ends");
         let stderr = String::from_utf8_lossy(&output.stderr);
@@ -181,6 +183,25 @@ pub(super) fn a_full_disk_for_the_log_of_a_demo() {
     assert_eq!(written.len(), 201 * 512);
     let whole = String::from_utf8_lossy(&written).matches('\n').count();
     reported(&check_input(&[], &written).stdout, whole, &["(0 violations, ", &format!("line {}", whole + 1)]);
+}
+
+/// Tables for which there is not enough room: no part of one is there, and a file that was is as it was.
+#[test]
+pub(super) fn a_full_disk_for_a_table() {
+    let decode = ["decode", "--format", "parquet", MISSION, "-o"];
+    let said = "cannot write what was decoded: ";
+    refused(&run(&[&decode[..], &["/dev/full"]].concat()), said, "free some space");
+    let folder = folder_with("bad-input-table", "run.parquet", b"before");
+    let (file, directory) = (folder.join("run.parquet"), folder.join("run"));
+    for asked in [&[text(&file)][..], &[text(&directory), "--table", "messages"]] {
+        let command = adsdv(&[&decode[..], asked].concat());
+        let mut small = Command::new("sh");
+        small.args(["-c", "trap '' XFSZ; ulimit -f 20; exec \"$0\" \"$@\""]).arg(command.get_program());
+        small.env("LLVM_PROFILE_FILE", "/dev/null").current_dir(crate::run::workspace());
+        refused(&calm(outcome(small.args(command.get_args()))), said, "with --output");
+    }
+    assert_eq!(fs::read(&file).expect("it is there"), b"before");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "and nothing else");
 }
 
 /// What was explored is reported, though the log of a counterexample cannot be written; those that can be are.

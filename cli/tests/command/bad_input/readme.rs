@@ -177,6 +177,7 @@ const ROWS: &[Row] = &[
         &["a_full_disk_for_what_is_printed_is_reported"],
     ),
     ("a full disk", "`demo --log`", tests![output::a_full_disk_for_the_log_of_a_demo], &[]),
+    ("a full disk", "`decode --format parquet`", tests![output::a_full_disk_for_a_table], &[]),
     ("a full disk", "`check --excerpt`", tests![output::excerpts_that_cannot_be_written], &[]),
     ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
     ("a full disk", "`watch --log`", &[], &["a_full_disk_is_reported_and_watching_goes_on"]),

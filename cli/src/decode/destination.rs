@@ -1,0 +1,128 @@
+//! Where the answer goes: to standard output, to a file as it comes, or to a file or a directory that is there when all of it is written.
+
+use std::ffi::{OsStr, OsString};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, IsTerminal as _, Write};
+#[cfg(unix)]
+use std::os::unix::fs::PermissionsExt;
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, TempDir, TempPath};
+
+use super::errors;
+use crate::args::{DecodeArgs, DecodedTable};
+use crate::error::Error;
+use crate::recording;
+
+/// What has to be done when all is written, so that it is there. Without that, nothing is.
+pub(super) enum Unfinished {
+    /// Nothing has to be done.
+    Nothing,
+    /// A file has to get its name.
+    File(TempPath, PathBuf),
+    /// A directory has to get its name.
+    Directory(TempDir, PathBuf),
+    /// The files in a directory have to go where that is.
+    Files(TempDir, PathBuf),
+}
+
+/// What `--output` names; `None` for standard output.
+pub(super) fn output(args: &DecodeArgs) -> Result<Option<&Path>, Error> {
+    let output = args.output.as_deref().filter(|output| *output != Path::new(recording::STDOUT));
+    if output.is_none() && args.table == Some(DecodedTable::Messages) {
+        return Err(errors::messages_without_directory());
+    }
+    if output.is_none() && args.format.is_binary() && io::stdout().is_terminal() {
+        return Err(errors::terminal());
+    }
+    Ok(output)
+}
+
+/// Standard output, or a file that is written as it comes.
+pub(super) fn stream(output: Option<&Path>) -> Result<Box<dyn Write + Send>, Error> {
+    Ok(match output {
+        Some(file) => Box::new(File::create(file).map_err(|error| errors::write(file, &error))?),
+        None => Box::new(io::stdout()),
+    })
+}
+
+/// Standard output, or a file that is there when it is whole.
+pub(super) fn whole(output: Option<&Path>) -> Result<(Box<dyn Write + Send>, Unfinished), Error> {
+    // A device or a pipe is written, and not replaced.
+    let is_special = |file: &Path| fs::metadata(file).is_ok_and(|metadata| !metadata.is_file());
+    let Some(file) = output.filter(|file| !is_special(file)) else {
+        return Ok((stream(output)?, Unfinished::Nothing));
+    };
+    // Where there is a link, what it names is replaced.
+    let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
+    let (folder, prefix) = beside(&target).map_err(|error| errors::write(file, &error))?;
+    let made = builder(&prefix, 0o666).tempfile_in(folder);
+    let (writer, path) = made.map_err(|error| errors::write(file, &error.kind().into()))?.into_parts();
+    Ok((Box::new(writer), Unfinished::File(path, target)))
+}
+
+/// A directory that is there, or has something in it, when every file is whole; and where these are to be made.
+pub(super) fn directory(target: &Path) -> Result<(PathBuf, Unfinished), Error> {
+    // One that is there may be a link or another disk, and is kept.
+    let is_there = match fs::read_dir(target).map(|mut entries| entries.next().is_none()) {
+        Ok(true) => true,
+        Ok(false) => return Err(errors::full_directory(target)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+        Err(error) => return Err(errors::write(target, &error)),
+    };
+    let (folder, prefix) = beside(target).map_err(|error| errors::write(target, &error))?;
+    let made = builder(&prefix, 0o777).tempdir_in(if is_there { target } else { folder });
+    let made = made.map_err(|error| errors::write(target, &error.kind().into()))?;
+    let (path, target) = (made.path().to_owned(), target.to_owned());
+    Ok((path, if is_there { Unfinished::Files(made, target) } else { Unfinished::Directory(made, target) }))
+}
+
+impl Unfinished {
+    /// All is written: gives it its name.
+    pub(super) fn finish(self) -> Result<(), Error> {
+        match self {
+            Self::Nothing => Ok(()),
+            Self::File(path, target) => {
+                // Some disks say only now that they are full.
+                let synced = OpenOptions::new().append(true).open(&path).and_then(|file| file.sync_all());
+                synced
+                    .and_then(|()| path.persist(&target).map_err(|error| error.error))
+                    .map_err(|error| errors::write(&target, &error))
+            }
+            Self::Directory(directory, target) => {
+                fs::rename(directory.path(), &target).map_err(|error| errors::write(&target, &error))?;
+                // It has another name now, and nothing is left to be removed.
+                let _ = directory.keep();
+                Ok(())
+            }
+            Self::Files(directory, target) => {
+                let rename = |file: io::Result<fs::DirEntry>| {
+                    let file = file?;
+                    fs::rename(file.path(), target.join(file.file_name()))
+                };
+                let renamed = fs::read_dir(directory.path()).and_then(|mut files| files.try_for_each(rename));
+                renamed.map_err(|error| errors::write(&target, &error))
+            }
+        }
+    }
+}
+
+/// Where that is made which gets the name of `target`, and how its own name begins.
+fn beside(target: &Path) -> io::Result<(&Path, OsString)> {
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::metadata(folder)?;
+    let mut prefix = OsString::from(".");
+    prefix.push(target.file_name().unwrap_or_default());
+    prefix.push(".");
+    Ok((folder, prefix))
+}
+
+/// Makes files and directories with such names, and with the permissions that they have when they are made without a detour.
+#[cfg_attr(not(unix), expect(unused_variables, reason = "there are no such permissions"))]
+fn builder(prefix: &OsStr, mode: u32) -> Builder<'_, 'static> {
+    let mut builder = Builder::new();
+    builder.prefix(prefix);
+    #[cfg(unix)]
+    builder.permissions(PermissionsExt::from_mode(mode));
+    builder
+}
