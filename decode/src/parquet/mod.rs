@@ -70,7 +70,10 @@ pub enum Table {
 /// # Errors
 ///
 /// Fails without the feature `parquet`, and if the writer fails.
-#[cfg_attr(not(feature = "parquet"), expect(unused_variables, reason = "there is nothing to do with them"))]
+#[cfg_attr(
+    not(feature = "parquet"),
+    expect(unused_variables, clippy::needless_pass_by_value, reason = "there is nothing to do with them")
+)]
 pub fn parquet<'a, W: Write + Send + 'a>(
     table: Table,
     catalog: &'a Catalog,

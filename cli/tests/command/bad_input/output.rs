@@ -192,8 +192,11 @@ pub(super) fn a_full_disk_for_a_table() {
     let said = "cannot write what was decoded: ";
     refused(&run(&[&decode[..], &["/dev/full"]].concat()), said, "free some space");
     let folder = folder_with("bad-input-table", "run.parquet", b"before");
-    let (file, directory) = (folder.join("run.parquet"), folder.join("run"));
-    for asked in [&[text(&file)][..], &[text(&directory), "--table", "messages"]] {
+    let [file, new, empty] = ["run.parquet", "new", "empty"].map(|name| folder.join(name));
+    fs::create_dir_all(&empty).expect("the folder can be written");
+    for asked in
+        [&[text(&file)][..], &[text(&new), "--table", "messages"], &[text(&empty), "--table", "messages"]]
+    {
         let command = adsdv(&[&decode[..], asked].concat());
         let mut small = Command::new("sh");
         small.args(["-c", "trap '' XFSZ; ulimit -f 20; exec \"$0\" \"$@\""]).arg(command.get_program());
@@ -201,7 +204,8 @@ pub(super) fn a_full_disk_for_a_table() {
         refused(&calm(outcome(small.args(command.get_args()))), said, "with --output");
     }
     assert_eq!(fs::read(&file).expect("it is there"), b"before");
-    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "and nothing else");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2, "and what is empty");
+    assert_eq!(fs::read_dir(&empty).expect("a folder").count(), 0, "which stays so");
 }
 
 /// What was explored is reported, though the log of a counterexample cannot be written; those that can be are.
