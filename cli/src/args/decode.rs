@@ -30,7 +30,8 @@ EXAMPLES
       adsdv decode --format csv -o run.csv run.log
       adsdv decode --format jsonl run.log | jq -c 'select(.message == \"VCU2AI_Status\") | .signals.AS_STATE.name'
 
-  For DuckDB, pandas and polars, with the type of each column; the first takes a directory:
+  For DuckDB, pandas and polars, with the type of each column: a file for each message in the
+  directory run, or every signal in one file:
       adsdv decode --format parquet --table messages -o run run.log
       duckdb -c \"SELECT time, AS_STATE_name FROM 'run/VCU2AI_Status.parquet'\"
       adsdv decode --format parquet -o run.parquet run.log
