@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_format_that_is_not_built_in_is_named_with_its_feature() {
-        let error = begin(None, &BeginError::NotBuilt { format: "Parquet", feature: "parquet" });
+        let error = begin(None, &BeginError::NotBuilt(NotBuilt { format: "Parquet", feature: "parquet" }));
         assert_eq!(
             error.to_string(),
             "--format parquet: this build does not write Parquet: it was built without the feature parquet\nhint: cargo install adsdv --features parquet, or take a release binary"

@@ -14,8 +14,8 @@ use std::io::{self, IsTerminal as _};
 use std::path::Path;
 
 use adsdv_decode::{
-    Catalog, Csv, DecodeError, JsonLines, Options, Recording, Sink, Table, Text, TextLayout, VcdFile, mcap, mcap_layout,
-    parquet, parquet_messages,
+    Catalog, Csv, DecodeError, JsonLines, Options, Recording, Sink, Table, Text, TextLayout, VcdFile, mcap,
+    mcap_layout, parquet, parquet_messages,
 };
 
 use self::destination::Unfinished;

@@ -240,13 +240,12 @@ impl MessageJson {
             value.put(out, b"null");
             let Some(label) = &json.name else { continue };
             out.extend_from_slice(label);
-            match signal.value_name(bits) {
-                Some(name) => put_quoted(out, name),
-                None => {
-                    out.push(b'"');
-                    value.put(out, b"");
-                    out.push(b'"');
-                }
+            if let Some(name) = signal.value_name(bits) {
+                put_quoted(out, name);
+            } else {
+                out.push(b'"');
+                value.put(out, b"");
+                out.push(b'"');
             }
         }
         out.push(b'}');

@@ -35,7 +35,7 @@ mod signals;
 
 use std::io::{self, Write};
 
-use crate::{BeginError, Catalog, NotBuilt, Sink};
+use crate::{BeginError, Catalog, Sink};
 
 /// What a row of one Parquet file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,4 +115,4 @@ pub fn parquet_messages<'a, W: Write + Send + 'a>(
 }
 
 #[cfg(not(feature = "parquet"))]
-const NOT_BUILT: BeginError = BeginError::NotBuilt(NotBuilt { format: "Parquet", feature: "parquet" });
+const NOT_BUILT: BeginError = BeginError::NotBuilt(crate::NotBuilt { format: "Parquet", feature: "parquet" });
