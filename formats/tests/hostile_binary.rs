@@ -1,45 +1,24 @@
 //! Whatever a file holds: no panic, an end, entries that make sense, and no more memory than is fixed.
 
-use std::alloc::{GlobalAlloc, Layout, System};
+mod counting;
+
 use std::io::{Cursor, Read, Write as _};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use adsdv_formats::{Entries as _, Entry, open};
 use adsdv_oracle::candump::FrameKind;
+use counting::{ALONE, MIB, most_memory};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
-/// Counts what is allocated, and the most of it at once.
-struct Counting;
-
-static NOW: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: all is done by the system's allocator; counting allocates nothing.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let now = NOW.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
-        MOST.fetch_max(now, Ordering::Relaxed);
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        NOW.fetch_sub(layout.size(), Ordering::Relaxed);
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
-
-/// What is allocated is counted for one test at a time.
-static ALONE: Mutex<()> = Mutex::new(());
-
 /// Reads all of it, with at most so many bytes of memory more than before: frames and what is broken.
 fn read(source: impl Read + Send + 'static, memory: usize) -> (usize, usize) {
-    let before = NOW.load(Ordering::Relaxed);
-    MOST.store(before, Ordering::Relaxed);
+    let mut counts = (0, 0);
+    let most = most_memory(|| counts = read_all(source));
+    assert!(most <= memory, "{most} bytes of memory");
+    counts
+}
+
+fn read_all(source: impl Read + Send + 'static) -> (usize, usize) {
     let (mut frames, mut broken, mut last) = (0, 0, 0);
     let Ok(mut log) = open(source) else { return (0, 0) };
     while let Some(entry) = log.next_entry().expect("memory does not fail") {
@@ -62,12 +41,8 @@ fn read(source: impl Read + Send + 'static, memory: usize) -> (usize, usize) {
         }
         assert!(log.count() >= last);
     }
-    let most = MOST.load(Ordering::Relaxed) - before;
-    assert!(most <= memory, "{most} bytes of memory");
     (frames, broken)
 }
-
-const MIB: usize = 1 << 20;
 
 const SAMPLES: &[&[u8]] = &[
     include_bytes!("samples/python-can.blf"),

@@ -22,7 +22,7 @@
 //! other topic the interface is all of it. The time is that of the message's header, or when it was logged where the header has none. A file that was
 //! cut off gives all that is in it. Damage within a chunk costs the rest of that chunk; a record outside of chunks whose length is damaged costs
 //! what follows, since nothing in the format marks where a record begins. Records are read one after the other as they are unpacked; the
-//! largest window of Zstandard, 128 MiB, is the most that a file can ask for.
+//! largest window of Zstandard, 128 MiB, half as much again while it grows, is the most that a file can ask for.
 
 mod channels;
 mod content;
