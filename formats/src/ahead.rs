@@ -1,18 +1,22 @@
 //! Reads ahead in a thread of its own, so that a log is unpacked while it is judged.
 
 use std::io::{self, Read};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;
+use std::time::Duration;
 
 use crate::Source;
+use crate::watch::Watch;
 
 /// How much is handed over at once.
 const PIECE: usize = 256 * 1024;
 /// How many pieces may wait to be taken.
 const PIECES: usize = 4;
+/// So long nothing comes before the watch is asked.
+const PATIENCE: Duration = Duration::from_millis(100);
 
-/// The same source, read ahead; itself, where there are no threads.
-pub(crate) fn ahead(source: Source) -> Source {
+/// The same source, read ahead; itself, where there are no threads. While nothing comes the watch is asked whether to wait.
+pub(crate) fn ahead(source: Source, watch: Option<&Watch>) -> Source {
     if cfg!(target_family = "wasm") {
         return source;
     }
@@ -26,7 +30,10 @@ pub(crate) fn ahead(source: Source) -> Source {
     match spawned {
         // It waits for the source: sending does not fail.
         Ok(_) => match give.send(source) {
-            Ok(()) => Box::new(Ahead { pieces, piece: Vec::new(), at: 0, failed: false }),
+            Ok(()) => {
+                let watch = watch.cloned();
+                Box::new(Ahead { pieces, piece: Vec::new(), at: 0, failed: false, watch })
+            }
             Err(back) => back.0,
         },
         Err(_) => source,
@@ -60,18 +67,33 @@ struct Ahead {
     at: usize,
     /// The source has failed, and is asked no more.
     failed: bool,
+    watch: Option<Watch>,
+}
+
+impl Ahead {
+    /// The next piece; `None` at the end.
+    fn next(&self) -> io::Result<Option<Vec<u8>>> {
+        let Some(watch) = &self.watch else { return self.pieces.recv().ok().transpose() };
+        loop {
+            match self.pieces.recv_timeout(PATIENCE) {
+                Ok(piece) => return piece.map(Some),
+                Err(RecvTimeoutError::Disconnected) => return Ok(None),
+                Err(RecvTimeoutError::Timeout) => watch()?,
+            }
+        }
+    }
 }
 
 impl Read for Ahead {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
         while self.at == self.piece.len() && !self.failed {
-            match self.pieces.recv() {
-                Ok(Ok(piece)) => (self.piece, self.at) = (piece, 0),
-                Ok(Err(error)) => {
+            match self.next() {
+                Ok(Some(piece)) => (self.piece, self.at) = (piece, 0),
+                Ok(None) => return Ok(0),
+                Err(error) => {
                     self.failed = true;
                     return Err(error);
                 }
-                Err(_) => return Ok(0),
             }
         }
         let len = self.piece.get(self.at..).unwrap_or_default().read(room)?;
@@ -96,11 +118,13 @@ mod tests {
     fn all_of_a_source_is_read_in_order_and_its_failure_after_it() {
         let bytes: Vec<u8> = (0..251).cycle().take(3_000_000).collect();
         let mut all = Vec::new();
-        ahead(Box::new(io::Cursor::new(bytes.clone()))).read_to_end(&mut all).expect("it does not fail");
+        ahead(Box::new(io::Cursor::new(bytes.clone())), None)
+            .read_to_end(&mut all)
+            .expect("it does not fail");
         assert_eq!(all, bytes);
 
         let mut all = Vec::new();
-        let mut source = ahead(Box::new(io::Cursor::new(bytes.clone()).chain(Fails)));
+        let mut source = ahead(Box::new(io::Cursor::new(bytes.clone()).chain(Fails)), None);
         assert_eq!(source.read_to_end(&mut all).map_err(|error| error.kind()), Err(io::ErrorKind::TimedOut));
         assert_eq!(all, bytes);
         assert_eq!(source.read(&mut [0; 1]).ok(), Some(0), "after its failure there is no more");
@@ -108,7 +132,7 @@ mod tests {
 
     #[test]
     fn a_source_that_nobody_reads_any_more_is_let_go() {
-        let endless = ahead(Box::new(io::repeat(7)));
+        let endless = ahead(Box::new(io::repeat(7)), None);
         drop(endless);
     }
 }

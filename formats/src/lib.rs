@@ -7,7 +7,7 @@
 //!                                      (MCAP with the feature `mcap`)
 //! ```
 //!
-//! [`open`] does all of it. What a reader hands out is what that of candump hands out, an [`Entry`] after the other: what cannot be read costs
+//! [`open`] does all of it, [`find`] says which files there are, and [`each`] works on many at once. What a reader hands out is what that of candump hands out, an [`Entry`] after the other: what cannot be read costs
 //! itself and nothing else, has its place, and is counted.
 //!
 //! ```
@@ -41,12 +41,13 @@ mod text;
 mod trc;
 mod unpack;
 mod utf16;
+mod watch;
 
 pub use adsdv_oracle::candump::{Entries, Entry};
 pub use foreign::Foreign;
 pub use format::Format;
-pub use log::{Log, open};
-pub use many::{Step, each};
+pub use log::{Log, open, open_watched};
+pub use many::{FindError, Found, Step, each, find, is_several};
 pub use open_error::OpenError;
 
 /// Where bytes come from, once they are unpacked.

@@ -1,6 +1,7 @@
 //! A recording of any format, opened.
 
-use std::io::Read;
+use std::io::{self, Read};
+use std::sync::Arc;
 
 use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
 
@@ -9,6 +10,7 @@ use crate::csv::Csv;
 use crate::text::TextReader;
 use crate::trc::Trc;
 use crate::unpack::unpack;
+use crate::watch::{Watch, watched};
 use crate::{Format, OpenError, Source, blf, foreign};
 
 /// A recording of any format, whose entries come one after the other.
@@ -32,7 +34,26 @@ enum Inner {
 /// Fails if the source does before its first byte, or if it is a file of a kind that is known, and not read: by nobody here, or not by a
 /// build without the feature for it.
 pub fn open(source: impl Read + Send + 'static) -> Result<Log, OpenError> {
-    let (head, source) = unpack(Box::new(source)).map_err(OpenError::Read)?;
+    begin(Box::new(source), None)
+}
+
+/// The same, with somebody who is asked whether to go on: before each piece of what is unpacked, and ten times a second while a compressed
+/// source gives nothing, by the thread that reads the log. What `watch` fails with is what reading the log fails with; its kind is not to be
+/// [`Interrupted`](io::ErrorKind::Interrupted), after which reading goes on.
+///
+/// # Errors
+///
+/// As [`open`], and if `watch` does.
+pub fn open_watched(
+    source: impl Read + Send + 'static,
+    watch: impl Fn() -> io::Result<()> + Send + Sync + 'static,
+) -> Result<Log, OpenError> {
+    begin(Box::new(source), Some(Arc::new(watch)))
+}
+
+fn begin(source: Source, watch: Option<Watch>) -> Result<Log, OpenError> {
+    let (head, source) = unpack(source, watch.as_ref()).map_err(OpenError::Read)?;
+    let source = watched(source, watch);
     if let Some(foreign) = foreign::find(&head) {
         return Err(OpenError::Foreign(foreign));
     }

@@ -13,6 +13,7 @@ use crate::Source;
 use crate::ahead::ahead;
 use crate::head::look;
 use crate::utf16;
+use crate::watch::Watch;
 
 /// So often a file may be compressed one over the other.
 const DEPTH: usize = 4;
@@ -24,14 +25,14 @@ const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
 /// A frame to be skipped has any number from 0x184D2A50 to 0x184D2A5F before it.
 const ZSTD_SKIPPED: &[u8] = b"\x2a\x4d\x18";
 
-/// A source without its compression, text of it in UTF-8, and its beginning.
-pub(crate) fn unpack(source: Source) -> io::Result<(Vec<u8>, Source)> {
+/// A source without its compression, text of it in UTF-8, and its beginning. The watch is asked while what unpacks it gives nothing.
+pub(crate) fn unpack(source: Source, watch: Option<&Watch>) -> io::Result<(Vec<u8>, Source)> {
     let (mut head, mut source) = look(source)?;
     for _ in 0..DEPTH {
         source = if head.starts_with(GZIP) {
-            ahead(Box::new(MultiGzDecoder::new(source)))
+            ahead(Box::new(MultiGzDecoder::new(source)), watch)
         } else if is_zstd(&head) {
-            ahead(Box::new(Zstd::new(BufReader::new(source))))
+            ahead(Box::new(Zstd::new(BufReader::new(source))), watch)
         } else {
             break;
         };
@@ -51,7 +52,7 @@ fn is_zstd(head: &[u8]) -> bool {
 /// Frames of Zstandard, one behind the other.
 pub(crate) struct Zstd<R> {
     source: R,
-    decoder: FrameDecoder,
+    decoder: Box<FrameDecoder>,
     /// A frame has begun, and has not ended.
     inside: bool,
 }
@@ -60,13 +61,22 @@ impl<R: Read> Zstd<R> {
     pub(crate) fn new(source: R) -> Self {
         let mut decoder = FrameDecoder::new();
         decoder.set_max_window_size(WINDOW);
-        Self { source, decoder, inside: false }
+        Self { source, decoder: Box::new(decoder), inside: false }
     }
 
-    /// What it reads from.
+    /// The same with what another has left: to fetch that memory anew for each chunk takes a tenth of the time.
     #[cfg(feature = "mcap")]
-    pub(crate) fn into_inner(self) -> R {
-        self.source
+    pub(crate) fn with(source: R, decoder: Option<Box<FrameDecoder>>) -> Self {
+        match decoder {
+            Some(decoder) => Self { source, decoder, inside: false },
+            None => Self::new(source),
+        }
+    }
+
+    /// What it reads from, and what it leaves for another.
+    #[cfg(feature = "mcap")]
+    pub(crate) fn into_parts(self) -> (R, Box<FrameDecoder>) {
+        (self.source, self.decoder)
     }
 
     /// Begins the next frame; `false` at the end of the source.
@@ -152,8 +162,8 @@ mod tests {
     /// What is unpacked of it, and how it ends.
     fn unpacked(bytes: Vec<u8>) -> (Vec<u8>, io::Result<()>) {
         let mut all = Vec::new();
-        let end =
-            unpack(Box::new(Cursor::new(bytes))).and_then(|(_, mut source)| source.read_to_end(&mut all));
+        let end = unpack(Box::new(Cursor::new(bytes)), None)
+            .and_then(|(_, mut source)| source.read_to_end(&mut all));
         (all, end.map(drop))
     }
 

@@ -1,24 +1,24 @@
 //! `adsdv check` of several logs: on all cores, a line for each, the worst first, and the report of the worst.
 //!
 //! ```text
-//! logs, directories --> files --> each (adsdv-formats): check::judged --> Row --> table, JSON Lines
-//!                                                                         Rows --> junit, summary
+//! logs, directories --> find, each (adsdv-formats): check::judged --> Row --> table, JSON Lines
+//!                                                                     Rows --> junit, summary
 //! ```
 //!
 //! Of a log that is done no more is kept than its row; of the worst its report.
 
-mod files;
 mod junit;
 mod row;
 mod summary;
 mod table;
 mod written;
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use adsdv_formats::{Step, each};
+use adsdv_formats::{FindError, Found, Log, Step, each, find, is_several};
 use adsdv_oracle::log::LogError;
 
 use crate::args::CheckArgs;
@@ -26,15 +26,14 @@ use crate::check::{self, Failed, Plan};
 use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::status::Status;
-use crate::{json, output};
-use files::Found;
+use crate::{json, output, recording};
 use row::{Row, Rows};
 
 pub(crate) use written::write_one;
 
 /// Whether these arguments ask for several logs.
 pub(crate) fn is_asked_for(args: &CheckArgs) -> bool {
-    !matches!(&args.logs[..], [one] if !files::is_several(one))
+    !matches!(&args.logs[..], [one] if !is_several(one))
 }
 
 /// What came of one log.
@@ -55,11 +54,20 @@ pub(crate) fn run(args: &CheckArgs, plan: &Plan) -> Result<Status, Error> {
             hint: "give the one that they are to be of".to_owned(),
         });
     }
-    let logs = files::find(&args.logs)?;
+    if args.logs.iter().any(|log| log == Path::new(recording::STDIN)) {
+        return Err(Error {
+            what: recording::STDIN.to_owned(),
+            why: "standard input is judged alone; expected files and directories beside each other"
+                .to_owned(),
+            hint: "save it first: cat > run.log".to_owned(),
+        });
+    }
+    let logs = find(&args.logs).map_err(|error| unfound(&error))?;
     let mut progress = Progress::new(&logs);
     let (mut rows, mut printed) = (Rows::default(), Ok(()));
     let read = Arc::clone(&progress.read);
-    each(
+    let done_all = each(
+        None,
         logs,
         |found| done(args, plan, found, &read),
         |step| {
@@ -72,6 +80,7 @@ pub(crate) fn run(args: &CheckArgs, plan: &Plan) -> Result<Status, Error> {
         },
     );
     drop(progress);
+    done_all.map_err(|error| Error::system("threads", &error))?;
     printed?;
     if rows.all.is_empty() {
         return Err(Error {
@@ -87,10 +96,24 @@ pub(crate) fn run(args: &CheckArgs, plan: &Plan) -> Result<Status, Error> {
     Ok(rows.status())
 }
 
+fn unfound(error: &FindError) -> Error {
+    let hint = match error {
+        FindError::Pattern { .. } => "check the path; * stands for any characters of a name",
+        FindError::Directory { .. } => "this user may not read it; change its permissions, or name the files",
+    };
+    Error { what: error.path().display().to_string(), why: error.why(), hint: hint.to_owned() }
+}
+
+/// Opens a log; `read` counts the bytes that are read.
+fn open(found: &Found, name: &str, read: &Arc<AtomicU64>) -> Result<Log, Failed> {
+    let source = found.source(read).map_err(|error| Failed::Open(Error::open(name, &error)))?;
+    adsdv_formats::open(source).map_err(|error| Failed::Open(Error::recording(name, &error)))
+}
+
 /// Judges one log.
 fn done(args: &CheckArgs, plan: &Plan, found: Found, read: &Arc<AtomicU64>) -> Done {
     let name = found.path.display().to_string();
-    let judged = found.open(read).and_then(|log| check::judged(args, plan, log, |_| {}));
+    let judged = open(&found, &name, read).and_then(|log| check::judged(args, plan, log, |_| {}));
     match judged {
         Ok(subject) => {
             let row = Row::of(&name, &subject);

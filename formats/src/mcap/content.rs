@@ -1,9 +1,10 @@
 //! Where records come from: the file, or a chunk of it that may be compressed.
 
-use std::io::{self, BufReader, Read, Take};
+use std::io::{self, BufRead, BufReader, Read, Take};
 
 use flate2::Crc;
-use lz4_flex::frame::FrameDecoder;
+use lz4_flex::frame::FrameDecoder as Lz4;
+use ruzstd::decoding::FrameDecoder;
 
 use crate::Source;
 use crate::unpack::Zstd;
@@ -55,7 +56,7 @@ impl Compression {
 enum Unpacked {
     Plain(File),
     Zstd(Box<Zstd<File>>),
-    Lz4(Box<FrameDecoder<File>>),
+    Lz4(Box<Lz4<File>>),
 }
 
 /// What a chunk holds, no more than it claims, and the checksum of that.
@@ -84,7 +85,11 @@ impl Read for Chunk {
 }
 
 /// Where records come from.
-pub(super) struct Content(Place);
+pub(super) struct Content {
+    place: Place,
+    /// What unpacked the chunk before: one does for all of them.
+    decoder: Option<Box<FrameDecoder>>,
+}
 
 enum Place {
     File(File),
@@ -97,57 +102,62 @@ enum Place {
 impl Content {
     pub(super) fn new(source: Source) -> Self {
         let source = Remembering { source, failure: None };
-        Self(Place::File(BufReader::with_capacity(128 * 1024, source).take(u64::MAX)))
+        let file = BufReader::with_capacity(128 * 1024, source).take(u64::MAX);
+        Self { place: Place::File(file), decoder: None }
     }
 
     pub(super) const fn is_chunk(&self) -> bool {
-        matches!(self.0, Place::Chunk(..))
+        matches!(self.place, Place::Chunk(..))
     }
 
     /// Goes into a chunk, which has so many bytes in the file and claims to have so many unpacked; behind it are others of its record.
     pub(super) fn enter(&mut self, compression: Compression, packed: u64, unpacked: u64, behind: u64) {
-        let mut file = match std::mem::replace(&mut self.0, Place::Nowhere) {
+        let mut file = match std::mem::replace(&mut self.place, Place::Nowhere) {
             Place::File(file) => file,
             other => {
-                self.0 = other;
+                self.place = other;
                 return;
             }
         };
         file.set_limit(packed);
         let (packed, left) = match compression {
             Compression::None => (Unpacked::Plain(file), packed),
-            Compression::Zstd => (Unpacked::Zstd(Box::new(Zstd::new(file))), unpacked),
-            Compression::Lz4 => (Unpacked::Lz4(Box::new(FrameDecoder::new(file))), unpacked),
+            Compression::Zstd => (Unpacked::Zstd(Box::new(Zstd::with(file, self.decoder.take()))), unpacked),
+            Compression::Lz4 => (Unpacked::Lz4(Box::new(Lz4::new(file))), unpacked),
         };
         let chunk = Chunk { unpacked: packed, left, crc: Crc::new() };
-        self.0 = Place::Chunk(BufReader::with_capacity(64 * 1024, chunk), behind);
+        self.place = Place::Chunk(BufReader::with_capacity(64 * 1024, chunk), behind);
     }
 
     /// Leaves a chunk, whatever of it was read: the checksum of what was.
     pub(super) fn leave(&mut self) -> io::Result<u32> {
-        let (chunk, behind) = match std::mem::replace(&mut self.0, Place::Nowhere) {
+        let (chunk, behind) = match std::mem::replace(&mut self.place, Place::Nowhere) {
             Place::Chunk(chunk, behind) => (chunk.into_inner(), behind),
             other => {
-                self.0 = other;
+                self.place = other;
                 return Ok(0);
             }
         };
         let mut file = match chunk.unpacked {
             Unpacked::Plain(file) => file,
-            Unpacked::Zstd(decoder) => decoder.into_inner(),
+            Unpacked::Zstd(decoder) => {
+                let (file, decoder) = decoder.into_parts();
+                self.decoder = Some(decoder);
+                file
+            }
             Unpacked::Lz4(decoder) => decoder.into_inner(),
         };
         let rest = file.limit().saturating_add(behind);
         file.set_limit(rest);
         let skipped = io::copy(&mut file, &mut io::sink());
         file.set_limit(u64::MAX);
-        self.0 = Place::File(file);
+        self.place = Place::File(file);
         skipped.map(|_| chunk.crc.sum())
     }
 
     /// Why the source failed, if it did.
     pub(super) fn failure(&mut self) -> Option<io::Error> {
-        match &mut self.0 {
+        match &mut self.place {
             Place::File(file) => file.get_mut().get_mut().failure.take(),
             Place::Chunk(..) | Place::Nowhere => None,
         }
@@ -156,22 +166,39 @@ impl Content {
     /// Puts up to so many bytes into `room`, in place of what is there: fewer where they end.
     pub(super) fn take(&mut self, room: &mut Vec<u8>, count: usize) -> io::Result<()> {
         room.clear();
-        let count = count as u64;
-        match &mut self.0 {
-            Place::File(file) => file.by_ref().take(count).read_to_end(room),
-            Place::Chunk(chunk, _) => chunk.by_ref().take(count).read_to_end(room),
-            Place::Nowhere => Ok(0),
-        }
-        .map(|_| ())
+        self.each_piece(count as u64, |piece| room.extend_from_slice(piece)).map(drop)
     }
 
     /// Passes over so many bytes; whether there were as many.
     pub(super) fn skip(&mut self, count: u64) -> io::Result<bool> {
-        let skipped = match &mut self.0 {
-            Place::File(file) => io::copy(&mut file.by_ref().take(count), &mut io::sink()),
-            Place::Chunk(chunk, _) => io::copy(&mut chunk.by_ref().take(count), &mut io::sink()),
-            Place::Nowhere => Ok(0),
-        }?;
-        Ok(skipped == count)
+        Ok(self.each_piece(count, |_| {})? == count)
     }
+
+    /// Goes through up to so many bytes; how many there were.
+    fn each_piece(&mut self, count: u64, take: impl FnMut(&[u8])) -> io::Result<u64> {
+        match &mut self.place {
+            Place::File(file) => each_piece(file, count, take),
+            Place::Chunk(chunk, _) => each_piece(chunk, count, take),
+            Place::Nowhere => Ok(0),
+        }
+    }
+}
+
+/// As a record of a few bytes is read fastest: out of what is buffered.
+fn each_piece(source: &mut impl BufRead, count: u64, mut take: impl FnMut(&[u8])) -> io::Result<u64> {
+    let mut left = count;
+    while left > 0 {
+        let buffered = match source.fill_buf() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            other => other?,
+        };
+        let len = usize::try_from(left).unwrap_or(usize::MAX).min(buffered.len());
+        if len == 0 {
+            break;
+        }
+        take(buffered.get(..len).unwrap_or_default());
+        source.consume(len);
+        left -= len as u64;
+    }
+    Ok(count - left)
 }

@@ -46,7 +46,7 @@ impl McapFrame {
 /// Reads a message.
 pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Result<McapFrame, MessageFlaw> {
     let mut cursor = CdrCursor::new(encoding, message)?;
-    let mut found = Found { fd: layout.fd, ..Found::default() };
+    let mut found = FrameFound { fd: layout.fd, ..FrameFound::default() };
     for field in &layout.fields {
         match *field {
             Field::Header => {
@@ -84,7 +84,7 @@ pub(super) fn read(layout: &Layout, encoding: Encoding, message: &[u8]) -> Resul
 
 /// What the fields say.
 #[derive(Clone, Copy, Debug, Default)]
-struct Found<'a> {
+struct FrameFound<'a> {
     time: Option<i64>,
     id: u32,
     /// Where the identifier stands, and where the data.
@@ -101,7 +101,7 @@ struct Found<'a> {
     counted: bool,
 }
 
-impl Found<'_> {
+impl FrameFound<'_> {
     fn take(&mut self, role: Role, number: u64) {
         let is = number != 0;
         match role {
