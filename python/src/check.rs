@@ -3,13 +3,14 @@
 use adsdv_formats::Log;
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_entries, judge_recognised};
+use adsdv_oracle::recognise::Recognised;
 use adsdv_spec::{Choice, Choices, Edition};
 use pyo3::prelude::*;
 
 use crate::edition;
 use crate::report::Report;
 use crate::rules;
-use crate::source::{self, Origin};
+use crate::source;
 use crate::value;
 
 /// The longest window and deadline that make sense, in milliseconds.
@@ -30,7 +31,7 @@ const LONGEST: u32 = 60_000;
 /// rules: rules of one's own, which are judged beside the document: the text of a file of rules, of which RULES.md has the
 /// language; None for no rules. What is wrong with them is a RulesError, which has the line and the column.
 ///
-/// Other threads run meanwhile, so that logs can be judged side by side in threads. A line that is no frame is a finding; a
+/// Other threads run meanwhile, so that logs can be judged side by side in threads; check_many does that. Ctrl-C stops it. A line that is no frame is a finding; a
 /// log without a frame is a LogError; a log that cannot be read is an OSError.
 ///
 /// >>> import adsdv
@@ -56,41 +57,66 @@ pub(crate) fn check(
     edition: Option<&Bound<'_, PyAny>>,
     rules: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Report> {
-    let edition = edition.map(edition::named).transpose()?;
-    let pins = value::choices(readings)?;
-    let (by, readings) = match edition {
-        Some(edition) => (edition, edition::pinned(edition, &pins)?),
-        None => (edition::DEFAULT, edition::pinned_in_some(edition::DEFAULT, &pins)?),
-    };
-    let rules = rules::read(py, rules, edition)?;
-    let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules };
+    let plan = Plan::of(py, readings, window_ms, deadline_ms, interface, edition, rules)?;
     let (origin, log) = source::open(log)?;
-    if edition.is_some() {
-        return match py.detach(|| judge_entries(log, &options, |_| {})) {
-            Ok((report, None)) => Report::of(py, by, None, &report),
-            Ok((_, Some(failure))) => Err(origin.error(py, &LogError::Read(failure))),
-            Err(error) => Err(origin.error(py, &error)),
-        };
+    let judged = py.detach(|| plan.judge(log)).map_err(|error| origin.error(py, &error))?;
+    plan.possible(&judged)?;
+    match judged.failure {
+        Some(failure) => Err(origin.error(py, &LogError::Read(failure))),
+        None => plan.report(py, &judged),
     }
-    recognising(py, &origin, log, &options, &pins)
 }
 
-/// Judges by the edition that the log tells.
-fn recognising(
-    py: Python<'_>,
-    origin: &Origin,
-    log: Log,
-    options: &LogOptions,
-    pins: &[Choice],
-) -> PyResult<Report> {
-    match py.detach(|| judge_recognised(log, options, |_| {})) {
-        Ok(Judged { failure: Some(failure), .. }) => Err(origin.error(py, &LogError::Read(failure))),
-        Ok(Judged { report, recognised, failure: None }) => {
-            edition::pinned(recognised.edition, pins)?;
-            Report::of(py, recognised.edition, Some(&recognised), &report)
-        }
-        Err(LogError::Rules(error)) => Err(rules::wrong(py, &error)),
-        Err(error) => Err(origin.error(py, &error)),
+/// How logs are judged, by the arguments.
+pub(crate) struct Plan {
+    /// The edition that was named; `None` to recognise it.
+    edition: Option<&'static Edition>,
+    pins: Vec<Choice>,
+    options: LogOptions,
+}
+
+impl Plan {
+    pub(crate) fn of(
+        py: Python<'_>,
+        readings: Option<&Bound<'_, PyAny>>,
+        window_ms: Option<&Bound<'_, PyAny>>,
+        deadline_ms: Option<&Bound<'_, PyAny>>,
+        interface: Option<String>,
+        edition: Option<&Bound<'_, PyAny>>,
+        rules: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let edition = edition.map(edition::named).transpose()?;
+        let pins = value::choices(readings)?;
+        let (by, readings) = match edition {
+            Some(edition) => (edition, edition::pinned(edition, &pins)?),
+            None => (edition::DEFAULT, edition::pinned_in_some(edition::DEFAULT, &pins)?),
+        };
+        let rules = rules::read(py, rules, edition)?;
+        let options = LogOptions { judge: options(by, readings, window_ms, deadline_ms)?, interface, rules };
+        Ok(Self { edition, pins, options })
+    }
+
+    /// Whether the edition is recognised.
+    pub(crate) const fn recognises(&self) -> bool {
+        self.edition.is_none()
+    }
+
+    /// Judges a log, by the edition that was named or by the one that the log tells. Python is not needed for it.
+    pub(crate) fn judge(&self, log: Log) -> Result<Judged, LogError> {
+        let Some(edition) = self.edition else { return judge_recognised(log, &self.options, |_| {}) };
+        let (report, failure) = judge_entries(log, &self.options, |_| {})?;
+        Ok(Judged { report, failure, recognised: Recognised::named(edition) })
+    }
+
+    /// Refuses a log of an edition that does not leave open what was pinned.
+    pub(crate) fn possible(&self, judged: &Judged) -> PyResult<()> {
+        edition::pinned(judged.recognised.edition, &self.pins).map(drop)
+    }
+
+    /// What is said of it.
+    pub(crate) fn report(&self, py: Python<'_>, judged: &Judged) -> PyResult<Report> {
+        let recognised = Some(&judged.recognised).filter(|_| self.recognises());
+        Report::of(py, judged.recognised.edition, recognised, &judged.report)
     }
 }
 

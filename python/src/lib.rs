@@ -5,6 +5,7 @@
 //! machine.rs   Machine, Vcu: steps        control.rs   Control: what a VCU remembers
 //! step.rs      Step: what a step did      codec.rs     decode, encode, frames, is_reserved
 //! check.rs     check: judges a log        source.rs    what a log can be read from
+//! many/        check_many: judges many logs  (reports.rs Reports, table.rs Table)
 //! judge.rs     Judge: judges a live bus   report.rs    Report: what a judge says
 //! rules.rs     a team's own rules
 //! exam/        exam: examines a stack  (stack.rs in Python or a program; report.rs ExamReport)
@@ -24,6 +25,7 @@ mod error;
 mod exam;
 mod judge;
 mod machine;
+mod many;
 mod report;
 mod rules;
 mod source;
@@ -71,6 +73,7 @@ fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<judge::Judge>()?;
     module.add_class::<report::Report>()?;
     module.add_function(wrap_pyfunction!(check::check, module)?)?;
+    many::add(module)?;
     exam::add(module)?;
     codec::add(module)?;
     tables::add(module)

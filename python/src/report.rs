@@ -292,17 +292,34 @@ fn evidence<'py>(py: Python<'py>, frames: &[Evidence]) -> PyResult<Bound<'py, Py
     Ok(list)
 }
 
+/// How fast the handshake was answered, in milliseconds, rounded to whole microseconds.
+pub(crate) struct Answers {
+    pub(crate) min: f64,
+    pub(crate) median: f64,
+    pub(crate) p99: f64,
+    pub(crate) max: f64,
+}
+
+impl Answers {
+    /// `None` if no answer was seen.
+    pub(crate) fn of(times: &ResponseTimes) -> Option<Self> {
+        let rounded = |ms: f64| (ms * 1e3).round() / 1e3;
+        Some(Self {
+            min: rounded(times.min_ms()?),
+            median: rounded(times.quantile_ms(0.5)?),
+            p99: rounded(times.quantile_ms(0.99)?),
+            max: rounded(times.max_ms()?),
+        })
+    }
+}
+
 /// `None` if no answer was seen.
 pub(crate) fn responses<'py>(py: Python<'py>, times: &ResponseTimes) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let (Some(min), Some(median), Some(p99), Some(max)) =
-        (times.min_ms(), times.quantile_ms(0.5), times.quantile_ms(0.99), times.max_ms())
-    else {
-        return Ok(None);
-    };
+    let Some(Answers { min, median, p99, max }) = Answers::of(times) else { return Ok(None) };
     let dict = PyDict::new(py);
     dict.set_item("count", times.count())?;
     for (key, ms) in [("min", min), ("median", median), ("p99", p99), ("max", max)] {
-        dict.set_item(key, (ms * 1e3).round() / 1e3)?;
+        dict.set_item(key, ms)?;
     }
     Ok(Some(dict))
 }

@@ -3,7 +3,10 @@
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, ThreadId};
+use std::time::{Duration, Instant};
 
 use adsdv_formats::{Log, OpenError};
 use adsdv_oracle::candump::{ReadError, Unit};
@@ -14,10 +17,11 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyIterator};
 
 use crate::error::{self, InputError};
+use crate::rules;
 use crate::value;
 
-/// How many bytes are read before Python may interrupt: some hundredths of a second.
-const UNINTERRUPTED: usize = 1 << 24;
+/// So long Python waits before it may interrupt.
+const UNINTERRUPTED: Duration = Duration::from_millis(50);
 
 /// How many bytes of lines are fetched from Python at a time.
 const FETCHED: usize = 1 << 16;
@@ -25,19 +29,14 @@ const FETCHED: usize = 1 << 16;
 /// The bytes of a log.
 struct Source {
     kind: Kind,
-    /// Bytes read since Python was asked whether to go on.
-    unasked: usize,
-    failure: Failure,
+    signals: Arc<Signals>,
 }
-
-/// What Python itself had against reading a log.
-type Failure = Arc<Mutex<Option<PyErr>>>;
 
 /// Where a log comes from, for errors.
 pub(crate) struct Origin {
     /// What to name: the path.
     name: Py<PyAny>,
-    failure: Failure,
+    signals: Arc<Signals>,
 }
 
 enum Kind {
@@ -49,20 +48,40 @@ enum Kind {
 /// Opens a log, whatever format it has.
 pub(crate) fn open(log: &Bound<'_, PyAny>) -> PyResult<(Origin, Log)> {
     let py = log.py();
-    let failure = Failure::default();
     let kind = Kind::of(log)?;
-    let source = Source { kind, unasked: 0, failure: Arc::clone(&failure) };
-    let origin = Origin { name: log.clone().unbind(), failure };
-    match py.detach(|| adsdv_formats::open(source)) {
+    let signals = Arc::new(Signals::new());
+    let source = Source { kind, signals: Arc::clone(&signals) };
+    let watch = Arc::clone(&signals);
+    let origin = Origin { name: log.clone().unbind(), signals };
+    match py.detach(|| adsdv_formats::open_watched(source, move || watch.look())) {
         Ok(log) => Ok((origin, log)),
-        Err(OpenError::Read(source)) => {
-            Err(origin.error(py, &LogError::Read(ReadError { unit: Unit::Line, line: 0, source })))
+        Err(error) => Err(origin.signals.failure().unwrap_or_else(|| unopened(py, log, error))),
+    }
+}
+
+/// Why a log cannot be opened; `name` names it.
+pub(crate) fn unopened(py: Python<'_>, name: &Bound<'_, PyAny>, error: OpenError) -> PyErr {
+    match error {
+        OpenError::Read(source) => {
+            unread(py, name, &LogError::Read(ReadError { unit: Unit::Line, line: 0, source }))
         }
-        Err(OpenError::Foreign(foreign)) => Err(error::LogError::new_err(format!(
+        OpenError::Foreign(foreign) => error::LogError::new_err(format!(
             "the log is {}, which is not read: {}",
             foreign.what, foreign.hint
-        ))),
-        Err(error @ OpenError::NotBuilt { .. }) => Err(error::LogError::new_err(error.to_string())),
+        )),
+        error @ OpenError::NotBuilt { .. } => error::LogError::new_err(error.to_string()),
+    }
+}
+
+/// Why a log cannot be judged; `name` names it.
+pub(crate) fn unread(py: Python<'_>, name: &Bound<'_, PyAny>, error: &LogError) -> PyErr {
+    match error {
+        LogError::Read(read) if read.source.raw_os_error().is_some() => {
+            error::os_error(py, &read.source, name)
+        }
+        LogError::Read(_) => PyOSError::new_err(error.to_string()),
+        LogError::Rules(error) => rules::wrong(py, error),
+        _ => error::LogError::new_err(error.to_string()),
     }
 }
 
@@ -92,47 +111,78 @@ impl Kind {
 impl Origin {
     /// Why there is no report.
     pub(crate) fn error(&self, py: Python<'_>, error: &LogError) -> PyErr {
-        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
-        match (failure, error) {
-            (Some(failure), _) => failure,
-            (None, LogError::Read(read)) if read.source.raw_os_error().is_some() => {
-                error::os_error(py, &read.source, self.name.bind(py))
-            }
-            (None, LogError::Read(_)) => PyOSError::new_err(error.to_string()),
-            (None, _) => error::LogError::new_err(error.to_string()),
-        }
+        self.signals.failure().unwrap_or_else(|| unread(py, self.name.bind(py), error))
     }
 }
 
-impl Source {
+/// Asks Python whether to go on, such as after Ctrl-C, and keeps what it has against that.
+struct Signals {
+    /// The thread that reads the log. Python hears signals in its main thread alone, and what unpacks the log is another.
+    reader: ThreadId,
+    begun: Instant,
+    /// When Python was asked last, in milliseconds.
+    asked: AtomicU64,
+    failure: Mutex<Option<PyErr>>,
+}
+
+impl Signals {
+    fn new() -> Self {
+        let (reader, begun) = (thread::current().id(), Instant::now());
+        Self { reader, begun, asked: AtomicU64::new(0), failure: Mutex::default() }
+    }
+
+    /// Asks, if that was some time ago.
+    fn look(&self) -> io::Result<()> {
+        if self.locked().is_some() {
+            return Err(io::ErrorKind::Other.into());
+        }
+        if thread::current().id() != self.reader {
+            return Ok(());
+        }
+        let now = self.begun.elapsed();
+        if now < Duration::from_millis(self.asked.load(Ordering::Relaxed)) + UNINTERRUPTED {
+            return Ok(());
+        }
+        self.asked.store(u64::try_from(now.as_millis()).unwrap_or(u64::MAX), Ordering::Relaxed);
+        self.ask()
+    }
+
+    fn ask(&self) -> io::Result<()> {
+        #[expect(
+            clippy::redundant_closure_for_method_calls,
+            reason = "the method alone is not general enough"
+        )]
+        Python::attach(|py| py.check_signals()).map_err(|error| self.fail(error))
+    }
+
     fn fail(&self, error: PyErr) -> io::Error {
-        *self.failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+        *self.locked() = Some(error);
         io::ErrorKind::Other.into()
+    }
+
+    fn failure(&self) -> Option<PyErr> {
+        self.locked().take()
+    }
+
+    fn locked(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.failure.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl Read for Source {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
-        if self.unasked >= UNINTERRUPTED {
-            self.unasked = 0;
-            #[expect(
-                clippy::redundant_closure_for_method_calls,
-                reason = "the method alone is not general enough"
-            )]
-            if let Err(error) = Python::attach(|py| py.check_signals()) {
-                return Err(self.fail(error));
-            }
-        }
-        let read = match &mut self.kind {
-            Kind::File(file) => file.read(room)?,
-            Kind::Bytes(bytes) => bytes.read(room)?,
-            Kind::Lines(lines) => match lines.read(room) {
-                Ok(read) => read,
-                Err(error) => return Err(self.fail(error)),
+        match &mut self.kind {
+            Kind::File(file) => match file.read(room) {
+                // A signal came while a pipe gave nothing, and whoever reads it tries again.
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {
+                    self.signals.ask()?;
+                    Err(error)
+                }
+                other => other,
             },
-        };
-        self.unasked += read;
-        Ok(read)
+            Kind::Bytes(bytes) => bytes.read(room),
+            Kind::Lines(lines) => lines.read(room).map_err(|error| self.signals.fail(error)),
+        }
     }
 }
 

@@ -23,6 +23,16 @@ def findings(log: Path) -> list[str]:
     return [f"{first} {finding['rule']}" for finding in report.violations]
 
 
+def season(logs: list[Path]) -> dict[str, list[str]]:
+    reports = adsdv.check_many("logs", progress=lambda done, total, read, size: print(done / total), threads=2)
+    reports = adsdv.check_many(logs) if reports.errors else reports
+    first: adsdv.Report = reports[0]
+    rest: tuple[adsdv.Report, ...] = reports[1:]
+    worst: str = reports.worst_first[0]
+    assert len(reports) == len(rest) + 1 and worst and len(reports.logs.columns()["path"])
+    return {path: [finding["rule"] for finding in report.findings] for path, report in zip(reports.paths, [first, *rest])}
+
+
 def live(frames: list[tuple[float, int, bytes]]) -> adsdv.Report:
     judge = adsdv.Judge()
     for time, id, data in frames:
@@ -68,6 +78,8 @@ vcu.step(asm=True)  # type: ignore[call-arg]
 vcu.step().outputs["as_stat"]  # type: ignore[typeddict-item]
 vcu.state = "AS_OFF"  # type: ignore[misc]
 adsdv.Control(state="OFF")  # type: ignore[arg-type]
+adsdv.check_many(5)  # type: ignore[arg-type]
+adsdv.check_many("logs", progress=lambda done: None)  # type: ignore[arg-type,misc]
 adsdv.check(5)  # type: ignore[arg-type]
 adsdv.Vcu(edition=4.0)  # type: ignore[arg-type]
 adsdv.encode(1.5)  # type: ignore[arg-type]

@@ -4,8 +4,8 @@ Names with an underscore are for type checkers alone; the module does not have t
 """
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Literal, Protocol, TypedDict, final
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, Literal, Protocol, TypedDict, final, overload
 
 from typing_extensions import Unpack
 
@@ -83,6 +83,7 @@ _EbsStage = Literal[
     "EBS_INIT", "EBS_CHARGING", "EBS_ARMED", "EBS_TRIGGERED", "EBS_DISCHARGING", "EBS_FAULT"
 ]
 
+_Path = str | os.PathLike[str]
 _Log = str | os.PathLike[str] | bytes | bytearray | memoryview | Iterable[str] | Iterable[bytes]
 _Data = bytes | bytearray | memoryview | Sequence[int]
 _Readings = Mapping[str, str]
@@ -514,6 +515,35 @@ class Report:
     def __eq__(self, other: object) -> bool: ...
 
 @final
+class Table:
+    @property
+    def column_names(self) -> list[str]: ...
+    def columns(self) -> dict[str, list[Any]]: ...
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+    def __len__(self) -> int: ...
+
+@final
+class Reports:
+    @property
+    def paths(self) -> list[str]: ...
+    @property
+    def errors(self) -> dict[str, AdsdvError | OSError]: ...
+    @property
+    def passed_over(self) -> list[str]: ...
+    @property
+    def worst_first(self) -> list[str]: ...
+    @property
+    def logs(self) -> Table: ...
+    @property
+    def findings(self) -> Table: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: int, /) -> Report: ...
+    @overload
+    def __getitem__(self, index: slice, /) -> tuple[Report, ...]: ...
+    def __iter__(self) -> Iterator[Report]: ...
+
+@final
 class ExamReport:
     @property
     def edition(self) -> str: ...
@@ -568,6 +598,18 @@ def check(
     edition: str | None = None,
     rules: str | None = None,
 ) -> Report: ...
+def check_many(
+    paths: _Path | Iterable[_Path],
+    *,
+    readings: _Readings | None = None,
+    window_ms: int | None = None,
+    deadline_ms: int | None = None,
+    interface: str | None = None,
+    edition: str | None = None,
+    rules: str | None = None,
+    progress: Callable[[int, int, int, int], object] | None = None,
+    threads: int | None = None,
+) -> Reports: ...
 def editions() -> list[str]: ...
 def decode(id: int, data: _Data, edition: str | None = None) -> _Message: ...
 def encode(
