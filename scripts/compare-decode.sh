@@ -22,8 +22,8 @@ to start, and Python to import a library, is not counted where readers are compa
 
   -q          quick: few frames, two runs
   -b          `build` as well, some minutes for each feature
-  -c COPIES   how often the log is repeated (default 20, with -q 5)
-  -n RUNS     runs of each, of which the least counts (default 5, with -q 2)
+  -c COPIES   how often the log is repeated (default 10, with -q 5)
+  -n RUNS     runs of each, of which the least counts (default 3, with -q 2)
   -h, --help  this text
 
 Environment:
@@ -42,8 +42,8 @@ fail() {
 }
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-copies=20
-runs=5
+copies=10
+runs=3
 many=200
 build=
 quick=
