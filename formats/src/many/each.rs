@@ -74,6 +74,8 @@ pub fn each<T: Send, R: Send>(
             };
             pool.install(|| items.for_each_with(tell, one));
         })?;
+        // Also where `take` panics: whoever waits at the gate would wait for ever.
+        let _closing = Closing(gate);
         let (mut next, mut early) = (0, BTreeMap::new());
         loop {
             let go_on = match hear.recv_timeout(TICK) {
@@ -130,6 +132,15 @@ impl Gate {
     fn close(&self) {
         self.taken.lock().unwrap_or_else(PoisonError::into_inner).closed = true;
         self.moved.notify_all();
+    }
+}
+
+/// Closes a gate when it is dropped.
+struct Closing<'a>(&'a Gate);
+
+impl Drop for Closing<'_> {
+    fn drop(&mut self) {
+        self.0.close();
     }
 }
 
@@ -216,5 +227,11 @@ mod tests {
         };
         each(None, (0..10).collect(), |_: u32| thread::current().id() != here, take)
             .expect("there are threads");
+    }
+
+    #[test]
+    fn what_it_panics_with_comes_through() {
+        let each = || each(None, (0..10_000).collect(), |n: u32| n, |_| panic!("on purpose"));
+        assert!(std::panic::catch_unwind(each).is_err());
     }
 }
