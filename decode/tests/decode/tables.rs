@@ -8,9 +8,9 @@ use std::process::Command;
 
 use adsdv_spec::Edition;
 
-use crate::cantools::python;
 use crate::frames::{Format, catalog, decode};
 use crate::parquet::{messages, mission, table};
+use crate::python::python;
 
 const SCRIPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/decode/read_tables.py");
 const DOCUMENT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/formats.md");
