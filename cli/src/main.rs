@@ -39,6 +39,7 @@ mod explore;
 mod files;
 mod interrupt;
 mod json;
+mod judged;
 mod layout;
 mod many;
 mod markdown;

@@ -1,7 +1,7 @@
 //! `adsdv check` of several logs: on all cores, a line for each, the worst first, and the report of the worst.
 //!
 //! ```text
-//! logs, directories --> find, each (adsdv-formats): check::judged --> Row --> table, JSON Lines
+//! logs, directories --> find, each (adsdv-formats): judged::judged --> Row --> table, JSON Lines
 //!                                                                     Rows --> junit, summary
 //! ```
 //!
@@ -22,8 +22,8 @@ use adsdv_formats::{FindError, Found, Log, Step, each, find, is_several};
 use adsdv_oracle::log::LogError;
 
 use crate::args::CheckArgs;
-use crate::check::{self, Failed, Plan};
 use crate::error::Error;
+use crate::judged::{self, Failed, Plan};
 use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{json, output, recording};
@@ -113,7 +113,7 @@ fn open(found: &Found, name: &str, read: &Arc<AtomicU64>) -> Result<Log, Failed>
 /// Judges one log.
 fn done(args: &CheckArgs, plan: &Plan, found: Found, read: &Arc<AtomicU64>) -> Done {
     let name = found.path.display().to_string();
-    let judged = open(&found, &name, read).and_then(|log| check::judged(args, plan, log, |_| {}));
+    let judged = open(&found, &name, read).and_then(|log| judged::judged(args, plan, log, |_| {}));
     match judged {
         Ok(subject) => {
             let row = Row::of(&name, &subject);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use adsdv_oracle::judge::{Finding, Rule, Severity};
 
-use crate::check::Subject;
 use crate::error::Error;
+use crate::judged::Subject;
 use crate::layout::{Seconds, counted};
 use crate::status::Status;
 

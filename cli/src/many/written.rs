@@ -3,9 +3,9 @@
 use super::row::{Row, Rows};
 use super::{junit, summary};
 use crate::args::CheckArgs;
-use crate::check::Subject;
 use crate::error::Error;
 use crate::files::{unwritten, write_file};
+use crate::judged::Subject;
 
 /// The same of a log that is judged alone.
 pub(crate) fn write_one(args: &CheckArgs, name: &str, subject: &Subject) -> Result<(), Error> {
