@@ -12,7 +12,7 @@ use tempfile::{Builder, TempDir, TempPath};
 use super::errors;
 use crate::args::{DecodeArgs, DecodedTable};
 use crate::error::Error;
-use crate::recording;
+use crate::{interrupt, recording};
 
 /// What has to be done when all is written, so that it is there. Without that, nothing is.
 pub(super) enum Unfinished {
@@ -58,6 +58,7 @@ pub(super) fn whole(output: Option<&Path>) -> Result<(Box<dyn Write + Send>, Unf
     let (folder, prefix) = beside(&target).map_err(|error| errors::write(file, &error))?;
     let made = builder(&prefix, 0o666).tempfile_in(folder);
     let (writer, path) = made.map_err(|error| errors::write(file, &error.kind().into()))?.into_parts();
+    interrupt::removes(path.to_path_buf()).map_err(|error| Error::system("signals", &error))?;
     Ok((Box::new(writer), Unfinished::File(path, target)))
 }
 
@@ -74,6 +75,7 @@ pub(super) fn directory(target: &Path) -> Result<(PathBuf, Unfinished), Error> {
     let made = builder(&prefix, 0o777).tempdir_in(if is_there { target } else { folder });
     let made = made.map_err(|error| errors::write(target, &error.kind().into()))?;
     let (path, target) = (made.path().to_owned(), target.to_owned());
+    interrupt::removes(path.clone()).map_err(|error| Error::system("signals", &error))?;
     Ok((path, if is_there { Unfinished::Files(made, target) } else { Unfinished::Directory(made, target) }))
 }
 

@@ -186,6 +186,34 @@ fn an_mcap_has_the_permissions_of_any_new_file_and_links_stay() {
     assert_eq!(mode(&mcap), mode(&text));
 }
 
+#[cfg(unix)]
+#[test]
+fn what_is_half_written_when_a_signal_ends_it_does_not_stay() {
+    use std::os::unix::process::ExitStatusExt as _;
+    use std::process::{Command, Stdio};
+
+    let folder = emptied("decode-stopped");
+    for (format, table) in [("mcap", None), ("parquet", Some("frames")), ("parquet", Some("messages"))] {
+        let output = folder.join("run");
+        let mut command = adsdv(&["decode", "--format", format, "-o"]);
+        command.arg(&output).arg("-").args(table.map(|table| format!("--table={table}")));
+        let mut child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
+        // The pipe stays open: there may be more.
+        let mut stdin = child.stdin.take().expect("a pipe");
+        stdin.write_all(&file(MISSION)).expect("it reads");
+        while names(&folder).is_empty() {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        // It has a name, and is listened for signals behind that.
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(sent.is_ok_and(|status| status.success()));
+        let status = child.wait().expect("it ends");
+        assert_eq!(status.signal(), Some(2), "{format} {table:?}");
+        assert_eq!(names(&folder), [""; 0], "{format} {table:?}");
+    }
+}
+
 /// A folder for tests with nothing in it.
 fn emptied(name: &str) -> std::path::PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
