@@ -66,6 +66,7 @@ impl Deviation {
                 Remembers::TimerWhileAsmsOff => vec!["ETO-2", "D-23"],
                 Remembers::GoSeenOff => vec!["D-6"],
                 Remembers::CommsLost => vec!["D-17", "D-18"],
+                Remembers::Handshake => vec!["HS-1", "D-8"],
             },
             Self::Shows { key, .. } | Self::Writes { key, .. } => {
                 let field = SHOWN.iter().find(|field| field.key == key);

@@ -103,17 +103,20 @@ pub enum Remembers {
     GoSeenOff,
     /// AI_COMMS_LOST, once it is raised, stays while the handshake is performed.
     CommsLost,
+    /// The handshake stands still while the tractive system is off, and goes on from there; it does not rest.
+    Handshake,
 }
 
 impl Remembers {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::CauseUntilLeft,
         Self::LatestCause,
         Self::DwellOfAllVisits,
         Self::TimerWhileAsmsOff,
         Self::GoSeenOff,
         Self::CommsLost,
+        Self::Handshake,
     ];
 }
 

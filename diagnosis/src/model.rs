@@ -231,7 +231,12 @@ impl Model {
         let active = machine.readings().is(Choice::HandshakeAlways) || atoms.has(Atom::Tsms);
         let limit = rules.timing.handshake_ms;
         let answer = atoms.has(Atom::AiHandshake);
-        let mut handshake = control.handshake.step(active, answer, dt_ms, limit);
+        let stands_still = !active && self.remembers(Remembers::Handshake);
+        let mut handshake = if stands_still {
+            control.handshake
+        } else {
+            control.handshake.step(active, answer, dt_ms, limit)
+        };
         if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit) {
             handshake.unanswered_ms = limit;
         }

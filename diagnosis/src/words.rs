@@ -129,6 +129,7 @@ const fn remembers_id(what: Remembers) -> &'static str {
         Remembers::TimerWhileAsmsOff => "timer-while-asms-off",
         Remembers::GoSeenOff => "go-seen-off",
         Remembers::CommsLost => "comms-lost",
+        Remembers::Handshake => "handshake",
     }
 }
 
@@ -151,6 +152,9 @@ const fn remembers_text(what: Remembers) -> &'static str {
         }
         Remembers::CommsLost => {
             "AI_COMMS_LOST stays once it is raised; expected until the handshake is answered"
+        }
+        Remembers::Handshake => {
+            "the handshake stands still while TS master switch OFF, and goes on from there; expected bit 0, and from the beginning"
         }
     }
 }

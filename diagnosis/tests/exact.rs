@@ -117,6 +117,16 @@ fn what_is_remembered_and_what_is_shown_are_distinguished() {
 }
 
 #[test]
+fn a_handshake_that_does_not_rest_is_found_beside_what_it_is_remembered_for() {
+    let kept = Deviation::Remembers(Remembers::Handshake);
+    let limit = Deviation::Changed(Change::Time(Time::Handshake, 50));
+    for edition in Edition::ALL {
+        names(edition, &[kept]);
+        names(edition, &[kept, limit]);
+    }
+}
+
+#[test]
 fn eight_deviations_are_named_one_by_one() {
     let edition = &Edition::V4_0;
     let eight = [
