@@ -12,6 +12,7 @@ use crate::deviation::Deviation;
 use crate::experiments;
 use crate::fit::{Candidates, Fit};
 use crate::fixed::Fixed;
+use crate::in_the_way;
 use crate::interface::{Interface, Seen};
 use crate::model::Model;
 use crate::random::Random;
@@ -25,6 +26,8 @@ use crate::ways::Ways;
 
 /// No more rounds of experiments than these: each begins with what the one before has found.
 const ROUNDS: u64 = 12;
+/// After so many it is asked whether an output stands in the way.
+const EARLY: u64 = 2;
 /// So many times what was found leads to what else is measured and looked for, before all is tried again.
 const DEEPER: usize = 3;
 /// Nobody waits longer for a diagnosis.
@@ -43,6 +46,8 @@ pub struct Diagnosis {
     pub unexplained: Vec<Record>,
     /// How many experiments there were.
     pub experiments: usize,
+    /// The outputs that were left out, for no deviation explains what they show. All else is about the others.
+    pub left_out: Vec<&'static str>,
     /// Whether the time was over before all was tried: there may be more, and what was found may be otherwise.
     pub cut: bool,
     /// The states that the program did not show, or in which some of its answers are not explained.
@@ -70,41 +75,35 @@ pub fn diagnose_within(
     time: Duration,
 ) -> Result<Diagnosis, ProgramError> {
     let now = Instant::now();
-    let until = now.checked_add(time).unwrap_or(now);
-    let single = candidates::all(edition, interface);
-    let candidates = Candidates { single, several: Vec::new() };
-    let mut search = Search {
-        subject: &mut Seen { subject, interface },
-        edition,
-        interface,
-        candidates,
-        records: Records::default(),
-        found: Vec::new(),
-        random: Random(1),
-        sought: Vec::new(),
-        until,
-    };
-    for round in 0..ROUNDS {
-        if search.is_over() {
-            break;
+    let at = |share: Duration| now.checked_add(share).unwrap_or(now);
+    let mut seen = Seen { subject, interface };
+    let mut search = Search::new(&mut seen, edition, interface, at(time / 3));
+    let explained = search.run(EARLY)?;
+    let in_the_way = search.in_the_way();
+    if in_the_way.is_empty() {
+        search.until = at(time);
+        if !explained {
+            search.run(ROUNDS)?;
         }
-        let before = search.found.clone();
-        if search.is_explained_by_experiments(round)?
-            && search.differs_from_others()?
-            && search.is_explained_by_walks()?
-        {
-            break;
-        }
-        search.explain()?;
-        if search.found == before && round > 2 {
-            break;
-        }
+        return Ok(search.result());
     }
-    Ok(search.result())
+    // What one output shows may hide what is wrong with the state machine.
+    let narrower = interface.without(&in_the_way);
+    let mut seen = Seen { subject: &mut *search.subject.subject, interface: &narrower };
+    let mut few = Search::new(&mut seen, edition, &narrower, at(time / 3 * 2));
+    // With all of the others explained one more look at these tells enough.
+    let rounds = if few.run(ROUNDS)? { 1 } else { ROUNDS };
+    let few = Diagnosis { left_out: in_the_way, ..few.result() };
+    search.found.clone_from(&few.deviations);
+    search.until = at(time);
+    search.run(rounds)?;
+    let all = search.result();
+    let explains_more = few.unexplained.len() * all.experiments < all.unexplained.len() * few.experiments;
+    Ok(if explains_more { few } else { all })
 }
 
-struct Search<'a> {
-    subject: &'a mut dyn Subject,
+struct Search<'a, 'b> {
+    subject: &'a mut Seen<'b>,
     edition: &'a Edition,
     interface: &'a Interface,
     candidates: Candidates,
@@ -116,7 +115,58 @@ struct Search<'a> {
     until: Instant,
 }
 
-impl Search<'_> {
+impl<'a, 'b> Search<'a, 'b> {
+    fn new(
+        subject: &'a mut Seen<'b>,
+        edition: &'a Edition,
+        interface: &'a Interface,
+        until: Instant,
+    ) -> Self {
+        Self {
+            subject,
+            edition,
+            interface,
+            candidates: Candidates { single: candidates::all(edition, interface), several: Vec::new() },
+            records: Records::default(),
+            found: Vec::new(),
+            random: Random(1),
+            sought: Vec::new(),
+            until,
+        }
+    }
+
+    /// Asks and explains until all is explained, nothing more can be, there were so many rounds, or the time is over. Tells whether all
+    /// is explained.
+    fn run(&mut self, rounds: u64) -> Result<bool, ProgramError> {
+        for round in 0..rounds {
+            if self.is_over() {
+                break;
+            }
+            let before = self.found.clone();
+            if self.is_explained_by_experiments(round)?
+                && self.differs_from_others()?
+                && self.is_explained_by_walks()?
+            {
+                return Ok(true);
+            }
+            self.explain()?;
+            if self.found == before && round > 2 {
+                break;
+            }
+        }
+        Ok(false)
+    }
+
+    /// The outputs of which there are answers that nothing explains.
+    fn in_the_way(&self) -> Vec<&'static str> {
+        in_the_way::outputs(&self.unexplained(&self.model()), &self.model())
+    }
+
+    fn unexplained(&self, model: &Model) -> Vec<Record> {
+        let all = self.records.kept().iter().map(crate::record::Kept::record);
+        all.filter(|record| !record.is_explained(model)).collect()
+    }
+
     fn is_over(&self) -> bool {
         Instant::now() >= self.until
     }
@@ -272,14 +322,13 @@ impl Search<'_> {
     }
 
     fn result(self) -> Diagnosis {
-        let Self { edition, interface, candidates, records, found, until, .. } = self;
+        let Self { edition, interface, ref candidates, ref records, ref found, until, .. } = self;
         let cut = Instant::now() >= until;
-        let fit = Fit::new(edition, records.kept(), &candidates, until);
-        let certain = fit.certain(found);
+        let fit = Fit::new(edition, records.kept(), candidates, until);
+        let certain = fit.certain(found.clone());
         let deviations = if cut { fit.of_explained_states(certain) } else { certain };
         let model = Model::new(edition, &deviations);
-        let all = records.kept().iter().map(crate::record::Kept::record);
-        let unexplained = all.filter(|record| !record.is_explained(&model)).collect();
+        let unexplained = self.unexplained(&model);
         let stays = fit.stays(&deviations);
         let is_clear = |(state, stays): &&(AsState, Vec<Stay<'_>>)| {
             !stays.is_empty() && fit.wrong_in(*state, &deviations) == 0
@@ -291,6 +340,14 @@ impl Search<'_> {
         let is_shown =
             |&(from, to): &(AsState, AsState)| clear.contains(&from) && fixed.can_be_taken(edition, from, to);
         let not_shown = arrows.filter(|arrow| !is_shown(arrow)).collect();
-        Diagnosis { deviations, unexplained, experiments: records.count, cut, unclear, not_shown }
+        Diagnosis {
+            deviations,
+            unexplained,
+            experiments: records.count,
+            left_out: Vec::new(),
+            cut,
+            unclear,
+            not_shown,
+        }
     }
 }

@@ -30,6 +30,15 @@ impl Interface {
         Self { lacking, outputs: Some(outputs).filter(|outputs| outputs.len() < SHOWN.len()) }
     }
 
+    /// The same without some of the outputs.
+    #[must_use]
+    pub fn without(&self, outputs: &[&str]) -> Self {
+        let all = || SHOWN.iter().map(|field| field.key).collect();
+        let mut left = self.outputs.clone().unwrap_or_else(all);
+        left.retain(|key| !outputs.contains(key));
+        Self { lacking: self.lacking.clone(), outputs: Some(left) }
+    }
+
     /// Whether the program has the input with this key.
     pub(crate) fn has(&self, key: &str) -> bool {
         !self.lacking.iter().any(|field| field.key == key)

@@ -30,7 +30,7 @@
 //! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, `sets.rs` several of them at once, and `certain.rs` whether they are sure;
-//! - `diagnose.rs`: all of it in turn;
+//! - `diagnose.rs`: all of it in turn, `in_the_way.rs` without outputs that nothing explains;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
 //! ```
@@ -59,6 +59,7 @@ mod experiments;
 mod figure;
 mod fit;
 mod fixed;
+mod in_the_way;
 mod interface;
 mod model;
 mod named;

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use adsdv_diagnosis::{Deviation, Diagnosis, Model, Remembers, Running, Subject, Wheels, diagnose};
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::Answer;
+use adsdv_oracle::protocol::{Answer, SHOWN};
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Atom, Edition, Inputs};
@@ -124,6 +124,37 @@ fn a_handshake_that_does_not_rest_is_found_beside_what_it_is_remembered_for() {
         names(edition, &[kept]);
         names(edition, &[kept, limit]);
     }
+}
+
+/// A program that shows a cause of its own, which changes with what it sees: no deviation is that.
+struct OwnCauses(Running);
+
+impl Subject for OwnCauses {
+    fn reset(&mut self) -> Result<(), ProgramError> {
+        self.0.reset()
+    }
+    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
+        let shown = self.0.shown(dt_ms, inputs);
+        let place = SHOWN.iter().position(|field| field.key == "shutdown_cause").expect("an output");
+        let raw = shown.raw_at(place).unwrap_or_default();
+        let own = if raw == 0 { 0 } else { 1 + i32::from(inputs.go) + 2 * i32::from(inputs.tsms) };
+        Ok(shown.with(place, own).into())
+    }
+}
+
+#[test]
+fn an_output_that_nothing_explains_does_not_hide_the_deviations() {
+    let edition = &Edition::V3_0;
+    let needs = Deviation::Needs { from: Off, to: Ready, key: "ami", raw: 3, is: true };
+    let kept = Deviation::Remembers(Remembers::Handshake);
+    let limit = Deviation::Changed(Change::Time(Time::Handshake, 50));
+    let finishes = Deviation::Changed(Change::RowDropped(row(edition, Finished, Off)));
+    let deviations = [needs, kept, limit, finishes];
+    let mut program = OwnCauses(Model::new(edition, &deviations).running());
+    let found = diagnose(&mut program, edition).expect("a model answers everything");
+    let ids = |these: &[Deviation]| these.iter().map(|one| one.id(edition)).collect::<HashSet<String>>();
+    assert_eq!(ids(&found.deviations), ids(&deviations));
+    assert_eq!((found.left_out, found.unexplained.len()), (vec!["shutdown_cause"], 0));
 }
 
 #[test]

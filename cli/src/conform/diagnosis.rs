@@ -68,7 +68,7 @@ pub(super) fn of(
     program.line.show(format_args!("diagnosis: the shortest scenarios of {}", found.deviations.len()));
     let deviations = &found.deviations;
     Ok(DiagnosedProgram {
-        examples: examples(&edition, &interface, deviations)?,
+        examples: examples(&edition, &interface.without(&found.left_out), deviations)?,
         figure: figure(&edition, deviations, &found.not_shown),
         accepted: accepted.clone(),
         strict: args.strict,
@@ -233,6 +233,13 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
         let rest = format!("not explained{by}: {} of {experiments}", found.unexplained.len());
         wrapped(out, rest.split(' '), 2, width);
     }
+    if !found.left_out.is_empty() {
+        let rest = format!(
+            "left out: {}: what is shown there nothing that can be named explains, and all above is about the other outputs; see FAILURES",
+            found.left_out.join(", ")
+        );
+        wrapped(out, rest.split(' '), 2, width);
+    }
     if found.cut && !found.deviations.is_empty() {
         let note = Styled(style::CARE, "note:");
         let rest = format!(
@@ -284,6 +291,7 @@ pub(super) struct DiagnosisJson<'a> {
     deviations: Vec<DeviationJson<'a>>,
     figure: Vec<ArrowJson<'a>>,
     unexplained: usize,
+    left_out: &'a [&'static str],
     cut: bool,
     unused: Vec<&'a str>,
 }
@@ -349,6 +357,7 @@ impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
             deviations: found.deviations.iter().zip(&program.examples).map(one).collect(),
             figure: program.figure.iter().map(arrow).collect(),
             unexplained: found.unexplained.len(),
+            left_out: &found.left_out,
             cut: found.cut,
             unused: program.unused(),
         }
