@@ -160,7 +160,9 @@ impl Trc {
         match column {
             Column::Number => {
                 let number = word.text.strip_suffix(b")").unwrap_or(word.text);
-                decimal(number).map(|_| ()).ok_or_else(|| word.flaw(NUMBER))
+                // It is not used, so that its digits need not be added up.
+                let is_number = !number.is_empty() && number.iter().all(u8::is_ascii_digit);
+                if is_number { Ok(()) } else { Err(word.flaw(NUMBER)) }
             }
             Column::Offset => {
                 let offset = time_ns(word.text, NS_PER_MILLISECOND);
@@ -241,7 +243,8 @@ fn direction(word: Word<'_>) -> Option<Direction> {
 #[inline]
 fn data(cursor: &mut Cursor<'_>, parts: &mut Parts, frame: &mut Frame) -> Result<(), Flaw> {
     let mut behind = *cursor;
-    if parts.sort == Sort::Data && behind.word().text == b"RTR" {
+    behind.skip_blanks();
+    if behind.peek() == Some(b'R') && parts.sort == Sort::Data && behind.word().text == b"RTR" {
         *cursor = behind;
         parts.sort = Sort::Remote;
     }
