@@ -111,9 +111,9 @@ mod tests {
     fn a_frame_that_does_not_decode_changes_nothing() {
         let edition = Edition::DEFAULT;
         let heard = after([wheels(100)]);
-        let short = Frame::new(0x525, &[0; 3]).expect("three bytes fit");
+        let short = Frame::new(Vcu2AiWheelSpeeds::ID, &[0; 3]).expect("three bytes fit");
         assert_eq!(heard.with(&short, edition), heard);
-        let whole = Frame::new(0x525, &[0; 8]).expect("eight bytes fit");
+        let whole = Frame::new(Vcu2AiWheelSpeeds::ID, &[0; 8]).expect("eight bytes fit");
         assert!(!heard.with(&whole, edition).turning);
     }
 }

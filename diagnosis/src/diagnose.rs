@@ -159,7 +159,8 @@ impl<'a, 'b> Search<'a, 'b> {
 
     /// The outputs of which there are answers that nothing explains.
     fn in_the_way(&self) -> Vec<&'static str> {
-        in_the_way::outputs(&self.unexplained(&self.model()), &self.model())
+        let model = self.model();
+        in_the_way::outputs(&self.unexplained(&model), &model)
     }
 
     fn unexplained(&self, model: &Model) -> Vec<Record> {
