@@ -136,27 +136,28 @@ pub(crate) fn judge_all(
 ) -> Result<(Judged, Option<Box<Collector>>), LogError> {
     let mut next_progress = PROGRESS_LINES;
     let failure = loop {
-        let entry = match entries.next_entry() {
-            Ok(Some(entry)) => entry,
-            Ok(None) => break None,
-            Err(error) if !log.has_frame() => return Err(LogError::Read(error)),
-            Err(error) => break Some(error),
-        };
+        // It stays where the reader has written it: a copy for each frame is what takes time here.
+        let next = entries.next_entry();
+        let Ok(Some(entry)) = &next else { break next.err() };
         match entry {
             Entry::Frame(record) => {
                 if record.line >= next_progress {
                     next_progress = record.line + PROGRESS_LINES;
                     progress(LogProgress { lines: record.line });
                 }
-                log.frame(&record);
+                log.frame(record);
             }
-            Entry::Dropped(dropped) => log.dropped(&dropped),
-            Entry::Broken(error) => log.broken(error),
+            Entry::Dropped(dropped) => log.dropped(dropped),
+            Entry::Broken(error) => log.broken(*error),
         }
-        then(&mut log, &entry);
+        then(&mut log, entry);
         if log.rules_are_impossible() {
             break None;
         }
+    };
+    let failure = match failure {
+        Some(error) if !log.has_frame() => return Err(LogError::Read(error)),
+        failure => failure,
     };
     // What is warned of before the edition is decided is about a judge who begins anew then.
     log.decide();
