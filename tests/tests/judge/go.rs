@@ -1,8 +1,9 @@
 //! The "Go" edge of section 3.2, item 3.
 
 use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Rule};
+use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::{Atom, Choice, Truth};
+use adsdv_spec::{Atom, Choice, Edition, Truth};
 use adsdv_tests::world::{MS, World};
 
 use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned, section_of};
@@ -32,6 +33,26 @@ fn a_silence_of_the_recorder_says_nothing_of_go() {
     for ms in [0, 1000, 20_000] {
         judge.time_passes(world.t - first + ms * MS);
         assert_eq!(judge.known().of(Atom::GoEdge), Truth::Unknown, "after {ms} ms");
+    }
+}
+
+/// The frame that shows AS_DRIVING shows "Go" as well.
+//= DRV-14
+#[test]
+fn driving_is_not_entered_with_go_signal_at_0() {
+    for edition in Edition::ALL.iter().filter(|edition| Remote::of(&edition.bus).is_none()) {
+        let mut world = World::of(edition);
+        world.dwelt();
+        world.inputs.go = true;
+        let conforming = world.clone();
+        world.shows = |status| status.go_signal = false;
+        world.wait(30);
+        let report = world.judge(JudgeOptions::of(edition));
+        let said = "AS_READY -> AS_DRIVING with GO_SIGNAL 0; expected 1, for \"Go\" leads there";
+        assert_eq!(only(&report).message(), said, "{}", edition.version);
+        let mut world = conforming;
+        world.wait(30);
+        is_silent(&world, JudgeOptions::of(edition), "it shows that it was switched on");
     }
 }
 

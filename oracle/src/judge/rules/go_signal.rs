@@ -5,10 +5,11 @@
 //! VCU is known to show the switch. That it is 1 before `AS_DRIVING` while the switch is off fits neither answer; but recordings keep
 //! it at 1 behind a run, so that nobody is accused of it.
 
-use adsdv_spec::{AsState, Choice, Reading};
+use adsdv_spec::{AsState, Atom, Choice, Reading};
 
 use super::pending::Persisting;
 use crate::judge::estimator::base::Estimator;
+use crate::judge::estimator::status::{SeenChange, StatusChange};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::sampler::places::{REMOTE, STATUS};
 
@@ -36,6 +37,23 @@ const fn weighs(state: AsState, signal: bool, raw: bool) -> Option<Severity> {
         (AsState::Off | AsState::Ready, true) => Some(Severity::Note),
         _ => None,
     }
+}
+
+/// An arrow that needs "Go" was taken, and the frame that shows it shows "Go" as well. By either answer it is 1 then: where the remote
+/// control is not on the bus, that is all that tells of "Go". Where it is known to be the switch, there was no edge, which Figure 2
+/// tells.
+pub(super) fn entered(est: &Estimator, t: i64, shown: &StatusChange) -> Option<Finding> {
+    //= DRV-14, D-7
+    let SeenChange { from, to, .. } = shown.change.filter(|change| !change.gap)?;
+    let switch = est.remote.shown.is_some() || est.pinned(Reading::GoSignal) == Some(Choice::GoRaw);
+    let needs_go = est.readings.terms(from, to).any(|term| term.on.has(Atom::GoEdge));
+    if shown.status.go_signal || switch || !needs_go {
+        return None;
+    }
+    let finding = Finding::violation(Party::Vcu, "3.2", Rule::GoDiffers, t).against(&[DETECTED]);
+    let finding =
+        finding.seen(format!("{from} -> {to} with GO_SIGNAL 0")).expected("1, for \"Go\" leads there");
+    Some(finding.shown_by(est.sampler.last_frames(&[STATUS])))
 }
 
 impl GoSignal {

@@ -93,6 +93,7 @@ impl Rules {
             let wait = est.sampler.wait_for(est.readings.deciding(change.from));
             self.wait(est, book, t, wait, Awaited::Change(change));
         }
+        book.found(go_signal::entered(est, t, shown));
         if let Some(state) = shown.entered {
             self.enters(book, state, shown.change.is_none());
         } else if est.vcu.state.is_none() {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Report, Severity};
 use adsdv_spec::Edition;
 use adsdv_tests::world::{MS, Recorded, judge, violations};
 
@@ -46,9 +46,6 @@ pub(crate) enum Detection {
 }
 
 impl Profile {
-    /// Nothing is late, nothing is lost, and somebody vouches for that.
-    pub(crate) const PERFECT: Self = Self { jitter_ms: 0, loss: 0, complete: true };
-
     /// What the recorder keeps of a run.
     fn recording(&self, run: &Run) -> Vec<Recorded> {
         let mut log = run.world.disturbed(run.seed, self.jitter_ms * MS, self.loss);
@@ -86,7 +83,7 @@ impl Profile {
         violations(&report).into_iter().filter(|line| line.split(' ').nth(1) == Some("VCU")).collect()
     }
 
-    /// What the judge says of the VCU. Notes and warnings that no frame could excuse do not count.
+    /// What the judge says of the VCU; notes do not count.
     pub(crate) fn judge(&self, edition: &'static Edition, run: &Run) -> Detection {
         let (report, origin) = self.report(edition, run);
         let about_vcu = report.findings.iter().filter(|finding| finding.party == Party::Vcu);
@@ -95,10 +92,8 @@ impl Profile {
                 let since = run.differs_at.map_or(0, |at| finding.t_ns + origin - at);
                 Some(Detection::Violation { delay_ms: since / MS })
             }
-            Severity::Warning if matches!(finding.rule, Rule::Due | Rule::Unjustified) => {
-                Some(Detection::Warning)
-            }
-            _ => None,
+            Severity::Warning => Some(Detection::Warning),
+            Severity::Note => None,
         });
         said.max().unwrap_or(Detection::Nothing)
     }

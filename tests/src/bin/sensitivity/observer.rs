@@ -1,0 +1,87 @@
+//! What could be told from the bus at all: an observer who misses nothing, knows when each step was, and asks of every step whether a VCU
+//! of the specification could have sent what was sent, whatever the inputs were that no frame shows.
+//!
+//! It is exact where the judge reasons with three values and tolerances, takes far longer, and knows nothing of the judge: what it tells
+//! and the judge does not is what the judge misses.
+
+use std::collections::HashSet;
+
+use adsdv_oracle::remote::Remote;
+use adsdv_spec::messages::{EbsState, Frame, Node, Vcu2AiStatus};
+use adsdv_spec::{Control, Edition, Inputs, Machine};
+use adsdv_tests::world::{MS, Recorded, World};
+
+/// Whatever else was, these were or were not, and no frame shows them but by what comes of them: what raises a fault or a warning, with
+/// whether 520h shows that. Of those that open the shutdown circuit and have no flag one stands for all.
+const MAY_BE: [(fn(&mut Inputs), fn(&Vcu2AiStatus) -> bool); 9] = [
+    (|inputs| inputs.sdc.critical_fault = true, |_| true),
+    (|inputs| inputs.sdc.bms_fault = true, |status| status.bms_fault),
+    (|inputs| inputs.reports.hvil_open = true, |status| status.hvil_open_fault),
+    (|inputs| inputs.reports.hvil_short = true, |status| status.hvil_short_fault),
+    (|inputs| inputs.reports.ebs_fault = true, |status| status.ebs_fault),
+    (|inputs| inputs.reports.offboard_charger_fault = true, |status| status.offboard_charger_fault),
+    (|inputs| inputs.reports.charging = true, |status| status.charge_procedure_fault),
+    (|inputs| inputs.reports.batt_temp_high = true, |status| status.warn_batt_temp_high),
+    (|inputs| inputs.reports.batt_soc_low = true, |status| status.warn_batt_soc_low),
+];
+
+/// Whether the recording of a run, with nothing late and nothing lost, shows that its VCU is not the specification's.
+pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
+    let bus = &specification.edition().bus;
+    let cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms;
+    let cycle = i64::from(cycle_ms) * MS;
+    let mut sent = world.log.iter().filter(|recorded| recorded.sender() == Some(Node::Vcu)).peekable();
+    let mut possible = HashSet::from([Control::INITIAL]);
+    for ((_, inputs), step) in world.steps.iter().zip(1..) {
+        let mut frames = Vec::new();
+        while let Some(Recorded { frame, .. }) = sent.next_if(|recorded| recorded.t < step * cycle) {
+            frames.push(*frame);
+        }
+        let sends = |frame: Frame| frames.iter().all(|sent| sent.id != frame.id || *sent == frame);
+        let hidden = hidden(specification, inputs, &frames);
+        let mut after = HashSet::new();
+        for (control, inputs) in
+            possible.iter().flat_map(|control| hidden.iter().map(move |inputs| (control, inputs)))
+        {
+            let (next, outputs) = specification.step(control, inputs, cycle_ms.into());
+            if !after.contains(&next) && outputs.messages(inputs).frames(bus).all(sends) {
+                after.insert(next);
+            }
+        }
+        if after.is_empty() {
+            return true;
+        }
+        possible = after;
+    }
+    false
+}
+
+/// All that the inputs may have been at a step of which the bus shows these frames: what the AI Computer sent and what sensors measured
+/// is on the bus, and so are the switches of the remote control where it is.
+fn hidden(specification: &Machine, seen: &Inputs, frames: &[Frame]) -> Vec<Inputs> {
+    let bus = &specification.edition().bus;
+    let Inputs { ami, ai, ai_silence, vehicle, .. } = *seen;
+    let mut inputs = Inputs { ami, ai, ai_silence, vehicle, ..Inputs::default() };
+    let shown = frames.iter().find(|frame| frame.id == Vcu2AiStatus::ID);
+    let shown = shown.and_then(|frame| bus.decode_as::<Vcu2AiStatus>(frame.data()).ok()).unwrap_or_default();
+    let mut either: Vec<fn(&mut Inputs)> = vec![|inputs| inputs.asms = true, |inputs| inputs.tsms = true];
+    if Remote::of(bus).is_some() {
+        (inputs.go, inputs.sdc.remote_estop) = (seen.go, seen.sdc.remote_estop);
+    } else {
+        either.push(|inputs| inputs.go = true);
+    }
+    either.extend(MAY_BE.iter().filter(|(_, shows)| shows(&shown)).map(|(may_be, _)| may_be));
+    let mut all: Vec<Inputs> = EbsState::ALL.map(|ebs| Inputs { ebs, ..inputs }).to_vec();
+    for may_be in either {
+        let others: Vec<Inputs> = all
+            .iter()
+            .map(|inputs| {
+                let mut other = *inputs;
+                may_be(&mut other);
+                other
+            })
+            .collect();
+        all.extend(others);
+    }
+    all
+}
