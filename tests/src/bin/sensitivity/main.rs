@@ -27,7 +27,7 @@ const KEPT: &str = "target/sensitivity";
 #[derive(Default)]
 struct Tally {
     violations: usize,
-    warnings: usize,
+    warnings: Vec<String>,
     nothing: Vec<String>,
     delays_ms: Vec<i64>,
 }
@@ -128,7 +128,7 @@ fn drives(edition: &'static Edition, mutant: &Mutant, tallies: &mut [Tally]) -> 
                 tally.violations += 1;
                 tally.delays_ms.push(delay_ms);
             }
-            Detection::Warning => tally.warnings += 1,
+            Detection::Warning(rule) => tally.warnings.push(format!("{}: {}", mutant.name, rule.id())),
             Detection::Nothing => tally.nothing.push(mutant.name.clone()),
         }
     }
@@ -146,12 +146,14 @@ fn print_table(tallies: Vec<Tally>) {
             "{:<44} {:>10} {:>8} {:>8}  {delay}",
             profile.to_string(),
             tally.violations,
-            tally.warnings,
+            tally.warnings.len(),
             tally.nothing.len(),
         );
         // What was named above is so here as well, or worse.
-        for mutant in tally.nothing.into_iter().filter(|mutant| named.insert(mutant.clone())) {
-            println!("    nothing is said of {mutant}");
+        let warned = tally.warnings.into_iter().map(|mutant| format!("only warned of {mutant}"));
+        let unsaid = tally.nothing.into_iter().map(|mutant| format!("nothing is said of {mutant}"));
+        for line in warned.chain(unsaid).filter(|line| named.insert(line.clone())) {
+            println!("    {line}");
         }
     }
 }
@@ -177,7 +179,7 @@ fn soundness(edition: &'static Edition, runs: u64) -> bool {
                         run.world.vcu.readings()
                     );
                 }
-                Detection::Warning => counts[1] += 1,
+                Detection::Warning(_) => counts[1] += 1,
                 Detection::Nothing => counts[2] += 1,
             }
         }

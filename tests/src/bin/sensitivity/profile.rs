@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{JudgeOptions, Party, Report, Severity};
+use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::Edition;
 use adsdv_tests::world::{MS, Recorded, judge, violations};
 
@@ -38,7 +38,8 @@ pub(crate) const PROFILES: [Profile; 9] = [
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Detection {
     Nothing,
-    Warning,
+    /// By this rule.
+    Warning(Rule),
     Violation {
         /// How long after the VCU first did something else.
         delay_ms: i64,
@@ -92,7 +93,7 @@ impl Profile {
                 let since = run.differs_at.map_or(0, |at| finding.t_ns + origin - at);
                 Some(Detection::Violation { delay_ms: since / MS })
             }
-            Severity::Warning => Some(Detection::Warning),
+            Severity::Warning => Some(Detection::Warning(finding.rule)),
             Severity::Note => None,
         });
         said.max().unwrap_or(Detection::Nothing)
