@@ -1,8 +1,8 @@
 //! Fault flags, the flags that sum them up, and 502h: what 520h shows against what is so.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule};
-use adsdv_spec::Atom;
 use adsdv_spec::messages::{AsState, Vcu2AiStatus, Vcu2LogStatus};
+use adsdv_spec::{Atom, Edition};
 use adsdv_tests::bus::def_of;
 use adsdv_tests::world::{World, judge};
 
@@ -87,6 +87,29 @@ fn an_emergency_stop_that_is_ignored() {
     let mut found = blames(&judge(&world.log, JudgeOptions::default()), Party::Vcu);
     found.sort_unstable_by_key(|&(rule, _)| rule != Rule::FlagMissing);
     assert_eq!(found, both);
+}
+
+/// The flag is for what the AI Computer asks, wherever the Autonomous System is active.
+#[test]
+fn an_emergency_stop_whose_flag_is_not_shown_in_any_active_state() {
+    for edition in Edition::ALL {
+        for (leads, expected) in [
+            (World::prepare as fn(&mut World), 0),
+            (World::ready, 1),
+            (World::driving, 1),
+            (World::finished, 1),
+        ] {
+            let mut world = World::of(edition);
+            leads(&mut world);
+            world.hold_state();
+            world.shows = |status| status.ai_estop_request = false;
+            world.set(Atom::AiEstop, true);
+            world.wait(500);
+            let report = judge(&world.log, JudgeOptions::of(edition));
+            let missing = report.findings.iter().filter(|finding| finding.rule == Rule::FlagMissing);
+            assert_eq!(missing.count(), expected, "{} in {}", edition.version, world.control.state);
+        }
+    }
 }
 
 /// How long it is ignored is reported to the millisecond, and exactly the deadline is not too long.

@@ -31,7 +31,7 @@ use pending::{Awaited, Pending, Queue};
 use vcu_status::StatusWatch;
 
 use super::book::Book;
-use super::estimator::base::Estimator;
+use super::estimator::base::{Estimator, is_active};
 use super::estimator::status::StatusChange;
 use super::finding::{Finding, Party, Rule};
 use super::sampler::content::FrameContent;
@@ -143,7 +143,7 @@ impl Rules {
         let begins = previous.is_some_and(|previous| !previous.estop_request);
         if !status.estop_request {
             self.flags.estop_since = None;
-        } else if begins && est.vcu.state == Some(AsState::Driving) {
+        } else if begins && is_active(est.vcu.state) {
             self.flags.estop_since = Some(t);
         }
         book.notice_declared(est, t, status, previous);
