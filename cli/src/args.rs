@@ -228,6 +228,9 @@ EXAMPLES
   List the violations for a program:
       adsdv check --json run.log | jq '.findings[] | select(.severity == \"violation\")'
 
+  To look at: one page with the timeline, plots and each finding, which opens from a mail as well:
+      adsdv check --html run.html run.log
+
   The few frames that show each violation, to send to somebody:
       adsdv check --excerpt excerpts run.log
 
@@ -326,6 +329,14 @@ pub(crate) struct CheckArgs {
     /// a violation of party OWN. Not with --excerpt: what breaks a rule may lie far before the finding.
     #[arg(long, value_name = "FILE", conflicts_with = "excerpt")]
     pub(crate) rules: Option<PathBuf>,
+
+    /// Write the report as a page to look at to this file, beside printing it.
+    ///
+    /// One file that needs nothing else and no network: the verdict and what to do next, a timeline, plots of what was asked for
+    /// and what was, each finding with its frames. For any browser of the last years. The file is there when all of it is
+    /// written. With - the page is printed in place of the report. Of one log.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
 
     /// Write the few frames that show each violation and warning to a log of its own in this directory.
     ///

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::judged::{Plan, judged};
 use crate::progress::ProgressLine;
 use crate::status::Status;
-use crate::{excerpt, many, output, recording, requires};
+use crate::{excerpt, html, many, output, recording, requires};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
     let plan = Plan::of(args)?;
@@ -15,13 +15,16 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
         return many::run(args, &plan);
     }
     let [log] = &args.logs[..] else { return Ok(Status::NoAnswer) };
+    html::prepare(args)?;
     let name = recording::name(log);
     let mut line = ProgressLine::new();
     let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
     let log = recording::open(log, &name)?;
     args.excerpt.as_deref().map_or(Ok(()), excerpt::prepare)?;
     let subject = judged(args, &plan, log, progress).map_err(|error| error.into_error(args, &name))?;
-    if args.json {
+    if html::is_printed(args) {
+        // The page is the answer.
+    } else if args.json {
         output::plain(&subject.json(args, None))?;
     } else {
         output::styled(&subject.text(args, &plan, &name), args.color)?;
@@ -30,6 +33,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
         excerpt::write(args, directory, subject.edition().version, excerpts)?;
     }
     many::write_one(args, &name, &subject)?;
+    html::write(args, &name, &subject)?;
     // What could be read has been judged; a verdict on all of the log it is not.
     match subject.failure {
         None => Ok(requires::status(&subject.report, &args.required)),

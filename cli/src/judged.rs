@@ -1,11 +1,12 @@
 //! What is asked of the judge, and a log that was judged: for one log and for many.
 
 use adsdv_formats::Log;
-use adsdv_oracle::candump::ReadError;
+use adsdv_oracle::candump::{Entries, ReadError};
 use adsdv_oracle::excerpt::{Excerpts, judge_with_excerpts};
 use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_entries, judge_recognised};
 use adsdv_oracle::recognise::Recognised;
+use adsdv_report::{Recorder, Recording};
 use adsdv_spec::Edition;
 
 use crate::args::{CheckArgs, ChosenEdition};
@@ -52,6 +53,8 @@ pub(crate) struct Subject {
     by_log: bool,
     options: LogOptions,
     pub(crate) excerpts: Option<Excerpts>,
+    /// What was recorded, where somebody is to look at it.
+    pub(crate) recorded: Option<Recording>,
     status: Status,
     missing: Vec<String>,
 }
@@ -83,8 +86,17 @@ pub(crate) fn judged(
     log: Log,
     progress: impl FnMut(LogProgress),
 ) -> Result<Subject, Failed> {
-    let judged = judge(log, &plan.options, plan.by_log, args.excerpt.is_some(), progress);
+    let with_excerpts = args.excerpt.is_some();
+    let (judged, recorder) = if args.html.is_some() {
+        let mut recorder = Recorder::new(log, plan.options.judge.window_ms);
+        let judged = judge(&mut recorder, &plan.options, plan.by_log, with_excerpts, progress);
+        (judged, Some(recorder))
+    } else {
+        (judge(log, &plan.options, plan.by_log, with_excerpts, progress), None)
+    };
     let (Judged { report, failure, recognised }, excerpts) = judged.map_err(Failed::Log)?;
+    let interface = plan.options.interface.as_deref();
+    let recorded = recorder.map(|recorder| recorder.finish(recognised.edition, interface));
     let mut options = plan.options.clone();
     options.judge = options.judge.under(recognised.edition);
     pins::possible(recognised.edition, &args.readings).map_err(Failed::Asked)?;
@@ -92,7 +104,17 @@ pub(crate) fn judged(
     let status = if failure.is_some() { Status::NoAnswer } else { requires::status(&report, &args.required) };
     let missing = args.required.iter().filter(|one| !report.exercised.meets(**one));
     let missing = missing.map(|one| format!("{one} ({})", one.missing())).collect();
-    Ok(Subject { report, failure, recognised, by_log: plan.by_log, options, excerpts, status, missing })
+    Ok(Subject {
+        report,
+        failure,
+        recognised,
+        by_log: plan.by_log,
+        options,
+        excerpts,
+        recorded,
+        status,
+        missing,
+    })
 }
 
 impl Subject {
@@ -123,6 +145,18 @@ impl Subject {
         report::text(&subject, &self.report, output::width())
     }
 
+    /// How it was judged, a line each.
+    pub(crate) fn settings(&self, args: &CheckArgs) -> Vec<String> {
+        let subject = JudgedLog {
+            edition: None,
+            name: "",
+            options: &self.options,
+            pins: &args.readings,
+            required: &args.required,
+        };
+        subject.settings()
+    }
+
     /// The report for a program; with the name of the log, where it is one of several.
     pub(crate) fn json(&self, args: &CheckArgs, log: Option<&str>) -> String {
         let recognised = self.by_log.then_some(&self.recognised);
@@ -132,7 +166,7 @@ impl Subject {
 
 /// Judges by the edition of the options, or by the one that the log tells.
 fn judge(
-    log: Log,
+    log: impl Entries,
     options: &LogOptions,
     by_log: bool,
     with_excerpts: bool,

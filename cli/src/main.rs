@@ -37,6 +37,7 @@ mod exam;
 mod excerpt;
 mod explore;
 mod files;
+mod html;
 mod interrupt;
 mod json;
 mod judged;
@@ -59,6 +60,7 @@ mod tables;
 mod vcu;
 mod verify;
 mod watch;
+mod whole;
 
 use std::process::ExitCode;
 

@@ -94,7 +94,7 @@ pub use observation::Observation;
 pub use outputs::{Actuation, Outputs, VcuMessages};
 pub use readings::{Choice, Choices, Reading, Readings};
 pub use reads::Reads;
-pub use requirements::{Numbers, Replaced, Requirements};
+pub use requirements::{Numbers, Replaced, Requirements, requirement};
 pub use silence::AiSilence;
 pub use table::{Row, Table, Term};
 pub use truth::{Knowledge, Truth};

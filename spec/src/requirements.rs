@@ -78,6 +78,21 @@ impl Requirements {
     }
 }
 
+/// The file that numbers them.
+const FILE: &str = include_str!("../REQUIREMENTS.md");
+
+/// What a requirement asks for, in a sentence, with its places in the document behind it; `None` where there is no such requirement.
+///
+/// ```
+/// let sentence = adsdv_spec::requirement("FIN-2").expect("it stands in REQUIREMENTS.md");
+/// assert_eq!(sentence, "The AI Computer MUST stop the vehicle with the service brake at the end of each event (3.3).");
+/// assert_eq!(adsdv_spec::requirement("FIN-99"), None);
+/// ```
+pub fn requirement(id: &str) -> Option<&'static str> {
+    let item = |line: &'static str| line.strip_prefix("- **")?.strip_prefix(id)?.strip_prefix("** ");
+    FILE.lines().find_map(item)
+}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -86,6 +101,14 @@ mod tests {
     use std::vec::Vec;
 
     use super::*;
+
+    #[test]
+    fn a_requirement_has_its_own_sentence() {
+        let first = requirement("HS-1").expect("it stands in REQUIREMENTS.md");
+        assert!(first.starts_with("The ") && first.ends_with(").") && !first.contains("**"), "{first}");
+        assert_ne!(Some(first), requirement("HS-10"));
+        assert_eq!((requirement("HS"), requirement("")), (None, None));
+    }
 
     #[test]
     fn what_is_replaced_by_itself_among_others_still_holds() {

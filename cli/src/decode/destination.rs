@@ -1,17 +1,15 @@
 //! Where the answer goes: to standard output, to a file as it comes, or to a file or a directory that is there when all of it is written.
 
-use std::ffi::{OsStr, OsString};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, IsTerminal as _, Write};
-#[cfg(unix)]
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, TempDir, TempPath};
+use tempfile::TempDir;
 
 use super::errors;
 use crate::args::{DecodeArgs, DecodedTable};
 use crate::error::Error;
+use crate::whole::{self, Whole, beside, builder};
 use crate::{interrupt, recording};
 
 /// What has to be done when all is written, so that it is there. Without that, nothing is.
@@ -19,7 +17,7 @@ pub(super) enum Unfinished {
     /// Nothing has to be done.
     Nothing,
     /// A file has to get its name.
-    File(TempPath, PathBuf),
+    File(Whole),
     /// A directory has to get its name.
     Directory(TempDir, PathBuf),
     /// The files in a directory have to go where that is.
@@ -48,18 +46,11 @@ pub(super) fn stream(output: Option<&Path>) -> Result<Box<dyn Write + Send>, Err
 
 /// Standard output, or a file that is there when it is whole.
 pub(super) fn whole(output: Option<&Path>) -> Result<(Box<dyn Write + Send>, Unfinished), Error> {
-    // A device or a pipe is written, and not replaced.
-    let is_special = |file: &Path| fs::metadata(file).is_ok_and(|metadata| !metadata.is_file());
-    let Some(file) = output.filter(|file| !is_special(file)) else {
-        return Ok((stream(output)?, Unfinished::Nothing));
-    };
-    // Where there is a link, what it names is replaced.
-    let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
-    let (folder, prefix) = beside(&target).map_err(|error| errors::write(file, &error))?;
-    let made = builder(&prefix, 0o666).tempfile_in(folder);
-    let (writer, path) = made.map_err(|error| errors::write(file, &error.kind().into()))?.into_parts();
-    interrupt::removes(path.to_path_buf()).map_err(|error| Error::system("signals", &error))?;
-    Ok((Box::new(writer), Unfinished::File(path, target)))
+    let Some(file) = output else { return Ok((stream(output)?, Unfinished::Nothing)) };
+    let (writer, unfinished) = whole::begin(file).map_err(|error| errors::write(file, &error))?;
+    let Some(unfinished) = unfinished else { return Ok((Box::new(writer), Unfinished::Nothing)) };
+    interrupt::removes(unfinished.path()).map_err(|error| Error::system("signals", &error))?;
+    Ok((Box::new(writer), Unfinished::File(unfinished)))
 }
 
 /// A directory that is there, or has something in it, when every file is whole; and where these are to be made.
@@ -84,13 +75,7 @@ impl Unfinished {
     pub(super) fn finish(self) -> Result<(), Error> {
         match self {
             Self::Nothing => Ok(()),
-            Self::File(path, target) => {
-                // Some disks say only now that they are full.
-                let synced = OpenOptions::new().append(true).open(&path).and_then(|file| file.sync_all());
-                synced
-                    .and_then(|()| path.persist(&target).map_err(|error| error.error))
-                    .map_err(|error| errors::write(&target, &error))
-            }
+            Self::File(whole) => whole.finish().map_err(|(target, error)| errors::write(&target, &error)),
             Self::Directory(directory, target) => {
                 fs::rename(directory.path(), &target).map_err(|error| errors::write(&target, &error))?;
                 // It has another name now, and nothing is left to be removed.
@@ -107,24 +92,4 @@ impl Unfinished {
             }
         }
     }
-}
-
-/// Where that is made which gets the name of `target`, and how its own name begins.
-fn beside(target: &Path) -> io::Result<(&Path, OsString)> {
-    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::metadata(folder)?;
-    let mut prefix = OsString::from(".");
-    prefix.push(target.file_name().unwrap_or_default());
-    prefix.push(".");
-    Ok((folder, prefix))
-}
-
-/// Makes files and directories with such names, and with the permissions that they have when they are made without a detour.
-#[cfg_attr(not(unix), expect(unused_variables, reason = "there are no such permissions"))]
-fn builder(prefix: &OsStr, mode: u32) -> Builder<'_, 'static> {
-    let mut builder = Builder::new();
-    builder.prefix(prefix);
-    #[cfg(unix)]
-    builder.permissions(PermissionsExt::from_mode(mode));
-    builder
 }

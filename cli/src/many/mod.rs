@@ -54,6 +54,13 @@ pub(crate) fn run(args: &CheckArgs, plan: &Plan) -> Result<Status, Error> {
             hint: "give the one that they are to be of".to_owned(),
         });
     }
+    if args.html.is_some() {
+        return Err(Error {
+            what: "--html".to_owned(),
+            why: "writes the page of one log; expected one log, and not several".to_owned(),
+            hint: "give the one that it is to be of".to_owned(),
+        });
+    }
     if args.logs.iter().any(|log| log == Path::new(recording::STDIN)) {
         return Err(Error {
             what: recording::STDIN.to_owned(),

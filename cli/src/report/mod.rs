@@ -41,6 +41,23 @@ pub(crate) struct JudgedLog<'a> {
     pub(crate) required: &'a [Required],
 }
 
+impl JudgedLog<'_> {
+    /// How it was judged, where that is not as usual: a line each.
+    pub(crate) fn settings(&self) -> Vec<String> {
+        let (judge, default) = (self.options.judge, JudgeOptions::of(self.options.judge.edition));
+        let mut lines = Vec::new();
+        lines.extend(self.options.interface.as_ref().map(|interface| format!("interface {interface}")));
+        if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
+            lines.push(format!("window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms));
+        }
+        if judge.complete {
+            lines.push("complete: no frame is missing".to_owned());
+        }
+        lines.extend(self.pins.iter().map(|pin| format!("reading {pin}: {}", pin.text())));
+        lines
+    }
+}
+
 /// The whole report, with ANSI styles, wrapped to `width` columns.
 pub(crate) fn text(subject: &JudgedLog<'_>, report: &Report, width: usize) -> String {
     let mut text = String::new();
@@ -117,20 +134,7 @@ fn header(out: &mut String, subject: &JudgedLog<'_>, report: &Report) -> fmt::Re
     }
     let frames = counted(report.frames, "frame");
     writeln!(out, "{}: {frames} in {} s", subject.name, Seconds(report.duration_ns))?;
-    if let Some(interface) = &subject.options.interface {
-        writeln!(out, "interface {interface}")?;
-    }
-    let (judge, default) = (subject.options.judge, JudgeOptions::of(subject.options.judge.edition));
-    if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
-        writeln!(out, "window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms)?;
-    }
-    if judge.complete {
-        writeln!(out, "complete: no frame is missing")?;
-    }
-    for pin in subject.pins {
-        writeln!(out, "reading {pin}: {}", pin.text())?;
-    }
-    Ok(())
+    subject.settings().iter().try_for_each(|setting| writeln!(out, "{setting}"))
 }
 
 fn answers(out: &mut String, report: &Report) -> fmt::Result {

@@ -21,6 +21,7 @@ mod explore;
 mod export;
 mod golden;
 mod help;
+mod html;
 mod many;
 mod piped;
 mod readings;

@@ -62,4 +62,4 @@ pub use margins::{Basis, Margin, Measure, Needs};
 pub use options::JudgeOptions;
 pub use report::{Report, Transition, Verdict};
 pub use response::{Meter, ResponseTimes};
-pub(crate) use time::SILENCE_NS;
+pub use time::SILENCE_NS;

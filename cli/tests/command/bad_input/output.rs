@@ -208,6 +208,45 @@ pub(super) fn a_full_disk_for_a_table() {
     assert_eq!(fs::read_dir(&empty).expect("a folder").count(), 0, "which stays so");
 }
 
+/// A page for which there is not enough room: the report is printed, no part of the page is there, and a file that was is as it was.
+#[test]
+pub(super) fn a_full_disk_for_a_page() {
+    let said = "cannot write the page: ";
+    let report = crate::run::run(&["check", MISSION]).stdout;
+    let full = run(&["check", MISSION, "--html", "/dev/full"]);
+    assert_eq!((full.status, &full.stdout), (Some(2), &report));
+    explained(&full.stderr, said, "free some space");
+    let folder = folder_with("bad-input-page", "run.html", b"before");
+    for file in [folder.join("run.html"), folder.join("new.html")] {
+        let command = adsdv(&["check", MISSION, "--html", text(&file)]);
+        let mut small = Command::new("sh");
+        small.args(["-c", "trap '' XFSZ; ulimit -f 20; exec \"$0\" \"$@\""]).arg(command.get_program());
+        small.env("LLVM_PROFILE_FILE", "/dev/null").current_dir(crate::run::workspace());
+        let outcome = calm(outcome(small.args(command.get_args())));
+        assert_eq!((outcome.status, &outcome.stdout), (Some(2), &report));
+        explained(&outcome.stderr, said, "with --html");
+    }
+    assert_eq!(fs::read(folder.join("run.html")).expect("it is there"), b"before");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
+}
+
+/// A folder that is not there, or a directory in the place of the page.
+#[test]
+pub(super) fn a_page_that_has_no_place() {
+    let missing = run(&["check", MISSION, "--html", "no-such-folder/run.html"]);
+    assert_eq!((missing.status, missing.stdout), (Some(2), crate::run::run(&["check", MISSION]).stdout));
+    explained(
+        &missing.stderr,
+        "no-such-folder/run.html: cannot write the page: ",
+        "make the directory first",
+    );
+    refused(
+        &run(&["check", MISSION, "--html", "tests"]),
+        "tests: cannot write the page: ",
+        "name a file in it with --html",
+    );
+}
+
 /// What was explored is reported, though the log of a counterexample cannot be written; those that can be are.
 #[test]
 pub(super) fn a_full_disk_for_counterexamples() {

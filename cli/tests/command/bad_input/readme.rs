@@ -54,6 +54,7 @@ const ROWS: &[Row] = &[
         &["a_log_that_cannot_be_made_is_reported"],
     ),
     ("a directory", "`check`", tests![given::a_directory], &[]),
+    ("a directory", "`check --html`", tests![output::a_page_that_has_no_place], &[]),
     (
         "an empty file",
         "`check`, `compare`, `conform`, `demo`, `vcu`",
@@ -179,6 +180,7 @@ const ROWS: &[Row] = &[
     ("a full disk", "`demo --log`", tests![output::a_full_disk_for_the_log_of_a_demo], &[]),
     ("a full disk", "`decode --format parquet`", tests![output::a_full_disk_for_a_table], &[]),
     ("a full disk", "`check --excerpt`", tests![output::excerpts_that_cannot_be_written], &[]),
+    ("a full disk", "`check --html`", tests![output::a_full_disk_for_a_page], &[]),
     ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
     ("a full disk", "`watch --log`", &[], &["a_full_disk_is_reported_and_watching_goes_on"]),
     ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),

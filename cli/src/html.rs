@@ -1,0 +1,72 @@
+//! `adsdv check --html`: writes the report as a page to look at.
+
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use adsdv_report::Subject as PageSubject;
+
+use crate::args::CheckArgs;
+use crate::error::Error;
+use crate::judged::Subject;
+use crate::{interrupt, output, recording, whole};
+
+/// Whether the page is printed, in place of the report.
+pub(crate) fn is_printed(args: &CheckArgs) -> bool {
+    args.html.as_deref() == Some(Path::new(recording::STDOUT))
+}
+
+/// What goes with it, and what does not.
+pub(crate) fn prepare(args: &CheckArgs) -> Result<(), Error> {
+    if let Some(file) = args.html.as_deref().filter(|file| file.is_dir()) {
+        return Err(failed(file, &io::ErrorKind::IsADirectory.into()));
+    }
+    if is_printed(args) && args.json {
+        return Err(Error {
+            what: "--html -".to_owned(),
+            why: "prints the page, and --json prints the report; expected one of them on standard output"
+                .to_owned(),
+            hint: "name a file for the page with --html".to_owned(),
+        });
+    }
+    Ok(())
+}
+
+/// Writes it where it is asked for.
+pub(crate) fn write(args: &CheckArgs, name: &str, subject: &Subject) -> Result<(), Error> {
+    let (Some(file), Some(recorded)) = (&args.html, &subject.recorded) else { return Ok(()) };
+    let settings = subject.settings(args);
+    let check = subject.json(args, None);
+    let page = PageSubject {
+        name,
+        settings: &settings,
+        check: &check,
+        edition: subject.edition(),
+        report: &subject.report,
+        recording: recorded,
+    };
+    let html = page.html().map_err(|error| failed(file, &error.into()))?;
+    if is_printed(args) {
+        return output::plain(&html);
+    }
+    let (mut out, unfinished) = whole::begin(file).map_err(|error| failed(file, &error))?;
+    if let Some(unfinished) = &unfinished {
+        interrupt::removes(unfinished.path()).map_err(|error| Error::system("signals", &error))?;
+    }
+    out.write_all(html.as_bytes()).and_then(|()| out.flush()).map_err(|error| failed(file, &error))?;
+    drop(out);
+    match unfinished.map(whole::Whole::finish) {
+        None | Some(Ok(())) => Ok(()),
+        Some(Err((target, error))) => Err(failed(&target, &error)),
+    }
+}
+
+fn failed(file: &Path, error: &io::Error) -> Error {
+    let hint = match error.kind() {
+        io::ErrorKind::NotFound => "make the directory first, or name another file with --html",
+        io::ErrorKind::IsADirectory => "name a file in it with --html",
+        io::ErrorKind::StorageFull => "free some space, or name a file on another disk with --html",
+        _ => "name a file that can be written with --html",
+    };
+    let why = format!("cannot write the page: {error}");
+    Error { what: file.display().to_string(), why, hint: hint.to_owned() }
+}

@@ -1,0 +1,37 @@
+// The pictures of docs/report.md, small enough for a repository.
+
+import { join } from "node:path";
+
+import { browser, driven, open, page, recording } from "./tests/browser.mjs";
+
+const docs = new URL("../../docs/report", import.meta.url).pathname;
+
+async function shot(name, file, options, act = async () => {}) {
+  const { tab, close } = await open(file, options);
+  await act(tab);
+  await tab.waitForTimeout(300);
+  await tab.screenshot({ path: join(docs, `${name}.png`) });
+  await close();
+}
+
+const at = (id) => (tab) => tab.evaluate((id) => document.getElementById(id).scrollIntoView(), id);
+const violates = page(recording("finished-while-moving"));
+const small = { viewport: { width: 1110, height: 700 } };
+
+await shot("verdict", violates, { viewport: { width: 1000, height: 560 } });
+await shot("timeline", violates, small, async (tab) => {
+  await tab.locator(".answer button").nth(5).click();
+  await tab.waitForTimeout(200);
+  await at("timeline")(tab);
+});
+await shot("finding", violates, { viewport: { width: 1120, height: 640 } }, async (tab) => {
+  await tab.locator("tr.violation button").first().click();
+  await at("findings")(tab);
+});
+await shot("dark", page(driven("remote-estop", "2026")), { viewport: { width: 1110, height: 640 }, colorScheme: "dark" }, async (tab) => {
+  await tab.locator(".answer button").first().click();
+  await tab.waitForTimeout(200);
+  await at("timeline")(tab);
+});
+await shot("phone", violates, { viewport: { width: 390, height: 760 }, isMobile: true, hasTouch: true });
+await browser.close();

@@ -1,0 +1,88 @@
+//! The sentences of the page, of both recordings and of logs that tell little.
+
+use std::fmt::Write as _;
+
+use expect_test::expect_file;
+
+use crate::{Run, recorded, run};
+
+/// What stands on the page in sentences.
+fn said(run: &Run) -> String {
+    let data = run.data();
+    let text = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
+    let summary = &data["summary"];
+    let mut out = format!(
+        "{}: {}\nNext: {}\n",
+        text(&summary["mood"]),
+        text(&summary["verdict"]),
+        text(&summary["next"])
+    );
+    for one in summary["matters"].as_array().into_iter().flatten() {
+        let _ = writeln!(
+            out,
+            "- {} ({}): {} [{}]",
+            text(&one["title"]),
+            text(&one["mood"]),
+            text(&one["text"]),
+            one["at"]
+        );
+    }
+    for one in data["questions"].as_array().into_iter().flatten() {
+        let (question, answer) = (text(&one["question"]), text(&one["answer"]));
+        let _ = writeln!(
+            out,
+            "{question} ({}, {} in {})\n  {answer}",
+            text(&one["mood"]),
+            one["at"],
+            text(&one["show"])
+        );
+    }
+    out
+}
+
+#[test]
+fn of_the_mission() {
+    expect_file!["../golden/mission.txt"].assert_eq(&said(&run(&recorded("mission"))));
+}
+
+#[test]
+fn of_the_mission_that_was_finished_while_moving() {
+    let log = recorded("finished-while-moving");
+    expect_file!["../golden/finished-while-moving.txt"].assert_eq(&said(&run(&log)));
+}
+
+#[test]
+fn of_a_recording_of_the_ai_computer_alone() {
+    let log = recorded("mission");
+    let is_of_ai = |line: &&str| ["510#", "511#", "512#", "513#", "514#"].iter().any(|id| line.contains(id));
+    let text = String::from_utf8(log).expect("text");
+    let lines: Vec<&str> = text.lines().filter(is_of_ai).collect();
+    expect_file!["../golden/ai-alone.txt"].assert_eq(&said(&run((lines.join("\n") + "\n").as_bytes())));
+}
+
+/// Requests of which the vehicle shows nothing, a silence of a second, and what the recorder says it lost.
+#[test]
+fn of_requests_that_reach_nothing_and_frames_that_are_lost() {
+    let mut log = String::new();
+    for cycle in 0..400_u32 {
+        let time = 1.0 + f64::from(cycle) * 0.01 + if cycle < 300 { 0.0 } else { 1.0 };
+        let bit = cycle % 2;
+        let torque = if (100..200).contains(&cycle) { "C800" } else { "0000" };
+        let steer = if (120..150).contains(&cycle) { "6400" } else { "0000" };
+        for (id, data) in [
+            (0x520, format!("0{bit}06020000000000")),
+            (0x521, "000000000000".to_owned()),
+            (0x523, "0000D2000000".to_owned()),
+            (0x524, "0000000011".to_owned()),
+            (0x510, format!("0{bit}10000000000000")),
+            (0x511, format!("{torque}D006")),
+            (0x513, steer.to_owned()),
+        ] {
+            let _ = writeln!(log, "({time:.6}) can0 {id:03X}#{data}");
+        }
+        if cycle == 300 {
+            log.push_str("DROPCOUNT: dropped 7 CAN frames on 'can0' socket (total drops 7)\n");
+        }
+    }
+    expect_file!["../golden/unanswered.txt"].assert_eq(&said(&run(log.as_bytes())));
+}
