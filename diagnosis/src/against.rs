@@ -68,6 +68,8 @@ impl Deviation {
                 Remembers::CommsLost => vec!["D-17", "D-18"],
                 Remembers::Handshake => vec!["HS-1", "D-8"],
             },
+            Self::Causes { .. } => vec!["D-15"],
+            Self::Reads(choice) => vec![choice.reading().decision()],
             Self::Shows { key, .. } | Self::Writes { key, .. } => {
                 let field = SHOWN.iter().find(|field| field.key == key);
                 field.map_or(Vec::new(), |field| field.requirements.to_vec())

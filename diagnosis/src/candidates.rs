@@ -15,10 +15,14 @@ use crate::model::Model;
 const LATEST: u8 = 3;
 
 /// Every deviation that has no number in it which would have to be measured, as far as the inputs of a program can tell it.
+///
+/// The answers to the document's questions come first: where one explains as much, it is no deviation at all.
 pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
+    let answers = edition.questions().flat_map(|reading| interface.answers(reading));
+    let others = answers.filter(|choice| !edition.readings.is(*choice) && edition.choices.has(*choice));
     let measured = |change: &Change| matches!(change, Change::Time(..) | Change::Threshold(..));
     let changes = Mutation::all(edition).map(|mutation| mutation.change).filter(|change| !measured(change));
-    let mut all: Vec<Deviation> = changes.map(Deviation::Changed).collect();
+    let mut all: Vec<Deviation> = others.map(Deviation::Reads).chain(changes.map(Deviation::Changed)).collect();
     all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake, Deviation::Wheels(Wheels::All)]);
     all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
     all.extend(Remembers::ALL.map(Deviation::Remembers));
@@ -49,6 +53,21 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let fixed = Fixed::of(edition, interface);
     all.retain(|one| fixed.can_tell(edition, interface, one));
     all
+}
+
+/// Deviations that only explain anything together: an arrow that leads elsewhere, and is late.
+pub(crate) fn several(edition: &Edition) -> Vec<Vec<Deviation>> {
+    let rows = edition.rules.table.rows().iter().enumerate();
+    let elsewhere = rows.flat_map(|(place, row)| {
+        let (from, usual) = (row.from, row.to);
+        let others = AsState::ALL.into_iter().filter(move |to| *to != usual && *to != from);
+        others.map(move |to| (Deviation::Changed(Change::RowLeadsTo(place, to)), from, to))
+    });
+    elsewhere
+        .flat_map(|(leads, from, to)| {
+            (1..=LATEST).map(move |steps| vec![leads, Deviation::Late { from, to, steps }])
+        })
+        .collect()
 }
 
 /// Each two alternatives of a row that the edition's readings have.

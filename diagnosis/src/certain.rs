@@ -1,5 +1,7 @@
 //! What is certain of the deviations that were found: none is needless, others explain less, and no answer speaks against them.
 
+use adsdv_spec::AsState;
+
 use crate::deviation::Deviation;
 use crate::fit::{Fit, KINDS, LOOKED_AT};
 use crate::model::Model;
@@ -8,6 +10,8 @@ use crate::stays::Stay;
 
 /// So many others in the place of one are looked at.
 const ALIKE: usize = 5;
+/// Where one of so many stays in a state is not explained, nothing is said of it.
+const UNCLEAR: usize = 10;
 
 impl<'a> Fit<'a> {
     /// The set without what explains nothing that the others do not.
@@ -30,8 +34,14 @@ impl<'a> Fit<'a> {
     /// Instead of each deviation others that explain as much, a few of them: the set with the other in its place.
     pub(crate) fn alternatives(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
         let all = self.wrong(set);
+        let places = (0..set.len()).take_while(|_| !self.is_over());
+        places.flat_map(|place| self.alternatives_to(set, place, all)).collect()
+    }
+
+    /// Instead of one of the deviations others that explain as much, where so much is not explained by the set.
+    fn alternatives_to(&self, set: &[Deviation], place: usize, all: usize) -> Vec<Vec<Deviation>> {
         let mut alike: Vec<Vec<Deviation>> = Vec::new();
-        for (place, known) in set.iter().enumerate().take_while(|_| !self.is_over()) {
+        if let Some(known) = set.get(place) {
             let mut others = set.to_vec();
             others.remove(place);
             let without = Model::new(self.edition, &others);
@@ -68,6 +78,37 @@ impl<'a> Fit<'a> {
             }
         }
         alike
+    }
+
+    /// The set without what no experiment tells from something else, where not all is explained: there it may be otherwise.
+    pub(crate) fn told_from_others(
+        &self,
+        mut set: Vec<Deviation>,
+        differ: impl Fn(&[Deviation], &[Deviation]) -> bool,
+    ) -> Vec<Deviation> {
+        let all = self.wrong(&set);
+        if all == 0 {
+            return set;
+        }
+        let doubtful = |place: &usize| {
+            let others = self.alternatives_to(&set, *place, all);
+            others.iter().any(|other| differ(&set, other))
+        };
+        let doubtful: Vec<usize> = (0..set.len()).filter(doubtful).collect();
+        for place in doubtful.into_iter().rev() {
+            set.remove(place);
+        }
+        let unclear: Vec<AsState> =
+            AsState::ALL.into_iter().filter(|state| self.is_unclear(*state, &set)).collect();
+        set.retain(|one| one.state(self.edition).is_none_or(|state| !unclear.contains(&state)));
+        set
+    }
+
+    /// Whether so much of what was done in a state is not explained that nothing can be said of it.
+    fn is_unclear(&self, state: AsState, set: &[Deviation]) -> bool {
+        let (model, stays) = (Model::new(self.edition, set), self.stays(set));
+        let own = || stays.iter().filter(|(own, _)| *own == state).flat_map(|(_, stays)| stays);
+        own().filter(|stay| stay.wrong(&model) > 0).count() * UNCLEAR > own().count()
     }
 
     /// The set without what is said of a state in which not all is explained: where the time was over before, it may be otherwise.

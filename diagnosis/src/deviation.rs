@@ -3,7 +3,7 @@
 use adsdv_oracle::protocol::{Domain, Protocol, ShownField};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::table::{Row, Table, Term};
-use adsdv_spec::{AsState, Edition};
+use adsdv_spec::{AsState, Choice, Edition, Reading, Readings};
 
 use crate::interface::Interface;
 
@@ -67,6 +67,17 @@ pub enum Deviation {
     GoNeedsHandshake,
     /// Something is remembered otherwise.
     Remembers(Remembers),
+    /// The cause of an emergency that begins in a state is another than it should be.
+    Causes {
+        /// The state in which the emergency begins.
+        from: AsState,
+        /// The raw SHUTDOWN_CAUSE that it should have.
+        value: i32,
+        /// The raw SHUTDOWN_CAUSE that it has instead.
+        raw: i32,
+    },
+    /// A question that the document leaves open is answered so, and not by default: an observation, and no mistake.
+    Reads(Choice),
     /// An output has this value in a state, whatever it should be.
     Shows {
         /// The state.
@@ -143,6 +154,15 @@ impl Deviation {
         );
         let protocol = Protocol::of(edition);
         all.extend(protocol.shown().flat_map(|(field, domain)| wrongly_shown(field, domain)));
+        let causes = protocol.shown().find(|(field, _)| field.key == "shutdown_cause");
+        if let Some((_, Domain::Names(causes))) = causes {
+            let pairs = || causes.iter().flat_map(|(one, _)| causes.iter().map(|(other, _)| (*one, *other)));
+            let begins = [AsState::Ready, AsState::Driving, AsState::Finished];
+            all.extend(begins.iter().flat_map(|&from| {
+                let others = pairs().filter(|(value, raw)| value != raw && *value != 0);
+                others.map(move |(value, raw)| Self::Causes { from, value, raw })
+            }));
+        }
         all
     }
 
@@ -169,6 +189,7 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 Some((from, to))
             }
+            Self::Causes { from, .. } => Some((from, AsState::EmergencyBrake)),
             _ => None,
         }
     }
@@ -192,6 +213,10 @@ impl Deviation {
             (Self::Writes { key, value, .. }, Self::Writes { key: field, value: other, .. }) => {
                 (key, value) == (field, other)
             }
+            (Self::Causes { from, value, .. }, Self::Causes { from: other, value: of, .. }) => {
+                (from, value) == (other, of)
+            }
+            (Self::Reads(one), Self::Reads(other)) => one.reading() == other.reading(),
             (Self::Wheels(_), Self::Wheels(_)) => true,
             _ => false,
         }
@@ -209,7 +234,23 @@ impl Deviation {
 
     /// The state in which alone it makes a difference; `None` if that may be any. What an output shows counts as of any.
     pub(crate) fn state(&self, edition: &Edition) -> Option<AsState> {
-        self.arrow(edition).map(|(from, _)| from)
+        match *self {
+            Self::Reads(choice) => match choice.reading() {
+                Reading::ReadyPriority | Reading::GoEdge => Some(AsState::Ready),
+                Reading::DrivingPriority => Some(AsState::Driving),
+                Reading::FinishedPriority => Some(AsState::Finished),
+                _ => None,
+            },
+            _ => self.arrow(edition).map(|(from, _)| from),
+        }
+    }
+
+    /// The answer to a question that the document leaves open, if it is one.
+    pub const fn choice(&self) -> Option<Choice> {
+        match *self {
+            Self::Reads(choice) => Some(choice),
+            _ => None,
+        }
     }
 }
 
@@ -240,6 +281,8 @@ fn wrongly_shown(field: &ShownField, domain: Domain) -> Vec<Deviation> {
 /// The edition with all changes of its rules. A change names rows and terms by their places in the document, so that what moves
 /// them comes last.
 pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
+    let choices = deviations.iter().filter_map(Deviation::choice);
+    let edition = &Edition { readings: choices.fold(edition.readings, Readings::with), ..*edition };
     enum OfRules {
         Change(Change),
         Joined(usize, usize, usize),

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_spec::Edition;
+use adsdv_spec::{Choice, Edition};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
 
@@ -42,6 +42,8 @@ const COMPARED: usize = 60;
 pub struct Diagnosis {
     /// The deviations, in the order in which they were found.
     pub deviations: Vec<Deviation>,
+    /// The answers to questions that the document leaves open, where they are not the edition's: all else is by these.
+    pub readings: Vec<Choice>,
     /// What was asked and answered, and none of them explains.
     pub unexplained: Vec<Record>,
     /// How many experiments there were.
@@ -91,12 +93,12 @@ pub fn diagnose_within(
     let narrower = interface.without(&in_the_way);
     let mut seen = Seen { subject: &mut *search.subject.subject, interface: &narrower };
     let mut few = Search::new(&mut seen, edition, &narrower, at(time / 3 * 2));
-    // With all of the others explained one more look at these tells enough.
-    let rounds = if few.run(ROUNDS)? { 1 } else { ROUNDS };
+    few.run(ROUNDS)?;
     let few = Diagnosis { left_out: in_the_way, ..few.result() };
-    search.found.clone_from(&few.deviations);
+    let answers = few.readings.iter().map(|choice| Deviation::Reads(*choice));
+    search.found = answers.chain(few.deviations.iter().copied()).collect();
     search.until = at(time);
-    search.run(rounds)?;
+    search.run(ROUNDS)?;
     let all = search.result();
     let explains_more = few.unexplained.len() * all.experiments < all.unexplained.len() * few.experiments;
     Ok(if explains_more { few } else { all })
@@ -126,7 +128,10 @@ impl<'a, 'b> Search<'a, 'b> {
             subject,
             edition,
             interface,
-            candidates: Candidates { single: candidates::all(edition, interface), several: Vec::new() },
+            candidates: Candidates {
+                single: candidates::all(edition, interface),
+                several: candidates::several(edition),
+            },
             records: Records::default(),
             found: Vec::new(),
             random: Random(1),
@@ -147,12 +152,23 @@ impl<'a, 'b> Search<'a, 'b> {
                 && self.differs_from_others()?
                 && self.is_explained_by_walks()?
             {
-                return Ok(true);
+                self.come_nearer();
+                if self.found == before {
+                    return Ok(true);
+                }
+                continue;
             }
             self.explain()?;
             if self.found == before && round > 2 {
                 break;
             }
+        }
+        // What explains all answers so far may be wrong about the next.
+        if !self.is_over() {
+            self.come_nearer();
+            self.is_explained_by_experiments(rounds)?;
+            self.differs_from_others()?;
+            self.is_explained_by_walks()?;
         }
         Ok(false)
     }
@@ -237,6 +253,11 @@ impl<'a, 'b> Search<'a, 'b> {
 
     fn fit(&mut self) {
         let found = self.a_fit().run(self.found.clone());
+        self.found = found;
+    }
+
+    fn come_nearer(&mut self) {
+        let found = self.a_fit().nearest(self.found.clone());
         self.found = found;
     }
 
@@ -327,7 +348,10 @@ impl<'a, 'b> Search<'a, 'b> {
         let cut = Instant::now() >= until;
         let fit = Fit::new(edition, records.kept(), candidates, until);
         let certain = fit.certain(found.clone());
-        let deviations = if cut { fit.of_explained_states(certain) } else { certain };
+        let told = fit.told_from_others(certain, |one, other| {
+            difference(edition, interface, one, other, COMPARED, 1).is_some()
+        });
+        let deviations = if cut { fit.of_explained_states(told) } else { told };
         let model = Model::new(edition, &deviations);
         let unexplained = self.unexplained(&model);
         let stays = fit.stays(&deviations);
@@ -341,8 +365,11 @@ impl<'a, 'b> Search<'a, 'b> {
         let is_shown =
             |&(from, to): &(AsState, AsState)| clear.contains(&from) && fixed.can_be_taken(edition, from, to);
         let not_shown = arrows.filter(|arrow| !is_shown(arrow)).collect();
+        let (answers, deviations): (Vec<Deviation>, Vec<Deviation>) =
+            deviations.into_iter().partition(|one| one.choice().is_some());
         Diagnosis {
             deviations,
+            readings: answers.iter().filter_map(Deviation::choice).collect(),
             unexplained,
             experiments: records.count,
             left_out: Vec::new(),

@@ -35,7 +35,7 @@ const TRIED: usize = 14;
 /// So many of those that explain the most of what is not explained yet are tried beside them.
 const TELLING: usize = 4;
 /// So many ways to cut the stays are kept.
-const CUTS: usize = 3;
+const CUTS: usize = 10;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
 const PASSES: usize = 3;
 
@@ -51,10 +51,10 @@ pub(crate) struct Candidates {
 /// A search for deviations that explain answers.
 pub(crate) struct Fit<'a> {
     pub(crate) edition: &'a Edition,
-    records: &'a [Kept],
+    pub(crate) records: Vec<&'a Kept>,
     pub(crate) candidates: &'a Candidates,
     /// When the search ends, whatever it has come to.
-    until: Instant,
+    pub(crate) until: Instant,
     /// The stays as they were cut of late, and with which deviations.
     stays: RefCell<Vec<Cut<'a>>>,
 }
@@ -99,9 +99,18 @@ impl Node {
 }
 
 impl<'a> Fit<'a> {
-    pub(crate) const fn new(
+    pub(crate) fn new(
         edition: &'a Edition,
         records: &'a [Kept],
+        candidates: &'a Candidates,
+        until: Instant,
+    ) -> Self {
+        Self::of(edition, records.iter().collect(), candidates, until)
+    }
+
+    pub(crate) const fn of(
+        edition: &'a Edition,
+        records: Vec<&'a Kept>,
         candidates: &'a Candidates,
         until: Instant,
     ) -> Self {
@@ -163,12 +172,19 @@ impl<'a> Fit<'a> {
 
     /// The same, from one set alone.
     fn run_from(&self, known: Vec<Deviation>) -> Vec<Deviation> {
-        let mut set = known;
+        let (mut wrong, mut set) = (self.wrong(&known), known);
         for _ in 0..PASSES {
             let before = set.clone();
             for state in AsState::ALL {
-                if !self.is_over() && self.wrong_in(state, &set) > 0 {
-                    set = self.explained(state, &set);
+                if self.is_over() || self.wrong_in(state, &set) == 0 {
+                    continue;
+                }
+                let some = self.sampled(state, &Model::new(self.edition, &set));
+                let other = some.explained(state, &set);
+                // It explains more of these records; what counts is all of them.
+                let left = if other == set { wrong } else { self.wrong(&other) };
+                if (left, other.len()) < (wrong, set.len()) {
+                    (set, wrong) = (other, left);
                 }
             }
             if set == before {
@@ -205,7 +221,7 @@ impl<'a> Fit<'a> {
         if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
             known[place..].rotate_left(1);
         } else {
-            let stays = std::rc::Rc::new(cut(self.records, &Model::new(self.edition, set)));
+            let stays = std::rc::Rc::new(cut(&self.records, &Model::new(self.edition, set)));
             known.push(Cut { by: everywhere, stays });
             if known.len() > CUTS {
                 known.remove(0);
@@ -302,9 +318,11 @@ impl<'a> Fit<'a> {
             return Vec::new();
         }
         let mut sets: Vec<Vec<Deviation>> = Vec::new();
+        let of_others = |one: &Deviation| one.state(self.edition).is_some_and(|own| own != state);
         for several in &self.candidates.several {
-            if !several.iter().all(|one| from.set.contains(one)) {
-                let kept = from.set.iter().copied().filter(|one| !several.contains(one));
+            if !several.iter().any(of_others) && !several.iter().all(|one| from.set.contains(one)) {
+                let goes = |one: &Deviation| several.iter().any(|new| new == one || one.is_instead_of(new));
+                let kept = from.set.iter().copied().filter(|one| !goes(one));
                 sets.push(kept.chain(several.iter().copied()).collect());
             }
         }

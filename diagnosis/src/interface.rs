@@ -2,7 +2,7 @@
 
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::{About, Answer, INPUTS, InputField, SHOWN, Shown};
-use adsdv_spec::Inputs;
+use adsdv_spec::{Choice, Choices, Inputs, Reading};
 
 use crate::subject::Subject;
 
@@ -16,6 +16,8 @@ pub struct Interface {
     lacking: Vec<&'static InputField>,
     /// The outputs that are compared; `None`: all that it shows.
     outputs: Option<Vec<&'static str>>,
+    /// The answers to the document's questions that are allowed for; `None`: all.
+    possible: Option<Choices>,
 }
 
 impl Interface {
@@ -27,7 +29,20 @@ impl Interface {
         let is_compared =
             |key: &&str| *key == AS_STATE || announced(&about.outputs, key) && !not_shown.contains(key);
         let outputs: Vec<&str> = SHOWN.iter().map(|field| field.key).filter(is_compared).collect();
-        Self { lacking, outputs: Some(outputs).filter(|outputs| outputs.len() < SHOWN.len()) }
+        let outputs = Some(outputs).filter(|outputs| outputs.len() < SHOWN.len());
+        Self { lacking, outputs, possible: None }
+    }
+
+    /// The same of a program that may follow these answers to the document's questions alone.
+    #[must_use]
+    pub fn allowing(self, possible: Choices) -> Self {
+        Self { possible: Some(possible), ..self }
+    }
+
+    /// The answers to a question that a program may follow.
+    pub(crate) fn answers(&self, reading: Reading) -> impl Iterator<Item = Choice> + '_ {
+        let possible = |choice: &Choice| self.possible.is_none_or(|possible| possible.has(*choice));
+        reading.choices().iter().copied().filter(possible)
     }
 
     /// The same without some of the outputs.
@@ -36,7 +51,7 @@ impl Interface {
         let all = || SHOWN.iter().map(|field| field.key).collect();
         let mut left = self.outputs.clone().unwrap_or_else(all);
         left.retain(|key| !outputs.contains(key));
-        Self { lacking: self.lacking.clone(), outputs: Some(left) }
+        Self { outputs: Some(left), ..self.clone() }
     }
 
     /// Whether the program has the input with this key.

@@ -29,7 +29,8 @@
 //! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
 //! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
-//! - `fit.rs`: those that do, `sets.rs` several of them at once, and `certain.rs` whether they are sure;
+//! - `fit.rs`: those that do, by some of the records (`sample.rs`), `sets.rs` several of them at once, `nearest.rs` the nearest of them, and `certain.rs` whether they
+//!   are sure;
 //! - `diagnose.rs`: all of it in turn, `in_the_way.rs` without outputs that nothing explains;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
@@ -63,6 +64,7 @@ mod in_the_way;
 mod interface;
 mod model;
 mod named;
+mod nearest;
 mod pilot;
 mod prepare;
 mod random;
@@ -70,6 +72,7 @@ mod record;
 mod rest;
 mod running;
 mod seek;
+mod sample;
 mod sets;
 mod stays;
 mod subject;

@@ -3,7 +3,7 @@
 use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
 use adsdv_spec::messages::{ShutdownCause, WheelSpeed};
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
+    AsState, Atom, Atoms, Choice, Control, Edition, Fault, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
     Taken, Term,
 };
 
@@ -70,7 +70,7 @@ impl Model {
             Rest::Remembers(what) => all | 1 << *what as u8,
             _ => all,
         });
-        let (machine, showing) = (Machine::new(changed, edition.readings), Showing::of(edition));
+        let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
         Self { usual: *edition, machine, showing, rest, remembers }
     }
 
@@ -281,6 +281,22 @@ impl Model {
         let ready = AsState::Ready;
         if self.remembers(Remembers::GoSeenOff) && from == ready && control.state == ready {
             control.go_seen_low |= before.go_seen_low;
+        }
+        if control.state == AsState::EmergencyBrake && from != control.state {
+            let of = |rest: &Rest| match *rest {
+                Rest::Causes { from: own, value, raw } => {
+                    Some(raw).filter(|_| (own, value) == (from, control.shutdown_cause))
+                }
+                _ => None,
+            };
+            // What was remembered before stays what it is.
+            if let Some(cause) = self.rest.iter().find_map(of)
+                && before.shutdown_cause == ShutdownCause::NoShutdown
+            {
+                control.shutdown_cause = cause;
+                let lost = Faults::when(Fault::AiCommsFault, noticed.comms_lost);
+                reaction.faults = noticed.faults.union(lost).union(Faults::of_cause(cause));
+            }
         }
         let control = reaction.control;
         (reaction, Memory { control, waited: *waited, ready_ms: found.ready_ms })

@@ -38,8 +38,9 @@ fn with_numbers(id: &str) -> Vec<Deviation> {
         all.extend(arrows().map(|(from, to)| Deviation::Late { from, to, steps }));
     }
     let Some((key, raw)) = last.split_once('=') else { return all };
-    if let (Some(field), Ok(value), Ok(raw)) = (written(id), key.parse(), raw.parse()) {
-        all.push(Deviation::Writes { key: field, value, raw });
+    if let (Ok(value), Ok(raw)) = (key.parse(), raw.parse()) {
+        all.extend(written(id).map(|key| Deviation::Writes { key, value, raw }));
+        all.extend(AsState::ALL.map(|from| Deviation::Causes { from, value, raw }));
     }
     let (key, is) = key.strip_suffix('!').map_or((key, true), |key| (key, false));
     let Ok(raw) = raw.parse() else { return all };

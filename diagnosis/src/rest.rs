@@ -2,6 +2,7 @@
 
 use adsdv_oracle::protocol::{INPUTS, InputField, SHOWN};
 use adsdv_spec::AsState;
+use adsdv_spec::messages::ShutdownCause;
 
 use crate::deviation::{Deviation, Remembers, Wheels};
 
@@ -16,6 +17,7 @@ pub(crate) enum Rest {
     GoLevel,
     GoNeedsHandshake,
     Remembers(Remembers),
+    Causes { from: AsState, value: ShutdownCause, raw: ShutdownCause },
     Shows { state: AsState, place: usize, raw: i32 },
     Writes { place: usize, value: i32, raw: i32 },
 }
@@ -44,7 +46,7 @@ impl Rest {
     pub(crate) fn of(deviation: &Deviation) -> Option<Self> {
         let field = |key: &str| INPUTS.iter().find(|field| field.key == key);
         Some(match *deviation {
-            Deviation::Changed(_) | Deviation::Joined { .. } => return None,
+            Deviation::Changed(_) | Deviation::Joined { .. } | Deviation::Reads(_) => return None,
             Deviation::Needs { from, to, key, raw, is } => {
                 Self::Needs { from, to, field: field(key)?, raw, is }
             }
@@ -55,6 +57,11 @@ impl Rest {
             Deviation::GoLevel => Self::GoLevel,
             Deviation::GoNeedsHandshake => Self::GoNeedsHandshake,
             Deviation::Remembers(what) => Self::Remembers(what),
+            Deviation::Causes { from, value, raw } => Self::Causes {
+                from,
+                value: ShutdownCause::from_raw(value)?,
+                raw: ShutdownCause::from_raw(raw)?,
+            },
             Deviation::Shows { state, key, raw } => Self::Shows { state, place: place_of(key)?, raw },
             Deviation::Writes { key, value, raw } => Self::Writes { place: place_of(key)?, value, raw },
         })

@@ -1,5 +1,8 @@
 //! Sets of deviations: one more, in the place of others, and those that are the same.
 
+use adsdv_spec::AsState;
+use adsdv_spec::messages::ShutdownCause;
+
 use crate::deviation::Deviation;
 use crate::stays::Wrong;
 
@@ -36,6 +39,13 @@ pub(crate) fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
         let Some(raw) = found else { continue };
         if key != "as_state" {
             all.push(Deviation::Shows { state: wrong.expected, key, raw });
+        }
+        if key == "shutdown_cause"
+            && let (Some(value), AsState::EmergencyBrake) = (right, wrong.found)
+            && wrong.from.control.state != wrong.found
+            && [value, raw].iter().all(|raw| ShutdownCause::from_raw(*raw).is_some())
+        {
+            all.push(Deviation::Causes { from: wrong.from.control.state, value, raw });
         }
         if let Some(value) = right.filter(|value| *value != raw) {
             all.push(Deviation::Writes { key, value, raw });

@@ -96,7 +96,7 @@ impl Wrong {
 }
 
 /// The stays in each state, each only once, cut with a model: it tells what is remembered when a state begins.
-pub(crate) fn cut<'a>(records: &'a [Kept], model: &Model) -> Vec<(AsState, Vec<Stay<'a>>)> {
+pub(crate) fn cut<'a>(records: &[&'a Kept], model: &Model) -> Vec<(AsState, Vec<Stay<'a>>)> {
     let mut stays: Vec<(AsState, Vec<Stay<'a>>)> = AsState::ALL.map(|state| (state, Vec::new())).to_vec();
     let mut known: HashSet<u64> = HashSet::new();
     for record in records {
@@ -106,9 +106,11 @@ pub(crate) fn cut<'a>(records: &'a [Kept], model: &Model) -> Vec<(AsState, Vec<S
                 (record.steps.get(range.clone()), record.replies.get(range.clone()), record.marks.get(range));
             let (Some(steps), Some(replies), Some(marks)) = of else { return };
             let mut hasher = DefaultHasher::new();
-            (begins, marks).hash(&mut hasher);
+            begins.hash(&mut hasher);
+            // Marks are as good as random.
+            let mix = |hash: u64, mark: &u64| (hash.rotate_left(5) ^ mark).wrapping_mul(0x9e37_79b9_7f4a_7c15);
             if !steps.is_empty()
-                && known.insert(hasher.finish())
+                && known.insert(marks.iter().fold(hasher.finish(), mix))
                 && let Some((_, own)) = stays.iter_mut().find(|(own, _)| *own == state)
             {
                 own.push(Stay { begins, steps, replies });

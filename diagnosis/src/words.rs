@@ -50,6 +50,8 @@ impl Deviation {
                 format!("{}:{}:and:{}", row(place), one + 1, other + 1)
             }
             Self::Remembers(what) => format!("remembers:{}", remembers_id(what)),
+            Self::Causes { from, value, raw } => format!("{}:cause:{value}={raw}", short(from)),
+            Self::Reads(choice) => format!("reads:{choice}"),
             Self::Shows { state, key, raw } => {
                 format!("{}:shows:{key}={}", short(state), number_or_name(raw))
             }
@@ -83,12 +85,14 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 vec![(from, to)]
             }
+            Self::Causes { from, .. } => vec![(from, AsState::EmergencyBrake)],
             Self::Changed(Change::Time(..) | Change::Threshold(..))
             | Self::Ignores { .. }
             | Self::Wheels(_)
             | Self::GoLevel
             | Self::GoNeedsHandshake
             | Self::Remembers(_)
+            | Self::Reads(_)
             | Self::Shows { .. }
             | Self::Writes { .. } => Vec::new(),
         }
@@ -209,6 +213,12 @@ fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -
             write!(f, "{} -> {} only by {one} together with {other}; expected by either", row.from, row.to)
         }
         Deviation::Remembers(what) => f.write_str(remembers_text(what)),
+        Deviation::Causes { from, value, raw } => {
+            let cause = |raw| output(edition, "shutdown_cause", raw);
+            let to = AsState::EmergencyBrake;
+            write!(f, "{from} -> {to} gives SHUTDOWN_CAUSE {}; expected {}", cause(raw), cause(value))
+        }
+        Deviation::Reads(choice) => write!(f, "{} {}", choice.reading().question(), choice.text()),
         Deviation::Shows { state, key, raw } => {
             write!(f, "{key} is {} in {state}, whatever it should be", output(edition, key, raw))
         }

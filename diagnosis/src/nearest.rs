@@ -1,0 +1,129 @@
+//! The nearest explanation of those that explain as much: an answer to a question that the document leaves open is no mistake, and
+//! a condition that is missing says less than one that needs another, or than an input that is not seen but here and there.
+
+use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::{AsState, Atoms, Choice, Inputs};
+
+use crate::deviation::Deviation;
+use crate::dials::dials;
+use crate::fit::Fit;
+use crate::interface::Interface;
+use crate::model::Model;
+
+impl Fit<'_> {
+    /// The set, or a nearer one that explains as much.
+    pub(crate) fn nearest(&self, set: Vec<Deviation>) -> Vec<Deviation> {
+        let (mut best, mut wrong) = (set, None);
+        for _ in 0..best.len() {
+            let before = best.clone();
+            for nearer in self.nearer(&before) {
+                let most = *wrong.get_or_insert_with(|| self.wrong(&best));
+                if self.is_over() {
+                    return best;
+                }
+                if self.wrong(&nearer) > most {
+                    continue;
+                }
+                let nearer = self.without_the_needless(nearer);
+                if distance(&nearer) < distance(&best) {
+                    wrong = None;
+                    best = nearer;
+                    break;
+                }
+            }
+            if best == before {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Sets that would be nearer.
+    fn nearer(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
+        let mut all: Vec<Vec<Deviation>> = Vec::new();
+        let but = |is: &dyn Fn(&Deviation) -> bool| {
+            set.iter().copied().filter(|one| !is(one)).collect::<Vec<Deviation>>()
+        };
+        for one in set {
+            match *one {
+                Deviation::Joined { row, one, other } => {
+                    let of = |term: usize| term == one || term == other;
+                    let is = |deviation: &Deviation| match *deviation {
+                        Deviation::Joined { row: own, one, other } => own == row && (of(one) || of(other)),
+                        Deviation::Changed(Change::Term(own, term, _)) => own == row && of(term),
+                        _ => false,
+                    };
+                    let dropped = [one, other].map(|term| missing(row, term));
+                    all.push([but(&is), dropped.to_vec()].concat());
+                }
+                Deviation::Ignores { key } => {
+                    let sees = |one: &Deviation| match *one {
+                        Deviation::Also { from, key: own, .. } if own == key => Some(from),
+                        _ => None,
+                    };
+                    let states: Vec<AsState> = set.iter().filter_map(sees).collect();
+                    if !states.is_empty() {
+                        let rest = but(&|other| other == one || sees(other).is_some());
+                        let blind = self.blind_to(key, &states);
+                        all.push([rest.as_slice(), &blind].concat());
+                        all.extend(self.answers().map(|choice| [&[choice], rest.as_slice()].concat()));
+                    }
+                }
+                _ => {}
+            }
+        }
+        let known: Vec<Choice> = set.iter().filter_map(Deviation::choice).collect();
+        let others = self.answers().filter(|answer| {
+            answer.choice().is_some_and(|choice| known.iter().all(|own| own.reading() != choice.reading()))
+        });
+        all.extend(others.map(|answer| [&[answer], set].concat()));
+        all
+    }
+
+    /// The answers to questions that the document leaves open.
+    fn answers(&self) -> impl Iterator<Item = Deviation> + '_ {
+        self.candidates.single.iter().copied().filter(|one| one.choice().is_some())
+    }
+
+    /// The alternatives that see an input, each of them missing, but for those of some states.
+    fn blind_to(&self, key: &str, but: &[AsState]) -> Vec<Deviation> {
+        let usual = Model::new(self.edition, &[]);
+        let rules = &self.edition.rules;
+        let seen = |inputs: &Inputs| usual.machine().atoms_of(inputs.observe(&rules.thresholds));
+        let plain = seen(&Inputs::default());
+        let dials = dials(&usual, &Interface::default());
+        let dial = dials.iter().find(|dial| dial.field.key == key);
+        let atoms = dial.into_iter().flat_map(|dial| dial.values.iter().map(move |raw| (dial.field, *raw)));
+        let atoms = atoms.fold(Atoms::NONE, |atoms, (field, raw)| {
+            let mut inputs = Inputs::default();
+            (field.set)(&mut inputs, raw);
+            let with = seen(&inputs);
+            atoms.union(with.difference(plain)).union(plain.difference(with))
+        });
+        let rows = rules.table.rows().iter().enumerate().filter(|(_, row)| !but.contains(&row.from));
+        let terms = rows.flat_map(|(place, row)| {
+            row.terms().iter().enumerate().map(move |(number, term)| (place, number, term))
+        });
+        let sees = terms.filter(|(.., term)| term.literals().any(|(atom, _)| atoms.has(atom)));
+        sees.map(|(row, term, _)| missing(row, term)).collect()
+    }
+}
+
+const fn missing(row: usize, term: usize) -> Deviation {
+    Deviation::Changed(Change::Term(row, term, TermChange::Dropped))
+}
+
+/// The smaller, the nearer: an answer to an open question is no deviation, and two contradictions are more than two things that are
+/// missing.
+fn distance(set: &[Deviation]) -> (usize, usize) {
+    let of = |one: &Deviation| match *one {
+        Deviation::Reads(_) => 0,
+        Deviation::Joined { .. } => 5,
+        Deviation::Ignores { key } => {
+            let sees = |other: &&Deviation| matches!(other, Deviation::Also { key: own, .. } if *own == key);
+            2 + 8 * set.iter().filter(sees).count()
+        }
+        _ => 2,
+    };
+    (set.iter().map(of).sum(), set.len())
+}
