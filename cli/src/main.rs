@@ -3,6 +3,7 @@
 //! ```text
 //! args ----> check ----> report (text, for a person)
 //!   |          |         json   (for a program)
+//!   |          |         html   (a page to look at)
 //!   |          +-------> the verdict is the exit status
 //!   +------> compare --> what differs between two logs, and the exit status
 //!   +------> decode --> every signal of a log, for a person or for another tool

@@ -19,6 +19,7 @@ const violates = page(recording("finished-while-moving"));
 const small = { viewport: { width: 1110, height: 700 } };
 
 await shot("verdict", violates, { viewport: { width: 1000, height: 560 } });
+await shot("questions", page(driven("remote-estop", "2026")), { viewport: { width: 1000, height: 640 } }, at("questions"));
 await shot("timeline", violates, small, async (tab) => {
   await tab.locator(".answer button").nth(5).click();
   await tab.waitForTimeout(200);

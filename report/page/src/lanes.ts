@@ -88,7 +88,7 @@ export function lanes(data: Data, view: View, all: Row[]): Lanes {
     const end = width - RIGHT;
     ruler(context, width, height, begin, end);
     name(context, "Findings", 0, above ? RULER + 2 : RULER + MARKS / 2, above);
-    drawMarks(context, width, begin, end);
+    drawMarks(context, width, end);
     looks ??= fills(context);
     all.forEach((row, index) => {
       const top = RULER + MARKS + index * lane;
@@ -121,7 +121,7 @@ export function lanes(data: Data, view: View, all: Row[]): Lanes {
     }
   };
 
-  const drawMarks = (context: CanvasRenderingContext2D, width: number, begin: number, end: number) => {
+  const drawMarks = (context: CanvasRenderingContext2D, width: number, end: number) => {
     marks.length = 0;
     const order: Severity[] = ["note", "warning", "violation"];
     const sorted = findings.toSorted((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
@@ -151,7 +151,6 @@ export function lanes(data: Data, view: View, all: Row[]): Lanes {
       context.fillText(text, begins, RULER + MARKS / 2 + (gutter() === 0 ? 5 : 0));
       free = begins + wide + 12;
     }
-    void begin;
   };
 
   const drawRow = (

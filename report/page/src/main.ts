@@ -69,17 +69,21 @@ async function show(data: Data): Promise<void> {
       if (next !== undefined) list.open(next);
     },
   });
-  const restyle = (all: boolean) => {
+  // What is printed is drawn, whether or not somebody has seen it.
+  let printing = false;
+  const restyle = () => {
     forget();
     timeline.restyle();
-    charts.forEach((chart) => chart.restyle(all));
+    charts.forEach((chart) => chart.restyle(printing));
     view.redraw();
   };
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => restyle(false));
-  matchMedia("(max-width: 760px)").addEventListener("change", () => restyle(false));
-  // What is printed is drawn, whether or not somebody has seen it.
-  addEventListener("beforeprint", () => restyle(true));
-  addEventListener("afterprint", () => restyle(false));
+  for (const media of ["(prefers-color-scheme: dark)", "(max-width: 760px)"]) matchMedia(media).addEventListener("change", restyle);
+  for (const event of ["beforeprint", "afterprint"]) {
+    addEventListener(event, () => {
+      printing = event === "beforeprint";
+      restyle();
+    });
+  }
   view.redraw();
   await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
   performance.mark("adsdv-first-picture");

@@ -7,6 +7,10 @@ import type { View } from "./view";
 
 const HELD = { true: SIGNS.good, false: SIGNS.bad, unknown: SIGNS.unknown };
 
+const JUSTIFIED: Record<string, string> = {
+  true: `${SIGNS.good} justified`, false: `${SIGNS.bad} violation`, unknown: `${SIGNS.unknown} not certain`,
+};
+
 function jump(view: View, t: number): HTMLElement {
   return h("button", { type: "button", click: () => {
     view.jump(t * 1e6);
@@ -21,7 +25,7 @@ export function states(data: Data, view: View): HTMLElement {
       jump(view, one.t),
       `${one.from} → ${one.to}`,
       one.section,
-      one.justified,
+      JUSTIFIED[one.justified] ?? one.justified,
       h("ul", { class: "plain" },
         ...decided.map(({ text, held }) => h("li", { class: held }, `${HELD[held]} ${text}`)),
         ...or.map((text) => h("li", {}, `or ${text}, which the VCU reports alike`))),

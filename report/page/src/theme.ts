@@ -23,7 +23,8 @@ export const LINES = ["line-1", "line-2", "line-3", "line-4", "line-5", "line-6"
 /** Stripes in a color on another, for what must not be told by color alone. */
 export function stripes(context: CanvasRenderingContext2D, on: string, line: string, gap = 6): CanvasPattern | string {
   const scale = devicePixelRatio || 1;
-  const size = Math.round(gap * scale);
+  // A printer may have next to no pixels.
+  const size = Math.max(Math.round(gap * scale), 4);
   const tile = new OffscreenCanvas(size, size);
   const brush = tile.getContext("2d");
   if (!brush) return on;

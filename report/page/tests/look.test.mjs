@@ -15,6 +15,16 @@ const finding = check.findings.find((one) => one.rule === "finished-while-moving
 /** Whether two times are the same but for a few pixels of a stretch. */
 const near = (a, b, stretch) => assert.ok(Math.abs(a - b) < stretch / 100, `${a} is not about ${b}`);
 
+/** How many pixels of a plot have a color. */
+const ink = (tab, id) => tab.locator(`#plot-${id} canvas`).evaluate((canvas) => {
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let colored = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 100 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60) colored++;
+  }
+  return colored;
+});
+
 test("a mouse drags out a stretch, and a double click shows all", async () => {
   const { tab, wrong, close } = await open(file);
   await tab.evaluate(() => document.getElementById("timeline").scrollIntoView());
@@ -90,24 +100,16 @@ test("one cursor for all: the state, the lanes, each line's value and why not", 
 
 test("every plot is drawn, and a click on a line's name hides it", async () => {
   const { tab, close } = await open(file);
-  const ink = (id) => tab.locator(`#plot-${id} canvas`).evaluate((canvas) => {
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    let colored = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      if (data[i + 3] > 100 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60) colored++;
-    }
-    return colored;
-  });
   for (const { id } of data(file).plots) {
     await tab.locator(`#plot-${id}`).scrollIntoViewIfNeeded();
     await tab.waitForTimeout(80);
-    assert.ok((await ink(id)) > 200, id);
+    assert.ok((await ink(tab, id)) > 200, id);
   }
   const line = tab.locator("#plot-handshake button.line");
   await line.click();
   await tab.waitForTimeout(80);
   assert.equal(await line.getAttribute("aria-pressed"), "false");
-  assert.ok((await ink("handshake")) < 50);
+  assert.ok((await ink(tab, "handshake")) < 50);
   await close();
 });
 
@@ -219,9 +221,14 @@ test("on a phone nothing is wider than the screen, a finger moves the cursor, an
   await close();
 });
 
-test("it can be printed", async () => {
-  const { tab, close } = await open(file);
+test("it can be printed, with what nobody has looked at yet", async () => {
+  const { tab, wrong, close } = await open(file);
+  assert.equal(await tab.locator("#plot-periods canvas").count(), 0, "it is far below the screen");
+  await tab.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  for (const { id } of data(file).plots) assert.ok((await ink(tab, id)) > 200, id);
+  await tab.evaluate(() => dispatchEvent(new Event("afterprint")));
   const pdf = await tab.pdf({ format: "A4" });
-  assert.ok(pdf.length > 50_000, `${pdf.length} bytes`);
+  assert.ok(pdf.length > 100_000, `${pdf.length} bytes`);
+  assert.deepEqual(wrong, []);
   await close();
 });

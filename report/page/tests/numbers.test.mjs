@@ -14,6 +14,7 @@ const LOGS = {
   "power cycle of 3.0": () => driven("power-cycle", "3.0"),
 };
 
+const justified = { true: "✓ justified", false: "✗ violation", unknown: "? not certain" };
 const short = (value, decimals = 2) => String(Number(value.toFixed(decimals)));
 
 for (const [name, log] of Object.entries(LOGS)) {
@@ -34,7 +35,7 @@ for (const [name, log] of Object.entries(LOGS)) {
 
     const table = (place) => tab.locator(`${place} tbody tr`).evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
     const states = await table("#states-table .scroll:nth-of-type(1)");
-    assert.deepEqual(states.map((row) => row.slice(0, 4)), check.transitions.map((one) => [`${one.t.toFixed(3)} s`, `${one.from} → ${one.to}`, one.section, one.justified]));
+    assert.deepEqual(states.map((row) => row.slice(0, 4)), check.transitions.map((one) => [`${one.t.toFixed(3)} s`, `${one.from} → ${one.to}`, one.section, justified[one.justified]]));
 
     assert.deepEqual(await table("#margins"), check.margins.map((one) => [
       `${one.t.toFixed(3)} s`, one.what + (one.message ? ` ${one.message}` : ""), one.party, one.section,

@@ -51,6 +51,21 @@ fn of_the_mission_that_was_finished_while_moving() {
     expect_file!["../golden/finished-while-moving.txt"].assert_eq(&said(&run(&log)));
 }
 
+/// What the tour of the page shows is what it says.
+#[test]
+fn the_answers_in_the_documentation() {
+    let data = run(&recorded("finished-while-moving")).data();
+    let tour = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/report.md");
+    let tour = std::fs::read_to_string(tour).expect("the tour");
+    let questions = data["questions"].as_array().expect("questions");
+    assert_eq!(questions.len(), 10);
+    for one in questions {
+        let text = |key: &str| one[key].as_str().expect("text");
+        let row = format!("| {} | {} | ", text("question"), text("answer"));
+        assert!(tour.contains(&row), "{row}");
+    }
+}
+
 #[test]
 fn of_a_recording_of_the_ai_computer_alone() {
     let log = recorded("mission");
