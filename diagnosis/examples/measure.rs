@@ -122,7 +122,7 @@ impl Comparison<'_> {
 
 /// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
 fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
-    let kind = random.below(15);
+    let kind = random.below(16);
     let is = |deviation: &&Deviation| match deviation {
         Deviation::Changed(Change::Time(..)) => kind == 0,
         Deviation::Changed(Change::Threshold(..)) => kind == 1,
@@ -134,6 +134,8 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Dev
         Deviation::Also { .. } => kind == 8,
         Deviation::Late { .. } => kind == 9,
         Deviation::Remembers(_) => kind == 10,
+        Deviation::Causes { .. } => kind == 15,
+        Deviation::Reads(_) => false,
         Deviation::Shows { .. } => kind == 11,
         Deviation::Writes { .. } => kind == 12,
         Deviation::Wheels(_) | Deviation::GoLevel | Deviation::GoNeedsHandshake => kind == 13,
@@ -196,7 +198,8 @@ impl Tally {
         let program = Model::new(edition, injected).running();
         let mut program = Counted { program, steps: 0 };
         let start = Instant::now();
-        let Ok(found) = diagnose(&mut program, edition) else { return };
+        let Ok(mut found) = diagnose(&mut program, edition) else { return };
+        found.deviations.extend(found.readings.iter().map(|choice| Deviation::Reads(*choice)));
         self.longest = self.longest.max(start.elapsed());
         self.most_steps = self.most_steps.max(program.steps);
         let observable = comparison.observable(injected);

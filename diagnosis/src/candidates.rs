@@ -22,7 +22,8 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let others = answers.filter(|choice| !edition.readings.is(*choice) && edition.choices.has(*choice));
     let measured = |change: &Change| matches!(change, Change::Time(..) | Change::Threshold(..));
     let changes = Mutation::all(edition).map(|mutation| mutation.change).filter(|change| !measured(change));
-    let mut all: Vec<Deviation> = others.map(Deviation::Reads).chain(changes.map(Deviation::Changed)).collect();
+    let mut all: Vec<Deviation> =
+        others.map(Deviation::Reads).chain(changes.map(Deviation::Changed)).collect();
     all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake, Deviation::Wheels(Wheels::All)]);
     all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
     all.extend(Remembers::ALL.map(Deviation::Remembers));

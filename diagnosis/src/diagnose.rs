@@ -3,11 +3,12 @@
 use std::time::{Duration, Instant};
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_spec::{Choice, Edition};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::{Choice, Edition};
 
 use crate::candidates;
+use crate::cycles::{each, joined};
 use crate::deviation::Deviation;
 use crate::experiments;
 use crate::fit::{Candidates, Fit};
@@ -60,7 +61,7 @@ pub struct Diagnosis {
 
 /// What a program answers to the experiments that a model leads to.
 pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, ProgramError> {
-    experiments::all(subject, &Ways::of(model, &Interface::default()), 0, &AsState::ALL)
+    experiments::all(subject, &Ways::of(model, &Interface::default()), 0, &AsState::ALL, None)
 }
 
 /// Finds out what a program does otherwise than an edition says.
@@ -93,12 +94,13 @@ pub fn diagnose_within(
     let narrower = interface.without(&in_the_way);
     let mut seen = Seen { subject: &mut *search.subject.subject, interface: &narrower };
     let mut few = Search::new(&mut seen, edition, &narrower, at(time / 3 * 2));
-    few.run(ROUNDS)?;
+    // With all of the others explained few more looks at these tell enough.
+    let rounds = if few.run(ROUNDS)? { EARLY } else { ROUNDS };
     let few = Diagnosis { left_out: in_the_way, ..few.result() };
     let answers = few.readings.iter().map(|choice| Deviation::Reads(*choice));
     search.found = answers.chain(few.deviations.iter().copied()).collect();
     search.until = at(time);
-    search.run(ROUNDS)?;
+    search.run(rounds)?;
     let all = search.result();
     let explains_more = few.unexplained.len() * all.experiments < all.unexplained.len() * few.experiments;
     Ok(if explains_more { few } else { all })
@@ -202,7 +204,7 @@ impl<'a, 'b> Search<'a, 'b> {
     fn is_explained_by_experiments(&mut self, round: u64) -> Result<bool, ProgramError> {
         let model = self.model();
         let ways = Ways::of(&model, self.interface);
-        let records = experiments::all(self.subject, &ways, round, &AsState::ALL)?;
+        let records = experiments::all(self.subject, &ways, round, &AsState::ALL, Some(self.until))?;
         Ok(self.keep(records, &model))
     }
 
@@ -215,7 +217,11 @@ impl<'a, 'b> Search<'a, 'b> {
             let seed = self.random.below(usize::MAX) as u64;
             if let Some(steps) = difference(self.edition, self.interface, &self.found, &other, COMPARED, seed)
             {
-                asked.push(Record::of(self.subject, &steps)?);
+                let record = match self.interface.cycle_ms() {
+                    Some(cycle_ms) => joined(Record::of(self.subject, &each(&steps, &model, cycle_ms))?),
+                    None => Record::of(self.subject, &steps)?,
+                };
+                asked.push(record);
             }
         }
         Ok(self.keep(asked, &model))
@@ -225,7 +231,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let model = self.model();
         let ways = Ways::of(&model, self.interface);
         let mut records = Vec::new();
-        for _ in (0..WALKS).take_while(|_| Instant::now() < self.until) {
+        for _ in (0..self.interface.fewer(WALKS)).take_while(|_| Instant::now() < self.until) {
             records.push(walk(self.subject, &ways, &mut self.random)?);
         }
         Ok(self.keep(records, &model))

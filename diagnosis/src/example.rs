@@ -37,7 +37,7 @@ pub fn examples(
 ) -> Result<Vec<Option<Example>>, ProgramError> {
     let program = Model::new(edition, deviations);
     let ways = Ways::of(&program, interface);
-    let asked = experiments::all(&mut program.clone().running(), &ways, 0, &AsState::ALL)?;
+    let asked = experiments::all(&mut program.clone().running(), &ways, 0, &AsState::ALL, None)?;
     let usual = Model::new(edition, &[]);
     let tests = suite::generate(edition);
     let asked = asked.iter().map(|record| relative(&program, &record.steps));

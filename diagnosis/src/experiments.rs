@@ -1,10 +1,13 @@
 //! What is tried in each state that the program gets to.
 
+use std::time::Instant;
+
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::InputField;
+use adsdv_oracle::protocol::{Domain, InputField};
 use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 
+use crate::dials::Dial;
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
@@ -24,6 +27,8 @@ pub(crate) struct Experiments<'a> {
     ways: &'a Ways<'a>,
     records: Vec<Record>,
     random: Random,
+    /// When they end, whatever has not been tried.
+    until: Option<Instant>,
 }
 
 /// What was tried and answered in these states.
@@ -32,9 +37,10 @@ pub(crate) fn all(
     ways: &Ways<'_>,
     seed: u64,
     states: &[AsState],
+    until: Option<Instant>,
 ) -> Result<Vec<Record>, ProgramError> {
-    let model = ways.model;
-    let mut experiments = Experiments { subject, model, ways, records: Vec::new(), random: Random(seed) };
+    let (model, records, random) = (ways.model, Vec::new(), Random(seed));
+    let mut experiments = Experiments { subject, model, ways, records, random, until };
     for &state in states {
         experiments.alone(state)?;
         let terms = experiments.terms(state);
@@ -64,6 +70,9 @@ impl<'a> Experiments<'a> {
         state: AsState,
         act: impl FnOnce(&mut Pilot<'_>) -> Result<(), ProgramError>,
     ) -> Result<(), ProgramError> {
+        if self.until.is_some_and(|until| Instant::now() >= until) {
+            return Ok(());
+        }
         let mut pilot = Pilot::new(self.subject, self.ways)?;
         if pilot.to(state)? {
             if pilot.aim(state, pilot.cycle_ms()) {
@@ -79,7 +88,17 @@ impl<'a> Experiments<'a> {
     /// Every input with every value that is worth trying.
     fn changes(&self) -> Vec<(&'static InputField, i32)> {
         let ways: &'a Ways<'a> = self.ways;
-        ways.changes().collect()
+        if self.ways.interface.cycle_ms().is_none() {
+            return ways.changes().collect();
+        }
+        // Of a number the least and the greatest tell most.
+        let of = |dial: &'a Dial| match dial.field.domain {
+            Domain::Number { .. } => {
+                [dial.values.first(), dial.values.last()].into_iter().flatten().collect()
+            }
+            _ => dial.values.iter().collect::<Vec<_>>(),
+        };
+        ways.dials.iter().flat_map(|dial| of(dial).into_iter().map(|raw| (dial.field, *raw))).collect()
     }
 
     /// The alternatives that lead out of a state, by the model and by the document: what the program does not do at all may only
@@ -98,7 +117,7 @@ impl<'a> Experiments<'a> {
     /// Several inputs at once, and then an arrow.
     fn at_random(&mut self, state: AsState, terms: &[(Term, AsState)]) -> Result<(), ProgramError> {
         let all = self.changes();
-        for _ in 0..AT_RANDOM {
+        for _ in 0..self.ways.interface.fewer(AT_RANDOM) {
             let count = 1 + self.random.below(4);
             let changes: Vec<(&InputField, i32)> =
                 (0..count).filter_map(|_| all.get(self.random.below(all.len())).copied()).collect();

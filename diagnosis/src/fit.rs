@@ -173,23 +173,26 @@ impl<'a> Fit<'a> {
     /// The same, from one set alone.
     fn run_from(&self, known: Vec<Deviation>) -> Vec<Deviation> {
         let (mut wrong, mut set) = (self.wrong(&known), known);
-        for _ in 0..PASSES {
+        let mut by_all = false;
+        for _ in 0..2 * PASSES {
             let before = set.clone();
             for state in AsState::ALL {
                 if self.is_over() || self.wrong_in(state, &set) == 0 {
                     continue;
                 }
                 let some = self.sampled(state, &Model::new(self.edition, &set));
-                let other = some.explained(state, &set);
+                let other = if by_all { self } else { &some }.explained(state, &set);
                 // It explains more of these records; what counts is all of them.
                 let left = if other == set { wrong } else { self.wrong(&other) };
                 if (left, other.len()) < (wrong, set.len()) {
                     (set, wrong) = (other, left);
                 }
             }
-            if set == before {
+            // What some of the records do not lead to all of them may.
+            if set == before && (by_all || wrong == 0) {
                 break;
             }
+            by_all |= set == before;
         }
         self.without_the_needless(set)
     }

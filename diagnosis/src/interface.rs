@@ -9,6 +9,9 @@ use crate::subject::Subject;
 /// The output that every program shows.
 const AS_STATE: &str = "as_state";
 
+/// At a fixed cycle one experiment of so many by chance is done.
+const SPARING: usize = 12;
+
 /// The inputs and the outputs that a program has; by default all.
 #[derive(Clone, Debug, Default)]
 pub struct Interface {
@@ -18,6 +21,8 @@ pub struct Interface {
     outputs: Option<Vec<&'static str>>,
     /// The answers to the document's questions that are allowed for; `None`: all.
     possible: Option<Choices>,
+    /// The one time that a step of it takes, in milliseconds; `None`: any.
+    cycle_ms: Option<u32>,
 }
 
 impl Interface {
@@ -30,7 +35,24 @@ impl Interface {
             |key: &&str| *key == AS_STATE || announced(&about.outputs, key) && !not_shown.contains(key);
         let outputs: Vec<&str> = SHOWN.iter().map(|field| field.key).filter(is_compared).collect();
         let outputs = Some(outputs).filter(|outputs| outputs.len() < SHOWN.len());
-        Self { lacking, outputs, possible: None }
+        Self { lacking, outputs, possible: None, cycle_ms: None }
+    }
+
+    /// The same of a program that steps at a fixed cycle, in milliseconds. It is asked for fewer experiments, each of which takes
+    /// many steps, and a time of it is known no better than to the cycle.
+    #[must_use]
+    pub fn at_cycle(self, cycle_ms: Option<u32>) -> Self {
+        Self { cycle_ms: cycle_ms.filter(|cycle| *cycle > 0), ..self }
+    }
+
+    /// The fixed cycle of the program, if it has one.
+    pub(crate) const fn cycle_ms(&self) -> Option<u32> {
+        self.cycle_ms
+    }
+
+    /// So many experiments of those that a program that steps at any time is asked for.
+    pub(crate) const fn fewer(&self, many: usize) -> usize {
+        if self.cycle_ms.is_some() { many.div_ceil(SPARING) } else { many }
     }
 
     /// The same of a program that may follow these answers to the document's questions alone.

@@ -27,7 +27,7 @@
 //! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow; `dials.rs`: the
 //!   inputs that can be changed;
 //! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
-//! - `record.rs`: what was answered, and `stays.rs`: the same, state by state;
+//! - `record.rs`: what was answered, `cycles.rs` where it is asked at a fixed cycle, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, by some of the records (`sample.rs`), `sets.rs` several of them at once, `nearest.rs` the nearest of them, and `certain.rs` whether they
 //!   are sure;
@@ -52,6 +52,7 @@
 mod against;
 mod candidates;
 mod certain;
+mod cycles;
 mod deviation;
 mod diagnose;
 mod dials;
@@ -71,8 +72,8 @@ mod random;
 mod record;
 mod rest;
 mod running;
-mod seek;
 mod sample;
+mod seek;
 mod sets;
 mod stays;
 mod subject;

@@ -3,8 +3,8 @@
 use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
 use adsdv_spec::messages::{ShutdownCause, WheelSpeed};
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Control, Edition, Fault, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
-    Taken, Term,
+    AsState, Atom, Atoms, Choice, Control, Edition, Fault, Faults, Inputs, Machine, Noticed, Outputs,
+    Reaction, Taken, Term,
 };
 
 use crate::deviation::{Deviation, Remembers, Wheels};

@@ -6,6 +6,7 @@ use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
 use adsdv_spec::{Atom, Inputs, Term};
 
+use crate::cycles::joined;
 use crate::model::{Memory, Model};
 use crate::record::Record;
 use crate::subject::Subject;
@@ -40,7 +41,7 @@ impl<'a> Pilot<'a> {
 
     /// What was asked and answered.
     pub(crate) fn record(self) -> Record {
-        self.record
+        if self.ways.interface.cycle_ms().is_some() { joined(self.record) } else { self.record }
     }
 
     /// Whether the program has gone elsewhere than the model.
@@ -80,8 +81,16 @@ impl<'a> Pilot<'a> {
         self.model.machine().edition().rules.timing.cycle_ms.into()
     }
 
-    /// One step; none any more once the program has gone elsewhere than the model.
+    /// One step, or as many of a fixed cycle as take so long; none any more once the program has gone elsewhere than the model.
     pub(crate) fn step(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
+        let Some(cycle_ms) = self.ways.interface.cycle_ms() else { return self.step_once(dt_ms) };
+        for _ in 0..dt_ms.div_ceil(cycle_ms).max(1) {
+            self.step_once(cycle_ms)?;
+        }
+        Ok(())
+    }
+
+    fn step_once(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
         if self.lost {
             return Ok(());
         }

@@ -23,7 +23,12 @@ impl<'a> Fit<'a> {
             }
         }
         let [right_elsewhere, wrong_elsewhere, right, wrong] = kinds;
-        let all = [(right_elsewhere, ELSEWHERE), (wrong_elsewhere, ELSEWHERE), (right, IN_THE_STATE), (wrong, IN_THE_STATE)];
+        let all = [
+            (right_elsewhere, ELSEWHERE),
+            (wrong_elsewhere, ELSEWHERE),
+            (right, IN_THE_STATE),
+            (wrong, IN_THE_STATE),
+        ];
         let some = all.into_iter().flat_map(|(records, most)| {
             let every = records.len().div_ceil(most).max(1);
             records.into_iter().step_by(every)

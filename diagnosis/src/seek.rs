@@ -60,7 +60,7 @@ impl Sought<'_> {
         if terms.is_empty() || self.ways.to(self.from).is_none() {
             return Ok(sight);
         }
-        for tried in 0..TRIES {
+        for tried in 0..self.ways.interface.fewer(TRIES) {
             let Some(term) = terms.get(random.below(terms.len())) else { break };
             let Some(&wait) = WAITS.get(tried % WAITS.len()) else { break };
             let wanted = if tried < WAITS.len() { Vec::new() } else { self.by_chance(random) };

@@ -108,7 +108,8 @@ pub(crate) fn cut<'a>(records: &[&'a Kept], model: &Model) -> Vec<(AsState, Vec<
             let mut hasher = DefaultHasher::new();
             begins.hash(&mut hasher);
             // Marks are as good as random.
-            let mix = |hash: u64, mark: &u64| (hash.rotate_left(5) ^ mark).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mix =
+                |hash: u64, mark: &u64| (hash.rotate_left(5) ^ mark).wrapping_mul(0x9e37_79b9_7f4a_7c15);
             if !steps.is_empty()
                 && known.insert(marks.iter().fold(hasher.finish(), mix))
                 && let Some((_, own)) = stays.iter_mut().find(|(own, _)| *own == state)

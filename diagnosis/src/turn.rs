@@ -60,6 +60,14 @@ impl Number {
         }
     }
 
+    /// The end of the cycle in which a time is over; the usual one where that is over in the same cycle.
+    fn at_cycle(self, value: i32, cycle: Option<i32>, rules: &Rules) -> i32 {
+        let (Self::Time(_), Some(cycle)) = (self, cycle) else { return value };
+        let end = |value: i32| (value + cycle - 1) / cycle * cycle;
+        let usual = self.usual(rules);
+        if end(usual) == end(value) { usual } else { end(value) }
+    }
+
     /// That it has this value; `None` if that is the usual one.
     pub(crate) fn deviation(self, value: i32, rules: &Rules) -> Option<Deviation> {
         let by = i16::try_from(value - self.usual(rules)).ok().filter(|by| *by != 0)?;
@@ -75,7 +83,9 @@ impl Number {
 pub(crate) fn all(subject: &mut dyn Subject, ways: &Ways<'_>) -> Result<Vec<Deviation>, ProgramError> {
     let rules = ways.model.usual().rules;
     let mut found: Vec<Deviation> = Vec::new();
+    let cycle = ways.interface.cycle_ms().and_then(|cycle| i32::try_from(cycle).ok());
     let mut add = |number: Number, value: Option<i32>| {
+        let value = value.map(|value| number.at_cycle(value, cycle, &rules));
         let deviation = value.and_then(|value| number.deviation(value, &rules));
         found.extend(deviation.filter(|deviation| !found.contains(deviation)));
     };

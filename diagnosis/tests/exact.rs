@@ -7,7 +7,7 @@ use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::{Answer, SHOWN};
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
-use adsdv_spec::{Atom, Edition, Inputs};
+use adsdv_spec::{Atom, Choice, Edition, Inputs};
 
 fn found(edition: &Edition, deviations: &[Deviation]) -> Diagnosis {
     let mut program = Model::new(edition, deviations).running();
@@ -18,7 +18,8 @@ fn found(edition: &Edition, deviations: &[Deviation]) -> Diagnosis {
 fn names(edition: &Edition, deviations: &[Deviation]) {
     let found = found(edition, deviations);
     let ids = |these: &[Deviation]| these.iter().map(|one| one.id(edition)).collect::<HashSet<String>>();
-    assert_eq!(ids(&found.deviations), ids(deviations), "{}", edition.version);
+    let answers: Vec<Deviation> = found.readings.iter().map(|choice| Deviation::Reads(*choice)).collect();
+    assert_eq!(ids(&[found.deviations, answers].concat()), ids(deviations), "{}", edition.version);
     assert!(found.unexplained.is_empty());
 }
 
@@ -101,9 +102,10 @@ fn a_state_that_lasts_for_one_step_shows_what_is_wrong_there() {
     let edition = &Edition::V3_0;
     let without =
         Change::Term(row(edition, Driving, EmergencyBrake), 1, TermChange::LiteralDropped(Atom::GoOn));
-    let first = Change::RowFirst(row(edition, Driving, Finished));
+    // That it comes first is an answer to an open question.
+    let first = Deviation::Reads(Choice::DrivingFinishedFirst);
     let speed = Change::Threshold(Threshold::WheelSpeed, -4);
-    names(edition, &[without, first, speed].map(Deviation::Changed));
+    names(edition, &[Deviation::Changed(without), first, Deviation::Changed(speed)]);
 }
 
 #[test]
@@ -242,8 +244,8 @@ fn a_time_is_named_where_an_arrow_also_comes_first_and_a_state_is_left_where_it_
     let first = Deviation::Changed(Change::RowFirst(row(edition, Ready, Driving)));
     let dwell = Deviation::Changed(Change::Time(Time::ReadyDwell, 2402));
     let also = Deviation::Also { from: EmergencyBrake, to: Driving, key: "estop_request", raw: 1 };
-    let selected = TermChange::LiteralDropped(Atom::AmiSelected);
-    let selected = Deviation::Changed(Change::Term(row(edition, Off, Ready), 0, selected));
+    // That the AMI is not looked at is an answer to an open question.
+    let selected = Deviation::Reads(Choice::MissionStatusOnly);
     let speed = Deviation::Shows { state: Ready, key: "front_motor_speed_max", raw: 7 };
     let warning = Deviation::Shows { state: Finished, key: "warning_status", raw: 0 };
     names(edition, &[speed, selected, dropped, first, warning, dwell, also]);

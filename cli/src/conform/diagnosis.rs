@@ -4,7 +4,8 @@ use std::fmt::{self, Write as _};
 use std::time::Duration;
 
 use adsdv_diagnosis::{
-    Arrow, Diagnosis, Example, Interface, Model, Record, Subject, diagnose_within, examples, figure,
+    Arrow, Deviation, Diagnosis, Example, Interface, Model, Record, Subject, diagnose_within, examples,
+    figure,
 };
 use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_oracle::protocol::{Answer, Difference};
@@ -42,8 +43,8 @@ pub(super) struct DiagnosedProgram {
 
 /// Starts the program once more, and finds out.
 ///
-/// Which readings it follows its failed tests tell badly: what is a deviation may look like another reading. So the default answers
-/// come first, as far as they are possible, and those that the tests speak for only if they explain more by less.
+/// Which readings it follows its failed tests tell badly: what is a deviation may look like another reading. So the search begins with
+/// the default answers, as far as they are possible, and finds the others as it finds deviations.
 pub(super) fn of(
     args: &ConformArgs,
     (edition, possible): (&Edition, Choices),
@@ -53,18 +54,12 @@ pub(super) fn of(
     let mut program = Asked { program: start(args)?, steps: 0, line: ProgressLine::new() };
     program.program.hello(edition)?;
     let limit = args.diagnosis_limit;
-    let interface = Interface::new(&report.about, &report.not_shown);
+    let interface = Interface::new(&report.about, &report.not_shown).allowing(possible);
     let usual = edition.readings.choices().iter().filter(|choice| possible.has(*choice));
     let usual = usual.fold(report.readings, Readings::with);
-    let mut best = found_by(&mut program, &Edition { readings: usual, ..*edition }, &interface, limit)?;
-    if usual != report.readings && cost(&best.1) > (0, 1) {
-        let other =
-            found_by(&mut program, &Edition { readings: report.readings, ..*edition }, &interface, limit)?;
-        if cost(&other.1) < cost(&best.1) {
-            best = other;
-        }
-    }
-    let (edition, found) = best;
+    let found = diagnose_within(&mut program, &Edition { readings: usual, ..*edition }, &interface, limit)?;
+    let readings = found.readings.iter().copied().fold(usual, Readings::with);
+    let edition = Edition { readings, ..*edition };
     program.line.show(format_args!("diagnosis: the shortest scenarios of {}", found.deviations.len()));
     let deviations = &found.deviations;
     Ok(DiagnosedProgram {
@@ -77,20 +72,6 @@ pub(super) fn of(
         edition,
         found,
     })
-}
-
-/// How badly a program is explained: what is not, and then by how many deviations.
-fn cost(found: &Diagnosis) -> (usize, usize) {
-    (found.unexplained.len(), found.deviations.len())
-}
-
-fn found_by(
-    program: &mut Asked,
-    edition: &Edition,
-    interface: &Interface,
-    limit: Duration,
-) -> Result<(Edition, Diagnosis), ProgramError> {
-    Ok((*edition, diagnose_within(program, edition, interface, limit)?))
 }
 
 impl DiagnosedProgram {
@@ -112,7 +93,7 @@ impl DiagnosedProgram {
     }
 
     /// The deviations.
-    pub(super) fn deviations(&self) -> &[adsdv_diagnosis::Deviation] {
+    pub(super) fn deviations(&self) -> &[Deviation] {
         &self.found.deviations
     }
 
@@ -138,14 +119,12 @@ impl DiagnosedProgram {
 
     /// Whether every deviation is accepted, or only against decisions of this project.
     pub(super) fn is_accepted(&self) -> bool {
-        let observed = |deviation: &adsdv_diagnosis::Deviation| self.is_observed(*deviation);
-        let accepted = |deviation: &adsdv_diagnosis::Deviation| {
-            self.accepted.reason(&deviation.id(&self.edition)).is_some()
-        };
+        let observed = |deviation: &Deviation| self.is_observed(*deviation);
+        let accepted = |deviation: &Deviation| self.accepted.reason(&deviation.id(&self.edition)).is_some();
         self.found.deviations.iter().all(|one| accepted(one) || observed(one))
     }
 
-    fn is_observed(&self, deviation: adsdv_diagnosis::Deviation) -> bool {
+    fn is_observed(&self, deviation: Deviation) -> bool {
         !self.strict && are_decisions(&deviation.requirements(&self.edition))
     }
 }
@@ -227,6 +206,15 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
             );
         }
         shown(out, (&id, example.as_ref()), (edition, &machine), width)?;
+    }
+    for choice in &found.readings {
+        let (reading, text) = (choice.reading(), choice.text());
+        let text = format!(
+            "no deviation: {} {text} ({choice}, {}): the document leaves it open",
+            reading.question(),
+            reading.decision()
+        );
+        wrapped(out, text.split(' '), 2, width);
     }
     if !found.unexplained.is_empty() {
         let by = if found.deviations.is_empty() { "" } else { " by that" };
@@ -328,7 +316,7 @@ impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
     fn from(program: &'a DiagnosedProgram) -> Self {
         let DiagnosedProgram { edition, found, accepted, .. } = program;
         let machine = Machine::new(*edition, edition.readings);
-        let one = |(deviation, example): (&adsdv_diagnosis::Deviation, &Option<Example>)| {
+        let one = |(deviation, example): (&Deviation, &Option<Example>)| {
             let id = deviation.id(edition);
             DeviationJson {
                 text: deviation.text(edition).to_string(),
