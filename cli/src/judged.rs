@@ -87,7 +87,7 @@ pub(crate) fn judged(
     progress: impl FnMut(LogProgress),
 ) -> Result<Subject, Failed> {
     let with_excerpts = args.excerpt.is_some();
-    let (judged, recorder) = if args.html.is_some() {
+    let (judged, heard) = if args.html.is_some() {
         let mut recorder = Recorder::new(log, plan.options.judge.window_ms);
         let judged = judge(&mut recorder, &plan.options, plan.by_log, with_excerpts, progress);
         (judged, Some(recorder))
@@ -96,7 +96,7 @@ pub(crate) fn judged(
     };
     let (Judged { report, failure, recognised }, excerpts) = judged.map_err(Failed::Log)?;
     let interface = plan.options.interface.as_deref();
-    let recorded = recorder.map(|recorder| recorder.finish(recognised.edition, interface));
+    let recorded = heard.map(|recorder| recorder.finish(recognised.edition, interface));
     let mut options = plan.options.clone();
     options.judge = options.judge.under(recognised.edition);
     pins::possible(recognised.edition, &args.readings).map_err(Failed::Asked)?;

@@ -46,7 +46,7 @@ pub(crate) struct LaneJson {
 
 /// The signals that have a lane: who says them, their field, what the lane is called, and whether on is bad.
 const LANES: &[(&str, Node, &str, &str, bool)] = &[
-    ("go", Node::Vcu, "go_signal", "“Go”", false),
+    ("go", Node::Vcu, "go_signal", "\"Go\"", false),
     ("asms", Node::Vcu, "as_switch_status", "AS master switch", false),
     ("tsms", Node::Vcu, "ts_switch_status", "TS master switch", false),
     ("mission", Node::Vcu, "ami_state", "Mission", false),
@@ -107,7 +107,7 @@ fn remote(recording: &Recording, bus: &Bus) -> Vec<LaneJson> {
     }
     // Which level of the E-stop's bit means that it is pressed, no document says.
     vec![
-        go.lane("remote-go", "“Go”, remote control".to_owned(), of.clone()),
+        go.lane("remote-go", "\"Go\", remote control".to_owned(), of.clone()),
         estop.lane("remote-estop", "E-stop bit, remote control".to_owned(), of),
     ]
 }

@@ -188,8 +188,8 @@ fn stop(facts: &Facts<'_>) -> Option<MatterJson> {
 
 fn vain(facts: &Facts<'_>) -> Option<MatterJson> {
     let press = facts.report.go_presses.first()?;
-    let text = format!("“Go” started nothing: {}", press.why(facts.rules()));
-    Some(matter(Mood::Care, "“Go” in vain", text, Some(press.t_ns)))
+    let text = format!("\"Go\" started nothing: {}", press.why(facts.rules()));
+    Some(matter(Mood::Care, "\"Go\" in vain", text, Some(press.t_ns)))
 }
 
 fn waits(facts: &Facts<'_>) -> Option<MatterJson> {

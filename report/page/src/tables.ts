@@ -32,7 +32,7 @@ export function states(data: Data, view: View): HTMLElement {
     ];
   });
   const lasted = data.check.stays.map((stay) => [jump(view, stay.since), stay.state, `${(stay.until - stay.since).toFixed(3)} s`, stay.left_to ?? "the end"]);
-  const vain = data.check.go_presses.map((press) => h("li", {}, jump(view, press.t), ` “Go” in vain: ${press.why}`));
+  const vain = data.check.go_presses.map((press) => h("li", {}, jump(view, press.t), ` "Go" in vain: ${press.why}`));
   return section("states-table", "States in words",
     rows.length > 0 ? table("Transitions", ["When", "Transition", "Section", "Justified", "What decided"], rows) : h("p", {}, "No change of AS_STATE was seen."),
     table("States", ["Since", "State", "Lasted", "Left to"], lasted),

@@ -41,7 +41,7 @@ pub(super) fn stopped(facts: &Facts<'_>) -> AnswerJson {
 }
 
 pub(super) fn went(facts: &Facts<'_>) -> AnswerJson {
-    const QUESTION: &str = "When was “Go” pressed?";
+    const QUESTION: &str = "When was \"Go\" pressed?";
     let vain = &facts.report.go_presses;
     let why = |t: i64| vain.iter().find(|press| press.t_ns == t).map(|press| press.why(facts.rules()));
     let (pressed, where_, show, hidden) = match remote_go(facts) {

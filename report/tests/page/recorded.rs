@@ -35,7 +35,10 @@ fn every_frame_of_a_long_and_odd_log_is_on_the_page() {
     let mut log = String::new();
     for number in 0..140_000_u32 {
         let time = f64::from(number % 90_000) * 0.000_731;
-        let data: String = (0..number % 9).map(|byte| format!("{:02X}", (number >> byte) & 0xFF)).collect();
+        let mut data = String::new();
+        for byte in 0..number % 9 {
+            write!(data, "{:02X}", (number >> byte) & 0xFF).expect("memory");
+        }
         let id = [0x520, 0x510, 0x7FF, 0x001][number as usize % 4];
         writeln!(log, "({time:.6}) can0 {id:03X}#{data}").expect("memory");
     }
