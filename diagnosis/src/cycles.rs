@@ -10,8 +10,8 @@ const FEWEST: usize = 6;
 
 /// The same with like steps as one. What is answered alternates with the handshake, so that a step is like the one before the last;
 /// an odd number of them leaves the handshake as one does.
-pub(crate) fn joined(record: Record) -> Record {
-    let Record { steps, replies } = &record;
+pub(crate) fn joined(record: &Record) -> Record {
+    let Record { steps, replies } = record;
     let is_like = |place: usize| {
         let before = place.checked_sub(2);
         before.is_some_and(|before| {
@@ -84,7 +84,7 @@ mod tests {
         let model = Model::new(&Edition::V3_0, &[]);
         for count in [1, 2, 5, 6, 7, 8, 99, 100] {
             let each = asked(count);
-            let joined = joined(each.clone());
+            let joined = joined(&each);
             let lasts = |record: &Record| record.steps.iter().map(|step| step.dt_ms).sum::<u32>();
             assert_eq!(lasts(&each), lasts(&joined), "{count}");
             assert!(joined.is_explained(&model), "{count}");

@@ -281,12 +281,12 @@ fn wrongly_shown(field: &ShownField, domain: Domain) -> Vec<Deviation> {
 /// The edition with all changes of its rules. A change names rows and terms by their places in the document, so that what moves
 /// them comes last.
 pub(crate) fn changed(edition: &Edition, deviations: &[Deviation]) -> Edition {
-    let choices = deviations.iter().filter_map(Deviation::choice);
-    let edition = &Edition { readings: choices.fold(edition.readings, Readings::with), ..*edition };
     enum OfRules {
         Change(Change),
         Joined(usize, usize, usize),
     }
+    let choices = deviations.iter().filter_map(Deviation::choice);
+    let edition = &Edition { readings: choices.fold(edition.readings, Readings::with), ..*edition };
     let mut changes: Vec<((u8, usize, usize), OfRules)> = deviations
         .iter()
         .filter_map(|deviation| match *deviation {

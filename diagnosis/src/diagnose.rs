@@ -218,7 +218,7 @@ impl<'a, 'b> Search<'a, 'b> {
             if let Some(steps) = difference(self.edition, self.interface, &self.found, &other, COMPARED, seed)
             {
                 let record = match self.interface.cycle_ms() {
-                    Some(cycle_ms) => joined(Record::of(self.subject, &each(&steps, &model, cycle_ms))?),
+                    Some(cycle_ms) => joined(&Record::of(self.subject, &each(&steps, &model, cycle_ms))?),
                     None => Record::of(self.subject, &steps)?,
                 };
                 asked.push(record);

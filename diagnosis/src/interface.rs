@@ -40,6 +40,9 @@ impl Interface {
 
     /// The same of a program that steps at a fixed cycle, in milliseconds. It is asked for fewer experiments, each of which takes
     /// many steps, and a time of it is known no better than to the cycle.
+    ///
+    /// So far that is for cycles of 10 ms. With longer ones what is named may be what the program does not have, and for that `adsdv
+    /// conform` diagnoses no program at a fixed cycle.
     #[must_use]
     pub fn at_cycle(self, cycle_ms: Option<u32>) -> Self {
         Self { cycle_ms: cycle_ms.filter(|cycle| *cycle > 0), ..self }

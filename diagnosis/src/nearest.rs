@@ -104,8 +104,8 @@ impl Fit<'_> {
         let terms = rows.flat_map(|(place, row)| {
             row.terms().iter().enumerate().map(move |(number, term)| (place, number, term))
         });
-        let sees = terms.filter(|(.., term)| term.literals().any(|(atom, _)| atoms.has(atom)));
-        sees.map(|(row, term, _)| missing(row, term)).collect()
+        let sighted = terms.filter(|(.., term)| term.literals().any(|(atom, _)| atoms.has(atom)));
+        sighted.map(|(row, term, _)| missing(row, term)).collect()
     }
 }
 

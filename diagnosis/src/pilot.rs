@@ -41,7 +41,7 @@ impl<'a> Pilot<'a> {
 
     /// What was asked and answered.
     pub(crate) fn record(self) -> Record {
-        if self.ways.interface.cycle_ms().is_some() { joined(self.record) } else { self.record }
+        if self.ways.interface.cycle_ms().is_some() { joined(&self.record) } else { self.record }
     }
 
     /// Whether the program has gone elsewhere than the model.

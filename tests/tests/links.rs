@@ -9,7 +9,7 @@ fn documents(directory: &Path, all: &mut Vec<PathBuf>) {
         let name = entry.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         if entry.is_dir() && !["target", "node_modules", ".git"].contains(&name) {
             documents(&entry, all);
-        } else if name.ends_with(".md") {
+        } else if entry.extension().is_some_and(|extension| extension == "md") {
             all.push(entry);
         }
     }

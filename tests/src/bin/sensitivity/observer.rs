@@ -11,9 +11,12 @@ use adsdv_spec::messages::{EbsState, Frame, Node, Vcu2AiStatus};
 use adsdv_spec::{Control, Edition, Inputs, Machine};
 use adsdv_tests::world::{MS, Recorded, World};
 
+/// What an input does, and whether 520h shows what comes of it.
+type MayBe = (fn(&mut Inputs), fn(&Vcu2AiStatus) -> bool);
+
 /// Whatever else was, these were or were not, and no frame shows them but by what comes of them: what raises a fault or a warning, with
 /// whether 520h shows that. Of those that open the shutdown circuit and have no flag one stands for all.
-const MAY_BE: [(fn(&mut Inputs), fn(&Vcu2AiStatus) -> bool); 9] = [
+const MAY_BE: [MayBe; 9] = [
     (|inputs| inputs.sdc.critical_fault = true, |_| true),
     (|inputs| inputs.sdc.bms_fault = true, |status| status.bms_fault),
     (|inputs| inputs.reports.hvil_open = true, |status| status.hvil_open_fault),
