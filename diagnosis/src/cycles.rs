@@ -25,11 +25,11 @@ pub(crate) fn joined(record: &Record) -> Record {
         all.replies.push(*reply);
         let like = 2 + (place + 2..steps.len()).take_while(|next| is_like(*next)).count();
         place += 1;
-        // The first and the last stay as they are.
-        let joined = (like - 2) - usize::from(like % 2 == 0);
         if like < FEWEST {
             continue;
         }
+        // The first and the last stay as they are.
+        let joined = (like - 2) - usize::from(like % 2 == 0);
         if let (Some(first), Some(last)) = (steps.get(place), replies.get(place + joined - 1)) {
             let count = u32::try_from(joined).unwrap_or(u32::MAX);
             all.steps.push(Step { dt_ms: first.dt_ms.saturating_mul(count), ..*first });
