@@ -1,44 +1,8 @@
-//! Steps of a fixed cycle: many that differ in nothing are kept as one that takes as long, which is as good for an explanation.
+//! What a program of a fixed cycle is asked in place of longer steps; `Record::joined` is the way back.
 
 use adsdv_oracle::suite::Step;
 
 use crate::model::{Memory, Model};
-use crate::record::Record;
-
-/// Fewer like steps than these are kept one by one.
-const FEWEST: usize = 6;
-
-/// The same with like steps as one. What is answered alternates with the handshake, so that a step is like the one before the last;
-/// an odd number of them leaves the handshake as one does.
-pub(crate) fn joined(record: &Record) -> Record {
-    let Record { steps, replies } = record;
-    let is_like = |place: usize| {
-        let before = place.checked_sub(2);
-        before.is_some_and(|before| {
-            steps.get(before) == steps.get(place) && replies.get(before) == replies.get(place)
-        })
-    };
-    let mut all = Record::default();
-    let mut place = 0;
-    while let (Some(step), Some(reply)) = (steps.get(place), replies.get(place)) {
-        all.steps.push(*step);
-        all.replies.push(*reply);
-        let like = 2 + (place + 2..steps.len()).take_while(|next| is_like(*next)).count();
-        place += 1;
-        if like < FEWEST {
-            continue;
-        }
-        // The first and the last stay as they are.
-        let joined = (like - 2) - usize::from(like % 2 == 0);
-        if let (Some(first), Some(last)) = (steps.get(place), replies.get(place + joined - 1)) {
-            let count = u32::try_from(joined).unwrap_or(u32::MAX);
-            all.steps.push(Step { dt_ms: first.dt_ms.saturating_mul(count), ..*first });
-            all.replies.push(*last);
-            place += joined;
-        }
-    }
-    all
-}
 
 /// The steps one by one, with the handshake answered or not in each as in all of them, by the bit that a model shows.
 pub(crate) fn each(steps: &[Step], model: &Model, cycle_ms: u32) -> Vec<Step> {
@@ -59,9 +23,11 @@ pub(crate) fn each(steps: &[Step], model: &Model, cycle_ms: u32) -> Vec<Step> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::subject::Subject as _;
     use adsdv_spec::{Edition, Inputs};
+
+    use super::*;
+    use crate::record::Record;
+    use crate::subject::Subject as _;
 
     /// Power-on, the handshake for so many steps, and an AI Computer that is silent for as many.
     fn asked(count: usize) -> Record {
@@ -84,7 +50,7 @@ mod tests {
         let model = Model::new(&Edition::V3_0, &[]);
         for count in [1, 2, 5, 6, 7, 8, 99, 100] {
             let each = asked(count);
-            let joined = joined(&each);
+            let joined = each.joined();
             let lasts = |record: &Record| record.steps.iter().map(|step| step.dt_ms).sum::<u32>();
             assert_eq!(lasts(&each), lasts(&joined), "{count}");
             assert!(joined.is_explained(&model), "{count}");

@@ -8,7 +8,7 @@ use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Choice, Edition};
 
 use crate::candidates;
-use crate::cycles::{each, joined};
+use crate::cycles::each;
 use crate::deviation::Deviation;
 use crate::experiments;
 use crate::fit::{Candidates, Fit};
@@ -218,7 +218,7 @@ impl<'a, 'b> Search<'a, 'b> {
             if let Some(steps) = difference(self.edition, self.interface, &self.found, &other, COMPARED, seed)
             {
                 let record = match self.interface.cycle_ms() {
-                    Some(cycle_ms) => joined(&Record::of(self.subject, &each(&steps, &model, cycle_ms))?),
+                    Some(cycle_ms) => Record::of(self.subject, &each(&steps, &model, cycle_ms))?.joined(),
                     None => Record::of(self.subject, &steps)?,
                 };
                 asked.push(record);

@@ -6,7 +6,6 @@ use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
 use adsdv_spec::{Atom, Inputs, Term};
 
-use crate::cycles::joined;
 use crate::model::{Memory, Model};
 use crate::record::Record;
 use crate::subject::Subject;
@@ -41,7 +40,7 @@ impl<'a> Pilot<'a> {
 
     /// What was asked and answered.
     pub(crate) fn record(self) -> Record {
-        if self.ways.interface.cycle_ms().is_some() { joined(&self.record) } else { self.record }
+        if self.ways.interface.cycle_ms().is_some() { self.record.joined() } else { self.record }
     }
 
     /// Whether the program has gone elsewhere than the model.

@@ -11,6 +11,9 @@ use adsdv_oracle::suite::Step;
 use crate::model::{Memory, Model};
 use crate::subject::Subject;
 
+/// Fewer like steps than these are kept one by one.
+const FEWEST: usize = 6;
+
 /// Steps from power-on, each with its answer.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
@@ -21,6 +24,40 @@ pub struct Record {
 }
 
 impl Record {
+    /// The same with like steps, as those of a fixed cycle are, as one that takes as long, which is as good for an explanation.
+    ///
+    /// What is answered alternates with the handshake, so that a step is like the one before the last; an odd number of them leaves
+    /// the handshake as one does.
+    pub(crate) fn joined(&self) -> Self {
+        let Self { steps, replies } = self;
+        let is_like = |place: usize| {
+            let before = place.checked_sub(2);
+            before.is_some_and(|before| {
+                steps.get(before) == steps.get(place) && replies.get(before) == replies.get(place)
+            })
+        };
+        let mut all = Self::default();
+        let mut place = 0;
+        while let (Some(step), Some(reply)) = (steps.get(place), replies.get(place)) {
+            all.steps.push(*step);
+            all.replies.push(*reply);
+            let like = 2 + (place + 2..steps.len()).take_while(|next| is_like(*next)).count();
+            place += 1;
+            if like < FEWEST {
+                continue;
+            }
+            // The first and the last stay as they are.
+            let joined = (like - 2) - usize::from(like % 2 == 0);
+            if let (Some(first), Some(last)) = (steps.get(place), replies.get(place + joined - 1)) {
+                let count = u32::try_from(joined).unwrap_or(u32::MAX);
+                all.steps.push(Step { dt_ms: first.dt_ms.saturating_mul(count), ..*first });
+                all.replies.push(*last);
+                place += joined;
+            }
+        }
+        all
+    }
+
     /// What a program answers to steps from power-on.
     pub fn of(subject: &mut dyn Subject, steps: &[Step]) -> Result<Self, ProgramError> {
         subject.reset()?;
