@@ -16,7 +16,7 @@ impl<'a> Fit<'a> {
     pub(crate) fn sampled(&self, state: AsState, known: &Model) -> Self {
         let mut kinds: [Vec<&'a Kept>; 4] = Default::default();
         for record in &self.records {
-            let Seen { wrong, passes } = seen(record, known, state);
+            let OfAState { wrong, passes } = of_a_state(record, known, state);
             let place = usize::from(passes) * 2 + usize::from(wrong);
             if let Some(kind) = kinds.get_mut(place) {
                 kind.push(record);
@@ -38,14 +38,14 @@ impl<'a> Fit<'a> {
 }
 
 /// What a record shows of a state.
-struct Seen {
+struct OfAState {
     /// Whether a model explains it wrongly: there, or anywhere if the program was not there.
     wrong: bool,
     /// Whether the program was there.
     passes: bool,
 }
 
-fn seen(record: &Kept, model: &Model, state: AsState) -> Seen {
+fn of_a_state(record: &Kept, model: &Model, state: AsState) -> OfAState {
     let mut memory = Memory::INITIAL;
     let (mut passes, mut there, mut elsewhere) = (false, false, false);
     for (step, reply) in record.steps.iter().zip(&record.replies) {
@@ -57,5 +57,5 @@ fn seen(record: &Kept, model: &Model, state: AsState) -> Seen {
         elsewhere |= wrong;
         memory = after;
     }
-    Seen { wrong: if passes { there } else { elsewhere }, passes }
+    OfAState { wrong: if passes { there } else { elsewhere }, passes }
 }
