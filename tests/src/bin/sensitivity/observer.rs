@@ -8,25 +8,8 @@ use std::collections::HashSet;
 
 use adsdv_oracle::remote::Remote;
 use adsdv_spec::messages::{EbsState, Frame, Node, Vcu2AiStatus};
-use adsdv_spec::{Control, Edition, Inputs, Machine};
+use adsdv_spec::{Control, Edition, Faults, Inputs, Machine};
 use adsdv_tests::world::{MS, Recorded, World};
-
-/// What an input does, and whether 520h shows what comes of it.
-type MayBe = (fn(&mut Inputs), fn(&Vcu2AiStatus) -> bool);
-
-/// Whatever else was, these were or were not, and no frame shows them but by what comes of them: what raises a fault or a warning, with
-/// whether 520h shows that. Of those that open the shutdown circuit and have no flag one stands for all.
-const MAY_BE: [MayBe; 9] = [
-    (|inputs| inputs.sdc.critical_fault = true, |_| true),
-    (|inputs| inputs.sdc.bms_fault = true, |status| status.bms_fault),
-    (|inputs| inputs.reports.hvil_open = true, |status| status.hvil_open_fault),
-    (|inputs| inputs.reports.hvil_short = true, |status| status.hvil_short_fault),
-    (|inputs| inputs.reports.ebs_fault = true, |status| status.ebs_fault),
-    (|inputs| inputs.reports.offboard_charger_fault = true, |status| status.offboard_charger_fault),
-    (|inputs| inputs.reports.charging = true, |status| status.charge_procedure_fault),
-    (|inputs| inputs.reports.batt_temp_high = true, |status| status.warn_batt_temp_high),
-    (|inputs| inputs.reports.batt_soc_low = true, |status| status.warn_batt_soc_low),
-];
 
 /// Whether the recording of a run, with nothing late and nothing lost, shows that its VCU is not the specification's.
 pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
@@ -67,24 +50,32 @@ fn hidden(specification: &Machine, seen: &Inputs, frames: &[Frame]) -> Vec<Input
     let mut inputs = Inputs { ami, ai, ai_silence, vehicle, ..Inputs::default() };
     let shown = frames.iter().find(|frame| frame.id == Vcu2AiStatus::ID);
     let shown = shown.and_then(|frame| bus.decode_as::<Vcu2AiStatus>(frame.data()).ok()).unwrap_or_default();
-    let mut either: Vec<fn(&mut Inputs)> = vec![|inputs| inputs.asms = true, |inputs| inputs.tsms = true];
-    if Remote::of(bus).is_some() {
-        (inputs.go, inputs.sdc.remote_estop) = (seen.go, seen.sdc.remote_estop);
-    } else {
-        either.push(|inputs| inputs.go = true);
-    }
-    either.extend(MAY_BE.iter().filter(|(_, shows)| shows(&shown)).map(|(may_be, _)| may_be));
+    (inputs.reports.batt_temp_high, inputs.reports.batt_soc_low) =
+        (shown.warn_batt_temp_high, shown.warn_batt_soc_low);
     let mut all: Vec<Inputs> = EbsState::ALL.map(|ebs| Inputs { ebs, ..inputs }).to_vec();
-    for may_be in either {
-        let others: Vec<Inputs> = all
-            .iter()
-            .map(|inputs| {
-                let mut other = *inputs;
-                may_be(&mut other);
-                other
-            })
-            .collect();
-        all.extend(others);
+    either(&mut all, |inputs| inputs.asms = true);
+    either(&mut all, |inputs| inputs.tsms = true);
+    if Remote::of(bus).is_some() {
+        for inputs in &mut all {
+            (inputs.go, inputs.sdc.remote_estop) = (seen.go, seen.sdc.remote_estop);
+        }
+    } else {
+        either(&mut all, |inputs| inputs.go = true);
+    }
+    // A fault whose flag is shown is there, or was; one whose flag is not shown is not.
+    for fault in Faults::OPENING.intersection(Faults::shown_by(&shown)).iter() {
+        either(&mut all, |inputs| inputs.show_fault(fault, true));
     }
     all
+}
+
+/// All of them with a change, and without.
+fn either(all: &mut Vec<Inputs>, change: impl Fn(&mut Inputs)) {
+    let changed = |inputs: &Inputs| {
+        let mut inputs = *inputs;
+        change(&mut inputs);
+        inputs
+    };
+    let others: Vec<Inputs> = all.iter().map(changed).collect();
+    all.extend(others);
 }
