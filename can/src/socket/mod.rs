@@ -3,7 +3,8 @@
 //! | to read about | look in |
 //! |---|---|
 //! | which interface can be used, and what to do if it cannot | `interface` |
-//! | one socket: frames in and out, when they came, and how many were dropped | `raw` |
+//! | one socket: frames in and out, and how many were dropped | `raw` |
+//! | when frames came, also while the kernel only begins to note it | `arrival` |
 //! | going down and coming back, being removed and made again, bus-off | `link` |
 //!
 //! [`open`] opens a bus to take part in. [`listen`] opens one to listen to: a [`Listener`] has no way to send.
@@ -11,6 +12,8 @@
 //! Frames of classic CAN of every kind come, error frames included, also those that other programs on this machine send; those
 //! that the bus sends itself do not. Frames of CAN FD do not come: the ADS-DV has none.
 
+#[cfg(target_os = "linux")]
+mod arrival;
 mod error;
 #[cfg(target_os = "linux")]
 mod interface;

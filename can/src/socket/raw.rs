@@ -2,7 +2,7 @@
 
 use std::io::{self, IoSliceMut};
 use std::os::fd::{AsFd as _, AsRawFd as _};
-use std::time::{Instant, SystemTime};
+use std::time::Instant;
 
 use adsdv_spec::messages::Frame;
 use nix::cmsg_space;
@@ -13,6 +13,7 @@ use nix::sys::time::TimeSpec;
 use socketcan::{CanDataFrame, CanSocket, EmbeddedFrame as _, Socket as _, SocketOptions as _, StandardId};
 
 use super::RECEIVE_BUFFER;
+use super::arrival::{Arrival, now_ns};
 use crate::bus::Received;
 
 /// A socket on one interface.
@@ -23,6 +24,7 @@ pub(super) struct Raw {
     control: Vec<u8>,
     /// How many frames it has dropped, as it counts: it begins again after 2^32.
     dropped: u32,
+    arrival: Arrival,
     /// Whether it keeps less than was asked for.
     small_buffer: bool,
 }
@@ -42,7 +44,13 @@ impl Raw {
         setsockopt(&socket, sockopt::ReceiveTimestampns, &true)?;
         setsockopt(&socket, sockopt::RxqOvfl, &1)?;
         let small_buffer = enlarge(&socket) < RECEIVE_BUFFER;
-        Ok(Self { socket, control: cmsg_space!(TimeSpec, u32), dropped: 0, small_buffer })
+        Ok(Self {
+            socket,
+            control: cmsg_space!(TimeSpec, u32),
+            dropped: 0,
+            arrival: Arrival::NEW,
+            small_buffer,
+        })
     }
 
     /// Waits for a frame until a time; `None` if none came.
@@ -83,6 +91,7 @@ impl Raw {
         let mut bytes = [0; Received::CAN_FRAME];
         let mut room = [IoSliceMut::new(&mut bytes)];
         let fd = self.socket.as_raw_fd();
+        let asked = self.arrival.asked();
         let message = recvmsg::<()>(fd, &mut room, Some(&mut self.control), MsgFlags::empty())?;
         let mut time_ns = None;
         for control in message.cmsgs()? {
@@ -93,7 +102,8 @@ impl Raw {
             }
         }
         let whole = message.bytes == bytes.len();
-        Ok(whole.then(|| Received::of_can_frame(time_ns.unwrap_or_else(now_ns), bytes)))
+        let time_ns = self.arrival.time(time_ns.unwrap_or_else(now_ns), asked);
+        Ok(whole.then(|| Received::of_can_frame(time_ns, bytes)))
     }
 
     /// Sends a frame, or fails at once.
@@ -127,10 +137,4 @@ fn enlarge(socket: &CanSocket) -> usize {
 
 fn nanoseconds(time: TimeSpec) -> i64 {
     time.tv_sec().saturating_mul(1_000_000_000).saturating_add(time.tv_nsec())
-}
-
-/// The time that the kernel gives frames, now.
-pub(super) fn now_ns() -> i64 {
-    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-    i64::try_from(since.as_nanos()).unwrap_or(i64::MAX)
 }

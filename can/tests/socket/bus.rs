@@ -8,12 +8,14 @@ use adsdv_can::socket;
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Frame;
 use libtest_mimic::Completion;
+use nix::libc;
 use socketcan::{CanFrame, CanRemoteFrame, EmbeddedFrame as _, ExtendedId, Socket as _};
 
-use super::vcan::{Outcome, Test, Tried, Vcan, ensure, next, tc};
+use super::vcan::{Other, Outcome, Test, Tried, Vcan, ensure, next, tc};
 
 pub(crate) const TESTS: &[Test] = &[
     ("bus::frames_of_every_kind_come_with_their_time", every_kind),
+    ("bus::what_comes_right_after_it_was_opened_is_in_order", first_frames),
     ("bus::what_is_sent_reaches_others_and_not_the_sender", sends),
     ("bus::an_interface_that_goes_down_and_up_is_reported", down_and_up),
     ("bus::an_interface_that_is_removed_and_made_again_is_reported", gone_and_back),
@@ -77,6 +79,43 @@ fn every_kind() -> Outcome {
     let waited = begun.elapsed();
     ensure!(nothing == Event::Nothing && waited >= Duration::from_millis(30), "{nothing:?} after {waited:?}");
     ensure!(waited < Duration::from_millis(500), "it waited for {waited:?}");
+    Ok(Completion::Completed)
+}
+
+/// The kernel begins to note when frames come a while after it was asked to. A frame from before has the time at which it is read,
+/// which may be after that of the next. The kernel's worker has its turn when this thread sleeps.
+fn first_frames() -> Outcome {
+    let vcan = Vcan::new()?;
+    let other = vcan.other()?;
+    before_all_others(50, libc::SCHED_FIFO);
+    let outcome = read_late(&vcan, &other);
+    before_all_others(0, libc::SCHED_OTHER);
+    outcome
+}
+
+/// Asks for a place in the order of who has a turn. Where that is refused, the test sees less.
+fn before_all_others(sched_priority: libc::c_int, policy: libc::c_int) {
+    // SAFETY: the parameters are there for as long as the call.
+    let _ = unsafe { libc::sched_setscheduler(0, policy, &libc::sched_param { sched_priority }) };
+}
+
+fn read_late(vcan: &Vcan, other: &Other) -> Outcome {
+    for _ in 0..20 {
+        let mut bus = socket::listen(&vcan.0)?;
+        for pause in [0, 2, 0, 5] {
+            other.send_standard(0x520, &FRAME)?;
+            thread::sleep(Duration::from_millis(pause));
+        }
+        let mut last = 0;
+        for _ in 0..4 {
+            let time_ns = next_frame(&mut bus)?.time_ns;
+            ensure!(time_ns >= last, "{time_ns} after {last}");
+            last = time_ns;
+        }
+        drop(bus);
+        // The kernel stops to note it as late.
+        thread::sleep(Duration::from_millis(5));
+    }
     Ok(Completion::Completed)
 }
 
