@@ -6,28 +6,13 @@ use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use crate::run::{Outcome, run, workspace};
+use crate::run::{Outcome, example, run, workspace};
 use crate::schema::validator;
 
-/// The file of the example with the mistakes, which is built if it is not.
+/// The file of the example with the mistakes.
 fn mutant() -> &'static str {
     static FILE: OnceLock<String> = OnceLock::new();
-    FILE.get_or_init(|| {
-        // This test is DIR/debug/deps/command-...
-        let test = std::env::current_exe().expect("a path");
-        let profile: PathBuf =
-            test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo").to_owned();
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let built = Command::new(cargo)
-            .args(["build", "--quiet", "-p", "adsdv-exam", "--example", "ai_mutant", "--target-dir"])
-            .arg(profile.parent().expect("a folder of cargo"))
-            .current_dir(workspace())
-            .status();
-        assert!(built.is_ok_and(|status| status.success()), "the example can be built");
-        let folder = profile.with_file_name("debug").join("examples");
-        let file = folder.join(format!("ai_mutant{}", std::env::consts::EXE_SUFFIX));
-        file.to_str().expect("a path of text").to_owned()
-    })
+    FILE.get_or_init(|| example("adsdv-exam", "ai_mutant"))
 }
 
 /// Examines an AI Computer with this mistake, or without one.

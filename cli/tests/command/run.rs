@@ -27,6 +27,24 @@ pub(crate) fn adsdv(args: &[&str]) -> Command {
     command
 }
 
+/// The file of an example, which is built if it is not.
+pub(crate) fn example(package: &str, name: &str) -> String {
+    // This test is DIR/debug/deps/command-...
+    let test = std::env::current_exe().expect("a path");
+    let profile: PathBuf =
+        test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo").to_owned();
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let built = Command::new(cargo)
+        .args(["build", "--quiet", "-p", package, "--example", name, "--target-dir"])
+        .arg(profile.parent().expect("a folder of cargo"))
+        .current_dir(workspace())
+        .status();
+    assert!(built.is_ok_and(|status| status.success()), "the example can be built");
+    let folder = profile.with_file_name("debug").join("examples");
+    let file = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    file.to_str().expect("a path of text").to_owned()
+}
+
 /// Runs the command to its end.
 pub(crate) fn run(args: &[&str]) -> Outcome {
     outcome(&mut adsdv(args))

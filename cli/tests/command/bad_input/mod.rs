@@ -1,5 +1,5 @@
 //! Bad input is a feature: whatever is wrong with what a command is given, or with where its answer goes, it says so in a
-//! sentence and what to do, keeps every frame that can be read, and ends with the status that the README has for it.
+//! sentence and what to do, keeps every frame that can be read, and ends with the status that docs/bad-input.md has for it.
 //!
 //! - `given.rs`: files that are missing, directories, empty, or rubbish;
 //! - `log.rs`: logs that are cut off, broken in the middle, or have odd times, and a disk that fails while one is read;
@@ -9,7 +9,7 @@
 //! - `output.rs`: readers that leave, and disks that are full;
 //! - `required.rs`: logs that do not show what they are to show;
 //! - `rules.rs`: files that are no rules;
-//! - `readme.rs`: the README's table has a row for each of these, each row its tests, and each test its exit statuses.
+//! - `table.rs`: the table of docs/bad-input.md has a row for each of these, each row its tests, and each test its exit statuses.
 //!
 //! An interface that vanishes takes one: these tests are in `can/tests/socket`, and run on a kernel that has vcan.
 
@@ -20,9 +20,9 @@ mod given;
 mod log;
 mod long_line;
 mod output;
-mod readme;
 mod required;
 mod rules;
+mod table;
 
 use std::fs;
 use std::io::{self, Write};
@@ -53,11 +53,11 @@ fn check(log: &[u8]) -> Outcome {
     fed(&mut adsdv(&["check", "-"]), |stdin| stdin.write_all(log))
 }
 
-/// It ended by itself, with a status that the README has for it, and not by a panic.
+/// It ended by itself, with a status that docs/bad-input.md has for it, and not by a panic.
 #[track_caller]
 fn calm(outcome: Outcome) -> Outcome {
     let Outcome { status, stdout, stderr } = &outcome;
-    readme::may_end_with(status.unwrap_or_else(|| panic!("ended by a signal: {stderr}")));
+    table::may_end_with(status.unwrap_or_else(|| panic!("ended by a signal: {stderr}")));
     for word in ["panicked", "stack backtrace", "RUST_BACKTRACE"] {
         assert!(!stdout.contains(word) && !stderr.contains(word), "{stdout}{stderr}");
     }

@@ -8,7 +8,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::readme::may_end_with;
+use super::table::may_end_with;
 use super::{Outcome, adsdv, calm, explained, folder_with, lines, refused, reported, run, text};
 use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, outcome};
 use crate::screen::{self, SCREEN, Terminal};

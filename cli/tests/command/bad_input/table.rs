@@ -1,4 +1,4 @@
-//! The README's table and these tests: each row has tests, and each condition has a row.
+//! The table of docs/bad-input.md and these tests: each row has tests, and each condition has a row.
 
 use std::thread;
 
@@ -16,7 +16,7 @@ macro_rules! tests {
     };
 }
 
-/// The conditions, in the order of the README.
+/// The conditions, in the order of the table.
 const CONDITIONS: [&str; 18] = [
     "a missing file",
     "a directory",
@@ -38,7 +38,7 @@ const CONDITIONS: [&str; 18] = [
     "a program that cannot be examined",
 ];
 
-/// The rows, and what shows that each is as the README has it.
+/// The rows, and what shows that each is as the table has it.
 const ROWS: &[Row] = &[
     ("a missing file", "`check`, `compare`, `conform`, `demo`, `vcu`", tests![given::a_missing_file], &[]),
     (
@@ -214,14 +214,12 @@ const ROWS: &[Row] = &[
 ];
 
 /// The rows of the table: the condition, the commands, what happens and the exit status.
-fn table(readme: &str) -> Vec<Vec<&str>> {
-    let (_, section) = readme.split_once("\n## Bad input\n").expect("a section of that name");
-    let section = section.split("\n## ").next().unwrap_or_default();
-    let rows = section.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
+fn table(page: &str) -> Vec<Vec<&str>> {
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
     rows.skip(1).map(|row| row.split(" | ").map(str::trim).collect()).collect()
 }
 
-/// Asserts that a command may end so in the test that runs at present: that the README says so in a row that has this test.
+/// Asserts that a command may end so in the test that runs at present: that the table says so in a row that has this test.
 #[track_caller]
 pub(super) fn may_end_with(status: i32) {
     let thread = thread::current();
@@ -232,22 +230,22 @@ pub(super) fn may_end_with(status: i32) {
     }
     let (_, test) =
         name.split_once("bad_input::").unwrap_or_else(|| panic!("{name} is a test of this folder"));
-    let readme = String::from_utf8(file("README.md")).expect("text");
+    let page = String::from_utf8(file("docs/bad-input.md")).expect("text");
     let rows = ROWS.iter().filter(|(.., tests, _)| tests.iter().any(|(name, _)| *name == test));
     let rows: Vec<_> = rows.map(|&(condition, commands, ..)| (condition, commands)).collect();
-    let table = table(&readme);
+    let table = table(&page);
     let said: Vec<&str> =
         table.iter().filter(|row| rows.contains(&(row[0], row[1]))).map(|row| row[3]).collect();
     assert!(
         said.iter().any(|said| said.contains(&status.to_string())),
-        "{test}: exit status {status}, and the README says {said:?}"
+        "{test}: exit status {status}, and the table says {said:?}"
     );
 }
 
 #[test]
-fn each_row_of_the_readme_has_its_tests() {
-    let readme = String::from_utf8(file("README.md")).expect("text");
-    let rows = table(&readme);
+fn each_row_of_the_table_has_its_tests() {
+    let page = String::from_utf8(file("docs/bad-input.md")).expect("text");
+    let rows = table(&page);
     let mut shown: Vec<_> = rows.iter().map(|row| (row[0], row[1])).collect();
     let mut tested: Vec<_> = ROWS.iter().map(|&(condition, commands, ..)| (condition, commands)).collect();
     shown.sort_unstable();
