@@ -1,4 +1,4 @@
-//! The arguments, and the help texts that stand for a manual page: `bus`, `conform`, `exam` and `verify` have those of the commands on
+//! The arguments, and the help texts that stand for a manual page: `shell` has those for who packages the command, `bus`, `conform`, `exam` and `verify` those of the commands on
 //! a bus, of those that judge a program, of the one that examines an AI Computer, and of those that explore the state machine, `diff` those of the comparison of editions,
 //! `compare` those of the comparison of recordings, and `decode` those of the one that decodes them; this file has all others.
 
@@ -16,6 +16,7 @@ mod decode;
 mod diff;
 mod edition;
 mod exam;
+mod shell;
 mod verify;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
@@ -25,6 +26,7 @@ pub(crate) use decode::{DecodeArgs, Decoded, DecodedTable};
 pub(crate) use diff::DiffArgs;
 pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use exam::ExamArgs;
+pub(crate) use shell::{CompletionsArgs, ManArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
 
 /// The longest window and deadline that make sense, in milliseconds.
@@ -100,6 +102,7 @@ pub(crate) enum Command {
     Ai(AiArgs),
     Check(CheckArgs),
     Compare(CompareArgs),
+    Completions(CompletionsArgs),
     Conform(ConformArgs),
     Dbc(DbcArgs),
     Decode(DecodeArgs),
@@ -109,6 +112,7 @@ pub(crate) enum Command {
     Exam(ExamArgs),
     Explore(ExploreArgs),
     Export(ExportArgs),
+    Man(ManArgs),
     Readings(ReadingsArgs),
     Schema(SchemaArgs),
     Suite(SuiteArgs),

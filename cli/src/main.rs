@@ -16,6 +16,7 @@
 //!   +------> explore:    a web page, until it is stopped
 //!   +------> diff -----> what one edition changes of another
 //!   +------> suite ----> the conformance test suite, or the proof that it is complete
+//!   +------> shell:      completions, and manual pages
 //!   +------> tables:     the CAN database, Figure 2, the readings, the JSON Schemas, the Promela model
 //! ```
 //!
@@ -55,6 +56,7 @@ mod report;
 mod requires;
 mod rules;
 mod screen;
+mod shell;
 mod status;
 mod suite;
 mod tables;
@@ -84,6 +86,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Ai(args) => ai::run(args),
         Command::Check(args) => check::run(args),
         Command::Compare(args) => compare::run(args),
+        Command::Completions(args) => shell::completions(args),
         Command::Demo(args) => demo::run(args),
         Command::Conform(args) => conform::run(args),
         Command::Exam(args) => exam::run(args),
@@ -91,6 +94,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Dbc(args) => tables::dbc(args),
         Command::Diagram(args) => tables::diagram(args),
         Command::Diff(args) => diff::run(args),
+        Command::Man(args) => shell::man(args),
         Command::Readings(args) => tables::readings(args),
         Command::Schema(args) => tables::schema(args),
         Command::Suite(args) => suite::run(args),

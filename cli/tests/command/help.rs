@@ -2,9 +2,27 @@
 
 use crate::run::{run, temporary};
 
-const COMMANDS: [&str; 18] = [
-    "ai", "check", "compare", "conform", "dbc", "decode", "demo", "diagram", "diff", "exam", "explore",
-    "export", "readings", "schema", "suite", "vcu", "verify", "watch",
+const COMMANDS: [&str; 20] = [
+    "ai",
+    "check",
+    "compare",
+    "completions",
+    "conform",
+    "dbc",
+    "decode",
+    "demo",
+    "diagram",
+    "diff",
+    "exam",
+    "explore",
+    "export",
+    "man",
+    "readings",
+    "schema",
+    "suite",
+    "vcu",
+    "verify",
+    "watch",
 ];
 
 #[test]

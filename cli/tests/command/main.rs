@@ -31,6 +31,7 @@ mod run;
 mod schema;
 #[cfg(target_os = "linux")]
 mod screen;
+mod shell;
 mod streams;
 mod suite;
 mod tables;

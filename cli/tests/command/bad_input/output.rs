@@ -34,6 +34,8 @@ const COMMANDS: &[(&[&str], i32)] = &[
     (&["diagram", "--format", "dot"], 0),
     (&["export", "--format", "promela"], 0),
     (&["help"], 0),
+    (&["completions", "bash"], 0),
+    (&["man", "check"], 0),
     (&["readings"], 0),
     (&["diff", "3.0", "4.0"], 0),
     (&["schema", "verify"], 0),
