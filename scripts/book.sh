@@ -28,7 +28,7 @@ git ls-files -z --cached --others --exclude-standard -- . ':!fuzz/corpus' ':!fuz
 sed -E 's#\]\(\.\./#](#; t; s#\]\(([^)]*)\)#](docs/\1)#' docs/SUMMARY.md >"$book/src/SUMMARY.md"
 cp docs/book.toml "$book/book.toml"
 if [ "${1-}" = --serve ]; then
-  exec mdbook serve "$book" --dest-dir site
+  exec mdbook serve "$book"
 fi
-mdbook build "$book" --dest-dir site
+mdbook build "$book"
 echo "$book/site/index.html"

@@ -1,0 +1,40 @@
+//! Every crate that the project stands on has its reason in `docs/dependencies.md`, and nothing else stands there.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// The crates that a manifest names in its tables of dependencies, without those of the project.
+fn of_manifest(manifest: &str) -> impl Iterator<Item = String> + '_ {
+    let mut of_dependencies = false;
+    manifest.lines().filter_map(move |line| {
+        if let Some(table) = line.strip_prefix('[') {
+            of_dependencies =
+                table.trim_end_matches(']').ends_with("dependencies") && !table.starts_with("workspace");
+            return None;
+        }
+        let (name, _) = line.split_once('=').filter(|_| of_dependencies)?;
+        let name = name.split('.').next().unwrap_or_default().trim();
+        let is_name = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+        (is_name && !name.starts_with("adsdv")).then(|| name.to_owned())
+    })
+}
+
+#[test]
+fn each_crate_that_is_used_has_its_reason() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project");
+    let folders = fs::read_dir(root).expect("the project").map(|entry| entry.expect("an entry").path());
+    let manifests = folders.filter_map(|folder| fs::read_to_string(folder.join("Cargo.toml")).ok());
+    let used: BTreeSet<String> = manifests.flat_map(|text| of_manifest(&text).collect::<Vec<_>>()).collect();
+    let page = fs::read_to_string(root.join("docs/dependencies.md")).expect("the page");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")).skip(1);
+    let named: BTreeSet<String> = rows
+        .flat_map(|row| {
+            row.split(" | ").next().unwrap_or_default().split(", ").map(|name| name.trim().to_owned())
+        })
+        .collect();
+    assert!(used.len() > 30, "{used:?}");
+    let without_reason: Vec<_> = used.difference(&named).collect();
+    let without_use: Vec<_> = named.difference(&used).collect();
+    assert!(without_reason.is_empty() && without_use.is_empty(), "{without_reason:?} {without_use:?}");
+}
