@@ -2,9 +2,9 @@
 
 use crate::run::{run, temporary};
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "ai", "check", "compare", "conform", "dbc", "decode", "demo", "diagram", "diff", "exam", "explore",
-    "export", "readings", "schema", "suite", "vcu", "verify", "watch",
+    "export", "readings", "schema", "suite", "vcu", "verify", "watch", "web",
 ];
 
 #[test]
