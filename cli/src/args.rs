@@ -1,6 +1,6 @@
 //! The arguments, and the help texts that stand for a manual page: `shell` has those for who packages the command, `bus`, `conform`, `exam` and `verify` those of the commands on
 //! a bus, of those that judge a program, of the one that examines an AI Computer, and of those that explore the state machine, `diff` those of the comparison of editions,
-//! `compare` those of the comparison of recordings, and `decode` those of the one that decodes them; this file has all others.
+//! `compare` those of the comparison of recordings, `decode` those of the one that decodes them, and `web` those of the page that judges; this file has all others.
 
 use std::path::PathBuf;
 
@@ -18,6 +18,7 @@ mod edition;
 mod exam;
 mod shell;
 mod verify;
+mod web;
 
 pub(crate) use bus::{AiArgs, DemoArgs, VcuArgs, WatchArgs};
 pub(crate) use compare::CompareArgs;
@@ -28,6 +29,7 @@ pub(crate) use edition::{ChosenEdition, EditionArgs};
 pub(crate) use exam::ExamArgs;
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
+pub(crate) use web::WebArgs;
 
 /// The longest window and deadline that make sense, in milliseconds.
 const LONGEST: u32 = 60_000;
@@ -53,6 +55,9 @@ EXAMPLES
   Record a run, and have it judged:
       candump -L can0 > run.log
       adsdv check run.log
+
+  The same in a browser, by dropping a log, and a virtual car to drive:
+      adsdv web --open
 
   It worked yesterday: what differs between two recordings?
       adsdv compare yesterday.log today.log
@@ -119,6 +124,7 @@ pub(crate) enum Command {
     Vcu(VcuArgs),
     Verify(VerifyArgs),
     Watch(WatchArgs),
+    Web(WebArgs),
 }
 
 /// Print the CAN database (DBC).

@@ -34,7 +34,7 @@ pub(crate) fn prepare(args: &CheckArgs) -> Result<(), Error> {
 /// Writes it where it is asked for.
 pub(crate) fn write(args: &CheckArgs, name: &str, subject: &Subject) -> Result<(), Error> {
     let (Some(file), Some(recorded)) = (&args.html, &subject.recorded) else { return Ok(()) };
-    let settings = subject.settings(args);
+    let settings = subject.settings();
     let check = subject.json(args, None);
     let page = PageSubject {
         name,

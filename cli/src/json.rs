@@ -1,28 +1,16 @@
 //! The forms for programs. That of a report is described by `schema/check.schema.json`, and by `schema/watch.schema.json` for
-//! a live bus.
-
-mod compare;
-mod exercised;
-mod finding;
-mod rules;
-mod stays;
+//! a live bus. Those that the page shows as well are of `adsdv_report`.
 
 use adsdv_can::live::{Outage, Traffic};
-use adsdv_oracle::judge::{Report, Required, ResponseTimes, Transition};
+use adsdv_oracle::judge::{Report, Required};
 use adsdv_oracle::recognise::Recognised;
-use adsdv_spec::{Choice, Edition, Reading};
-use exercised::{ExercisedJson, MarginJson, RequiredJson};
-use finding::FindingJson;
-use rules::RuleJson;
+use adsdv_report::json::{CheckJson, ReadingsJson, seconds};
+use adsdv_spec::Edition;
 use serde::Serialize;
 
-pub(crate) use compare::compared;
-use stays::{GoPressJson, StayJson};
+pub(crate) use adsdv_report::json::{SCHEMA, compared, line};
 
 use crate::error::Error;
-
-/// The number of the form that every answer in JSON has, which is its first key; `schema/README.md` says when it changes.
-pub(crate) const SCHEMA: u32 = 1;
 
 /// The JSON Schema of what [`readings`] writes.
 pub(crate) const READINGS_SCHEMA: &str = include_str!("../schema/readings.schema.json");
@@ -66,8 +54,7 @@ pub(crate) fn text(
     report: &Report,
     required: &[Required],
 ) -> String {
-    let required = RequiredJson::all(required, report);
-    line(&CheckJson { log, required, ..CheckJson::new(edition, recognised, report) })
+    line(&CheckJson::new(edition, recognised, report).of_log(log).requiring(required, report))
 }
 
 /// One of several logs that could not be judged, as one JSON object on one line.
@@ -109,57 +96,7 @@ pub(crate) struct Bus<'a> {
 
 /// The questions that an edition leaves open as one JSON object on one line.
 pub(crate) fn readings(edition: &Edition) -> String {
-    line(&ReadingsJson {
-        schema: SCHEMA,
-        edition: edition.version,
-        readings: edition.questions().map(|reading| ReadingJson::of(edition, reading)).collect(),
-    })
-}
-
-/// Nothing here can fail to be written: all keys are text, and all numbers finite.
-pub(crate) fn line(value: &impl Serialize) -> String {
-    let mut text = serde_json::to_string(value).unwrap_or_default();
-    text.push('\n');
-    text
-}
-
-#[derive(Serialize)]
-struct CheckJson<'a> {
-    schema: u32,
-    /// Its name, where it is one of several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    log: Option<&'a str>,
-    edition: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    recognised: Option<RecognisedJson<'a>>,
-    frames: u64,
-    duration_s: f64,
-    transitions: Vec<TransitionJson>,
-    findings: Vec<FindingJson<'a>>,
-    stays: Vec<StayJson>,
-    go_presses: Vec<GoPressJson>,
-    margins: Vec<MarginJson>,
-    handshake_response_ms: Option<ResponseJson>,
-    exercised: ExercisedJson,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    rules: Vec<RuleJson<'a>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    required: Vec<RequiredJson>,
-    verdict: &'static str,
-}
-
-#[derive(Serialize)]
-struct RecognisedJson<'a> {
-    certain: bool,
-    evidence: &'a [String],
-    against: &'a [String],
-}
-
-impl<'a> RecognisedJson<'a> {
-    fn of(recognised: &'a Recognised) -> Self {
-        let Recognised { certain, evidence, against, .. } = recognised;
-        Self { certain: *certain, evidence, against }
-    }
+    line(&ReadingsJson::new(edition))
 }
 
 #[derive(Serialize)]
@@ -191,73 +128,6 @@ struct TroubleJson {
     what: String,
 }
 
-#[derive(Serialize)]
-struct TransitionJson {
-    t: f64,
-    from: &'static str,
-    to: &'static str,
-    section: &'static str,
-    justified: &'static str,
-}
-
-#[derive(Serialize)]
-struct ResponseJson {
-    count: u64,
-    min: f64,
-    median: f64,
-    p99: f64,
-    max: f64,
-}
-
-#[derive(Serialize)]
-struct ReadingsJson {
-    schema: u32,
-    edition: &'static str,
-    readings: Vec<ReadingJson>,
-}
-
-#[derive(Serialize)]
-struct ReadingJson {
-    id: &'static str,
-    section: &'static str,
-    question: &'static str,
-    choices: Vec<ChoiceJson>,
-}
-
-#[derive(Serialize)]
-struct ChoiceJson {
-    id: &'static str,
-    text: &'static str,
-    default: bool,
-}
-
-impl<'a> CheckJson<'a> {
-    fn new(edition: &Edition, recognised: Option<&'a Recognised>, report: &'a Report) -> Self {
-        Self {
-            schema: SCHEMA,
-            log: None,
-            edition: edition.version,
-            recognised: recognised.map(RecognisedJson::of),
-            frames: report.frames,
-            duration_s: seconds(report.duration_ns),
-            transitions: report.transitions.iter().map(TransitionJson::from).collect(),
-            findings: report.findings.iter().map(FindingJson::from).collect(),
-            stays: report.stays.iter().map(|stay| StayJson::of(&edition.rules, stay)).collect(),
-            go_presses: report
-                .go_presses
-                .iter()
-                .map(|press| GoPressJson::of(&edition.rules, press))
-                .collect(),
-            margins: report.margins.iter().map(MarginJson::from).collect(),
-            handshake_response_ms: ResponseJson::of(&report.responses),
-            exercised: ExercisedJson::from(&report.exercised),
-            rules: report.rules.iter().map(RuleJson::from).collect(),
-            required: Vec::new(),
-            verdict: report.verdict().name(),
-        }
-    }
-}
-
 impl BusJson {
     fn new(bus: &Bus<'_>, duration_ns: i64) -> Self {
         let Traffic { frames, errors, dropped, troubles, busiest, .. } = bus.traffic;
@@ -287,81 +157,4 @@ impl From<&Outage> for TroubleJson {
 fn mean(frames: u64, duration_ns: i64) -> f64 {
     let seconds = (duration_ns as f64 / 1e9).max(1.0);
     (frames as f64 / seconds * 10.0).round() / 10.0
-}
-
-impl From<&Transition> for TransitionJson {
-    fn from(transition: &Transition) -> Self {
-        Self {
-            t: seconds(transition.t_ns),
-            from: transition.from.name(),
-            to: transition.to.name(),
-            section: transition.section,
-            justified: transition.justified.name(),
-        }
-    }
-}
-
-impl ResponseJson {
-    fn of(times: &ResponseTimes) -> Option<Self> {
-        Some(Self {
-            count: times.count(),
-            min: to_microseconds(times.min_ms()?),
-            median: to_microseconds(times.quantile_ms(0.5)?),
-            p99: to_microseconds(times.quantile_ms(0.99)?),
-            max: to_microseconds(times.max_ms()?),
-        })
-    }
-}
-
-impl ReadingJson {
-    fn of(edition: &Edition, reading: Reading) -> Self {
-        Self {
-            id: reading.id(),
-            section: reading.section(),
-            question: reading.question(),
-            choices: edition
-                .choices
-                .of_reading(reading)
-                .map(|choice| ChoiceJson::of(edition, choice))
-                .collect(),
-        }
-    }
-}
-
-impl ChoiceJson {
-    fn of(edition: &Edition, choice: Choice) -> Self {
-        Self { id: choice.id(), text: choice.text(), default: edition.readings.is(choice) }
-    }
-}
-
-/// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
-#[allow(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
-pub(crate) fn seconds(ns: i64) -> f64 {
-    ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
-}
-
-/// Milliseconds rounded to whole microseconds.
-fn to_microseconds(ms: f64) -> f64 {
-    (ms * 1e3).round() / 1e3
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn times_are_rounded_to_microseconds() {
-        let cases = [
-            (0, "0.0"),
-            (499, "0.0"),
-            (500, "1e-6"),
-            (13_015_234_567, "13.015235"),
-            (-400, "0.0"),
-            (3_600_000_000_001_499, "3600000.000001"),
-        ];
-        for (ns, text) in cases {
-            assert_eq!(serde_json::to_string(&seconds(ns)).ok().as_deref(), Some(text), "{ns} ns");
-        }
-        assert!(seconds(i64::MAX).is_finite() && seconds(i64::MIN).is_finite());
-    }
 }

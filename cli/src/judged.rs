@@ -3,10 +3,10 @@
 use adsdv_formats::Log;
 use adsdv_oracle::candump::{Entries, ReadError};
 use adsdv_oracle::excerpt::{Excerpts, judge_with_excerpts};
-use adsdv_oracle::judge::{JudgeOptions, Report};
-use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_entries, judge_recognised};
+use adsdv_oracle::judge::Report;
+use adsdv_oracle::log::{Judged, LogError, LogProgress};
 use adsdv_oracle::recognise::Recognised;
-use adsdv_report::{Recorder, Recording};
+use adsdv_report::{Asked, Recorder, Recording};
 use adsdv_spec::Edition;
 
 use crate::args::{CheckArgs, ChosenEdition};
@@ -18,29 +18,24 @@ use crate::{json, output, pins, report, requires, rules};
 /// How logs are judged, by the arguments.
 pub(crate) struct Plan {
     chosen: ChosenEdition,
-    /// The edition is recognised.
-    by_log: bool,
-    options: LogOptions,
+    asked: Asked,
 }
 
 impl Plan {
     pub(crate) fn of(args: &CheckArgs) -> Result<Self, Error> {
         let chosen = args.edition.chosen()?;
         let (edition, by_log) = (chosen.edition(), chosen.asked_for().is_none());
-        let possible = if by_log { pins::possible_in_some } else { pins::possible };
         if !by_log {
             requires::possible(edition, &args.required)?;
         }
-        let judge = JudgeOptions {
-            window_ms: args.window,
-            deadline_ms: args.deadline,
-            readings: possible(edition, &args.readings)?,
-            complete: args.complete,
-            ..JudgeOptions::of(edition)
-        };
+        let named = Some(edition).filter(|_| !by_log);
+        let mut asked = Asked::new(named, &args.readings).map_err(|error| pins::refused(&error))?;
+        let judge = &mut asked.options.judge;
+        (judge.window_ms, judge.deadline_ms, judge.complete) = (args.window, args.deadline, args.complete);
         let rules = rules::read(args.rules.as_deref(), edition, by_log)?;
-        let options = LogOptions { judge, interface: args.interface.clone(), rules };
-        Ok(Self { chosen, by_log, options })
+        asked.options.rules = rules;
+        asked.options.interface.clone_from(&args.interface);
+        Ok(Self { chosen, asked })
     }
 }
 
@@ -50,8 +45,7 @@ pub(crate) struct Subject {
     /// Why not all of the log could be read.
     pub(crate) failure: Option<ReadError>,
     recognised: Recognised,
-    by_log: bool,
-    options: LogOptions,
+    asked: Asked,
     pub(crate) excerpts: Option<Excerpts>,
     /// What was recorded, where somebody is to look at it.
     pub(crate) recorded: Option<Recording>,
@@ -88,38 +82,26 @@ pub(crate) fn judged(
 ) -> Result<Subject, Failed> {
     let with_excerpts = args.excerpt.is_some();
     let (judged, heard) = if args.html.is_some() {
-        let mut recorder = Recorder::new(log, plan.options.judge.window_ms);
-        let judged = judge(&mut recorder, &plan.options, plan.by_log, with_excerpts, progress);
+        let mut recorder = Recorder::new(log, plan.asked.options.judge.window_ms);
+        let judged = judge(&mut recorder, &plan.asked, with_excerpts, progress);
         (judged, Some(recorder))
     } else {
-        (judge(log, &plan.options, plan.by_log, with_excerpts, progress), None)
+        (judge(log, &plan.asked, with_excerpts, progress), None)
     };
     let (Judged { report, failure, recognised }, excerpts) = judged.map_err(Failed::Log)?;
-    let interface = plan.options.interface.as_deref();
+    let interface = plan.asked.options.interface.as_deref();
     let recorded = heard.map(|recorder| recorder.finish(recognised.edition, interface));
-    let mut options = plan.options.clone();
-    options.judge = options.judge.under(recognised.edition);
-    pins::possible(recognised.edition, &args.readings).map_err(Failed::Asked)?;
+    let asked = plan.asked.under(recognised.edition).map_err(|error| Failed::Asked(pins::refused(&error)))?;
     requires::possible(recognised.edition, &args.required).map_err(Failed::Asked)?;
     let status = if failure.is_some() { Status::NoAnswer } else { requires::status(&report, &args.required) };
     let missing = args.required.iter().filter(|one| !report.exercised.meets(**one));
     let missing = missing.map(|one| format!("{one} ({})", one.missing())).collect();
-    Ok(Subject {
-        report,
-        failure,
-        recognised,
-        by_log: plan.by_log,
-        options,
-        excerpts,
-        recorded,
-        status,
-        missing,
-    })
+    Ok(Subject { report, failure, recognised, asked, excerpts, recorded, status, missing })
 }
 
 impl Subject {
     pub(crate) fn edition(&self) -> &'static Edition {
-        self.options.judge.edition
+        self.asked.options.judge.edition
     }
 
     /// How the command ends for it.
@@ -134,11 +116,12 @@ impl Subject {
 
     /// The report for a person.
     pub(crate) fn text(&self, args: &CheckArgs, plan: &Plan, name: &str) -> String {
-        let line = if self.by_log { report::recognised(&self.recognised) } else { plan.chosen.to_string() };
+        let line =
+            if self.asked.by_log { report::recognised(&self.recognised) } else { plan.chosen.to_string() };
         let subject = JudgedLog {
             edition: Some(&line),
             name,
-            options: &self.options,
+            options: &self.asked.options,
             pins: &args.readings,
             required: &args.required,
         };
@@ -146,39 +129,27 @@ impl Subject {
     }
 
     /// How it was judged, a line each.
-    pub(crate) fn settings(&self, args: &CheckArgs) -> Vec<String> {
-        let subject = JudgedLog {
-            edition: None,
-            name: "",
-            options: &self.options,
-            pins: &args.readings,
-            required: &args.required,
-        };
-        subject.settings()
+    pub(crate) fn settings(&self) -> Vec<String> {
+        self.asked.settings()
     }
 
     /// The report for a program; with the name of the log, where it is one of several.
     pub(crate) fn json(&self, args: &CheckArgs, log: Option<&str>) -> String {
-        let recognised = self.by_log.then_some(&self.recognised);
+        let recognised = self.asked.by_log.then_some(&self.recognised);
         json::text(log, self.edition(), recognised, &self.report, &args.required)
     }
 }
 
-/// Judges by the edition of the options, or by the one that the log tells.
+/// Judges as it is asked for.
 fn judge(
     log: impl Entries,
-    options: &LogOptions,
-    by_log: bool,
+    asked: &Asked,
     with_excerpts: bool,
     progress: impl FnMut(LogProgress),
 ) -> Result<(Judged, Option<Excerpts>), LogError> {
     if with_excerpts {
-        return judge_with_excerpts(log, options, by_log, progress)
+        return judge_with_excerpts(log, &asked.options, asked.by_log, progress)
             .map(|(judged, excerpts)| (judged, Some(excerpts)));
     }
-    if by_log {
-        return judge_recognised(log, options, progress).map(|judged| (judged, None));
-    }
-    let (report, failure) = judge_entries(log, options, progress)?;
-    Ok((Judged { report, failure, recognised: Recognised::named(options.judge.edition) }, None))
+    asked.judge(log, progress).map(|judged| (judged, None))
 }

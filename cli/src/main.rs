@@ -14,6 +14,7 @@
 //!   +------> watch ----> the judge of a live bus until it is stopped, and the exit status
 //!   +------> verify ---> the properties of the state machine, and the exit status
 //!   +------> explore:    a web page, until it is stopped
+//!   +------> web:        the page that judges in a browser, until it is stopped
 //!   +------> diff -----> what one edition changes of another
 //!   +------> suite ----> the conformance test suite, or the proof that it is complete
 //!   +------> shell:      completions, and manual pages
@@ -63,6 +64,7 @@ mod tables;
 mod vcu;
 mod verify;
 mod watch;
+mod web;
 mod whole;
 
 use std::process::ExitCode;
@@ -103,6 +105,7 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Vcu(args) => vcu::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Watch(args) => watch::run(args),
+        Command::Web(args) => web::run(args),
     }
 }
 

@@ -1,27 +1,23 @@
 //! `--reading ID=CHOICE`: pins a question that the document leaves open.
 
+use adsdv_report::asked::{self, PinError};
 use adsdv_spec::{Choice, Choices, Edition, Machine, Readings};
 
 use crate::error::Error;
 
 /// The choices of an edition that remain possible for a judge.
 pub(crate) fn possible(edition: &Edition, pins: &[Choice]) -> Result<Choices, Error> {
-    agree(edition, pins)?;
-    Ok(pins.iter().copied().fold(edition.choices, Choices::pin))
+    asked::possible(edition, pins).map_err(|error| refused(&error))
 }
 
-/// The choices that remain possible for a judge who has yet to recognise the edition: each pin has to be an answer in one
-/// edition at least. Whether it is one in the edition that is recognised, [`possible`] tells.
+/// The choices that remain possible for a judge who has yet to recognise the edition.
 pub(crate) fn possible_in_some(default: &Edition, pins: &[Choice]) -> Result<Choices, Error> {
-    match Edition::ALL.iter().find(|edition| agree(edition, pins).is_ok()) {
-        Some(_) => Ok(pins.iter().copied().fold(default.choices, Choices::pin)),
-        None => possible(default, pins),
-    }
+    asked::possible_in_some(default, pins).map_err(|error| refused(&error))
 }
 
 /// The answers of a machine: the defaults of its edition where nothing is pinned.
 pub(crate) fn answers(edition: &Edition, pins: &[Choice]) -> Result<Readings, Error> {
-    agree(edition, pins)?;
+    asked::agree(edition, pins).map_err(|error| refused(&error))?;
     Ok(pins.iter().copied().fold(edition.readings, Readings::with))
 }
 
@@ -30,37 +26,15 @@ pub(crate) fn machine(edition: &Edition, pins: &[Choice]) -> Result<Machine, Err
     answers(edition, pins).map(|readings| Machine::new(*edition, readings))
 }
 
-/// Fails where two pins contradict each other, or one the edition.
-fn agree(edition: &Edition, pins: &[Choice]) -> Result<(), Error> {
-    for (index, pin) in pins.iter().enumerate() {
-        if !edition.choices.has(*pin) {
-            let ids: Vec<&str> = edition.choices.of_reading(pin.reading()).map(Choice::id).collect();
-            return Err(Error {
-                what: format!("--reading {pin}"),
-                why: format!(
-                    "is no answer in edition {}; expected {}={}",
-                    edition.version,
-                    pin.reading().id(),
-                    ids.join(" or ")
-                ),
-                hint: format!(
-                    "`adsdv readings --edition {}` lists the choices that it leaves",
-                    edition.version
-                ),
-            });
+/// What to do about readings that cannot be pinned so.
+pub(crate) fn refused(error: &PinError) -> Error {
+    let hint = match error {
+        PinError::NoAnswer { edition, .. } => {
+            format!("`adsdv readings --edition {edition}` lists the choices that it leaves")
         }
-        let before = pins.iter().take(index);
-        if let Some(other) =
-            before.into_iter().find(|other| other.reading() == pin.reading() && *other != pin)
-        {
-            return Err(Error {
-                what: format!("--reading {pin}"),
-                why: format!("{} is already pinned to {}", pin.reading().id(), other.id()),
-                hint: "pin each reading once; `adsdv readings` lists the choices".to_owned(),
-            });
-        }
-    }
-    Ok(())
+        PinError::Twice { .. } => "pin each reading once; `adsdv readings` lists the choices".to_owned(),
+    };
+    Error { what: format!("--reading {}", error.pin()), why: error.to_string(), hint }
 }
 
 #[cfg(test)]

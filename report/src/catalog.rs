@@ -34,6 +34,20 @@ struct SignalJson {
     doc: &'static str,
 }
 
+/// The messages of an edition as the page of a report has them under `messages`: how their frames are read.
+///
+/// ```
+/// use adsdv_report::catalog;
+/// use adsdv_spec::Edition;
+///
+/// let messages = catalog(&Edition::V3_0);
+/// assert_eq!(messages[0]["signals"][0]["start"], 0);
+/// ```
+pub fn catalog(edition: &Edition) -> serde_json::Value {
+    // Nothing here can fail to be written: all keys are text, and all numbers finite.
+    serde_json::to_value(messages(edition)).unwrap_or_default()
+}
+
 /// Every message of an edition.
 pub(crate) fn messages(edition: &Edition) -> Vec<MessageJson> {
     let documented = edition.bus.messages.iter().map(|message| documented(message));

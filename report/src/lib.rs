@@ -22,10 +22,12 @@
 #![forbid(unsafe_code)]
 
 mod answers;
+pub mod asked;
 mod catalog;
 mod chunks;
 mod clock;
 mod facts;
+pub mod json;
 mod lanes;
 mod mood;
 mod overview;
@@ -39,6 +41,8 @@ mod requests;
 mod summary;
 mod time;
 
+pub use asked::Asked;
+pub use catalog::catalog;
 pub use page::{PageError, Subject};
 pub use recorder::Recorder;
 pub use recording::{Found, Kept, Lost, Recording, signal};

@@ -53,7 +53,7 @@ struct DataJson<'a> {
     check: &'a RawValue,
     summary: SummaryJson,
     questions: Vec<AnswerJson>,
-    transitions: Vec<TransitionJson>,
+    transitions: Vec<DecisionJson>,
     /// What the light of each state shows.
     lights: Vec<(&'static str, String)>,
     /// The sentences of the requirements that are named.
@@ -73,7 +73,7 @@ struct DataJson<'a> {
 
 /// What `--json` does not say of a transition: the conditions that decided.
 #[derive(Serialize)]
-struct TransitionJson {
+struct DecisionJson {
     decided: Vec<DecidedJson>,
     or: Vec<String>,
 }
@@ -103,7 +103,7 @@ impl Subject<'_> {
             transitions: report
                 .transitions
                 .iter()
-                .map(|one| TransitionJson { decided: decided(rules, one), or: or(rules, one) })
+                .map(|one| DecisionJson { decided: decided(rules, one), or: or(rules, one) })
                 .collect(),
             lights: AsState::ALL.iter().map(|state| (state.name(), Assi::of(*state).to_string())).collect(),
             requirements: self.requirements(),

@@ -2,9 +2,12 @@
 //!
 //! [`run`] has the car and the AI Computer on a bus within the program, in simulated time: a mission of half a minute takes a
 //! few hundredths of a second. [`LocalBus`] is a bus with the AI Computer on it in real time, for the loop that otherwise has
-//! SocketCAN before it.
+//! SocketCAN before it. [`Bench`] is what [`run`] drives, for who drives it otherwise: frame by frame, with an AI Computer that makes
+//! mistakes.
 
+mod bench;
 mod local;
+mod slip;
 pub mod wire;
 
 use std::fmt;
@@ -12,19 +15,16 @@ use std::fmt;
 use adsdv_spec::Machine;
 use adsdv_spec::messages::{AsState, Frame};
 
-use crate::BITRATE;
 use crate::ai::Ai;
-use crate::car::{Action, Car, missing_for};
+use crate::car::{Action, missing_for};
 use crate::scenario::{PATIENCE_MS, Player, Scenario, Stuck};
 
+pub use bench::{Bench, Due};
 pub use local::LocalBus;
-use wire::{Node, Wire};
+pub use slip::Slip;
 
 /// The name of the bus in logs.
 pub const BUS: &str = "demo";
-
-/// A millisecond in nanoseconds.
-const MS: i64 = 1_000_000;
 
 /// How a run is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,36 +111,28 @@ pub fn run<E>(
 ) -> Result<Run, RunError<E>> {
     let mut run = Running::new(scenario, ai, options);
     loop {
-        let vcu = run.vcu_ns;
-        let ai = run.ai_ns;
-        if let Some((time_ns, from, frame)) = run.wire.complete(vcu.min(ai)) {
-            sink(time_ns, &frame).map_err(RunError::Sink)?;
-            run.deliver(from, &frame);
-        } else if vcu <= ai {
-            if run.is_over(options) {
-                return Ok(run.result());
+        match run.bench.advance() {
+            Due::Frame(time_ns, frame) => {
+                sink(time_ns, &frame).map_err(RunError::Sink)?;
+                run.frames += 1;
             }
-            if let Some(stuck) = run.stuck(options) {
-                return Err(RunError::Waits { stuck: Box::new(stuck), run: Box::new(run.result()) });
+            Due::VcuCycle if run.is_over(options) => return Ok(run.result()),
+            Due::VcuCycle => {
+                if let Some(stuck) = run.stuck(options) {
+                    return Err(RunError::Waits { stuck: Box::new(stuck), run: Box::new(run.result()) });
+                }
+                run.vcu_cycle();
             }
-            run.vcu_cycle();
-        } else {
-            run.ai_cycle();
         }
     }
 }
 
 /// A run that is under way.
 struct Running {
-    car: Car,
-    ai: Ai,
+    bench: Bench,
     player: Player,
-    wire: Wire,
     /// The state of the last cycle.
     state: Option<AsState>,
-    /// When the next cycle of each begins.
-    vcu_ns: i64,
-    ai_ns: i64,
     /// Since when every line of the scenario has taken place, in milliseconds.
     done_at_ms: Option<u64>,
     /// What the operator did, and when.
@@ -150,15 +142,12 @@ struct Running {
 
 impl Running {
     fn new(scenario: &Scenario, ai: Ai, options: &DemoOptions) -> Self {
+        // Both sides follow the edition of the AI Computer.
+        let machine = Machine::new(*ai.edition(), ai.edition().readings);
         Self {
-            // Both sides follow the edition of the AI Computer.
-            car: Car::new(Machine::new(*ai.edition(), ai.edition().readings)),
-            ai,
+            bench: Bench::new(machine, ai, options.phase_ms),
             player: Player::new(scenario),
-            wire: Wire::new(BITRATE.into()),
             state: None,
-            vcu_ns: 0,
-            ai_ns: i64::from(options.phase_ms) * MS,
             done_at_ms: None,
             actions: Vec::new(),
             frames: 0,
@@ -166,40 +155,19 @@ impl Running {
     }
 
     fn time_ms(&self) -> u64 {
-        u64::try_from(self.vcu_ns / MS).unwrap_or_default()
-    }
-
-    fn deliver(&mut self, from: Node, frame: &Frame) {
-        self.frames += 1;
-        match from {
-            // Both send what the document allows; were it otherwise, the judge would tell.
-            Node::Vcu => drop(self.ai.receive(frame)),
-            Node::Ai => drop(self.car.receive(frame)),
-        }
+        self.bench.time_ms()
     }
 
     fn vcu_cycle(&mut self) {
         let time_ms = self.time_ms();
         for action in self.player.due(time_ms, self.state) {
-            self.car.act(&action);
+            self.bench.car_mut().act(&action);
             self.actions.push((time_ms, action));
         }
         if self.player.is_done() {
             self.done_at_ms.get_or_insert(time_ms);
         }
-        let dt_ms = self.car.cycle_ms();
-        let cycle = self.car.cycle(dt_ms);
-        self.state = cycle.state();
-        self.wire.send(self.vcu_ns, Node::Vcu, cycle.frames);
-        self.vcu_ns += i64::from(dt_ms) * MS;
-    }
-
-    fn ai_cycle(&mut self) {
-        // The AI Computer's cycle is as long as the VCU's.
-        let dt_ms = self.car.cycle_ms();
-        let frames = self.ai.cycle(dt_ms);
-        self.wire.send(self.ai_ns, Node::Ai, frames);
-        self.ai_ns += i64::from(dt_ms) * MS;
+        self.state = self.bench.vcu_cycle().state();
     }
 
     /// Whether the run ends before the next cycle.
@@ -209,7 +177,7 @@ impl Running {
     }
 
     fn stuck(&self, options: &DemoOptions) -> Option<Stuck> {
-        self.player.stuck(self.time_ms(), options.patience_ms, |state| missing_for(&self.car, state))
+        self.player.stuck(self.time_ms(), options.patience_ms, |state| missing_for(self.bench.car(), state))
     }
 
     fn result(self) -> Run {
@@ -218,7 +186,7 @@ impl Running {
             frames: self.frames,
             actions: self.actions,
             state: self.state,
-            distance_m: self.car.vehicle().distance_m(),
+            distance_m: self.bench.car().vehicle().distance_m(),
         }
     }
 }

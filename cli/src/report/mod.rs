@@ -12,9 +12,10 @@ mod why;
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::{Finding, JudgeOptions, Report, Required, Severity, Transition, Verdict};
+use adsdv_oracle::judge::{Finding, Report, Required, Severity, Transition, Verdict};
 use adsdv_oracle::log::LogOptions;
 use adsdv_oracle::recognise::Recognised;
+use adsdv_report::asked::settings;
 use adsdv_spec::{Choice, Rules};
 
 use style::Styled;
@@ -44,17 +45,7 @@ pub(crate) struct JudgedLog<'a> {
 impl JudgedLog<'_> {
     /// How it was judged, where that is not as usual: a line each.
     pub(crate) fn settings(&self) -> Vec<String> {
-        let (judge, default) = (self.options.judge, JudgeOptions::of(self.options.judge.edition));
-        let mut lines = Vec::new();
-        lines.extend(self.options.interface.as_ref().map(|interface| format!("interface {interface}")));
-        if (judge.window_ms, judge.deadline_ms) != (default.window_ms, default.deadline_ms) {
-            lines.push(format!("window {} ms, deadline {} ms", judge.window_ms, judge.deadline_ms));
-        }
-        if judge.complete {
-            lines.push("complete: no frame is missing".to_owned());
-        }
-        lines.extend(self.pins.iter().map(|pin| format!("reading {pin}: {}", pin.text())));
-        lines
+        settings(self.options, self.pins)
     }
 }
 

@@ -151,7 +151,9 @@ fn threads_and_ports_that_are_none() {
         wrong_arguments(&["verify", "--threads", value], "expected a number of threads from 1 to 256");
     }
     for value in ["65536", "any", "", "1.5"] {
-        wrong_arguments(&["explore", "--port", value], "--port <N>");
+        for command in ["explore", "web"] {
+            wrong_arguments(&[command, "--port", value], "--port <N>");
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::run::{run, temporary};
 
-const COMMANDS: [&str; 20] = [
+const COMMANDS: [&str; 21] = [
     "ai",
     "check",
     "compare",
@@ -23,6 +23,7 @@ const COMMANDS: [&str; 20] = [
     "vcu",
     "verify",
     "watch",
+    "web",
 ];
 
 #[test]

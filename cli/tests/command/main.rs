@@ -36,4 +36,5 @@ mod streams;
 mod suite;
 mod tables;
 mod verify;
+mod web;
 mod why;

@@ -23,7 +23,7 @@ export interface Acts {
   finding(step: 1 | -1): void;
 }
 
-export function keys(view: View, timeline: HTMLElement, acts: Acts): void {
+export function keys(view: View, timeline: HTMLElement, signal: AbortSignal, acts: Acts): void {
   const move = (share: number) => {
     const from = view.cursor ?? view.from;
     view.at(from + (view.to - view.from) * share);
@@ -59,5 +59,5 @@ export function keys(view: View, timeline: HTMLElement, acts: Acts): void {
     if (!act) return;
     event.preventDefault();
     act(event.shiftKey);
-  });
+  }, { signal });
 }

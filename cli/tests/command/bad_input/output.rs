@@ -52,8 +52,8 @@ const DUMB: &str = r#"while read -r line; do case $line in
 const SILENT: &str = r#"while read -r line; do case $line in
 *hello*) echo '{"edition":"3.0"}' ;; *reset*) echo '{}' ;; *) echo '{"frames":[]}' ;; esac; done"#;
 
-/// Those that go on until they are stopped: `explore` is below, and the others need CAN, so that `can/tests/socket` has them.
-const ENDLESS: [&str; 4] = ["ai", "explore", "vcu", "watch"];
+/// Those that go on until they are stopped: `explore` and `web` are below, and the others need CAN, so that `can/tests/socket` has them.
+const ENDLESS: [&str; 5] = ["ai", "explore", "vcu", "watch", "web"];
 
 /// A new command has to be in a list.
 #[test]
@@ -302,10 +302,20 @@ impl Drop for Running {
 /// The Explorer serves, whether or not anybody could read where.
 #[test]
 pub(super) fn an_explorer_that_cannot_print_its_address() {
+    cannot_print_its_address("explore");
+}
+
+/// And so does the page that judges.
+#[test]
+pub(super) fn a_page_that_cannot_print_its_address() {
+    cannot_print_its_address("web");
+}
+
+fn cannot_print_its_address(name: &str) {
     let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
-    let mut command = adsdv(&["explore", "--port", "0"]);
-    let mut explorer = Running(command.stdout(full).stderr(Stdio::piped()).spawn().expect("it starts"));
-    let mut errors = BufReader::new(explorer.0.stderr.take().expect("a pipe"));
+    let mut command = adsdv(&[name, "--port", "0"]);
+    let mut server = Running(command.stdout(full).stderr(Stdio::piped()).spawn().expect("it starts"));
+    let mut errors = BufReader::new(server.0.stderr.take().expect("a pipe"));
     let (sender, receiver) = mpsc::channel();
     thread::spawn(move || {
         let mut line = String::new();
@@ -314,23 +324,23 @@ pub(super) fn an_explorer_that_cannot_print_its_address() {
     });
     let line = receiver.recv_timeout(Duration::from_mins(1)).expect("a line in time").expect("text");
     assert!(line.starts_with("adsdv: standard output: cannot write the answer: "), "{line}");
-    serves_on(&mut explorer);
+    serves_on(&mut server);
 
-    let mut command = adsdv(&["explore", "--port", "0"]);
-    let mut explorer =
+    let mut command = adsdv(&[name, "--port", "0"]);
+    let mut server =
         Running(command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts"));
-    drop(explorer.0.stdout.take());
-    serves_on(&mut explorer);
-    explorer.0.kill().expect("it runs");
+    drop(server.0.stdout.take());
+    serves_on(&mut server);
+    server.0.kill().expect("it runs");
     let mut stderr = String::new();
-    explorer.0.stderr.take().expect("a pipe").read_to_string(&mut stderr).expect("text");
+    server.0.stderr.take().expect("a pipe").read_to_string(&mut stderr).expect("text");
     assert_eq!(stderr, "");
 }
 
-fn serves_on(explorer: &mut Running) {
+fn serves_on(server: &mut Running) {
     let begun = Instant::now();
     while begun.elapsed() < Duration::from_millis(500) {
-        assert!(explorer.0.try_wait().is_ok_and(|status| status.is_none()), "it ended");
+        assert!(server.0.try_wait().is_ok_and(|status| status.is_none()), "it ended");
         thread::sleep(Duration::from_millis(10));
     }
 }

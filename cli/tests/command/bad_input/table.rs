@@ -173,7 +173,7 @@ const ROWS: &[Row] = &[
     ("a closed pipe", "`ai`, `vcu --plain`, `watch`", &[], &["a_closed_pipe_ends_each_in_order"]),
     (
         "a full disk",
-        "all but `explore`, for what they print",
+        "all but `explore` and `web`, for what they print",
         tests![output::no_command_is_left_out, output::a_full_disk, output::a_full_disk_for_errors],
         &["a_full_disk_for_what_is_printed_is_reported"],
     ),
@@ -183,7 +183,15 @@ const ROWS: &[Row] = &[
     ("a full disk", "`check --html`", tests![output::a_full_disk_for_a_page], &[]),
     ("a full disk", "`verify --logs`", tests![output::a_full_disk_for_counterexamples], &[]),
     ("a full disk", "`watch --log`", &[], &["a_full_disk_is_reported_and_watching_goes_on"]),
-    ("a full disk", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
+    (
+        "a full disk",
+        "`explore`, `web`",
+        tests![
+            output::an_explorer_that_cannot_print_its_address,
+            output::a_page_that_cannot_print_its_address
+        ],
+        &[],
+    ),
     (
         "a log without what is required",
         "`check --require`",
@@ -210,7 +218,15 @@ const ROWS: &[Row] = &[
         tests![exam::a_program_that_cannot_be_examined, exam::logs_of_an_exam_that_cannot_be_written],
         &[],
     ),
-    ("a closed pipe", "`explore`", tests![output::an_explorer_that_cannot_print_its_address], &[]),
+    (
+        "a closed pipe",
+        "`explore`, `web`",
+        tests![
+            output::an_explorer_that_cannot_print_its_address,
+            output::a_page_that_cannot_print_its_address
+        ],
+        &[],
+    ),
 ];
 
 /// The rows of the table: the condition, the commands, what happens and the exit status.

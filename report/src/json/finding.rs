@@ -3,10 +3,11 @@
 use adsdv_oracle::judge::{Evidence, Finding};
 use serde::Serialize;
 
-use super::seconds;
+use super::number::seconds;
 
+/// A finding as `adsdv check --json` prints it.
 #[derive(Serialize)]
-pub(super) struct FindingJson<'a> {
+pub struct FindingJson<'a> {
     t: f64,
     severity: &'static str,
     party: &'static str,

@@ -1,4 +1,4 @@
-//! A comparison of two recordings. `schema/compare.schema.json` describes it.
+//! A comparison of two recordings. `cli/schema/compare.schema.json` describes it.
 
 use adsdv_oracle::compare::{
     Comparison, FoundOnce, FrameDiffers, LastedDiffers, MarginDiffers, OnlyTransition, Parting, Range,
@@ -8,11 +8,15 @@ use adsdv_oracle::judge::ResponseTimes;
 use serde::Serialize;
 
 use super::exercised::MarginJson;
+use super::finding::FindingJson;
+use super::number::{seconds, to_microseconds};
+use super::recognised::RecognisedJson;
+use super::response::ResponseJson;
 use super::stays::BlockedJson;
-use super::{FindingJson, RecognisedJson, ResponseJson, SCHEMA, line, seconds, to_microseconds};
+use super::{SCHEMA, line};
 
 /// A comparison as one JSON object on one line.
-pub(crate) fn compared(good: &Recording, bad: &Recording, comparison: &Comparison<'_>) -> String {
+pub fn compared(good: &Recording, bad: &Recording, comparison: &Comparison<'_>) -> String {
     let rules = [&good.edition.rules, &bad.edition.rules];
     line(&CompareJson {
         schema: SCHEMA,

@@ -3,7 +3,7 @@
 use adsdv_oracle::rules::{Breach, RuleReport};
 use serde::Serialize;
 
-use super::seconds;
+use super::number::seconds;
 
 #[derive(Serialize)]
 pub(super) struct RuleJson<'a> {

@@ -3,7 +3,7 @@
 use adsdv_oracle::judge::{Exercised, Margin, Report, Required, RequirementStanding};
 use serde::Serialize;
 
-use super::seconds;
+use super::number::{rounded, seconds};
 
 #[derive(Serialize)]
 pub(super) struct MarginJson {
@@ -83,9 +83,4 @@ impl RequiredJson {
         let of = |one: &Required| Self { what: one.to_string(), met: report.exercised.meets(*one) };
         required.iter().map(of).collect()
     }
-}
-
-/// A number with the digits that mean something.
-fn rounded(value: f64, steps: f64) -> f64 {
-    (value * steps).round() / steps
 }

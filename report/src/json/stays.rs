@@ -4,7 +4,7 @@ use adsdv_oracle::why::{Blocked, Condition, GoPress, Stay, Untaken};
 use adsdv_spec::Rules;
 use serde::Serialize;
 
-use super::seconds;
+use super::number::seconds;
 
 #[derive(Serialize)]
 pub(super) struct StayJson {

@@ -1,0 +1,22 @@
+//! The page that judges recordings in a browser, and a server of it.
+//!
+//! ```text
+//! web/ (the judge as WebAssembly) + web/page (TypeScript) --scripts/web.sh --build--> dist/adsdv.html --> PAGE --> serve
+//! ```
+//!
+//! The page is one file, which is checked in, so that nobody needs Node or another compiler who wants it. It needs nothing but itself,
+//! so that the server has one answer: no path of a request reaches a file.
+
+#![forbid(unsafe_code)]
+
+mod serve;
+
+pub use serve::{Site, SiteError};
+
+/// The page, whole.
+///
+/// ```
+/// assert!(adsdv_site::PAGE.starts_with("<!doctype html>"));
+/// assert!(adsdv_site::PAGE.contains("default-src 'none'"));
+/// ```
+pub const PAGE: &str = include_str!("../dist/adsdv.html");

@@ -1,0 +1,109 @@
+//! Serves the page.
+
+use std::error::Error;
+use std::fmt;
+use std::io;
+use std::net::{IpAddr, SocketAddr, TcpListener};
+
+use tiny_http::{Header, Method, Request, Response, Server};
+
+use crate::PAGE;
+
+/// What every answer says of itself. The page has its own policy; that nobody puts it into a frame can be said only here.
+const HEADERS: [(&str, &str); 5] = [
+    ("Content-Security-Policy", "frame-ancestors 'none'"),
+    ("Cross-Origin-Resource-Policy", "same-origin"),
+    ("Referrer-Policy", "no-referrer"),
+    ("X-Content-Type-Options", "nosniff"),
+    ("Cache-Control", "no-cache"),
+];
+
+/// A server of the page.
+///
+/// ```
+/// use std::io::{Read, Write};
+/// use std::net::{Ipv4Addr, TcpStream};
+///
+/// let site = adsdv_site::Site::bind(Ipv4Addr::LOCALHOST.into(), 0)?;
+/// let address = site.address();
+/// std::thread::spawn(move || site.serve());
+/// let mut stream = TcpStream::connect(address)?;
+/// stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")?;
+/// let mut answer = String::new();
+/// stream.read_to_string(&mut answer)?;
+/// assert!(answer.starts_with("HTTP/1.1 200 OK\r\n") && answer.ends_with(adsdv_site::PAGE));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Site {
+    server: Server,
+    address: SocketAddr,
+}
+
+/// Why nothing is served: the address cannot be had.
+#[derive(Debug)]
+pub struct SiteError(io::Error);
+
+impl SiteError {
+    /// What the system says.
+    pub const fn source_error(&self) -> &io::Error {
+        &self.0
+    }
+}
+
+impl fmt::Display for SiteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the address cannot be had: {}", self.0)
+    }
+}
+
+impl Error for SiteError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        Some(&self.0)
+    }
+}
+
+impl Site {
+    /// Takes an address; with port 0 the system chooses one that is free.
+    pub fn bind(host: IpAddr, port: u16) -> Result<Self, SiteError> {
+        let listener = TcpListener::bind((host, port)).map_err(SiteError)?;
+        let address = listener.local_addr().map_err(SiteError)?;
+        let server = Server::from_listener(listener, None)
+            .map_err(|error| SiteError(io::Error::other(error.to_string())))?;
+        Ok(Self { server, address })
+    }
+
+    /// Where it is.
+    pub const fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Serves the page until the process ends.
+    pub fn serve(&self) {
+        for request in self.server.incoming_requests() {
+            // Who asked may be gone, and others still ask.
+            let _ = answer(request);
+        }
+    }
+}
+
+/// Answers a request: the page, and nothing else.
+fn answer(request: Request) -> io::Result<()> {
+    let path = request.url().split(['?', '#']).next().unwrap_or_default();
+    let (status, kind, text) = match (request.method(), path) {
+        (Method::Get | Method::Head, "/" | "/index.html") => (200, "text/html; charset=utf-8", PAGE),
+        (Method::Get | Method::Head, _) => {
+            (404, "text/plain; charset=utf-8", "There is only the page at /.\n")
+        }
+        _ => (405, "text/plain; charset=utf-8", "There is only GET.\n"),
+    };
+    let mut response = Response::new(status.into(), Vec::new(), text.as_bytes(), Some(text.len()), None)
+        // Its length is known, so that whoever loads it sees how far it is.
+        .with_chunked_threshold(usize::MAX);
+    let allow = (status == 405).then_some(("Allow", "GET, HEAD"));
+    for (name, value) in HEADERS.into_iter().chain([("Content-Type", kind)]).chain(allow) {
+        if let Ok(header) = Header::from_bytes(name, value) {
+            response.add_header(header);
+        }
+    }
+    request.respond(response)
+}
