@@ -12,8 +12,9 @@ const LEFT_OUT: &str = "[...]";
 const PROMPTS: [&str; 2] = ["$ cargo run --release -- ", "$ adsdv "];
 
 /// Commands that no test runs, and why.
-const NOT_RUN: [(&str, &str); 2] = [
+const NOT_RUN: [(&str, &str); 3] = [
     ("verify", "it takes minutes, and how long each property took stands in it"),
+    ("web", "it serves until it is stopped"),
     ("verify --reading fault-trigger=edge", "so does this, and the next command reads what it writes"),
 ];
 

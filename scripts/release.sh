@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# An archive of the program to give away: with its licences, completions for shells and manual pages, and no more that it needs.
+#
+#   scripts/release.sh             of target/release/adsdv, for this machine
+#   scripts/release.sh TARGET      of target/TARGET/release/adsdv, such as x86_64-unknown-linux-musl
+#
+# The program has to be built. The archive is target/release-files/adsdv-VERSION-TARGET.tar.gz, or .zip for Windows.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+case ${1-} in
+-*)
+  sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
+  case $1 in -h | --help) exit 0 ;; *) exit 2 ;; esac
+  ;;
+esac
+target=${1-$(rustc -vV | sed -n 's/^host: //p')}
+folder=target/${1:+$1/}release
+program=$folder/adsdv
+[ ! -e "$program.exe" ] || program=$program.exe
+[ -x "$program" ] || { echo "scripts/release.sh: $program is not built (cargo build --release -p adsdv --features mcap,parquet)" >&2; exit 2; }
+
+# `adsdv 0.1.0`
+version=$("$program" --version)
+name=adsdv-${version#adsdv }-$target
+files=target/release-files
+rm -rf "$files/$name"
+mkdir -p "$files/$name/completions" "$files/$name/man"
+cp "$program" README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE "$files/$name/"
+for shell in bash elvish fish powershell zsh; do
+  "$program" completions "$shell" >"$files/$name/completions/adsdv.$shell"
+done
+"$program" man >"$files/$name/man/adsdv.1"
+"$program" --help | awk '/^Commands:/ { on = 1; next } !/^ / { on = 0 } on && /^  [a-z]/ && $1 != "help" { print $1 }' |
+  while read -r command; do
+    "$program" man "$command" >"$files/$name/man/adsdv-$command.1"
+  done
+cd "$files"
+case $target in
+*windows*) 7z a -bso0 "$name.zip" "$name" && archive=$name.zip ;;
+*) tar --owner=0 --group=0 --numeric-owner -czf "$name.tar.gz" "$name" && archive=$name.tar.gz ;;
+esac
+rm -r "$name"
+echo "$files/$archive"
