@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Its cycle is a pure function of [what it last heard](FromVcu), of [how far it has come](Stage), and of [what is decided](Decisions)
-//! by whoever runs it: the closed model of `adsdv-model`, which decides at any time, and the AI Computer of `adsdv-can`, which has a
+//! by what runs it: the closed model of `adsdv-model`, which decides at any time, and the AI Computer of `adsdv-can`, which has a
 //! plan and a road. It never asks for an emergency stop.
 //!
 //! ```

@@ -19,7 +19,7 @@ use crate::{interrupt, output};
 /// Between two looks at what has happened.
 const PACE: Duration = Duration::from_millis(20);
 
-/// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of whoever reads the output. Tells
+/// Lets the node take its turns until Ctrl-C, SIGTERM, the end of its scenario, or the end of the program that reads the output. Tells
 /// how everything stood in the end.
 pub(crate) fn run(
     runner: impl Runner + Send + 'static,

@@ -57,7 +57,7 @@ pub enum Within {
     Ms(u64),
     /// What the edition gives for an answer to the handshake.
     Answer,
-    /// What whoever examines gives for a mission.
+    /// What the examiner gives for a mission.
     Mission,
 }
 

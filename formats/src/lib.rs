@@ -1,4 +1,4 @@
-//! Recordings of CAN traffic as tools write them, for whoever wants frames: recognised by their content, read in one pass and in memory
+//! Recordings of CAN traffic as tools write them, for a program that wants frames: recognised by their content, read in one pass and in memory
 //! that does not grow with them.
 //!
 //! ```text

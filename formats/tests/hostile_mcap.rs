@@ -148,7 +148,7 @@ fn as_many_schemas_and_channels_as_there_can_be_have_their_limit() {
     let mut file = sample();
     for id in 100..=u16::MAX {
         let id = id.to_le_bytes();
-        // Each is told of twice, since each chunk may do so.
+        // Each is repeated, since each chunk may do so.
         for _ in 0..2 {
             let schema = [&id[..], &text("a/msg/Can"), &text("ros2msg"), &text(&definition)].concat();
             file.extend(record(0x03, schema));

@@ -1,4 +1,4 @@
-//! The list of all theorems, for whoever runs them without Kani.
+//! The list of all theorems, to run them without Kani.
 
 use crate::kani::{self, Outcome, Runs};
 

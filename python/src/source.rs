@@ -173,7 +173,7 @@ impl Read for Source {
     fn read(&mut self, room: &mut [u8]) -> io::Result<usize> {
         match &mut self.kind {
             Kind::File(file) => match file.read(room) {
-                // A signal came while a pipe gave nothing, and whoever reads it tries again.
+                // A signal came while a pipe gave nothing, and the reader tries again.
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {
                     self.signals.ask()?;
                     Err(error)

@@ -6,7 +6,7 @@ use adsdv_spec::Edition;
 use crate::clock::Clock;
 use crate::recording::{Kept, Lost, Recording};
 
-/// So many interfaces are told from each other; a log can name any number.
+/// So many interfaces are kept apart; a log can name any number.
 const MAX_INTERFACES: usize = 64;
 
 /// A log that keeps its frames, in 24 bytes each, while the judge reads it.

@@ -1,4 +1,4 @@
-//! What other editions call a message or a signal: whoever types a name may know it from an older document or a newer one.
+//! What other editions call a message or a signal: a person who types a name may know it from an older document or a newer one.
 //!
 //! No name is said twice for this: a message is the same by its identifier, and a signal by the field that carries it.
 

@@ -6,7 +6,7 @@ use crate::{Atom, Choice, Fault, Reading};
 
 /// A name that stands for nothing of its kind; it displays what would have been right.
 ///
-/// The name itself is not in it: whoever gave it still has it.
+/// The name itself is not in it: the caller still has it.
 ///
 /// ```
 /// use adsdv_spec::Choice;

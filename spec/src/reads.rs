@@ -1,6 +1,6 @@
 //! What a step can depend on: the conditions that an arrow, the handshake or the memory can still read.
 //!
-//! From one control state, observations that agree on these are taken alike, so that whoever enumerates observations
+//! From one control state, observations that agree on these are taken alike, so that an enumeration of observations
 //! needs to vary nothing else.
 
 use crate::atoms::{Atom, Atoms};

@@ -1,4 +1,4 @@
-//! Which files of a crate depend on each other in a circle: whoever reads one of these has to read all of them.
+//! Which files of a crate depend on each other in a circle: to read one of these is to read all of them.
 //!
 //! A file depends on another where it imports or names what that defines, through whatever it is exported again. Tests do not count,
 //! nor do macros; nor that a file names what the first file of its folder, or of one around that, defines for all of them.

@@ -14,7 +14,7 @@ use crate::bus::{Bus, Disturbance, Event, Listen, Received};
 /// A bus with the AI Computer on it, for a machine without CAN. Frames are there at once.
 ///
 /// The AI Computer has a cycle of its own, as long as the VCU's and without drift. For cycles in which nobody waited, time
-/// stands still for the AI Computer: whoever was held up held it up as well, and it takes nobody to be silent for that.
+/// stands still for the AI Computer: what held up the one held up the other as well, and it takes nobody to be silent for that.
 #[derive(Debug)]
 pub struct LocalBus {
     ai: Ai,

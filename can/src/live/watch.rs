@@ -97,7 +97,7 @@ impl Watch {
     /// The kernel has dropped so many frames so far, the last of them before the next frame. What they said is unknown to the
     /// judge, and so it does not take what follows for an answer to what came before.
     ///
-    /// Returns what the log is to have before that frame, so that whoever reads it knows as much; `None` if nothing is new.
+    /// Returns what the log is to have before that frame, so that its reader knows as much; `None` if nothing is new.
     pub fn dropped(&mut self, dropped: u64) -> Option<Dropped<'_>> {
         let count = dropped.checked_sub(self.traffic.dropped).filter(|&count| count > 0)?;
         self.judge.lost(count);

@@ -33,7 +33,7 @@ pub(crate) struct DemoArgs {
 
     /// Drive in real time on a terminal screen, with the switches as keys.
     ///
-    /// The operator is whoever sits there: ? explains the keys, and q leaves. --scenario works the switches as well; without it,
+    /// The operator is the person who sits there: ? explains the keys, and q leaves. --scenario works the switches as well; without it,
     /// nothing is done by itself. Nothing is judged, and no log is written.
     #[arg(long, conflicts_with_all = ["json", "log"])]
     pub(crate) screen: bool,

@@ -17,7 +17,7 @@ pub(crate) fn stops_the_program() -> io::Result<()> {
     Ok(())
 }
 
-/// Ends the programs under test, and then the command, as if nobody had listened: whoever waits for it learns what ended it.
+/// Ends the programs under test, and then the command, as if nobody had listened: the shell learns what ended it.
 #[cfg(unix)]
 pub(crate) fn end_by(signal: i32) {
     let _stopped = adsdv_oracle::conform::stop_programs();

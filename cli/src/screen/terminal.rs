@@ -126,7 +126,7 @@ impl Drop for Open {
 }
 
 fn put_back() {
-    // If it cannot be put back it is most likely gone, and so is whoever could read of it.
+    // If it cannot be put back it is most likely gone, and with it the person who could read of it.
     let _ = ratatui::try_restore();
 }
 

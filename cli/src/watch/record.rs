@@ -50,7 +50,7 @@ impl<W: Write> Recorder<W> {
         }
     }
 
-    /// Writes that frames were lost before the next one, so that nobody is blamed for it by whoever judges the log.
+    /// Writes that frames were lost before the next one, so that a judge of the log blames nobody for it.
     pub(super) fn dropped(&mut self, dropped: &Dropped<'_>) {
         if self.failed.is_none()
             && let Err(error) = write_dropped(&mut self.out, dropped)

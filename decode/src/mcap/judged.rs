@@ -195,7 +195,7 @@ impl Findings {
     /// The end of the recording, which had so many lines.
     pub(super) fn finish<W: Write>(&mut self, writer: &mut McapWriter<W>, lines: u64) -> io::Result<()> {
         let Some(judge) = self.judge.take() else { return Ok(()) };
-        // A recording without a frame that could be judged is reported by whoever decodes it.
+        // A recording without a frame that could be judged is reported by the caller, who decodes it.
         let Ok((_, findings)) = judge.finish_with_news(lines) else { return Ok(()) };
         findings.iter().try_for_each(|finding| self.say(writer, finding))
     }

@@ -22,7 +22,7 @@ use crate::session::Sent;
 
 /// A scenario in which this machine was late is run so often at most.
 const ATTEMPTS: usize = 3;
-/// How often whoever waits learns how long it will be.
+/// How often the exam reports how long it will be.
 const PACE: Duration = Duration::from_millis(250);
 
 /// How far it is.

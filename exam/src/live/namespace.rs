@@ -57,7 +57,7 @@ pub(super) fn enter(name: &str) -> Result<(), LiveError> {
     ip(&["link", "set", name, "up"])
 }
 
-/// Runs iproute2, which whoever sets up a CAN interface has.
+/// Runs iproute2, which everybody has who sets up a CAN interface.
 fn ip(words: &[&str]) -> Result<(), LiveError> {
     let run = |program: &str| {
         Command::new(program)

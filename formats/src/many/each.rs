@@ -15,7 +15,7 @@ use rayon::iter::{ParallelBridge as _, ParallelIterator as _};
 
 /// So many results for each core may wait for one before them.
 const WAITING: usize = 8;
-/// So often it is told that time passes, while nothing is done.
+/// So often the caller hears that time passes, while nothing is done.
 const TICK: Duration = Duration::from_millis(100);
 
 /// What [`each`] has to tell.
@@ -74,7 +74,7 @@ pub fn each<T: Send, R: Send>(
             };
             pool.install(|| items.for_each_with(tell, one));
         })?;
-        // Also where `take` panics: whoever waits at the gate would wait for ever.
+        // Also where `take` panics: a thread that waits at the gate would wait for ever.
         let _closing = Closing(gate);
         let (mut next, mut early) = (0, BTreeMap::new());
         loop {

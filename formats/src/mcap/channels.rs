@@ -100,7 +100,7 @@ impl Channels {
         let topic = text(body, &mut at).ok_or((4, &[][..], CHANNEL))?;
         let encoding = text(body, &mut at).ok_or((at, &[][..], CHANNEL))?;
         if self.known.contains_key(&id) {
-            // It is told of again in each chunk, and does not change.
+            // Each chunk repeats it, and does not change.
             return Ok(());
         }
         let topic = String::from_utf8_lossy(topic);

@@ -200,7 +200,7 @@ impl McapReader {
         })
     }
 
-    /// A message that cannot be told what it is of; whoever has more of these is not told again.
+    /// A message that cannot be told what it is of; a recording with more of these is not reported again.
     fn unknown(&mut self, channel: Option<u16>, left: u64) -> io::Result<McapStep> {
         let error = broken(&self.body, 0, CHANNEL);
         if let Some(id) = channel {

@@ -11,7 +11,7 @@
 //!
 //! It is described in "PEAK CAN TRC File Format" by PEAK-System, and read and written by `can/io/trc.py` of python-can.
 //!
-//! - What stands in a line is told by the version, from 2.0 on by `$COLUMNS`; without either it is version 1.0.
+//! - The version says what stands in a line, and from 2.0 on `$COLUMNS`; without either it is version 1.0.
 //! - The time is in milliseconds from `$STARTTIME`, days since 1899-12-30; from zero where that is missing, as in version 1.0.
 //! - The interface is the number of the bus, and `1` where there is no column for it.
 //! - An identifier of more than 4 digits is an extended one.

@@ -1,4 +1,4 @@
-//! The operator: whoever stands at the switches and the remote control.
+//! The operator: the person at the switches and the remote control.
 
 use adsdv_spec::messages::{AmiState, AsState};
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a log is made of, by which an entry's place is told.
+/// What a log is made of, by which an entry has its place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Lines of text, with columns.

@@ -19,7 +19,7 @@ fn running() -> std::sync::MutexGuard<'static, Groups> {
     RUNNING.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
-/// While this is kept, no program under test starts, and whoever had one waits before it goes on without.
+/// While this is kept, no program under test starts, and a thread that had one waits before it goes on without.
 #[cfg(unix)]
 #[derive(Debug)]
 pub struct Stopped {
@@ -29,7 +29,7 @@ pub struct Stopped {
 /// Kills every program under test that runs at present, with all that it started and that has stayed in its group; of a
 /// [`RunningProgram`](super::RunningProgram), also what has left it.
 ///
-/// For whoever has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it. Keep what it
+/// For a command that has to stop at once: a program has a group of its own, so that a terminal's Ctrl-C does not reach it. Keep what it
 /// returns until this process ends; else another thread may take the end of its program for a mistake of the program, and say so.
 #[cfg(unix)]
 #[must_use]

@@ -7,7 +7,7 @@ use adsdv_spec::{Control, Machine};
 use crate::protocol::Shown;
 use crate::suite::{Kind, Scenario, Test};
 
-/// So much longer than it says a step takes, at least and at most: whoever waits on a clock waits a little longer.
+/// So much longer than it says a step takes, at least and at most: a program that waits on a clock waits a little longer.
 const LONGER_MS: [u32; 2] = [1, MOST_MS];
 const MOST_MS: u32 = 9;
 /// So often a test is tried in which a step may have taken less than it says, or more than it may: on a busy computer both sides

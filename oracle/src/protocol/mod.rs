@@ -1,6 +1,6 @@
 //! The protocol in which a program under test is asked for its steps: one JSON object a line, each way.
 //!
-//! `PROTOCOL.md`, beside this crate's sources, is the page for whoever writes such a program. What can be said stands
+//! `PROTOCOL.md`, beside this crate's sources, is the page for the author of such a program. What can be said stands
 //! here as two tables: the inputs of a step ([`INPUTS`]) and what it shows ([`SHOWN`]), each a list of fields with its
 //! key, what its values are, and how it is got from the specification's own types. The values of an edition are in its
 //! [`Protocol`], and the first line of a conversation says which edition it is about ([`Request::Hello`]).

@@ -1,4 +1,4 @@
-//! Why a recording decides nothing of a rule, for whoever has to do something about it.
+//! Why a recording decides nothing of a rule, for the person who can do something about it.
 
 use std::fmt::Write as _;
 

@@ -13,7 +13,7 @@ use super::requirements::is_of_a_reading;
 pub enum Reason {
     /// It binds the AI Computer or a person.
     AnotherParty,
-    /// It binds whoever reads or writes frames.
+    /// It binds those who read or write frames.
     Codec,
     /// It is about the VCU's frames on the bus: their identifiers, their layout, or a message other than 520h.
     Frames,
@@ -28,7 +28,7 @@ impl Reason {
     pub const fn text(self) -> &'static str {
         match self {
             Self::AnotherParty => "binds the AI Computer or a person, not the VCU",
-            Self::Codec => "binds whoever reads or writes frames, and a program under test does neither",
+            Self::Codec => "binds those who read or write frames, and a program under test does neither",
             Self::Frames => "is about frames on the bus, and a program under test sends and receives none",
             Self::NotShown => "is about something that no output tells",
             Self::Permission => "allows something, and nothing that is shown could break it",

@@ -137,7 +137,7 @@ fn judge(
     plan.judge(log).map_err(Unread::Log)
 }
 
-/// What Python is told and asked while the work goes on.
+/// What Python learns, and is asked, while the work goes on.
 struct Watcher {
     progress: Option<Py<PyAny>>,
     done: usize,

@@ -1,7 +1,7 @@
 //! What else is on the vehicle's bus: messages between the VCU and its devices, in which the AI Computer has no part.
 //!
 //! No document describes them; the CAN database gives their names, their bits and their cycles. So they stand as rows of a
-//! table alone, without a struct for each: the state machine goes by none of them, and whoever shows or judges a recording
+//! table alone, without a struct for each: the state machine goes by none of them, and a program that shows or judges a recording
 //! reads them signal by signal.
 
 use core::fmt;
