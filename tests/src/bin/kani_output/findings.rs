@@ -10,6 +10,9 @@ use crate::read::{Case, Harness, Outcome};
 const LONG: f64 = 60.0;
 const LONG_IN_ALL: f64 = 600.0;
 
+/// So many of those that took longest are named.
+const SLOWEST: usize = 10;
+
 /// What there is to say of a run of Kani.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Findings {
@@ -19,6 +22,8 @@ pub(crate) struct Findings {
     wrong: Vec<String>,
     /// What takes long.
     slow: Vec<String>,
+    /// How long each took, in seconds, with its name.
+    times: Vec<(f64, String)>,
 }
 
 /// The names of all theorems, as Kani prints them.
@@ -74,9 +79,17 @@ impl Findings {
         }
         let seconds = seconds.unwrap_or_default();
         self.seconds += seconds;
+        self.times.push((seconds, name.clone()));
         if seconds > LONG {
             self.slow.push(format!("{name} took {seconds:.0} s, more than {LONG} s"));
         }
+    }
+
+    /// Those that took longest, the slowest first.
+    fn slowest(&self) -> impl Iterator<Item = &(f64, String)> {
+        let mut times: Vec<_> = self.times.iter().collect();
+        times.sort_by(|a, b| b.0.total_cmp(&a.0));
+        times.into_iter().take(SLOWEST)
     }
 
     /// Whether all is verified, and every case reached.
@@ -89,6 +102,10 @@ impl fmt::Display for Findings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.slow.iter().try_for_each(|slow| writeln!(f, "slow: {slow}"))?;
         self.wrong.iter().try_for_each(|wrong| writeln!(f, "wrong: {wrong}"))?;
+        if self.times.len() > 1 {
+            writeln!(f, "the slowest, in seconds:")?;
+            self.slowest().try_for_each(|(seconds, name)| writeln!(f, "{seconds:6.0} {name}"))?;
+        }
         let theorems = if self.verified == 1 { "theorem" } else { "theorems" };
         write!(f, "{} {theorems} verified in {:.0} s", self.verified, self.seconds)?;
         if self.holds() {
@@ -119,7 +136,12 @@ mod tests {
         let slow =
             "slow: codec::any::a_frame_is_read_as_the_message_of_its_identifier took 242 s, more than 60 s\n";
         let sum = "2 theorems verified in 245 s, every case reached\n";
-        assert_eq!(printed(&all, &expected), (true, format!("{slow}{sum}")), "what is slow is no failure");
+        let slowest = "the slowest, in seconds:
+   242 codec::any::a_frame_is_read_as_the_message_of_its_identifier
+     3 codec::ai::ai2vcu_brake_514h
+";
+        let text = format!("{slow}{slowest}{sum}");
+        assert_eq!(printed(&all, &expected), (true, text), "what is slow is no failure");
     }
 
     #[test]
@@ -127,6 +149,22 @@ mod tests {
         let (holds, printed) = printed(&INLINED.repeat(3), &[]);
         assert!(holds);
         assert!(printed.contains("slow: all together took 726 s, more than 600 s\n"), "{printed}");
+    }
+
+    #[test]
+    fn ten_are_named_that_took_longest_and_no_more() {
+        let all: String = (0..12).map(|at| format!("Checking harness time::h{at}...\nVERIFICATION:- SUCCESSFUL\nVerification Time: {at}.4s\n\n")).collect();
+        let (_, printed) = printed(&all, &[]);
+        let (_, named) = printed.split_once("the slowest, in seconds:\n").expect("they are named");
+        let names: Vec<&str> = named
+            .lines()
+            .take(11)
+            .filter_map(|line| line.trim().split_once(' '))
+            .map(|(_, name)| name)
+            .collect();
+        assert_eq!(names[..2], ["time::h11", "time::h10"]);
+        assert_eq!(names[9], "time::h2", "{printed}");
+        assert!(!names[10].starts_with("time::"), "{printed}");
     }
 
     #[test]
