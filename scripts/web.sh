@@ -2,7 +2,7 @@
 # The page that judges in a browser: builds it, and tests that it does in a browser what it should.
 #
 #   scripts/web.sh             a fresh build, its types, and the tests of it and of the one that is checked in, in Chromium
-#   scripts/web.sh --build     builds web/page/dist/adsdv.html anew, after a change of anything that it is made of
+#   scripts/web.sh --build     builds site/dist/adsdv.html anew, after a change of anything that it is made of
 #   scripts/web.sh --measure   sizes, and how fast it judges against the program beside it
 #   scripts/web.sh --shots     the pictures of docs/web.md
 #
@@ -31,13 +31,20 @@ target=wasm32-unknown-unknown
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}
 built=$CARGO_TARGET_DIR/web/$target/web/adsdv_web.wasm
 
+# Whether a compiler is as new as the crates ask for.
+is_new() {
+  local minor
+  minor=$("$1" --version 2>/dev/null | sed -n 's/^rustc 1\.\([0-9]*\)\..*/\1/p')
+  [ "${minor:-0}" -ge 88 ]
+}
+
 # The module, with whichever compiler has the target, and without a path of this machine in it.
 module() {
   local flags="--remap-path-prefix=$PWD= --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}= -C link-arg=-zstack-size=1048576"
   local build=(cargo rustc --quiet --locked -p adsdv-web --profile web --target "$target" --target-dir "$CARGO_TARGET_DIR/web" --crate-type cdylib)
   if rustup target list --installed 2>/dev/null | grep -qx "$target"; then
     RUSTFLAGS=$flags "${build[@]}"
-  elif [ -x /usr/bin/rustc ] && [ -e /usr/lib/rustlib/src/rust/library/std/Cargo.toml ] && command -v wasm-ld >/dev/null; then
+  elif [ -e /usr/lib/rustlib/src/rust/library/std/Cargo.toml ] && is_new /usr/bin/rustc && command -v wasm-ld >/dev/null; then
     CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld RUSTFLAGS=$flags RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 \
       "${build[@]}" -Z build-std=std,panic_abort
   else
@@ -55,7 +62,7 @@ packages() {
 packages report/page
 module
 if [ "${1-}" = --build ]; then
-  exec node web/page/build.mjs "$built" web/page/dist/adsdv.html
+  exec node web/page/build.mjs "$built" site/dist/adsdv.html
 fi
 
 if [ -z "${CHROMIUM-}" ]; then

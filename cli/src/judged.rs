@@ -88,9 +88,8 @@ pub(crate) fn judged(
     } else {
         (judge(log, &plan.asked, with_excerpts, progress), None)
     };
-    let (Judged { report, failure, recognised }, excerpts) = judged.map_err(Failed::Log)?;
-    let interface = plan.asked.options.interface.as_deref();
-    let recorded = heard.map(|recorder| recorder.finish(recognised.edition, interface));
+    let (Judged { report, failure, recognised, interface }, excerpts) = judged.map_err(Failed::Log)?;
+    let recorded = heard.map(|recorder| recorder.finish(interface.as_deref()));
     let asked = plan.asked.under(recognised.edition).map_err(|error| Failed::Asked(pins::refused(&error)))?;
     requires::possible(recognised.edition, &args.required).map_err(Failed::Asked)?;
     let status = if failure.is_some() { Status::NoAnswer } else { requires::status(&report, &args.required) };

@@ -2,8 +2,7 @@
 
 use adsdv_formats::Log;
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_entries, judge_recognised};
-use adsdv_oracle::recognise::Recognised;
+use adsdv_oracle::log::{Judged, LogError, LogOptions, judge_by};
 use adsdv_spec::{Choice, Choices, Edition};
 use pyo3::prelude::*;
 
@@ -103,9 +102,7 @@ impl Plan {
 
     /// Judges a log, by the edition that was named or by the one that the log tells. Python is not needed for it.
     pub(crate) fn judge(&self, log: Log) -> Result<Judged, LogError> {
-        let Some(edition) = self.edition else { return judge_recognised(log, &self.options, |_| {}) };
-        let (report, failure) = judge_entries(log, &self.options, |_| {})?;
-        Ok(Judged { report, failure, recognised: Recognised::named(edition) })
+        judge_by(log, &self.options, self.recognises(), |_| {})
     }
 
     /// Refuses a log of an edition that does not leave open what was pinned.

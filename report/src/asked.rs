@@ -4,8 +4,7 @@ use std::fmt;
 
 use adsdv_oracle::candump::Entries;
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_entries, judge_recognised};
-use adsdv_oracle::recognise::Recognised;
+use adsdv_oracle::log::{Judged, LogError, LogOptions, LogProgress, judge_by};
 use adsdv_spec::{Choice, Choices, Edition};
 
 /// How a log is asked to be judged.
@@ -49,11 +48,7 @@ impl Asked {
         entries: impl Entries,
         progress: impl FnMut(LogProgress),
     ) -> Result<Judged, LogError> {
-        if self.by_log {
-            return judge_recognised(entries, &self.options, progress);
-        }
-        let (report, failure) = judge_entries(entries, &self.options, progress)?;
-        Ok(Judged { report, failure, recognised: Recognised::named(self.options.judge.edition) })
+        judge_by(entries, &self.options, self.by_log, progress)
     }
 
     /// The same by the edition that a log told, if that has the readings that are pinned.

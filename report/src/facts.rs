@@ -1,9 +1,9 @@
 //! What the sentences on the page are made from.
 
-use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
+use adsdv_oracle::judge::{Decided, Finding, Report, Rule, Severity, Transition};
 use adsdv_oracle::why::{Blocked, Condition, Stay, Untaken, next_of_mission};
 use adsdv_spec::messages::Node;
-use adsdv_spec::{Atom, Edition, Rules, Term, Truth};
+use adsdv_spec::{Edition, Rules};
 use serde::Serialize;
 
 use crate::recording::{Found, Recording, signal};
@@ -100,30 +100,8 @@ fn whose(condition: &Condition) -> String {
 
 /// The conditions that decided a transition, each as it was.
 pub(crate) fn decided(rules: &Rules, transition: &Transition) -> Vec<DecidedJson> {
-    let Some((term, known)) = transition.decided else { return Vec::new() };
-    let one = |(atom, needed)| {
-        let text = rules.text(atom, needed).to_string();
-        match known.of(atom) {
-            _ if atom == Atom::SdcOpen && transition.remote_estop => {
-                DecidedJson { text: "remote E-stop pressed".to_owned(), held: "true" }
-            }
-            Truth::Unknown => DecidedJson { text, held: "unknown" },
-            seen if seen == Truth::from(needed) => DecidedJson { text, held: "true" },
-            _ => DecidedJson { text, held: "false" },
-        }
-    };
-    term.literals().map(one).collect()
-}
-
-/// Other alternatives that may have decided.
-pub(crate) fn or(rules: &Rules, transition: &Transition) -> Vec<String> {
-    transition.or.iter().map(|(term, _)| conditions(rules, term)).collect()
-}
-
-fn conditions(rules: &Rules, term: &Term) -> String {
-    let texts: Vec<String> =
-        term.literals().map(|(atom, needed)| rules.text(atom, needed).to_string()).collect();
-    texts.join(", ")
+    let one = |one: &Decided| DecidedJson { text: one.text(rules), held: one.held.name() };
+    transition.conditions().iter().map(one).collect()
 }
 
 /// Why a transition came, in a clause.
@@ -138,7 +116,7 @@ pub(crate) fn because(rules: &Rules, transition: &Transition) -> String {
         .collect();
     let mut text =
         if texts.is_empty() { "for a reason that no frame shows".to_owned() } else { texts.join(", ") };
-    for other in or(rules, transition) {
+    for other in transition.others(rules) {
         text.push_str("; or ");
         text.push_str(&other);
     }

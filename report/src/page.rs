@@ -10,7 +10,7 @@ use serde_json::value::RawValue;
 use crate::answers::answers;
 use crate::catalog::{MessageJson, messages};
 use crate::chunks::{ChunkJson, chunks};
-use crate::facts::{DecidedJson, Facts, decided, or};
+use crate::facts::{DecidedJson, Facts, decided};
 use crate::lanes::{LaneJson, gaps, lanes};
 use crate::overview::{OverviewJson, overview};
 use crate::plots::{PlotJson, plots};
@@ -103,7 +103,7 @@ impl Subject<'_> {
             transitions: report
                 .transitions
                 .iter()
-                .map(|one| DecisionJson { decided: decided(rules, one), or: or(rules, one) })
+                .map(|one| DecisionJson { decided: decided(rules, one), or: one.others(rules) })
                 .collect(),
             lights: AsState::ALL.iter().map(|state| (state.name(), Assi::of(*state).to_string())).collect(),
             requirements: self.requirements(),

@@ -1,7 +1,6 @@
 //! Keeps what the judge sees: a log that writes down its frames while somebody else reads it.
 
 use adsdv_oracle::candump::{Entries, Entry, FrameKind, ReadError, Record, Unit};
-use adsdv_spec::Edition;
 
 use crate::clock::Clock;
 use crate::recording::{Kept, Lost, Recording};
@@ -13,15 +12,14 @@ const MAX_INTERFACES: usize = 64;
 ///
 /// ```
 /// use adsdv_oracle::candump::Reader;
-/// use adsdv_oracle::log::judge_entries;
+/// use adsdv_oracle::log::judge_recognised;
 /// use adsdv_report::Recorder;
-/// use adsdv_spec::Edition;
 ///
 /// let log = "(1.0) can0 520#0000010000000000\n(1.01) can0 520#0000020000000000\n(1.02) can1 7FF#\n";
 /// let mut recorder = Recorder::new(Reader::new(log.as_bytes()), 50);
-/// let (report, _) = judge_entries(&mut recorder, &Default::default(), |_| {})?;
-/// let recording = recorder.finish(&Edition::V3_0, None);
-/// assert_eq!((report.frames, recording.frames.len()), (3, 2));
+/// let judged = judge_recognised(&mut recorder, &Default::default(), |_| {})?;
+/// let recording = recorder.finish(judged.interface.as_deref());
+/// assert_eq!((judged.report.frames, recording.frames.len()), (3, 2));
 /// assert_eq!((recording.interface.as_deref(), recording.others), (Some("can0"), 1));
 /// # Ok::<(), adsdv_oracle::log::LogError>(())
 /// ```
@@ -49,15 +47,10 @@ impl<E> Recorder<E> {
         }
     }
 
-    /// What was kept of the interface that is named or, as the judge does it, of the first one that carries a message of the
-    /// edition.
-    pub fn finish(self, edition: &Edition, wanted: Option<&str>) -> Recording {
+    /// What was kept of the interface that was judged, as [`Judged`](adsdv_oracle::log::Judged) says; of all where there is none.
+    pub fn finish(self, judged: Option<&str>) -> Recording {
         let Self { interfaces, mut frames, drops, mut others, clock, .. } = self;
-        let is_known = |frame: &&Kept| edition.bus.message(frame.id).is_some();
-        let chosen = match wanted {
-            Some(wanted) => interfaces.iter().position(|name| name == wanted),
-            None => frames.iter().find(is_known).map(|frame| usize::from(frame.interface)),
-        };
+        let chosen = judged.and_then(|judged| interfaces.iter().position(|name| name == judged));
         let all = frames.len() as u64;
         // Where nothing is known, all that came is shown.
         if let Some(chosen) = chosen {

@@ -57,7 +57,7 @@ pub(crate) fn judge(asked: &LogAsked, source: Box<dyn Read + Send>) -> Result<Ju
     let judged = how.judge(&mut recorder, |_| {}).map_err(refused)?;
     let edition = judged.recognised.edition;
     let how = how.under(edition).map_err(|error| Refusal::pin(&error))?;
-    let recording = recorder.finish(edition, None);
+    let recording = recorder.finish(judged.interface.as_deref());
     let recognised = how.by_log.then_some(&judged.recognised);
     let check = line(&CheckJson::new(edition, recognised, &judged.report));
     let page = Subject {
@@ -80,7 +80,7 @@ fn judged_json(
     judged: Judged,
     data: Option<Box<RawValue>>,
 ) -> JudgedJson {
-    let Judged { report, failure, recognised } = judged;
+    let Judged { report, failure, recognised, .. } = judged;
     JudgedJson {
         format,
         edition: recognised.edition.version,

@@ -147,8 +147,7 @@ fn each_example_is_the_log_that_its_title_says() {
 #[test]
 fn a_drive_is_what_the_demo_drives() {
     let mut session = Session::default();
-    let begin = json!({ "do": "begin", "edition": "3.0", "scenario": "mission" });
-    let begun = answer(&mut session, &begin);
+    let begun = answer(&mut session, &json!({ "do": "begin", "edition": "3.0", "scenario": "mission" }));
     assert_eq!(begun["figure"]["states"][0], json!({ "name": "AS_OFF", "light": "off" }));
     let mut changes = Vec::new();
     for _ in 0..400 {
@@ -173,19 +172,20 @@ fn a_drive_is_what_the_demo_drives() {
     let mut demo = Vec::new();
     let scenario = adsdv_can::scenario::Scenario::mission();
     let ai = adsdv_can::ai::Ai::new(&adsdv_spec::Edition::V3_0, adsdv_can::ai::Plan::DEFAULT);
-    let taken = adsdv_can::demo::run(&scenario, ai, &Default::default(), |time_ns, frame| {
-        let record = adsdv_oracle::candump::Record {
-            line: 0,
-            time_ns,
-            interface: adsdv_can::demo::BUS,
-            kind: adsdv_oracle::candump::FrameKind::Standard,
-            id: frame.id.into(),
-            data: frame.data(),
-            direction: None,
-            terminated: true,
-        };
-        adsdv_oracle::candump::write_record(&mut demo, &record)
-    });
+    let taken =
+        adsdv_can::demo::run(&scenario, ai, &adsdv_can::demo::DemoOptions::default(), |time_ns, frame| {
+            let record = adsdv_oracle::candump::Record {
+                line: 0,
+                time_ns,
+                interface: adsdv_can::demo::BUS,
+                kind: adsdv_oracle::candump::FrameKind::Standard,
+                id: frame.id.into(),
+                data: frame.data(),
+                direction: None,
+                terminated: true,
+            };
+            adsdv_oracle::candump::write_record(&mut demo, &record)
+        });
     taken.expect("a mission ends");
     assert!(demo.starts_with(drive.as_bytes()), "other frames");
 }

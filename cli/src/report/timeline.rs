@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::judge::Transition;
-use adsdv_spec::{Atom, Knowledge, Rules, Term, Truth};
+use adsdv_oracle::judge::{Decided, Transition};
+use adsdv_spec::{Atom, Rules, Truth};
 
 use super::INDENT;
 use super::style::{self, Styled};
@@ -28,41 +28,36 @@ pub(super) fn write_one(
     transition: &Transition,
     width: usize,
 ) -> fmt::Result {
-    let Transition { t_ns, from, to, section, justified, remote_estop, .. } = transition;
+    let Transition { t_ns, from, to, section, justified, .. } = transition;
     let word = match justified {
         Truth::True => Styled(style::QUIET, "justified"),
         Truth::Unknown => Styled(style::CARE, "not certain"),
         Truth::False => Styled(style::BAD, "VIOLATION"),
     };
     writeln!(out, "{:>10} s  {from:<15} -> {to:<15}  {section:<8}  {word}", Seconds(*t_ns))?;
-    if let Some((term, known)) = transition.decided {
-        wrapped(out, conditions(rules, &term, known, *remote_estop), INDENT, width);
+    if transition.decided.is_some() {
+        wrapped(out, conditions(rules, &transition.conditions()), INDENT, width);
     }
-    for (term, _) in &transition.or {
-        let text = |(atom, needed)| rules.text(atom, needed).to_string();
-        let conditions: Vec<String> = term.literals().map(text).collect();
-        let line = format!("or {}, which the VCU reports alike", conditions.join(", "));
+    for other in transition.others(rules) {
+        let line = format!("or {other}, which the VCU reports alike");
         wrapped(out, line.split(' '), INDENT, width);
     }
     Ok(())
 }
 
-/// Every condition of a term as it was, and where that is not as it must be, how it must be. Where the remote control shows that
-/// its E-stop was pressed, that tells more than the open circuit.
-fn conditions(rules: &Rules, term: &Term, known: Knowledge, remote_estop: bool) -> Vec<String> {
-    let last = term.literals().count();
-    term.literals()
-        .zip(1..)
-        .map(|((atom, needed), index)| {
-            let comma = if index < last { "," } else { "" };
-            match known.of(atom) {
-                _ if atom == Atom::SdcOpen && remote_estop => format!("remote E-stop pressed{comma}"),
-                Truth::Unknown => format!("{} ({}){comma}", rules.text(atom, needed), why_unknown(atom)),
-                seen if seen == Truth::from(needed) => format!("{}{comma}", rules.text(atom, needed)),
-                _ => format!("{} (needed: {}){comma}", rules.text(atom, !needed), rules.text(atom, needed)),
-            }
-        })
-        .collect()
+/// Every condition as it was, and where that is not as it must be, how it must be.
+fn conditions(rules: &Rules, decided: &[Decided]) -> Vec<String> {
+    let last = decided.len();
+    let one = |(one, index): (&Decided, usize)| {
+        let comma = if index < last { "," } else { "" };
+        let text = one.text(rules);
+        match one.held {
+            Truth::True => format!("{text}{comma}"),
+            Truth::Unknown => format!("{text} ({}){comma}", why_unknown(one.atom)),
+            Truth::False => format!("{} (needed: {text}){comma}", rules.text(one.atom, !one.needed)),
+        }
+    };
+    decided.iter().zip(1..).map(one).collect()
 }
 
 /// No message shows these two. The others are shown, but may have been missing or have changed at that moment.
@@ -75,7 +70,7 @@ fn why_unknown(atom: Atom) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::{Atoms, Edition};
+    use adsdv_spec::{AsState, Atoms, Edition, Knowledge, Term};
 
     use super::*;
 
@@ -84,8 +79,19 @@ mod tests {
         let term = Term::on("3.1", &[Atom::Asms, Atom::Tsms, Atom::EbsArmed, Atom::SdcOpen]);
         let seen = Atoms::of(&[Atom::Asms, Atom::Tsms]);
         let known = Knowledge::NOTHING.learn(seen, Atoms::of(&[Atom::Asms]));
+        let transition = Transition {
+            t_ns: 0,
+            from: AsState::Off,
+            to: AsState::Ready,
+            section: "3.1",
+            justified: Truth::Unknown,
+            decided: Some((term, known)),
+            remote_estop: false,
+            or: Vec::new(),
+        };
+        let rules = &Edition::DEFAULT.rules;
         assert_eq!(
-            conditions(&Edition::DEFAULT.rules, &term, known, false),
+            conditions(rules, &transition.conditions()),
             [
                 "SDC open (not visible in the log),",
                 "AS master switch ON,",
@@ -93,7 +99,8 @@ mod tests {
                 "EBS_state == ARMED (not certain)",
             ]
         );
-        let pressed = conditions(&Edition::DEFAULT.rules, &term, known, true);
+        let pressed = Transition { remote_estop: true, ..transition };
+        let pressed = conditions(rules, &pressed.conditions());
         assert_eq!(pressed.first().map(String::as_str), Some("remote E-stop pressed,"));
     }
 }

@@ -120,7 +120,7 @@ impl Recording {
         let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
         let (judged, collector) =
             judge_all(entries, judge(options.clone()).collecting(), progress, |_, _| {})?;
-        let Judged { report, failure, recognised } = judged;
+        let Judged { report, failure, recognised, .. } = judged;
         let edition = recognised.edition;
         let collected = collector.map(|collector| collector.end()).unwrap_or_default();
         Ok(Self { edition, recognised: by_log.then_some(recognised), report, collected, failure })

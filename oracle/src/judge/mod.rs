@@ -38,6 +38,7 @@
 //! ```
 
 mod book;
+mod decided;
 mod estimator;
 mod evidence;
 mod exercised;
@@ -55,6 +56,7 @@ mod sampler;
 mod senders;
 mod time;
 
+pub use decided::Decided;
 pub use exercised::{Exercised, Lack, Required, RequiredError, RequirementStanding, Standing};
 pub use finding::{Evidence, Finding, Party, Rule, Section, Severity};
 pub use judge::Judge;

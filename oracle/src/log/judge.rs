@@ -121,6 +121,11 @@ impl LogJudge {
         Self { collector: Some(Box::default()), ..self }
     }
 
+    /// The interface that is judged: the one of the options or, once one has carried a message of the document, that.
+    pub fn interface(&self) -> Option<&str> {
+        self.interface.as_deref()
+    }
+
     /// When the last frame came, by the time that the judge gives it, in nanoseconds since the first frame: times of findings count so,
     /// also where the clock of the log was set back. `None` as long as nothing is judged.
     pub fn judged_at(&self) -> Option<i64> {

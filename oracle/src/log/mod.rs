@@ -17,7 +17,7 @@ use crate::rules::RuleFile;
 pub use error::LogError;
 pub use judge::LogJudge;
 pub(crate) use read::judge_all;
-pub use read::{Judged, LogProgress, judge_entries, judge_log, judge_readable, judge_recognised};
+pub use read::{Judged, LogProgress, judge_by, judge_entries, judge_log, judge_readable, judge_recognised};
 
 /// How a log is judged.
 #[derive(Clone, Debug, Default)]

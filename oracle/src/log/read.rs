@@ -88,7 +88,7 @@ pub fn judge_entries(
     options: &LogOptions,
     progress: impl FnMut(LogProgress),
 ) -> Result<(Report, Option<ReadError>), LogError> {
-    let (judged, _) = judge_all(entries, LogJudge::new(options.clone()), progress, |_, _| {})?;
+    let judged = judge_by(entries, options, false, progress)?;
     Ok((judged.report, judged.failure))
 }
 
@@ -101,6 +101,8 @@ pub struct Judged {
     pub failure: Option<ReadError>,
     /// Which edition it was judged by, and why.
     pub recognised: Recognised,
+    /// The interface that was judged; `None` if none carries a message of the edition, so that all were.
+    pub interface: Option<String>,
 }
 
 /// Like [`judge_entries`], by the edition that the log itself tells; by that of the options where it does not.
@@ -124,7 +126,22 @@ pub fn judge_recognised(
     options: &LogOptions,
     progress: impl FnMut(LogProgress),
 ) -> Result<Judged, LogError> {
-    judge_all(entries, LogJudge::recognising(options.clone()), progress, |_, _| {}).map(|(judged, _)| judged)
+    judge_by(entries, options, true, progress)
+}
+
+/// The same by the edition of the options or, with `by_log`, by the one that the log tells.
+///
+/// # Errors
+///
+/// As [`judge_readable`].
+pub fn judge_by(
+    entries: impl Entries,
+    options: &LogOptions,
+    by_log: bool,
+    progress: impl FnMut(LogProgress),
+) -> Result<Judged, LogError> {
+    let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
+    judge_all(entries, judge(options.clone()), progress, |_, _| {}).map(|(judged, _)| judged)
 }
 
 /// Lets a judge see all of a log; `then` sees each entry after it. What the judge collected comes back with the report.
@@ -166,6 +183,6 @@ pub(crate) fn judge_all(
     }
     let recognised =
         log.recognised().cloned().unwrap_or_else(|| Recognised::named(log.options.judge.edition));
-    let collector = log.collector.take();
-    Ok((Judged { report: log.finish(entries.count())?, failure, recognised }, collector))
+    let (collector, interface) = (log.collector.take(), log.interface.clone());
+    Ok((Judged { report: log.finish(entries.count())?, failure, recognised, interface }, collector))
 }

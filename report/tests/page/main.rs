@@ -24,8 +24,8 @@ fn run(log: &[u8]) -> Run {
     let options = LogOptions::default();
     let mut recorder = Recorder::new(Reader::new(log), options.judge.window_ms);
     let judged = judge_recognised(&mut recorder, &options, |_| {}).expect("a log that can be judged");
-    let Judged { report, recognised, .. } = judged;
-    Run { edition: recognised.edition, report, recording: recorder.finish(recognised.edition, None) }
+    let Judged { report, recognised, interface, .. } = judged;
+    Run { edition: recognised.edition, report, recording: recorder.finish(interface.as_deref()) }
 }
 
 /// One of the two recordings.

@@ -58,7 +58,7 @@ fn both_recordings_are_of_4_0_without_its_120h() {
     let conforms = (MISSION, Verdict::Conforms, [0, 0, 6]);
     let violates = (FINISHED_WHILE_MOVING, Verdict::Violates, [2, 0, 4]);
     for (log, verdict, expected) in [conforms, violates] {
-        let Judged { report, failure, recognised } = recorded(log);
+        let Judged { report, failure, recognised, .. } = recorded(log);
         assert!(failure.is_none());
         assert_eq!((recognised.edition.version, recognised.certain), ("4.0", true), "{recognised}");
         assert!(recognised.evidence.contains(&"511h has 4 bytes (3.0: 8)".to_owned()), "{recognised}");
