@@ -1,44 +1,12 @@
 //! `adsdv conform`: what it tells of programs, for people and for programs, and how it ends with those that misbehave.
 
-use std::path::PathBuf;
-use std::process::Command;
-use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
 use crate::golden::compare_text;
-use crate::run::{Outcome, adsdv, outcome, run, temporary, workspace};
+use crate::run::{Outcome, adsdv, example, outcome, run, temporary};
 use crate::schema::validator;
-
-/// The file of an example of the oracle or of the diagnosis, which is built if it is not.
-fn example(name: &str) -> String {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    let folder = FOLDER.get_or_init(|| {
-        // This test is DIR/debug/deps/command-...
-        let test = std::env::current_exe().expect("a path");
-        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let built = Command::new(cargo)
-            .args([
-                "build",
-                "--quiet",
-                "-p",
-                "adsdv-oracle",
-                "-p",
-                "adsdv-diagnosis",
-                "--examples",
-                "--target-dir",
-            ])
-            .arg(profile.parent().expect("a folder of cargo"))
-            .current_dir(workspace())
-            .status();
-        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
-        profile.with_file_name("debug").join("examples")
-    });
-    let file = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
-    file.to_str().expect("a path of text").to_owned()
-}
 
 /// Judges an example: options of the command, the name of the example, and arguments of that.
 pub(crate) fn conform(options: &[&str], program: &str, args: &[&str]) -> Outcome {

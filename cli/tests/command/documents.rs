@@ -18,11 +18,9 @@ const NOT_RUN: [(&str, &str); 3] = [
     ("verify --reading fault-trigger=edge", "so does this, and the next command reads what it writes"),
 ];
 
-/// Programs under test that documents name, where `cargo build` puts them, and the packages that they are of.
-const EXAMPLES: [(&str, &str, &str); 2] = [
-    ("target/release/examples/deviating", "adsdv-diagnosis", "deviating"),
-    ("target/debug/examples/ai_mutant", "adsdv-exam", "ai_mutant"),
-];
+/// Programs under test that documents name, where `cargo build` puts them.
+const EXAMPLES: [(&str, &str); 2] =
+    [("target/release/examples/deviating", "deviating"), ("target/debug/examples/ai_mutant", "ai_mutant")];
 
 /// A command with what a document shows of its output.
 #[derive(Debug, PartialEq, Eq)]
@@ -78,8 +76,8 @@ fn printed(arguments: &str) -> String {
     let mut arguments: Vec<String> = arguments.split_whitespace().map(str::to_owned).collect();
     let mut named = Vec::new();
     for argument in &mut arguments {
-        if let Some(&(shown, package, name)) = EXAMPLES.iter().find(|(shown, ..)| shown == argument) {
-            *argument = example(package, name);
+        if let Some(&(shown, name)) = EXAMPLES.iter().find(|(shown, _)| shown == argument) {
+            *argument = example(name);
             named.push((argument.clone(), shown));
         }
     }

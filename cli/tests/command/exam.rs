@@ -12,7 +12,7 @@ use crate::schema::validator;
 /// The file of the example with the mistakes.
 fn mutant() -> &'static str {
     static FILE: OnceLock<String> = OnceLock::new();
-    FILE.get_or_init(|| example("adsdv-exam", "ai_mutant"))
+    FILE.get_or_init(|| example("ai_mutant"))
 }
 
 /// Examines an AI Computer with this mistake, or without one.

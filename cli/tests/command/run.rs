@@ -3,6 +3,7 @@
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{ChildStdin, Command, Output, Stdio};
+use std::sync::OnceLock;
 use std::{fs, thread};
 
 pub(crate) const MISSION: &str = "tests/logs/mission.log";
@@ -27,20 +28,23 @@ pub(crate) fn adsdv(args: &[&str]) -> Command {
     command
 }
 
-/// The file of an example, which is built if it is not.
-pub(crate) fn example(package: &str, name: &str) -> String {
-    // This test is DIR/debug/deps/command-...
-    let test = std::env::current_exe().expect("a path");
-    let profile: PathBuf =
-        test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo").to_owned();
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let built = Command::new(cargo)
-        .args(["build", "--quiet", "-p", package, "--example", name, "--target-dir"])
-        .arg(profile.parent().expect("a folder of cargo"))
-        .current_dir(workspace())
-        .status();
-    assert!(built.is_ok_and(|status| status.success()), "the example can be built");
-    let folder = profile.with_file_name("debug").join("examples");
+/// The file of an example of any crate, which is built if it is not.
+pub(crate) fn example(name: &str) -> String {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    let folder = FOLDER.get_or_init(|| {
+        // This test is DIR/debug/deps/command-...
+        let test = std::env::current_exe().expect("a path");
+        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        // With the features that the tests of the workspace have, so that nothing is built a second time.
+        let built = Command::new(cargo)
+            .args(["build", "--quiet", "--workspace", "--examples", "--target-dir"])
+            .arg(profile.parent().expect("a folder of cargo"))
+            .current_dir(workspace())
+            .status();
+        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
+        profile.with_file_name("debug").join("examples")
+    });
     let file = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     file.to_str().expect("a path of text").to_owned()
 }
