@@ -40,7 +40,9 @@ is_new() {
 
 # The module, with whichever compiler has the target, and without a path of this machine in it.
 module() {
-  local flags="--remap-path-prefix=$PWD= --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}= -C link-arg=-zstack-size=1048576"
+  local flags="--remap-path-prefix=$PWD= --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}= -C link-arg=-zstack-size=1048576" registry
+  # Of two that fit the last counts.
+  for registry in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*; do flags+=" --remap-path-prefix=$registry="; done
   local build=(cargo rustc --quiet --locked -p adsdv-web --profile web --target "$target" --target-dir "$CARGO_TARGET_DIR/web" --crate-type cdylib)
   if rustup target list --installed 2>/dev/null | grep -qx "$target"; then
     RUSTFLAGS=$flags "${build[@]}"
