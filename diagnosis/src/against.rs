@@ -68,7 +68,7 @@ impl Deviation {
                 Remembers::CommsLost => vec!["D-17", "D-18"],
                 Remembers::Handshake => vec!["HS-1", "D-8"],
                 Remembers::LiveFlags => vec!["D-17"],
-                Remembers::TimeBeforeHandshake => vec!["D-44"],
+                Remembers::TimeBeforeHandshake => vec!["HS-16", "D-44"],
             },
             Self::Causes { .. } => vec!["D-15"],
             Self::Prefers { .. } => vec!["D-16"],
