@@ -5,14 +5,11 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{Edition, Inputs, Mutation, Row};
 
-use crate::deviation::{Deviation, Remembers, Wheels};
+use crate::deviation::{Deviation, LATEST, Remembers, Wheels};
 use crate::dials::{Dial, dials};
 use crate::fixed::Fixed;
 use crate::interface::Interface;
 use crate::model::Model;
-
-/// How late an arrow may be, in steps.
-pub(crate) const LATEST: u8 = 3;
 
 /// What may explain answers.
 #[derive(Clone, Debug, Default)]

@@ -76,7 +76,7 @@ mod tests {
         let record = Record::of(&mut missing.clone().running(), &steps).expect("a model answers everything");
         let joined = record.joined();
         assert!(joined.steps.len() < steps.len() && joined.is_explained(&missing));
-        for late in 1..=crate::candidates::LATEST {
+        for late in 1..=crate::deviation::LATEST {
             let late = Model::new(&Edition::V3_0, &[find(&format!("ready-off:late:{late}"))]);
             assert!(!record.is_explained(&late) && !joined.is_explained(&late));
         }

@@ -4,6 +4,9 @@ use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{AsState, Choice, Edition, Reading, Readings};
 
+/// How late an arrow may be, in steps.
+pub(crate) const LATEST: u8 = 3;
+
 /// One thing that a program does otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deviation {

@@ -8,7 +8,7 @@ use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
 use adsdv_oracle::suite::Step;
 
-use crate::candidates::LATEST;
+use crate::deviation::LATEST;
 use crate::model::{Memory, Model};
 use crate::subject::Subject;
 
