@@ -6,7 +6,8 @@
 //! deviating --about '{"inputs":["asms","tsms"],"outputs":["as_state"]}' go:level
 //! ```
 //!
-//! With what it announces it is blind to all other inputs, and ends with an error if any of them is given.
+//! With what it announces it is blind to all other inputs, and ends with an error if any of them is given, or if a step does not take
+//! the cycle that it announces.
 
 use std::error::Error;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
@@ -31,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let protocol = Protocol::of(edition);
     let about = announced.as_deref().map(|line| About::read(line, &protocol)).transpose()?.flatten();
-    let About { inputs: has, outputs, .. } = about.unwrap_or_default();
+    let About { inputs: has, outputs, cycle_ms, .. } = about.unwrap_or_default();
     let lacking: Vec<_> =
         INPUTS.iter().filter(|field| has.as_ref().is_some_and(|has| !has.contains(&field.key))).collect();
     deviations.extend(lacking.iter().map(|field| Deviation::Ignores { key: field.key }));
@@ -61,6 +62,9 @@ fn main() -> Result<(), Box<dyn Error>> {
                     lacking.iter().find(|field| (field.get)(&inputs) != (field.get)(&Inputs::default()));
                 if let Some(field) = given {
                     return Err(format!("{} was given and is not announced", field.key).into());
+                }
+                if let Some(cycle_ms) = cycle_ms.filter(|cycle_ms| *cycle_ms != dt_ms) {
+                    return Err(format!("a step of {dt_ms} ms, and the cycle is {cycle_ms} ms").into());
                 }
                 let shown = program.shown(dt_ms, &inputs);
                 match &outputs {

@@ -9,19 +9,25 @@
 //! measure ready-driving:missing go:level      # one program that has these
 //! ```
 //!
-//! `EDITION` names the one edition to take; with `SHOW` each run tells what it took.
+//! `EDITION` names the one edition to take, and `CYCLE` the one time that a step takes, in milliseconds; with `SHOW` each run tells
+//! what it took.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use adsdv_diagnosis::{Deviation, Interface, Model, Record, Running, Subject, diagnose, difference, records};
+use adsdv_diagnosis::{
+    Deviation, Interface, Model, Record, Running, Subject, diagnose_within, difference, records,
+};
 use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{Edition, Inputs};
 
-/// So many random walks by either model, to find where two differ.
-const WALKS: usize = 1500;
+/// So many random walks where steps take any time, and where they take but one.
+const WALKS: [usize; 2] = [1500, 150];
+
+/// No diagnosis takes longer.
+const LONGEST: Duration = Duration::from_mins(10);
 
 /// The next of a row of numbers that look random.
 struct Random(u64);
@@ -53,19 +59,23 @@ impl Subject for Counted {
 /// What the models do that are compared again and again.
 struct Comparison<'a> {
     edition: &'a Edition,
+    interface: Interface,
+    /// So many random walks by either model, to find where two differ.
+    walks: usize,
 }
 
 impl Comparison<'_> {
     /// Whether two sets of deviations do the same in all that is tried.
     fn same(&self, one: &[Deviation], other: &[Deviation]) -> bool {
         self.asked(one, other) && self.asked(other, one) && {
-            difference(self.edition, &Interface::default(), one, other, WALKS, 7).is_none()
+            difference(self.edition, &self.interface, one, other, self.walks, 7).is_none()
         }
     }
 
     fn asked(&self, one: &[Deviation], other: &[Deviation]) -> bool {
         let (one, other) = (Model::new(self.edition, one), Model::new(self.edition, other));
-        let asked: Vec<Record> = records(&mut one.clone().running(), &one).unwrap_or_default();
+        let mut running = one.clone().running();
+        let asked: Vec<Record> = records(&mut running, &one, &self.interface).unwrap_or_default();
         asked.iter().all(|record| record.is_explained(&other))
     }
 
@@ -134,7 +144,7 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Dev
         Deviation::Also { .. } => kind == 8,
         Deviation::Late { .. } => kind == 9,
         Deviation::Remembers(_) => kind == 10,
-        Deviation::Causes { .. } => kind == 15,
+        Deviation::Causes { .. } | Deviation::Prefers { .. } => kind == 15,
         Deviation::Reads(_) => false,
         Deviation::Shows { .. } => kind == 11,
         Deviation::Writes { .. } => kind == 12,
@@ -198,7 +208,9 @@ impl Tally {
         let program = Model::new(edition, injected).running();
         let mut program = Counted { program, steps: 0 };
         let start = Instant::now();
-        let Ok(mut found) = diagnose(&mut program, edition) else { return };
+        let Ok(mut found) = diagnose_within(&mut program, edition, &comparison.interface, LONGEST) else {
+            return;
+        };
         found.deviations.extend(found.readings.iter().map(|choice| Deviation::Reads(*choice)));
         self.longest = self.longest.max(start.elapsed());
         self.most_steps = self.most_steps.max(program.steps);
@@ -257,13 +269,15 @@ fn main() {
     let (count, runs, seed) = (number(0, 1), number(1, 20), number(2, 1));
     let has = |what: &str| args.iter().any(|arg| arg == what);
     let only = std::env::var("EDITION").ok();
+    let cycle_ms: Option<u32> = std::env::var("CYCLE").ok().and_then(|text| text.parse().ok());
     let shows = std::env::var("SHOW").is_ok();
     let wanted = |edition: &&&Edition| only.as_ref().is_none_or(|only| only == edition.version);
     for edition in Edition::ALL.iter().filter(wanted) {
         let all = Deviation::every(edition);
         let mut random = Random(seed as u64);
         let mut tally = Tally { shows, ..Tally::default() };
-        let comparison = Comparison { edition };
+        let interface = Interface::default().at_cycle(cycle_ms);
+        let comparison = Comparison { edition, interface, walks: WALKS[usize::from(cycle_ms.is_some())] };
         let given: Vec<Deviation> = args.iter().filter_map(|id| Deviation::find(edition, id)).collect();
         if !given.is_empty() {
             tally.run(&comparison, 0, &given);

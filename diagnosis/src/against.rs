@@ -67,8 +67,11 @@ impl Deviation {
                 Remembers::GoSeenOff => vec!["D-6"],
                 Remembers::CommsLost => vec!["D-17", "D-18"],
                 Remembers::Handshake => vec!["HS-1", "D-8"],
+                Remembers::LiveFlags => vec!["D-17"],
+                Remembers::TimeBeforeHandshake => vec!["HS-16", "D-44"],
             },
             Self::Causes { .. } => vec!["D-15"],
+            Self::Prefers { .. } => vec!["D-16"],
             Self::Reads(choice) => vec![choice.reading().decision()],
             Self::Shows { key, .. } | Self::Writes { key, .. } => {
                 let field = SHOWN.iter().find(|field| field.key == key);

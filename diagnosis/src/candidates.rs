@@ -5,14 +5,20 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{Edition, Inputs, Mutation, Row};
 
-use crate::deviation::{Deviation, Remembers, Wheels};
+use crate::deviation::{Deviation, LATEST, Remembers, Wheels};
 use crate::dials::{Dial, dials};
 use crate::fixed::Fixed;
 use crate::interface::Interface;
 use crate::model::Model;
 
-/// How late an arrow may be, in steps.
-const LATEST: u8 = 3;
+/// What may explain answers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Candidates {
+    /// Each by itself; those that come first are the more likely ones.
+    pub(crate) single: Vec<Deviation>,
+    /// Several that only explain anything together.
+    pub(crate) several: Vec<Vec<Deviation>>,
+}
 
 /// Every deviation that has no number in it which would have to be measured, as far as the inputs of a program can tell it.
 ///

@@ -14,6 +14,15 @@ const ALIKE: usize = 5;
 const UNCLEAR: usize = 10;
 
 impl<'a> Fit<'a> {
+    /// How much is not explained, where that is no more than so much. That all is explained is found out sooner.
+    pub(crate) fn wrong_at_most(&self, set: &[Deviation], most: usize) -> Option<usize> {
+        if most > 0 {
+            return Some(self.wrong(set)).filter(|wrong| *wrong <= most);
+        }
+        let model = Model::new(self.edition, set);
+        self.records.iter().all(|record| record.is_explained(&model)).then_some(0)
+    }
+
     /// The set without what explains nothing that the others do not.
     pub(crate) fn without_the_needless(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
         let mut wrong = self.wrong(&set);
@@ -22,8 +31,7 @@ impl<'a> Fit<'a> {
             place -= 1;
             let mut fewer = set.clone();
             fewer.remove(place);
-            let left = self.wrong(&fewer);
-            if left <= wrong {
+            if let Some(left) = self.wrong_at_most(&fewer, wrong) {
                 (set, wrong) = (fewer, left);
                 place = place.min(set.len());
             }
@@ -69,7 +77,7 @@ impl<'a> Fit<'a> {
                 for other in with(&others, one) {
                     let model = Model::new(self.edition, &other);
                     if needed.iter().all(|(stay, was)| stay.wrong(&model) <= *was)
-                        && self.wrong(&other) <= all
+                        && self.wrong_at_most(&other, all).is_some()
                     {
                         alike.push(other);
                         found += 1;

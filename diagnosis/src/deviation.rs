@@ -1,11 +1,11 @@
 //! What a program may do otherwise than the document says.
 
-use adsdv_oracle::protocol::{Domain, Protocol, ShownField};
-use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
+use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{AsState, Choice, Edition, Reading, Readings};
 
-use crate::interface::Interface;
+/// How late an arrow may be, in steps.
+pub(crate) const LATEST: u8 = 3;
 
 /// One thing that a program does otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +76,15 @@ pub enum Deviation {
         /// The raw SHUTDOWN_CAUSE that it has instead.
         raw: i32,
     },
+    /// Of two causes of an emergency that begins in a state, the one with the greater number counts.
+    Prefers {
+        /// The state in which the emergency begins.
+        from: AsState,
+        /// The raw SHUTDOWN_CAUSE that it should have.
+        value: i32,
+        /// The greater one that it has where this arises as well.
+        raw: i32,
+    },
     /// A question that the document leaves open is answered so, and not by default: an observation, and no mistake.
     Reads(Choice),
     /// An output has this value in a state, whatever it should be.
@@ -116,11 +125,15 @@ pub enum Remembers {
     CommsLost,
     /// The handshake stands still while the tractive system is off, and goes on from there; it does not rest.
     Handshake,
+    /// A flag of a fault ends with the fault, also while SHUTDOWN_CAUSE names it.
+    LiveFlags,
+    /// The step in which the handshake begins counts as time without an answer.
+    TimeBeforeHandshake,
 }
 
 impl Remembers {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::CauseUntilLeft,
         Self::LatestCause,
         Self::DwellOfAllVisits,
@@ -128,6 +141,8 @@ impl Remembers {
         Self::GoSeenOff,
         Self::CommsLost,
         Self::Handshake,
+        Self::LiveFlags,
+        Self::TimeBeforeHandshake,
     ];
 }
 
@@ -141,31 +156,6 @@ pub enum Wheels {
 }
 
 impl Deviation {
-    /// Every deviation from an edition that is looked for, with a few numbers for those that have one.
-    pub fn every(edition: &Edition) -> Vec<Self> {
-        let mut all = crate::candidates::all(edition, &Interface::default());
-        let times =
-            [Time::ReadyDwell, Time::EbsTimer, Time::Handshake].map(|time| move |by| Change::Time(time, by));
-        all.extend(times.iter().flat_map(|time| [-7, 1, 450].map(|by| Self::Changed(time(by)))));
-        let missed = edition.rules.thresholds.missed_ms.map(|_| Threshold::Missed);
-        let thresholds = [Threshold::WheelSpeed, Threshold::Straight].into_iter().chain(missed);
-        all.extend(
-            thresholds.flat_map(|one| [-3, 1, 20].map(|by| Self::Changed(Change::Threshold(one, by)))),
-        );
-        let protocol = Protocol::of(edition);
-        all.extend(protocol.shown().flat_map(|(field, domain)| wrongly_shown(field, domain)));
-        let causes = protocol.shown().find(|(field, _)| field.key == "shutdown_cause");
-        if let Some((_, Domain::Names(causes))) = causes {
-            let pairs = || causes.iter().flat_map(|(one, _)| causes.iter().map(|(other, _)| (*one, *other)));
-            let begins = [AsState::Ready, AsState::Driving, AsState::Finished];
-            all.extend(begins.iter().flat_map(|&from| {
-                let others = pairs().filter(|(value, raw)| value != raw && *value != 0);
-                others.map(move |(value, raw)| Self::Causes { from, value, raw })
-            }));
-        }
-        all
-    }
-
     /// Whether it changes what is remembered by what is shown. Of outputs only a few tell that.
     pub(crate) fn tells_what_is_remembered(&self) -> bool {
         match *self {
@@ -174,6 +164,19 @@ impl Deviation {
             }
             _ => true,
         }
+    }
+
+    /// Whether it changes what is shown where the states are as they should be.
+    pub(crate) const fn is_about_outputs(&self) -> bool {
+        matches!(
+            self,
+            Self::Changed(Change::Term(_, _, TermChange::FaultDropped))
+                | Self::Remembers(_)
+                | Self::Causes { .. }
+                | Self::Prefers { .. }
+                | Self::Shows { .. }
+                | Self::Writes { .. }
+        )
     }
 
     /// The arrow that it is about, of the document or of its own.
@@ -189,7 +192,7 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 Some((from, to))
             }
-            Self::Causes { from, .. } => Some((from, AsState::EmergencyBrake)),
+            Self::Causes { from, .. } | Self::Prefers { from, .. } => Some((from, AsState::EmergencyBrake)),
             _ => None,
         }
     }
@@ -252,30 +255,6 @@ impl Deviation {
             _ => None,
         }
     }
-}
-
-/// An output with each value that is wrong: in each state, and in the place of each value. A state that is shown wrongly is one
-/// in the place of another; of numbers a few do.
-fn wrongly_shown(field: &ShownField, domain: Domain) -> Vec<Deviation> {
-    let key = field.key;
-    let values: Vec<i32> = match domain {
-        Domain::Flag => vec![0, 1],
-        Domain::Names(names) => names.iter().map(|(raw, _)| *raw).collect(),
-        Domain::Number { .. } => vec![0, 7],
-    };
-    let outside = match domain {
-        Domain::Names(_) => values.iter().max().map(|most| most + 1),
-        _ => None,
-    };
-    let raws = || values.iter().copied().chain(outside);
-    let in_a_state = AsState::ALL
-        .into_iter()
-        .filter(|_| key != "as_state")
-        .flat_map(|state| raws().map(move |raw| Deviation::Shows { state, key, raw }));
-    let replaced = values.iter().filter(|_| !matches!(domain, Domain::Number { .. })).flat_map(|&value| {
-        raws().filter(move |raw| *raw != value).map(move |raw| Deviation::Writes { key, value, raw })
-    });
-    in_a_state.chain(replaced).collect()
 }
 
 /// The edition with all changes of its rules. A change names rows and terms by their places in the document, so that what moves

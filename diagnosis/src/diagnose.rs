@@ -3,16 +3,17 @@
 use std::time::{Duration, Instant};
 
 use adsdv_oracle::conform::ProgramError;
+use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
-use adsdv_spec::{Choice, Edition};
 
-use crate::candidates;
+use crate::candidates::{self, Candidates};
 use crate::cycles::each;
 use crate::deviation::Deviation;
 use crate::experiments;
-use crate::fit::{Candidates, Fit};
+use crate::fit::Fit;
 use crate::fixed::Fixed;
+use crate::found::Diagnosis;
 use crate::in_the_way;
 use crate::interface::{Interface, Seen};
 use crate::model::Model;
@@ -29,6 +30,8 @@ use crate::ways::Ways;
 const ROUNDS: u64 = 12;
 /// After so many it is asked whether an output stands in the way.
 const EARLY: u64 = 2;
+/// Where less than one of so many experiments is not explained, no output stands in the way.
+const FEW: usize = 50;
 /// So many times what was found leads to what else is measured and looked for, before all is tried again.
 const DEEPER: usize = 3;
 /// Nobody waits longer for a diagnosis.
@@ -38,30 +41,13 @@ const WALKS: usize = 600;
 /// So many walks by chance of two models, to find where they differ.
 const COMPARED: usize = 60;
 
-/// What a program does otherwise.
-#[derive(Clone, Debug)]
-pub struct Diagnosis {
-    /// The deviations, in the order in which they were found.
-    pub deviations: Vec<Deviation>,
-    /// The answers to questions that the document leaves open, where they are not the edition's: all else is by these.
-    pub readings: Vec<Choice>,
-    /// What was asked and answered, and none of them explains.
-    pub unexplained: Vec<Record>,
-    /// How many experiments there were.
-    pub experiments: usize,
-    /// The outputs that were left out, for no deviation explains what they show. All else is about the others.
-    pub left_out: Vec<&'static str>,
-    /// Whether the time was over before all was tried: there may be more, and what was found may be otherwise.
-    pub cut: bool,
-    /// The states that the program did not show, or in which some of its answers are not explained.
-    pub unclear: Vec<AsState>,
-    /// The arrows of which nothing is known: the program did not show what it does there, or what it did is not explained.
-    pub not_shown: Vec<(AsState, AsState)>,
-}
-
-/// What a program answers to the experiments that a model leads to.
-pub fn records(subject: &mut dyn Subject, model: &Model) -> Result<Vec<Record>, ProgramError> {
-    experiments::all(subject, &Ways::of(model, &Interface::default()), 0, &AsState::ALL, None)
+/// What a program that has these inputs and outputs answers to the experiments that a model leads to.
+pub fn records(
+    subject: &mut dyn Subject,
+    model: &Model,
+    interface: &Interface,
+) -> Result<Vec<Record>, ProgramError> {
+    experiments::all(subject, &Ways::of(model, interface), 0, &AsState::ALL, None)
 }
 
 /// Finds out what a program does otherwise than an edition says.
@@ -94,13 +80,23 @@ pub fn diagnose_within(
     let narrower = interface.without(&in_the_way);
     let mut seen = Seen { subject: &mut *search.subject.subject, interface: &narrower };
     let mut few = Search::new(&mut seen, edition, &narrower, at(time / 3 * 2));
-    // With all of the others explained few more looks at these tell enough.
-    let rounds = if few.run(ROUNDS)? { EARLY } else { ROUNDS };
+    let others_are_explained = few.run(ROUNDS)?;
     let few = Diagnosis { left_out: in_the_way, ..few.result() };
     let answers = few.readings.iter().map(|choice| Deviation::Reads(*choice));
     search.found = answers.chain(few.deviations.iter().copied()).collect();
     search.until = at(time);
-    search.run(rounds)?;
+    if others_are_explained {
+        // What changes the states is known, and one more look tells whether what is left can be explained.
+        search.records = Records::default();
+        search.candidates.single.retain(Deviation::is_about_outputs);
+        search.candidates.several.clear();
+        search.is_explained_by_experiments(0)?;
+        search.explain(1)?;
+        if !search.unexplained(&search.model()).is_empty() {
+            return Ok(few);
+        }
+    }
+    search.run(ROUNDS)?;
     let all = search.result();
     let explains_more = few.unexplained.len() * all.experiments < all.unexplained.len() * few.experiments;
     Ok(if explains_more { few } else { all })
@@ -160,13 +156,13 @@ impl<'a, 'b> Search<'a, 'b> {
                 }
                 continue;
             }
-            self.explain()?;
+            self.explain(if rounds == ROUNDS { DEEPER } else { 2 })?;
             if self.found == before && round > 2 {
                 break;
             }
         }
         // What explains all answers so far may be wrong about the next.
-        if !self.is_over() {
+        if rounds == ROUNDS && !self.is_over() {
             self.come_nearer();
             self.is_explained_by_experiments(rounds)?;
             self.differs_from_others()?;
@@ -178,7 +174,12 @@ impl<'a, 'b> Search<'a, 'b> {
     /// The outputs of which there are answers that nothing explains.
     fn in_the_way(&self) -> Vec<&'static str> {
         let model = self.model();
-        in_the_way::outputs(&self.unexplained(&model), &model)
+        let unexplained = self.unexplained(&model);
+        // Of a few another look tells more.
+        if unexplained.len() * FEW < self.records.count {
+            return Vec::new();
+        }
+        in_the_way::outputs(&unexplained, &model)
     }
 
     fn unexplained(&self, model: &Model) -> Vec<Record> {
@@ -237,19 +238,22 @@ impl<'a, 'b> Search<'a, 'b> {
         Ok(self.keep(records, &model))
     }
 
-    /// Explains what was answered, and measures and looks for what the explanation leads to.
-    fn explain(&mut self) -> Result<(), ProgramError> {
-        for _ in 0..DEEPER {
+    /// Explains what was answered, and measures and looks for what the explanation leads to, so many times.
+    fn explain(&mut self, deeper: usize) -> Result<(), ProgramError> {
+        for _ in 0..deeper {
             let before = self.found.clone();
             self.measure(&self.found.clone())?;
             self.fit();
-            for (without, from, to) in self.missing() {
+            let missing = self.missing();
+            for (without, from, to) in &missing {
                 if self.is_over() {
                     break;
                 }
-                self.seek(&without, from, to)?;
+                self.seek(without, *from, *to)?;
             }
-            self.fit();
+            if !missing.is_empty() {
+                self.fit();
+            }
             if self.found == before || self.is_over() {
                 break;
             }
@@ -274,7 +278,7 @@ impl<'a, 'b> Search<'a, 'b> {
     /// The numbers that turn a program that has these deviations.
     fn measure(&mut self, with: &[Deviation]) -> Result<(), ProgramError> {
         let model = Model::new(self.edition, with);
-        let mut measured = turn::all(self.subject, &Ways::of(&model, self.interface))?;
+        let mut measured = turn::all(self.subject, &Ways::of(&model, self.interface), self.until)?;
         measured.retain(|one| !self.candidates.single.contains(one));
         self.candidates.single.extend(measured);
         Ok(())

@@ -43,7 +43,9 @@ pub fn examples(
     let asked = asked.iter().map(|record| relative(&program, &record.steps));
     // The tests have every time and threshold just below, at, and just above.
     let can_be_asked = |test: &&suite::Test| {
-        test.scenario.steps.iter().all(|step| interface.held(step.inputs) == step.inputs)
+        let lasts = |ms: u32| interface.cycle_ms().is_none_or(|cycle| ms > 0 && ms.is_multiple_of(cycle));
+        let can = |step: &Step| interface.held(step.inputs) == step.inputs && lasts(step.dt_ms);
+        test.scenario.steps.iter().all(can)
     };
     let tested = tests.iter().filter(can_be_asked).map(|test| relative(&usual, &test.scenario.steps));
     let pool: Vec<Vec<Relative>> = asked.chain(tested).collect();
@@ -84,7 +86,9 @@ impl<'a> ExampleSearch<'a> {
         let shown = pool.iter().filter_map(|steps| self.cut(steps));
         let best = shown.min_by_key(|steps| (self.beside(steps).len(), steps.len(), time_ms(steps)))?;
         let best = self.shortened(best);
-        let scenario = self.scenario(&best);
+        let mut scenario = self.scenario(&best);
+        // At a fixed cycle the last step is as many as it takes.
+        scenario.steps.truncate(self.first_difference(&self.without, &scenario)? + 1);
         let last = last_shown(&self.program, &scenario)?;
         let usual = Model::new(self.edition, &[]);
         // Where another deviation hides what the document expects, it is what the program would show without this one.
@@ -98,7 +102,13 @@ impl<'a> ExampleSearch<'a> {
     fn cut(&self, steps: &[Relative]) -> Option<Vec<Relative>> {
         let scenario = self.scenario(steps);
         let place = self.first_difference(&self.without, &scenario)?;
-        steps.get(..=place).map(<[Relative]>::to_vec)
+        let mut ends = 0;
+        let count = steps.iter().take_while(|one| {
+            let begins = ends;
+            ends += self.interface.cycles(one.step.dt_ms);
+            begins <= place
+        });
+        Some(count.copied().collect())
     }
 
     /// The others that matter in these steps.
@@ -145,7 +155,13 @@ impl<'a> ExampleSearch<'a> {
     fn scenario(&self, steps: &[Relative]) -> Scenario {
         let mut memory = Memory::INITIAL;
         let mut bit = false;
-        let each = steps.iter().map(|one| {
+        let cycle_ms = self.interface.cycle_ms();
+        let all = steps.iter().flat_map(|one| {
+            let dt_ms = cycle_ms.unwrap_or(one.step.dt_ms);
+            let each = Relative { step: Step { dt_ms, ..one.step }, ..*one };
+            std::iter::repeat_n(each, self.interface.cycles(one.step.dt_ms))
+        });
+        let each = all.map(|one| {
             let mut step = one.step;
             step.inputs.ai.status.handshake = bit == one.answers;
             step.inputs = self.interface.held(step.inputs);

@@ -3,11 +3,10 @@
 use std::time::Instant;
 
 use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Domain, InputField};
+use adsdv_oracle::protocol::InputField;
 use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 
-use crate::dials::Dial;
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
@@ -63,7 +62,7 @@ pub(crate) fn all(
     Ok(experiments.records)
 }
 
-impl<'a> Experiments<'a> {
+impl Experiments<'_> {
     /// Leads the program somewhere, does something, and looks at what follows.
     fn try_it(
         &mut self,
@@ -87,18 +86,7 @@ impl<'a> Experiments<'a> {
 
     /// Every input with every value that is worth trying.
     fn changes(&self) -> Vec<(&'static InputField, i32)> {
-        let ways: &'a Ways<'a> = self.ways;
-        if self.ways.interface.cycle_ms().is_none() {
-            return ways.changes().collect();
-        }
-        // Of a number the least and the greatest tell most.
-        let of = |dial: &'a Dial| match dial.field.domain {
-            Domain::Number { .. } => {
-                [dial.values.first(), dial.values.last()].into_iter().flatten().collect()
-            }
-            _ => dial.values.iter().collect::<Vec<_>>(),
-        };
-        ways.dials.iter().flat_map(|dial| of(dial).into_iter().map(|raw| (dial.field, *raw))).collect()
+        self.ways.changes().collect()
     }
 
     /// The alternatives that lead out of a state, by the model and by the document: what the program does not do at all may only
@@ -188,10 +176,12 @@ impl<'a> Experiments<'a> {
         Ok(())
     }
 
-    /// An arrow that waits for a time, a moment before it, and a cycle before.
+    /// An arrow that waits for a time, a moment before it, a cycle before, and some cycles.
     fn too_early(&mut self, state: AsState, term: &Term, to: AsState) -> Result<(), ProgramError> {
         if term.on.has(Atom::DwellElapsed) || term.on.has(Atom::EbsTimerComplete) {
-            for early_ms in [1, 10, 100] {
+            let early =
+                self.ways.interface.cycle_ms().map_or([1, 10, 100], |cycle| [cycle, 2 * cycle, 4 * cycle]);
+            for early_ms in early {
                 self.try_it(state, |pilot| {
                     pilot.prepare(term, to, early_ms)?;
                     pilot.take(term, to)

@@ -12,6 +12,7 @@ use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
 
+use crate::candidates::Candidates;
 use crate::deviation::Deviation;
 use crate::model::Model;
 use crate::record::Kept;
@@ -38,15 +39,6 @@ const TELLING: usize = 4;
 const CUTS: usize = 10;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
 const PASSES: usize = 3;
-
-/// What may explain answers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Candidates {
-    /// Each by itself; those that come first are the more likely ones.
-    pub(crate) single: Vec<Deviation>,
-    /// Several that only explain anything together.
-    pub(crate) several: Vec<Vec<Deviation>>,
-}
 
 /// A search for deviations that explain answers.
 pub(crate) struct Fit<'a> {

@@ -40,9 +40,7 @@ impl Interface {
 
     /// The same of a program that steps at a fixed cycle, in milliseconds. It is asked for fewer experiments, each of which takes
     /// many steps, and a time of it is known no better than to the cycle.
-    ///
-    /// So far that is for cycles of 10 ms. With longer ones what is named may be what the program does not have, and for that `adsdv
-    /// conform` diagnoses no program at a fixed cycle.
+    /// What takes less than a cycle it cannot be asked for.
     #[must_use]
     pub fn at_cycle(self, cycle_ms: Option<u32>) -> Self {
         Self { cycle_ms: cycle_ms.filter(|cycle| *cycle > 0), ..self }
@@ -51,6 +49,12 @@ impl Interface {
     /// The fixed cycle of the program, if it has one.
     pub(crate) const fn cycle_ms(&self) -> Option<u32> {
         self.cycle_ms
+    }
+
+    /// How many steps of the program take so long.
+    pub(crate) fn cycles(&self, dt_ms: u32) -> usize {
+        let cycles = self.cycle_ms.map_or(1, |cycle_ms| dt_ms.div_ceil(cycle_ms).max(1));
+        usize::try_from(cycles).unwrap_or(usize::MAX)
     }
 
     /// So many experiments of those that a program that steps at any time is asked for.

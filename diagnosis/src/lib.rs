@@ -21,9 +21,10 @@
 //!
 //! - `subject.rs`: what is asked, step by step: a program, or a state machine in this process; `interface.rs`: the inputs and the
 //!   outputs that it has, and `fixed.rs`: the conditions that these cannot change;
-//! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id); `words.rs`: what that is called, and `against.rs`: the
+//! - `deviation.rs`: what a program may do otherwise (`named.rs`: by its id, `every.rs`: all of them); `words.rs`: what that is called, and `against.rs`: the
 //!   requirements that it is against;
-//! - `model.rs`: the state machine that does so, `rest.rs` with what is no change of Figure 2; `running.rs`: as a program;
+//! - `model.rs`: the state machine that does so, `rest.rs` with what is no change of Figure 2, `seen.rs` what of its
+//!   inputs, and `causes.rs` what of an emergency; `running.rs`: as a program;
 //! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow; `dials.rs`: the
 //!   inputs that can be changed;
 //! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
@@ -31,7 +32,7 @@
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, by some of the records (`sample.rs`), `sets.rs` several of them at once, `nearest.rs` the nearest of them, and `certain.rs` whether they
 //!   are sure;
-//! - `diagnose.rs`: all of it in turn, `in_the_way.rs` without outputs that nothing explains;
+//! - `diagnose.rs`: all of it in turn, `found.rs` what comes of it, `in_the_way.rs` without outputs that nothing explains;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
 //! ```
@@ -51,16 +52,19 @@
 
 mod against;
 mod candidates;
+mod causes;
 mod certain;
 mod cycles;
 mod deviation;
 mod diagnose;
 mod dials;
+mod every;
 mod example;
 mod experiments;
 mod figure;
 mod fit;
 mod fixed;
+mod found;
 mod in_the_way;
 mod interface;
 mod model;
@@ -74,6 +78,7 @@ mod rest;
 mod running;
 mod sample;
 mod seek;
+mod seen;
 mod sets;
 mod stays;
 mod subject;
@@ -83,9 +88,10 @@ mod ways;
 mod words;
 
 pub use deviation::{Deviation, Remembers, Wheels};
-pub use diagnose::{Diagnosis, diagnose, diagnose_within, records};
+pub use diagnose::{diagnose, diagnose_within, records};
 pub use example::{Example, examples};
 pub use figure::{Arrow, figure};
+pub use found::Diagnosis;
 pub use interface::Interface;
 pub use model::{Memory, Model};
 pub use record::Record;

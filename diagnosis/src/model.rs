@@ -1,14 +1,16 @@
 //! The specification with deviations: a state machine as good as any.
 
 use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
-use adsdv_spec::messages::{ShutdownCause, WheelSpeed};
+use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Control, Edition, Fault, Faults, Inputs, Machine, Noticed, Outputs,
-    Reaction, Taken, Term,
+    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
+    Taken, Term,
 };
 
-use crate::deviation::{Deviation, Remembers, Wheels};
+use crate::causes;
+use crate::deviation::{Deviation, Remembers};
 use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
+use crate::seen::as_seen;
 use crate::ways::{By, Hop};
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
@@ -26,7 +28,7 @@ pub struct Model {
     showing: Showing,
     rest: Vec<Rest>,
     /// A bit for each that is remembered otherwise.
-    remembers: u8,
+    remembers: u16,
 }
 
 /// What such a machine remembers.
@@ -215,11 +217,8 @@ impl Model {
         let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
-        let seen = self.as_seen(inputs).observe(&rules.thresholds);
+        let seen = as_seen(&self.rest, inputs).observe(&rules.thresholds);
         let braking = from == AsState::EmergencyBrake;
-        if self.remembers(Remembers::CauseUntilLeft) && !braking {
-            control.shutdown_cause = ShutdownCause::NoShutdown;
-        }
         let opening = seen.faults().intersection(Faults::OPENING);
         if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {
             control.shutdown_cause = opening.cause();
@@ -237,6 +236,10 @@ impl Model {
         } else {
             control.handshake.step(active, answer, dt_ms, limit)
         };
+        let begins = active && !control.handshake.active && !stands_still;
+        if begins && answer != control.handshake.bit && self.remembers(Remembers::TimeBeforeHandshake) {
+            handshake.unanswered_ms = u16::try_from(dt_ms).unwrap_or(limit).min(limit);
+        }
         if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit) {
             handshake.unanswered_ms = limit;
         }
@@ -282,51 +285,10 @@ impl Model {
         if self.remembers(Remembers::GoSeenOff) && from == ready && control.state == ready {
             control.go_seen_low |= before.go_seen_low;
         }
-        if control.state == AsState::EmergencyBrake && from != control.state {
-            let of = |rest: &Rest| match *rest {
-                Rest::Causes { from: own, value, raw } => {
-                    Some(raw).filter(|_| (own, value) == (from, control.shutdown_cause))
-                }
-                _ => None,
-            };
-            // What was remembered before stays what it is.
-            if let Some(cause) = self.rest.iter().find_map(of)
-                && before.shutdown_cause == ShutdownCause::NoShutdown
-            {
-                control.shutdown_cause = cause;
-                let lost = Faults::when(Fault::AiCommsFault, noticed.comms_lost);
-                reaction.faults = noticed.faults.union(lost).union(Faults::of_cause(cause));
-            }
-        }
+        let remembers = |what| self.remembers(what);
+        causes::apply(&self.rest, remembers, (before, noticed), &mut reaction);
         let control = reaction.control;
         (reaction, Memory { control, waited: *waited, ready_ms: found.ready_ms })
-    }
-
-    /// The inputs as the deviations let it see them.
-    fn as_seen(&self, inputs: &Inputs) -> Inputs {
-        let mut seen = *inputs;
-        for rest in &self.rest {
-            if let Rest::Ignores { field } = rest {
-                (field.set)(&mut seen, (field.get)(&Inputs::default()));
-            }
-            if let Rest::Wheels(wheels) = rest {
-                let speeds = &mut seen.vehicle.wheel_speeds;
-                let each = [
-                    speeds.fl_wheel_speed,
-                    speeds.fr_wheel_speed,
-                    speeds.rl_wheel_speed,
-                    speeds.rr_wheel_speed,
-                ];
-                let counts = match wheels {
-                    Wheels::All => each.iter().map(|wheel| wheel.raw()).min(),
-                    Wheels::Only(wheel) => each.get(usize::from(*wheel)).map(|wheel| wheel.raw()),
-                };
-                let counts = WheelSpeed::clamped(counts.unwrap_or_default());
-                (speeds.fl_wheel_speed, speeds.fr_wheel_speed) = (counts, counts);
-                (speeds.rl_wheel_speed, speeds.rr_wheel_speed) = (counts, counts);
-            }
-        }
-        seen
     }
 
     /// The arrow that is taken, and for how many steps one that is late has been open.

@@ -21,7 +21,7 @@ impl Fit<'_> {
                 if self.is_over() {
                     return best;
                 }
-                if self.wrong(&nearer) > most {
+                if self.wrong_at_most(&nearer, most).is_none() {
                     continue;
                 }
                 let nearer = self.without_the_needless(nearer);
@@ -126,4 +126,76 @@ fn distance(set: &[Deviation]) -> (usize, usize) {
         _ => 2,
     };
     (set.iter().map(of).sum(), set.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use adsdv_spec::Edition;
+
+    use super::*;
+    use crate::candidates::{self, Candidates};
+    use crate::record::Records;
+
+    const EDITION: &Edition = &Edition::V3_0;
+
+    fn find(id: &str) -> Deviation {
+        Deviation::find(EDITION, id).expect("there is such a deviation")
+    }
+
+    /// What is nearest to a set, by the answers of a program that has these deviations, all of which the set explains.
+    fn nearest(program: &[&str], set: &[&str]) -> Vec<String> {
+        let program: Vec<Deviation> = program.iter().map(|id| find(id)).collect();
+        let program = Model::new(EDITION, &program);
+        let mut records = Records::default();
+        let asked = crate::diagnose::records(&mut program.clone().running(), &program, &Interface::default());
+        records.extend(asked.expect("a model answers everything"));
+        let single = candidates::all(EDITION, &Interface::default());
+        let candidates = Candidates { single, several: Vec::new() };
+        let until = Instant::now() + Duration::from_mins(10);
+        let fit = Fit::new(EDITION, records.kept(), &candidates, until);
+        let set: Vec<Deviation> = set.iter().map(|id| find(id)).collect();
+        assert_eq!(fit.wrong(&set), 0, "the set explains the answers");
+        let mut ids: Vec<String> = fit.nearest(set).iter().map(|one| one.id(EDITION)).collect();
+        ids.sort();
+        ids
+    }
+
+    /// A program that is never stopped for what does not fit: two alternatives that it lacks, and not two that contradict each other.
+    #[test]
+    fn two_alternatives_that_are_missing_are_nearer_than_two_that_contradict_each_other() {
+        let missing = ["driving-brake:4:missing", "driving-brake:6:missing"];
+        let contradicts = ["driving-brake:4:and:6", "driving-brake:4:opposite:moving"];
+        assert_eq!(nearest(&missing, &contradicts), missing);
+    }
+
+    #[test]
+    fn an_answer_to_an_open_question_is_nearer_than_a_condition_that_is_missing() {
+        let answers = [find("off-ready:1:without:power-cycle-needed")];
+        assert_eq!(distance(&answers), (2, 1));
+        let own = format!("reads:{}", Choice::PowerCycleNotLatched);
+        assert_eq!(nearest(&[own.as_str()], &["off-ready:1:without:power-cycle-needed"]), [own.as_str()]);
+    }
+
+    #[test]
+    fn an_input_that_is_not_seen_is_one_thing_and_farther_the_more_states_see_it() {
+        let (ignores, also) = (find("ignores:estop_request"), find("driving-brake:also:estop_request=1"));
+        assert!(distance(&[find("go:level")]) == distance(&[ignores]));
+        assert!(
+            distance(&[ignores, also])
+                > distance(&[find("ready-brake:3:missing"), find("finished-brake:3:missing")])
+        );
+    }
+
+    #[test]
+    fn what_is_right_stays_what_it_is() {
+        for ids in [
+            &["handshake:+450ms", "ready-off:missing"][..],
+            &["ignores:charging"],
+            &["driving-brake:2:and:3"],
+        ] {
+            assert_eq!(nearest(ids, ids), ids);
+        }
+    }
 }

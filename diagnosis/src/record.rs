@@ -8,11 +8,14 @@ use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
 use adsdv_oracle::suite::Step;
 
+use crate::deviation::LATEST;
 use crate::model::{Memory, Model};
 use crate::subject::Subject;
 
+/// Of like steps so many stay one by one at first: an arrow that is late is taken in one of them.
+const FIRST: usize = LATEST as usize + 1;
 /// Fewer like steps than these are kept one by one.
-const FEWEST: usize = 6;
+const FEWEST: usize = FIRST + 4;
 
 /// Steps from power-on, each with its answer.
 #[derive(Clone, Debug, Default)]
@@ -46,8 +49,13 @@ impl Record {
             if like < FEWEST {
                 continue;
             }
-            // The first and the last stay as they are.
-            let joined = (like - 2) - usize::from(like % 2 == 0);
+            for kept in place..place + FIRST - 1 {
+                all.steps.extend(steps.get(kept));
+                all.replies.extend(replies.get(kept));
+            }
+            place += FIRST - 1;
+            // The last stays as it is.
+            let joined = (like - FIRST - 1) - usize::from((like - FIRST) % 2 == 1);
             if let (Some(first), Some(last)) = (steps.get(place), replies.get(place + joined - 1)) {
                 let count = u32::try_from(joined).unwrap_or(u32::MAX);
                 all.steps.push(Step { dt_ms: first.dt_ms.saturating_mul(count), ..*first });
@@ -92,6 +100,16 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
+    /// Whether a model explains all answers.
+    pub(crate) fn is_explained(&self, model: &Model) -> bool {
+        let mut memory = Memory::INITIAL;
+        self.steps.iter().zip(&self.replies).all(|(step, reply)| {
+            let (after, outputs) = model.step(&memory, &step.inputs, step.dt_ms);
+            memory = after;
+            reply.agrees(&model.shown(&outputs, &step.inputs))
+        })
+    }
+
     /// As a record.
     pub(crate) fn record(&self) -> Record {
         let replies = self.replies.iter().map(|reply| **reply).collect();

@@ -18,6 +18,7 @@ pub(crate) enum Rest {
     GoNeedsHandshake,
     Remembers(Remembers),
     Causes { from: AsState, value: ShutdownCause, raw: ShutdownCause },
+    Prefers { from: AsState, value: ShutdownCause, raw: ShutdownCause },
     Shows { state: AsState, place: usize, raw: i32 },
     Writes { place: usize, value: i32, raw: i32 },
 }
@@ -58,6 +59,11 @@ impl Rest {
             Deviation::GoNeedsHandshake => Self::GoNeedsHandshake,
             Deviation::Remembers(what) => Self::Remembers(what),
             Deviation::Causes { from, value, raw } => Self::Causes {
+                from,
+                value: ShutdownCause::from_raw(value)?,
+                raw: ShutdownCause::from_raw(raw)?,
+            },
+            Deviation::Prefers { from, value, raw } => Self::Prefers {
                 from,
                 value: ShutdownCause::from_raw(value)?,
                 raw: ShutdownCause::from_raw(raw)?,

@@ -45,7 +45,12 @@ pub(crate) fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
             && wrong.from.control.state != wrong.found
             && [value, raw].iter().all(|raw| ShutdownCause::from_raw(*raw).is_some())
         {
-            all.push(Deviation::Causes { from: wrong.from.control.state, value, raw });
+            let from = wrong.from.control.state;
+            // What counts before it may be given another number itself.
+            let greater = (value + 1..).take_while(|raw| ShutdownCause::from_raw(*raw).is_some());
+            let greater = greater.filter(|_| value > 0);
+            all.extend(greater.map(|raw| Deviation::Prefers { from, value, raw }));
+            all.push(Deviation::Causes { from, value, raw });
         }
         if let Some(value) = right.filter(|value| *value != raw) {
             all.push(Deviation::Writes { key, value, raw });

@@ -1,5 +1,7 @@
 //! The time, or the value, at which a program turns: found by halving.
 
+use std::time::Instant;
+
 use adsdv_oracle::conform::ProgramError;
 use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, Threshold, Time};
@@ -78,9 +80,13 @@ impl Number {
     }
 }
 
-/// The times and thresholds of a program that are not those of the document, as far as it can be led to where they count: by each
-/// arrow that they decide about, and by the flag of communication that is lost.
-pub(crate) fn all(subject: &mut dyn Subject, ways: &Ways<'_>) -> Result<Vec<Deviation>, ProgramError> {
+/// The times and thresholds of a program that are not those of the document, as far as it can be led to where they count until this
+/// time: by each arrow that they decide about, and by the flag of communication that is lost.
+pub(crate) fn all(
+    subject: &mut dyn Subject,
+    ways: &Ways<'_>,
+    until: Instant,
+) -> Result<Vec<Deviation>, ProgramError> {
     let rules = ways.model.usual().rules;
     let mut found: Vec<Deviation> = Vec::new();
     let cycle = ways.interface.cycle_ms().and_then(|cycle| i32::try_from(cycle).ok());
@@ -94,6 +100,9 @@ pub(crate) fn all(subject: &mut dyn Subject, ways: &Ways<'_>) -> Result<Vec<Devi
             for (atom, _) in term.literals() {
                 let Some(number) = Number::of(atom) else { continue };
                 let delay = ways.model.delay((state, to));
+                if Instant::now() >= until {
+                    return Ok(found);
+                }
                 for late in (delay..=delay).chain((0..=LATEST).filter(|late| *late != delay)) {
                     let turn = Turn { ways, state, term, to, late };
                     let value = turns(1, number.most(), |value| turn.is_taken(subject, number, value))?;

@@ -51,6 +51,7 @@ impl Deviation {
             }
             Self::Remembers(what) => format!("remembers:{}", remembers_id(what)),
             Self::Causes { from, value, raw } => format!("{}:cause:{value}={raw}", short(from)),
+            Self::Prefers { from, value, raw } => format!("{}:cause:{raw}-before-{value}", short(from)),
             Self::Reads(choice) => format!("reads:{choice}"),
             Self::Shows { state, key, raw } => {
                 format!("{}:shows:{key}={}", short(state), number_or_name(raw))
@@ -85,7 +86,7 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Also { from, to, .. } | Self::Late { from, to, .. } => {
                 vec![(from, to)]
             }
-            Self::Causes { from, .. } => vec![(from, AsState::EmergencyBrake)],
+            Self::Causes { from, .. } | Self::Prefers { from, .. } => vec![(from, AsState::EmergencyBrake)],
             Self::Changed(Change::Time(..) | Change::Threshold(..))
             | Self::Ignores { .. }
             | Self::Wheels(_)
@@ -134,6 +135,8 @@ const fn remembers_id(what: Remembers) -> &'static str {
         Remembers::GoSeenOff => "go-seen-off",
         Remembers::CommsLost => "comms-lost",
         Remembers::Handshake => "handshake",
+        Remembers::LiveFlags => "live-flags",
+        Remembers::TimeBeforeHandshake => "time-before-handshake",
     }
 }
 
@@ -159,6 +162,12 @@ const fn remembers_text(what: Remembers) -> &'static str {
         }
         Remembers::Handshake => {
             "the handshake stands still while TS master switch OFF, and goes on from there; expected bit 0, and from the beginning"
+        }
+        Remembers::LiveFlags => {
+            "a fault flag ends with its fault; expected to stay while SHUTDOWN_CAUSE names the fault"
+        }
+        Remembers::TimeBeforeHandshake => {
+            "the step in which the handshake begins counts as time without an answer; expected from the next one on"
         }
     }
 }
@@ -217,6 +226,12 @@ fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -
             let cause = |raw| output(edition, "shutdown_cause", raw);
             let to = AsState::EmergencyBrake;
             write!(f, "{from} -> {to} gives SHUTDOWN_CAUSE {}; expected {}", cause(raw), cause(value))
+        }
+        Deviation::Prefers { from, value, raw } => {
+            let cause = |raw| output(edition, "shutdown_cause", raw);
+            let (to, expected) = (AsState::EmergencyBrake, cause(value));
+            let raw = cause(raw);
+            write!(f, "{from} -> {to} by {expected} and {raw} at once gives {raw}; expected {expected}")
         }
         Deviation::Reads(choice) => write!(f, "{} {}", choice.reading().question(), choice.text()),
         Deviation::Shows { state, key, raw } => {

@@ -119,6 +119,31 @@ fn what_is_remembered_and_what_is_shown_are_distinguished() {
 }
 
 #[test]
+fn a_cause_is_named_by_the_state_in_which_the_emergency_begins() {
+    let causes = Deviation::Causes { from: Driving, value: 2, raw: 4 };
+    let writes = Deviation::Writes { key: "shutdown_cause", value: 2, raw: 4 };
+    names(&Edition::V3_0, &[causes]);
+    names(&Edition::V3_0, &[writes]);
+    let other = Deviation::Causes { from: Ready, value: 6, raw: 3 };
+    names(&Edition::V4_0, &[causes, other]);
+}
+
+#[test]
+fn which_of_two_causes_counts_is_named_by_both_also_where_the_one_is_given_another_number() {
+    let prefers = |from, value, raw| Deviation::Prefers { from, value, raw };
+    let causes = Deviation::Causes { from: Driving, value: 2, raw: 4 };
+    names(&Edition::V3_0, &[prefers(Ready, 1, 6), prefers(Driving, 1, 2), causes]);
+    names(&Edition::V2026, &[prefers(Driving, 2, 6), prefers(Driving, 1, 6)]);
+}
+
+#[test]
+fn flags_that_end_with_their_faults_and_a_handshake_that_counts_from_before_are_found() {
+    for edition in Edition::ALL {
+        names(edition, &[Remembers::LiveFlags, Remembers::TimeBeforeHandshake].map(Deviation::Remembers));
+    }
+}
+
+#[test]
 fn a_handshake_that_does_not_rest_is_found_beside_what_it_is_remembered_for() {
     let kept = Deviation::Remembers(Remembers::Handshake);
     let limit = Deviation::Changed(Change::Time(Time::Handshake, 50));

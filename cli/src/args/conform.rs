@@ -150,9 +150,9 @@ pub(crate) struct ConformArgs {
     /// Look for deviations from Figure 2 even where no test fails.
     ///
     /// Where one fails it is done without being asked for: some thousand experiments more, step by step, from the states
-    /// that the program reaches, in the ways that it accepts. For a program that steps at any time and shows its outputs at
-    /// once.
-    #[arg(long, conflicts_with_all = ["latency", "cycle_ms"])]
+    /// that the program reaches, in the ways that it accepts. For a program that goes by `dt_ms` and shows its outputs at once; at
+    /// a fixed cycle there are fewer of them.
+    #[arg(long, conflicts_with = "latency")]
     pub(crate) diagnose: bool,
 
     /// Do not look for deviations: only run the tests.
@@ -174,15 +174,15 @@ pub(crate) struct ConformArgs {
     /// Accept the deviations of this file: the verdict is about all others.
     ///
     /// A line is the id of a deviation, and why it is accepted. One that the program does not have any more is a warning.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "latency")]
     pub(crate) accept: Option<PathBuf>,
 
     /// Write the deviations of the program into a file for --accept; reasons that --accept has stay.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "latency")]
     pub(crate) write_accept: Option<PathBuf>,
 
     /// Draw Figure 2 as the program does it into a file: for Graphviz if it ends in .dot or .gv, else as Mermaid.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["latency", "cycle_ms"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "latency")]
     pub(crate) figure: Option<PathBuf>,
 
     /// Pin a question that the document leaves open; may be repeated.

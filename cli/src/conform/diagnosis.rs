@@ -1,5 +1,6 @@
 //! What the program does otherwise, each by itself.
 
+use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::time::Duration;
 
@@ -37,6 +38,8 @@ pub(super) struct DiagnosedProgram {
     strict: bool,
     /// How long the search was allowed to take.
     limit: Duration,
+    /// The one time that a step of the program takes.
+    cycle_ms: Option<u32>,
     /// The program as far as it was found out.
     model: Model,
 }
@@ -54,7 +57,8 @@ pub(super) fn of(
     let mut program = Asked { program: start(args)?, steps: 0, line: ProgressLine::new() };
     program.program.hello(edition)?;
     let limit = args.diagnosis_limit;
-    let interface = Interface::new(&report.about, &report.not_shown).allowing(possible);
+    let interface =
+        Interface::new(&report.about, &report.not_shown).allowing(possible).at_cycle(report.cycle_ms);
     let usual = edition.readings.choices().iter().filter(|choice| possible.has(*choice));
     let usual = usual.fold(report.readings, Readings::with);
     let found = diagnose_within(&mut program, &Edition { readings: usual, ..*edition }, &interface, limit)?;
@@ -68,6 +72,7 @@ pub(super) fn of(
         accepted: accepted.clone(),
         strict: args.strict,
         limit: args.diagnosis_limit,
+        cycle_ms: report.cycle_ms,
         model: Model::new(&edition, deviations),
         edition,
         found,
@@ -235,6 +240,12 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
         );
         wrapped(out, rest.split(' '), 2, width);
     }
+    if let Some(cycle_ms) = program.cycle_ms {
+        let rest = format!(
+            "at a fixed cycle: fewer experiments, and a time is known to {cycle_ms} ms; what begins and ends within a cycle is not seen"
+        );
+        wrapped(out, rest.split(' '), 2, width);
+    }
     for id in program.unused() {
         let text = format!("{id} is accepted, and is not there any more: take it out of the file");
         writeln!(out, "  {} {text}", Styled(style::CARE, "warning:"))?;
@@ -277,6 +288,7 @@ fn shown(
 pub(super) struct DiagnosisJson<'a> {
     experiments: usize,
     deviations: Vec<DeviationJson<'a>>,
+    readings: BTreeMap<&'static str, &'static str>,
     figure: Vec<ArrowJson<'a>>,
     unexplained: usize,
     left_out: &'a [&'static str],
@@ -343,6 +355,7 @@ impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
         Self {
             experiments: found.experiments,
             deviations: found.deviations.iter().zip(&program.examples).map(one).collect(),
+            readings: found.readings.iter().map(|choice| (choice.reading().id(), choice.id())).collect(),
             figure: program.figure.iter().map(arrow).collect(),
             unexplained: found.unexplained.len(),
             left_out: &found.left_out,

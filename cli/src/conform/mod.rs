@@ -118,9 +118,9 @@ fn nothing_run(name: &str, report: &ConformReport) -> Error {
     }
 }
 
-/// Whether it is found out what the program does otherwise: where it does something so, and can be asked at any time.
+/// Whether it is found out what the program does otherwise: where it does something so, and does not go by a clock of its own.
 fn is_diagnosed(args: &ConformArgs, report: &ConformReport) -> bool {
-    let can_be = args.latency == 0 && report.cycle_ms.is_none() && !report.about.wall_clock;
+    let can_be = args.latency == 0 && !report.about.wall_clock;
     let differs = !report.conforms() || !report.observations.is_empty();
     // What one experiment teaches would not hold in the next.
     can_be && report.repeats && !args.no_diagnosis && (args.diagnose || differs)
@@ -138,10 +138,6 @@ fn undiagnosed(args: &ConformArgs, report: &ConformReport) -> Option<&'static st
         Some(
             "by a clock on the wall the thousands of experiments would take hours; a program that goes by dt_ms is diagnosed",
         )
-    } else if report.cycle_ms.is_some() {
-        Some(
-            "at a fixed cycle each of thousands of experiments takes hundreds of steps; a program that takes any dt_ms is diagnosed",
-        )
     } else if !report.repeats {
         Some("it does not answer alike each time, and what one experiment teaches would not hold in the next")
     } else {
@@ -157,7 +153,8 @@ fn conforms(args: &ConformArgs, report: &ConformReport, diagnosis: Option<&Diagn
                 && report.more_failures == 0
                 && report.failures.iter().all(|failure| program.explains(failure))
         }
-        None => report.conforms(),
+        // What no test shows an experiment may.
+        None => report.conforms() && diagnosis.is_none_or(DiagnosedProgram::is_accepted),
     }
 }
 
