@@ -25,7 +25,8 @@ case $target in
 esac
 PATH=$PATH:/usr/sbin:/sbin
 
-cargo build --locked -p adsdv
+# With the features that the tests of the workspace have: behind these, nothing is built a second time.
+cargo build --locked --workspace --bin adsdv --examples
 export ADSDV="$target/debug/adsdv" ADSDV_REQUIRE_VCAN=1
 # The stack that is examined, with nothing of ours in it: static, so that it needs nothing in the virtual machine either.
 brought=()
@@ -46,4 +47,4 @@ else
   variable=CARGO_TARGET_$(tr 'a-z-' 'A-Z_' <<<"$host")_RUNNER
   export "$variable=$PWD/scripts/vm/run.sh -t 900 -c 1 -e ADSDV=$ADSDV -f $ADSDV -f $PWD/can -f $PWD/tests/logs ${brought[*]-}"
 fi
-cargo test --locked -p adsdv-can --test socket -- "$@"
+cargo test --locked --workspace --test socket -- "$@"

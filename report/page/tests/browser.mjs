@@ -56,11 +56,10 @@ export const browser = await chromium.launch({
   args: ["--no-sandbox"],
 });
 
-/** Opens a page, and waits until every frame is unpacked. What it asks of a network, and what goes wrong in it, is an error. */
-export async function open(file, options = {}) {
+/** Opens a page, and waits until its element `html` says so. What it asks of a network, and what goes wrong in it, is an error. */
+export async function opened(url, begun, options) {
   const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, reducedMotion: "reduce", ...options });
   const tab = await context.newPage();
-  const url = pathToFileURL(file).href;
   const wrong = [];
   tab.on("request", (request) => request.url() !== url && !/^(blob|data):/.test(request.url()) && wrong.push(`it asks for ${request.url()}`));
   tab.on("console", (message) => ["error", "warning"].includes(message.type()) && wrong.push(message.text()));
@@ -70,9 +69,12 @@ export async function open(file, options = {}) {
     void dialog.dismiss();
   });
   await tab.goto(url);
-  await tab.waitForFunction(() => document.documentElement.dataset.ready === "yes");
+  await tab.waitForFunction((begun) => document.documentElement.dataset[begun] === "yes", begun);
   return { tab, wrong, close: () => context.close() };
 }
+
+/** Opens the page of a report, and waits until every frame is unpacked. */
+export const open = (file, options = {}) => opened(pathToFileURL(file).href, "ready", options);
 
 /** The texts of all elements. */
 export const texts = (tab, selector) => tab.locator(selector).evaluateAll((all) => all.map((one) => one.textContent.trim().replace(/\s+/g, " ")));

@@ -7,7 +7,7 @@ import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { inflateRawSync } from "node:zlib";
 
-import { browser, root } from "../../../report/page/tests/browser.mjs";
+import { opened, root } from "../../../report/page/tests/browser.mjs";
 
 export { browser, driven, folder, json, recording, root, run, texts, written } from "../../../report/page/tests/browser.mjs";
 export const { chromium } = createRequire(join(root, "report/page/package.json"))("playwright-core");
@@ -17,22 +17,8 @@ export const axe = readFileSync(createRequire(join(root, "report/page/package.js
 export const checkedIn = join(root, "site/dist/adsdv.html");
 export const fresh = resolve(root, process.env.FRESH ?? checkedIn);
 
-/** Opens the page, and waits until it can be used. What it asks of a network, and what goes wrong in it, is an error. */
-export async function begin(url = pathToFileURL(fresh).href, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, reducedMotion: "reduce", ...options });
-  const tab = await context.newPage();
-  const wrong = [];
-  tab.on("request", (request) => request.url() !== url && !/^(blob|data):/.test(request.url()) && wrong.push(`it asks for ${request.url()}`));
-  tab.on("console", (message) => ["error", "warning"].includes(message.type()) && wrong.push(message.text()));
-  tab.on("pageerror", (error) => wrong.push(String(error)));
-  tab.on("dialog", (dialog) => {
-    wrong.push(`a dialog: ${dialog.message()}`);
-    void dialog.dismiss();
-  });
-  await tab.goto(url);
-  await tab.waitForFunction(() => document.documentElement.dataset.begun === "yes");
-  return { tab, wrong, close: () => context.close() };
-}
+/** Opens the page, and waits until it can be used. */
+export const begin = (url = pathToFileURL(fresh).href, options = {}) => opened(url, "begun", { viewport: { width: 1300, height: 900 }, ...options });
 
 /** Waits until what is shown is whole. */
 export const ready = (tab) => tab.waitForFunction(() => document.documentElement.dataset.ready === "yes", undefined, { timeout: 60_000 });
