@@ -22,7 +22,7 @@ command -v mdbook >/dev/null || { echo "scripts/book.sh: there is no mdbook (car
 book=target/book
 rm -rf "$book"
 mkdir -p "$book/src"
-git ls-files -z --cached --others --exclude-standard -- . ':!fuzz/corpus' ':!fuzz/regressions' ':!tests/logs' ':!*/dist/*' |
+git ls-files -z --cached --others --exclude-standard -- . ':!fuzz/corpus' ':!fuzz/regressions' ':!tests/logs' ':!report/page/dist' |
   while IFS= read -r -d '' file; do [ ! -f "$file" ] || printf '%s\0' "$file"; done |
   xargs -0 cp --parents -t "$book/src"
 sed -E 's#\]\(\.\./#](#; t; s#\]\(([^)]*)\)#](docs/\1)#' docs/SUMMARY.md >"$book/src/SUMMARY.md"
