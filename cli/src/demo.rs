@@ -15,7 +15,7 @@ use adsdv_can::car::Action;
 use adsdv_can::demo::{self, BUS, DemoOptions, LocalBus, Run, RunError};
 use adsdv_can::live::Vcu;
 use adsdv_can::scenario::{Player, Scenario, Stuck, Unreadable};
-use adsdv_oracle::candump::{FrameKind, Record, write_record};
+use adsdv_oracle::candump::write_record;
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogJudge, LogOptions};
 use adsdv_spec::Machine;
@@ -52,16 +52,7 @@ pub(crate) fn run(args: &DemoArgs) -> Result<Status, Error> {
         Ai::new(chosen.edition(), Plan::DEFAULT),
         &DemoOptions::default(),
         |time_ns, frame| {
-            let record = Record {
-                line: 0,
-                time_ns,
-                interface: BUS,
-                kind: FrameKind::Standard,
-                id: frame.id.into(),
-                data: frame.data(),
-                direction: None,
-                terminated: true,
-            };
+            let record = demo::record(time_ns, frame);
             judge.frame(&record);
             log.as_mut().map_or(Ok(()), |log| write_record(log, &record))
         },

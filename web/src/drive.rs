@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use adsdv_can::ai::{Ai, Plan};
 use adsdv_can::car::{Action, Missing, Switch, missing};
-use adsdv_can::demo::{BUS, Bench, Due, Slip};
+use adsdv_can::demo::{Bench, DemoOptions, Due, Slip, record};
 use adsdv_can::scenario::{Player, Scenario};
-use adsdv_oracle::candump::{FrameKind, Record, write_record};
+use adsdv_oracle::candump::write_record;
 use adsdv_oracle::judge::{JudgeOptions, Transition};
 use adsdv_oracle::log::{LogJudge, LogOptions};
 use adsdv_report::asked::agree;
@@ -20,8 +20,6 @@ use crate::error::Refusal;
 use crate::figure::FigureJson;
 use crate::subject;
 
-/// How long after the VCU's cycle that of the AI Computer begins, in milliseconds.
-const PHASE_MS: u32 = 4;
 /// No more time goes on at once, in milliseconds: a page that was not looked at does not catch up.
 const MOST_MS: u32 = 1000;
 /// So many frames are kept for the log: half an hour.
@@ -113,7 +111,7 @@ impl Drive {
             .map_err(|error| Refusal::new("the scenario", error.to_string(), "write it otherwise"))?;
         let options = LogOptions { judge: JudgeOptions::of(edition), ..LogOptions::default() };
         Ok(Self {
-            bench: Bench::new(machine, Ai::new(edition, Plan::DEFAULT), PHASE_MS),
+            bench: Bench::new(machine, Ai::new(edition, Plan::DEFAULT), DemoOptions::default().phase_ms),
             edition,
             player: scenario.as_ref().map(Player::new),
             judge: LogJudge::new(options),
@@ -288,19 +286,6 @@ impl ChangeJson {
     fn of(transition: &Transition) -> Self {
         let Transition { t_ns, from, to, section, justified, .. } = transition;
         Self { t: seconds(*t_ns), from: from.name(), to: to.name(), section, justified: justified.name() }
-    }
-}
-
-fn record(time_ns: i64, frame: &Frame) -> Record<'_> {
-    Record {
-        line: 0,
-        time_ns,
-        interface: BUS,
-        kind: FrameKind::Standard,
-        id: frame.id.into(),
-        data: frame.data(),
-        direction: None,
-        terminated: true,
     }
 }
 

@@ -12,6 +12,7 @@ pub mod wire;
 
 use std::fmt;
 
+use adsdv_oracle::candump::{FrameKind, Record};
 use adsdv_spec::Machine;
 use adsdv_spec::messages::{AsState, Frame};
 
@@ -25,6 +26,20 @@ pub use slip::Slip;
 
 /// The name of the bus in logs.
 pub const BUS: &str = "demo";
+
+/// A frame of that bus as an entry of a log, at a time in nanoseconds.
+pub fn record(time_ns: i64, frame: &Frame) -> Record<'_> {
+    Record {
+        line: 0,
+        time_ns,
+        interface: BUS,
+        kind: FrameKind::Standard,
+        id: frame.id.into(),
+        data: frame.data(),
+        direction: None,
+        terminated: true,
+    }
+}
 
 /// How a run is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
