@@ -46,6 +46,7 @@ mod line;
 mod printed;
 mod reader;
 mod record;
+mod said;
 #[cfg(test)]
 mod tests;
 mod time;

@@ -11,7 +11,7 @@ use super::error::{Flaw, LineError, ReadError};
 use super::line;
 use super::printed::{self, Clock, Printed};
 use super::record::{FrameKind, MAX_DATA, Record};
-use super::usual::{self, Interface, Usual};
+use super::usual::{self, Before, Interface, Usual};
 use super::{Entries, Entry, MAX_LINE, Unit};
 use crate::text::BYTE_ORDER_MARK;
 
@@ -42,7 +42,8 @@ pub struct Reader<R> {
     data: Box<[u8; MAX_DATA]>,
     /// The interface that the next line will name most of the time: that of a line before. Empty at first.
     interface: String,
-    usual: Interface,
+    /// What a usual line says again, and what is then not read anew.
+    before: Before,
     /// The time of lines that were printed for a person.
     clock: Clock,
 }
@@ -59,7 +60,7 @@ impl<R: Read> Reader<R> {
             terminated: true,
             data: Box::new([0; MAX_DATA]),
             interface: String::new(),
-            usual: Interface::UNKNOWN,
+            before: Before::NOTHING,
             clock: Clock::default(),
         }
     }
@@ -84,7 +85,8 @@ impl<R: Read> Reader<R> {
     #[inline]
     pub fn next_record(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         let text = self.buffer.get(self.pending.clone()).unwrap_or_default();
-        let Some((usual, taken)) = usual::read(text, &self.usual).filter(|_| !self.inside_long_line) else {
+        let Some((usual, taken)) = usual::read(text, &mut self.before).filter(|_| !self.inside_long_line)
+        else {
             return self.next_unusual();
         };
         self.pending.start += taken;
@@ -140,7 +142,7 @@ impl<R: Read> Reader<R> {
                 if record.interface != self.interface {
                     self.interface.clear();
                     self.interface.push_str(record.interface);
-                    self.usual = Interface::named(record.interface);
+                    self.before.interface = Interface::named(record.interface);
                 }
                 Entry::Frame(Record { terminated, ..record })
             }

@@ -41,6 +41,46 @@ pub(super) fn usual(cursor: &mut Cursor<'_>) -> Option<i64> {
     Some(time)
 }
 
+/// The second of a line before, which the next one most likely names too: then only the fraction is read.
+#[derive(Debug)]
+pub(super) struct Second {
+    /// As it stands there, with the parenthesis and the point.
+    text: [u8; 12],
+    ns: i64,
+}
+
+impl Second {
+    /// No second is known yet.
+    pub(super) const UNKNOWN: Self = Self { text: [0; 12], ns: 0 };
+
+    /// As [`usual`], in less time for a line of the same second as the one before.
+    #[inline]
+    pub(super) fn usual(&mut self, cursor: &mut Cursor<'_>) -> Option<i64> {
+        let stamp = cursor.rest().first_chunk::<19>()?;
+        if stamp.first_chunk() != Some(&self.text) {
+            return self.another(cursor);
+        }
+        let (_, last) = stamp.split_last_chunk()?;
+        let word = u64::from_le_bytes(*last);
+        // The point before the six digits makes room for two zeros, and the parenthesis behind them falls out.
+        let digits = word >> 8 << 16 | u64::from(u16::from_le_bytes(*b"00"));
+        let time = self.ns.checked_add(eight_digits(digits)? * NS_PER_MICROSECOND)?;
+        if word >> 56 != u64::from(b')') {
+            return None;
+        }
+        cursor.skip(19);
+        Some(time)
+    }
+
+    #[cold]
+    fn another(&mut self, cursor: &mut Cursor<'_>) -> Option<i64> {
+        let text = *cursor.rest().first_chunk()?;
+        let time = usual(cursor)?;
+        *self = Self { text, ns: time - time % NS_PER_SECOND };
+        Some(time)
+    }
+}
+
 /// The number that eight decimal digits stand for: each step halves the count of the numbers in the word and
 /// doubles their width.
 #[inline]
@@ -156,12 +196,41 @@ mod tests {
             for byte in 0..=u8::MAX {
                 let mut text = *b"(1795209995.234358)";
                 text[place] = byte;
-                let whole = |take: fn(&mut Cursor<'_>) -> Option<i64>| {
+                let whole = |take: &mut dyn FnMut(&mut Cursor<'_>) -> Option<i64>| {
                     let mut cursor = Cursor::new(&text);
                     take(&mut cursor).filter(|_| cursor.rest().is_empty())
                 };
-                assert_eq!(whole(usual), whole(|cursor| any(cursor).ok()), "{}", text.escape_ascii());
+                let expected = whole(&mut |cursor| any(cursor).ok());
+                let mut second = same_second("(1795209995.000000)");
+                assert_eq!(whole(&mut usual), expected, "{}", text.escape_ascii());
+                assert_eq!(whole(&mut |cursor| second.usual(cursor)), expected, "{}", text.escape_ascii());
             }
+        }
+    }
+
+    /// What is known after a line with this time.
+    fn same_second(text: &str) -> Second {
+        let mut second = Second::UNKNOWN;
+        assert!(second.usual(&mut Cursor::new(text.as_bytes())).is_some(), "{text}");
+        second
+    }
+
+    #[test]
+    fn a_second_goes_on_until_another_begins() {
+        let mut second = Second::UNKNOWN;
+        for (text, time) in [
+            ("(1795209995.999999)", Some(1_795_209_995_999_999_000)),
+            ("(1795209995.000000)", Some(1_795_209_995_000_000_000)),
+            ("(1795209996.000001)", Some(1_795_209_996_000_001_000)),
+            ("(1795209996.00000x)", None),
+            ("(1795209996.000002 ", None),
+            ("(1795209996.00003)", None),
+            ("(1795209996.000004)", Some(1_795_209_996_000_004_000)),
+            ("(9223372036.854775)", Some(9_223_372_036_854_775_000)),
+            ("(9223372036.854776)", None),
+            ("(9223372036.000000)", Some(9_223_372_036_000_000_000)),
+        ] {
+            assert_eq!(second.usual(&mut Cursor::new(text.as_bytes())), time, "{text}");
         }
     }
 }

@@ -9,9 +9,9 @@
 //! a line to the same record, but slower: it has to be ready for anything, and to say where it went wrong.
 
 use super::cursor::Cursor;
-use super::hex;
-use super::record::{MAX_CLASSIC, STANDARD_MASK};
-use super::time;
+use super::record::MAX_CLASSIC;
+use super::said::LastSaid;
+use super::time::Second;
 
 /// What a usual line says, apart from its interface.
 #[derive(Debug, PartialEq, Eq)]
@@ -21,6 +21,20 @@ pub(super) struct Usual {
     pub(super) data: [u8; MAX_CLASSIC],
     /// Number of data bytes.
     pub(super) len: usize,
+}
+
+/// What a line before said that the usual line says again.
+#[derive(Debug)]
+pub(super) struct Before {
+    pub(super) interface: Interface,
+    second: Second,
+    said: LastSaid,
+}
+
+impl Before {
+    /// No line has come yet.
+    pub(super) const NOTHING: Self =
+        Self { interface: Interface::UNKNOWN, second: Second::UNKNOWN, said: LastSaid::NOTHING };
 }
 
 /// The interface that the usual line names, with the space before it and that behind: as one word, for names that fit.
@@ -56,21 +70,19 @@ impl Interface {
     }
 }
 
-/// Reads the line at the beginning of a text if it is a usual one on this interface and there is room for the longest; tells how long
-/// it is, with its line feed, which is found on the way.
+/// Reads the line at the beginning of a text if it is a usual one on the interface of the line before and there is room for the
+/// longest; tells how long it is, with its line feed, which is found on the way.
 #[expect(
     clippy::inline_always,
     reason = "it has one caller, to which its result would go through memory: one part in twenty of `check`"
 )]
 #[inline(always)]
-pub(super) fn read(text: &[u8], interface: &Interface) -> Option<(Usual, usize)> {
+pub(super) fn read(text: &[u8], before: &mut Before) -> Option<(Usual, usize)> {
     let mut cursor = Cursor::new(text);
-    let time_ns = time::usual(&mut cursor)?;
-    let (&[ref id @ .., b'#'], digits) = interface.behind(cursor.rest())?.split_first_chunk::<4>()? else {
-        return None;
-    };
-    let id = hex::number(*id).ok().filter(|id| *id <= STANDARD_MASK)?;
-    let (data, len) = hex::up_to_line_feed(digits.first_chunk()?)?;
+    let time_ns = before.second.usual(&mut cursor)?;
+    let (id, digits) = before.interface.behind(cursor.rest())?.split_first_chunk()?;
+    let said = before.said.says(*id, digits.first_chunk()?)?;
+    let (id, data, len) = (said.id, said.data, said.len);
     Some((Usual { time_ns, id, data, len }, text.len() - digits.len() + 2 * len + 1))
 }
 
@@ -80,10 +92,15 @@ mod tests {
     use super::super::record::{self, FrameKind, Record};
     use super::*;
 
+    /// What is known after a line on this interface.
+    fn before(interface: &str) -> Before {
+        Before { interface: Interface::named(interface), ..Before::NOTHING }
+    }
+
     /// Whether the line is usual. If it is, the long way must read it to the same record.
     fn is_usual(text: &str) -> bool {
         let with_more = format!("{text}\n(1795209995.234359) vcan0");
-        let read = read(with_more.as_bytes(), &Interface::named("vcan0"));
+        let read = read(with_more.as_bytes(), &mut before("vcan0"));
         let Some((Usual { time_ns, id, data, len }, taken)) = read else { return false };
         assert_eq!(taken, text.len() + 1, "{text}");
         let same = Record {
@@ -142,7 +159,7 @@ mod tests {
             "(1795209995.234358)  520#0011223344556677\n",
             "(1795209995.234358) vcan0 520#0011223344556677\n",
         ] {
-            assert_eq!(read(line.as_bytes(), &Interface::UNKNOWN), None, "{line}");
+            assert_eq!(read(line.as_bytes(), &mut Before { ..Before::NOTHING }), None, "{line}");
         }
     }
 
@@ -150,7 +167,7 @@ mod tests {
     fn an_interface_has_its_whole_name_between_two_spaces() {
         for name in ["c", "vcan0", "fourteen_bytes"] {
             let line = |name| format!("(1795209995.234358) {name} 520#0011223344556677\n");
-            let read = |interface| read(line(name).as_bytes(), &Interface::named(interface)).is_some();
+            let read = |interface| read(line(name).as_bytes(), &mut before(interface)).is_some();
             assert!(read(name), "{name}");
             assert!(!read("vcan") && !read("can0") && !read("fifteen_bytes__"), "{name}");
         }

@@ -23,7 +23,7 @@ const LOSSY_NS: i64 = 10_000_000_000;
 
 /// How long an interval may be, at this period, with nothing missing in it.
 const fn longest(period: i64) -> i64 {
-    period + period * 5 / 8
+    period + ((period * 5) >> 3)
 }
 
 /// One message on the bus.
@@ -143,9 +143,9 @@ impl Slot {
                 self.learnt += 1;
                 self.shortest = self.shortest.min(interval).max(*PERIOD_NS.start());
             }
-            missing = self.was_missing(last, now);
+            missing = (is_long || self.suspect.is_some()) && self.was_missing(last, now);
             if !is_long {
-                self.spread = (self.spread - self.spread / 64).max((interval - self.period).abs());
+                self.spread = (self.spread - (self.spread >> 6)).max((interval - self.period).abs());
             }
             self.period = match self.period {
                 0 => interval,
