@@ -35,6 +35,10 @@ pub trait Listen {
 /// A bus to receive from and to send to. What is sent is not received back.
 pub trait Bus: Listen {
     /// Sends a frame. It does not wait: a frame that the bus does not take at once is not sent.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the frame was not sent, and says what keeps the bus from taking it.
     fn send(&mut self, frame: &Frame) -> Result<(), Disturbance>;
 }
 

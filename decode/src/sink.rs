@@ -19,19 +19,35 @@ pub struct Frame<'a> {
 /// Takes decoded frames, one after the other, in memory that does not grow with them.
 pub trait Sink {
     /// Everything that the recording has, before any of it is decoded, also of interfaces that were not asked for: for a judge beside.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the output cannot be written.
     fn heard(&mut self, _entry: &Entry<'_>) -> Result<(), SinkError> {
         Ok(())
     }
 
     /// The next frame.
+    ///
+    /// # Errors
+    ///
+    /// As [`heard`](Self::heard).
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError>;
 
     /// Word of frames that are missing before the next one.
+    ///
+    /// # Errors
+    ///
+    /// As [`heard`](Self::heard).
     fn dropped(&mut self, _dropped: &Dropped<'_>) -> Result<(), SinkError> {
         Ok(())
     }
 
     /// There is no more: writes what is left. `lines` is how many lines the recording had. Without this call the output is not complete.
+    ///
+    /// # Errors
+    ///
+    /// As [`heard`](Self::heard).
     fn finish(&mut self, lines: u64) -> Result<(), SinkError>;
 
     /// What a reader of the output has to know, a sentence each; asked after the end.

@@ -42,6 +42,10 @@ const WALKS: usize = 600;
 const COMPARED: usize = 60;
 
 /// What a program that has these inputs and outputs answers to the experiments that a model leads to.
+///
+/// # Errors
+///
+/// Fails if the program does: it ends, does not answer in time, or answers what is none.
 pub fn records(
     subject: &mut dyn Subject,
     model: &Model,
@@ -51,12 +55,20 @@ pub fn records(
 }
 
 /// Finds out what a program does otherwise than an edition says.
+///
+/// # Errors
+///
+/// As [`records`].
 pub fn diagnose(subject: &mut dyn Subject, edition: &Edition) -> Result<Diagnosis, ProgramError> {
     diagnose_within(subject, edition, &Interface::default(), LONGEST)
 }
 
 /// The same of a program that has these inputs and outputs, in this time: one that does what no deviation explains can be looked at
 /// for very long.
+///
+/// # Errors
+///
+/// As [`records`].
 pub fn diagnose_within(
     subject: &mut dyn Subject,
     edition: &Edition,

@@ -30,6 +30,10 @@ struct Relative {
 }
 
 /// For each of the deviations of a program the shortest scenario that was found with the inputs and the outputs that it has.
+///
+/// # Errors
+///
+/// Those of whoever is asked; the machine with these deviations, which is asked in this process, has none.
 pub fn examples(
     edition: &Edition,
     interface: &Interface,

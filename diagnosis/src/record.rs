@@ -67,6 +67,10 @@ impl Record {
     }
 
     /// What a program answers to steps from power-on.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the program does not answer to a step.
     pub fn of(subject: &mut dyn Subject, steps: &[Step]) -> Result<Self, ProgramError> {
         subject.reset()?;
         let replies: Result<_, _> = steps.iter().map(|step| subject.step(step.dt_ms, &step.inputs)).collect();

@@ -7,9 +7,17 @@ use adsdv_spec::Inputs;
 /// A state machine that can be reset, and asked for one step after the other: what it sees next may depend on its last answer.
 pub trait Subject {
     /// Power on: everything is forgotten.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the program does not answer, or answers what is no answer to a reset.
     fn reset(&mut self) -> Result<(), ProgramError>;
 
     /// One step, so many milliseconds after the last.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the program does not answer, or answers what shows nothing.
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError>;
 }
 

@@ -55,6 +55,10 @@ pub struct ExamProgress<'a> {
 /// assert!(report.passes());
 /// # Ok::<(), adsdv_exam::StackError>(())
 /// ```
+///
+/// # Errors
+///
+/// Fails if the stack does in another way than that, such as a program that cannot be started or speaks of another edition.
 pub fn exam(
     stack: &mut dyn Stack,
     scenarios: &[ExamScenario],

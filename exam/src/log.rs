@@ -11,7 +11,9 @@ const BUS: &str = "exam";
 
 /// Writes a log as the AI Computer would have recorded it: what it sent itself is marked so.
 ///
-/// Errors: it cannot be written.
+/// # Errors
+///
+/// Fails if it cannot be written.
 pub fn write_log(mut out: impl Write, sent: &[Sent]) -> io::Result<()> {
     for Sent { t_ns, by_ai, frame } in sent {
         let direction = Some(if *by_ai { Direction::Tx } else { Direction::Rx });

@@ -23,7 +23,9 @@ pub struct StdioStack(LineProgram);
 impl StdioStack {
     /// Starts a program that has `timeout` for each answer, and `limit` for all of them.
     ///
-    /// Errors: it cannot be started.
+    /// # Errors
+    ///
+    /// Fails if it cannot be started.
     pub fn start(
         program: &OsString,
         args: &[OsString],

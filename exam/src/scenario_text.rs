@@ -55,8 +55,6 @@ impl fmt::Display for ExamScenario {
 impl ExamScenario {
     /// Reads a scenario, of which all is expected that is expected of an AI Computer that drives missions to their end.
     ///
-    /// Errors: every line that is wrong, with what was found and expected.
-    ///
     /// ```
     /// use adsdv_exam::ExamScenario;
     ///
@@ -66,6 +64,10 @@ impl ExamScenario {
     /// assert!(wrong.to_string().starts_with("line 1, column 30: found \"explodes\", expected silences, "));
     /// # Ok::<(), adsdv_can::scenario::Unreadable>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails if a line is wrong; says of every such line what was found and expected.
     pub fn read(name: &str, text: &str) -> Result<Self, Unreadable> {
         let mut scenario = Self {
             name: name.to_owned(),

@@ -66,8 +66,6 @@ pub struct NoScenario(pub String);
 /// Those of these scenarios whose names begin with one of `only`, or all where it is empty; with `quick`, the few of them that show
 /// most.
 ///
-/// Errors: no name begins with one of `only`.
-///
 /// ```
 /// use adsdv_exam::{chosen, scenarios};
 ///
@@ -75,6 +73,10 @@ pub struct NoScenario(pub String);
 /// assert!(estops.iter().all(|one| one.name.starts_with("estop")));
 /// assert!(chosen(scenarios(), &["etsop".to_owned()], false).is_err());
 /// ```
+///
+/// # Errors
+///
+/// Fails if no name begins with one of `only`.
 pub fn chosen(all: Vec<ExamScenario>, only: &[String], quick: bool) -> Result<Vec<ExamScenario>, NoScenario> {
     let begins = |scenario: &ExamScenario, name: &String| scenario.name.starts_with(name.as_str());
     if let Some(unknown) = only.iter().find(|name| !all.iter().any(|one| begins(one, name))) {

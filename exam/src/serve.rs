@@ -13,8 +13,6 @@ use crate::stack::Stack;
 ///
 /// A hello about an edition that this crate does not know is answered with `{}`, and so is one that the stack refuses.
 ///
-/// Errors: what was asked is no line of the protocol, the stack fails, or the answers cannot be written.
-///
 /// ```
 /// let lines = b"{\"op\":\"hello\",\"edition\":\"4.0\"}\n{\"op\":\"reset\"}\n{\"op\":\"step\",\"t_ms\":4,\"frames\":[]}\n";
 /// let mut answers = Vec::new();
@@ -22,6 +20,10 @@ use crate::stack::Stack;
 /// assert_eq!(answers, b"{\"edition\":\"4.0\"}\n{}\n{\"frames\":[]}\n");
 /// # Ok::<(), std::io::Error>(())
 /// ```
+///
+/// # Errors
+///
+/// Fails if what was asked is no line of the protocol, the stack fails, or the answers cannot be written.
 pub fn serve(stack: &mut dyn Stack, lines: impl BufRead, mut answers: impl Write) -> io::Result<()> {
     for line in lines.lines() {
         let answer = answer(stack, &serde_json::from_str(&line?)?)?;

@@ -57,6 +57,10 @@ pub struct Shortest {
 /// assert_eq!(shortest.scenario.to_string(), "0 ami SKIDPAD\n0.5 asms on\n+1.53 end\n");
 /// # Ok::<(), StackError>(())
 /// ```
+///
+/// # Errors
+///
+/// As [`exam`](crate::exam).
 pub fn shortest(
     stack: &mut dyn Stack,
     scenario: &ExamScenario,
@@ -84,7 +88,9 @@ pub fn shortest(
 /// The shortest scenarios of the findings that are shown, each in so many runs at most. The stack is said hello to again. `progress`
 /// learns how many are done, and how many there are.
 ///
-/// Errors: those of the stack.
+/// # Errors
+///
+/// As [`exam`](crate::exam).
 pub fn shorter(
     stack: &mut dyn Stack,
     scenarios: &[ExamScenario],

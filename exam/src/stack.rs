@@ -12,16 +12,30 @@ use crate::program_error::StackError;
 pub trait Stack {
     /// All that follows is about this edition. It comes once, before all else.
     ///
-    /// Errors: it is of another edition, or nothing can be learned of it.
+    /// # Errors
+    ///
+    /// Fails if it is of another edition, or nothing can be learned of it.
     fn hello(&mut self, edition: &Edition) -> Result<(), StackError>;
 
     /// Begin anew, as if it had just been switched on.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it does not do so, or nobody answers.
     fn reset(&mut self) -> Result<(), StackError>;
 
     /// The frames that have come since it was last asked, and the time since the reset in milliseconds: what it sends.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it breaks down, or what it answers are no frames.
     fn step(&mut self, time_ms: u64, frames: &[Frame]) -> Result<Vec<Frame>, StackError>;
 
     /// The exam is over: what is worth a note of how it ended.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it does not end as it should; the exam is judged all the same.
     fn end(&mut self) -> Result<Vec<String>, StackError> {
         Ok(Vec::new())
     }

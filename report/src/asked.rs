@@ -33,6 +33,10 @@ pub struct Asked {
 
 impl Asked {
     /// By this edition, or by the one that the log tells.
+    ///
+    /// # Errors
+    ///
+    /// Fails if two pins contradict each other, or one the edition.
     pub fn new(edition: Option<&'static Edition>, pins: &[Choice]) -> Result<Self, PinError> {
         let by_log = edition.is_none();
         let edition = edition.unwrap_or(Edition::DEFAULT);
@@ -43,6 +47,10 @@ impl Asked {
     }
 
     /// Judges a log so.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the log cannot be read to its end, or there is nothing in it to judge.
     pub fn judge(
         &self,
         entries: impl Entries,
@@ -52,6 +60,10 @@ impl Asked {
     }
 
     /// The same by the edition that a log told, if that has the readings that are pinned.
+    ///
+    /// # Errors
+    ///
+    /// Fails if a pin is no answer in that edition.
     pub fn under(&self, edition: &'static Edition) -> Result<Self, PinError> {
         possible(edition, &self.pins)?;
         let judge = self.options.judge.under(edition);
@@ -133,6 +145,10 @@ impl fmt::Display for PinError {
 impl std::error::Error for PinError {}
 
 /// The choices of an edition that remain possible for a judge.
+///
+/// # Errors
+///
+/// As [`agree`].
 pub fn possible(edition: &Edition, pins: &[Choice]) -> Result<Choices, PinError> {
     agree(edition, pins)?;
     Ok(pins.iter().copied().fold(edition.choices, Choices::pin))
@@ -140,6 +156,10 @@ pub fn possible(edition: &Edition, pins: &[Choice]) -> Result<Choices, PinError>
 
 /// The choices that remain possible for a judge who has yet to recognise the edition: each pin has to be an answer in one
 /// edition at least. Whether it is one in the edition that is recognised, [`possible`] tells.
+///
+/// # Errors
+///
+/// Fails if two pins contradict each other, or one is an answer in no edition.
 pub fn possible_in_some(default: &Edition, pins: &[Choice]) -> Result<Choices, PinError> {
     match Edition::ALL.iter().find(|edition| agree(edition, pins).is_ok()) {
         Some(_) => Ok(pins.iter().copied().fold(default.choices, Choices::pin)),
@@ -148,6 +168,10 @@ pub fn possible_in_some(default: &Edition, pins: &[Choice]) -> Result<Choices, P
 }
 
 /// Fails where two pins contradict each other, or one the edition.
+///
+/// # Errors
+///
+/// Fails if they do not, and names the pin that is to go.
 pub fn agree(edition: &Edition, pins: &[Choice]) -> Result<(), PinError> {
     for (index, &pin) in pins.iter().enumerate() {
         if !edition.choices.has(pin) {

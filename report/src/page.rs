@@ -80,6 +80,10 @@ struct DecisionJson {
 
 impl Subject<'_> {
     /// The page, which needs nothing else: a browser opens it from a file or a mail.
+    ///
+    /// # Errors
+    ///
+    /// As [`data`](Self::data).
     pub fn html(&self) -> Result<String, PageError> {
         let data = self.data()?;
         let (before, after) = TEMPLATE.split_once(PLACE).unwrap_or((TEMPLATE, ""));
@@ -87,6 +91,10 @@ impl Subject<'_> {
     }
 
     /// The data of the page, as one JSON object in which no `<` can end the script that it stands in.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the report cannot be written as JSON.
     pub fn data(&self) -> Result<String, PageError> {
         let Self { name, settings, edition, report, recording, .. } = *self;
         let facts = Facts { edition, report, recording };

@@ -64,6 +64,10 @@ impl Error for SiteError {
 
 impl Site {
     /// Takes an address; with port 0 the system chooses one that is free.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the address cannot be had: another program listens there, or it is none of this machine's.
     pub fn bind(host: IpAddr, port: u16) -> Result<Self, SiteError> {
         let listener = TcpListener::bind((host, port)).map_err(SiteError)?;
         let address = listener.local_addr().map_err(SiteError)?;

@@ -107,7 +107,9 @@ impl Bus {
 
     /// Reads the data of a frame with this identifier; see [`Layout::decode`](crate::messages::Layout::decode).
     ///
-    /// Errors: [`DecodeError::UnknownId`] where the edition has no such message, and those of the message itself.
+    /// # Errors
+    ///
+    /// [`DecodeError::UnknownId`] where the edition has no such message, and those of the message itself.
     pub fn decode(&self, id: u16, data: &[u8]) -> Result<AnyMessage, DecodeError> {
         (self.read)(id, data)
     }
@@ -122,6 +124,10 @@ impl Bus {
     /// assert_eq!(steer.steer_request.to_string(), "-10 deg");
     /// # Ok::<(), adsdv_spec::messages::DecodeError>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails if a signal is not there, or one has a value outside its range or its enumeration.
     pub fn decode_as<M: Message>(&self, data: &[u8]) -> Result<M, DecodeError> {
         let unknown = DecodeError::UnknownId { id: M::ID };
         M::of(self.decode(M::ID, data)?).ok_or(unknown)
@@ -263,6 +269,10 @@ macro_rules! bus {
                 &[$(<$layout as $crate::messages::Layout<$message>>::DEF),+];
 
             /// Reads the data of a frame with this identifier; see [`Bus::decode`](crate::Bus::decode).
+            ///
+            /// # Errors
+            ///
+            /// Those of [`Bus::decode`](crate::Bus::decode).
             pub fn read(
                 id: u16,
                 data: &[u8],

@@ -126,11 +126,19 @@ impl AiMessages {
     /// assert_eq!(ai.steer.steer_request.raw(), -100);
     /// assert_eq!(ai.receive(&bus, 0x520, &[]), Ok(false)); // the VCU's
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is one of these messages and does not decode.
     pub fn receive(&mut self, bus: &Bus, id: u16, data: &[u8]) -> Result<bool, DecodeError> {
         self.receive_with(|id, data| bus.decode(id, data), id, data)
     }
 
     /// The same, for who knows how frames are read: [`Bus::read`] of an edition.
+    ///
+    /// # Errors
+    ///
+    /// As [`receive`](Self::receive).
     pub fn receive_with(
         &mut self,
         read: impl FnOnce(u16, &[u8]) -> Result<AnyMessage, DecodeError>,

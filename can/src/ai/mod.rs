@@ -131,6 +131,10 @@ impl Ai {
 
     /// A frame that came from the bus. What is not of the VCU changes nothing; what is, and does not decode, neither, and is an
     /// error.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the frame is of the VCU and its data says what the message cannot say.
     pub fn receive(&mut self, frame: &Frame) -> Result<(), DecodeError> {
         if self.measured.frame(frame, &self.edition, &mut self.program.heard)? {
             self.silent_ms = 0;

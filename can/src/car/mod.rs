@@ -109,6 +109,10 @@ impl Car {
 
     /// A frame that came from the bus. Tells whether it is one that the VCU acts on; see
     /// [`AiMessages::receive`](adsdv_spec::AiMessages::receive). A VCU without power hears nothing.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the frame is one of the AI Computer's and does not decode; then it changes nothing.
     pub fn receive(&mut self, frame: &Frame) -> Result<bool, DecodeError> {
         if self.dark_ms > 0 {
             return Ok(false);

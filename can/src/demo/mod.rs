@@ -118,6 +118,10 @@ impl<E: std::error::Error + 'static> std::error::Error for RunError<E> {}
 /// assert_eq!(judge.finish().verdict(), Verdict::Conforms);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # Errors
+///
+/// Fails if `sink` does, or if the scenario waits longer for a state than the options have patience.
 pub fn run<E>(
     scenario: &Scenario,
     ai: Ai,

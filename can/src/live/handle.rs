@@ -55,6 +55,10 @@ impl std::error::Error for Panicked {}
 
 impl Handle {
     /// Lets a runner take its turns, until it is stopped. Fails if the system has no thread for it.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the system has no thread for it.
     pub fn start(mut runner: impl Runner + Send + 'static) -> io::Result<Self> {
         let shared = Arc::new(Shared {
             status: Mutex::new(Arc::new(runner.status().clone())),
@@ -97,6 +101,10 @@ impl Handle {
     }
 
     /// Stops the runner, waits until it has, and tells how everything stood in the end.
+    ///
+    /// # Errors
+    ///
+    /// Fails if a panic ended the runner.
     pub fn join(mut self) -> Result<Arc<Status>, Panicked> {
         self.stop();
         if let Some(thread) = self.thread.take() {

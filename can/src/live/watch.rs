@@ -132,6 +132,10 @@ impl Watch {
     }
 
     /// The end: what is still open is settled.
+    ///
+    /// # Errors
+    ///
+    /// Fails if there is nothing to judge: no frame came.
     pub fn finish(self) -> Result<Report, LogError> {
         self.judge.finish(0)
     }

@@ -17,6 +17,10 @@ pub const MAX_BYTES: u64 = 4 << 20;
 
 impl Scenario {
     /// Reads a scenario to its end.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the source cannot be read, is too long, or has lines that are wrong: of each it says what was found and expected.
     pub fn read(source: impl BufRead) -> Result<Self, Unreadable> {
         let mut source = Source { bytes: source, left: MAX_BYTES, number: 0 };
         let mut reading = Reading::default();

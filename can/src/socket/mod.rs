@@ -45,6 +45,10 @@ pub const RECEIVE_BUFFER: usize = 8 << 20;
 /// }
 /// # Ok::<(), adsdv_can::socket::OpenError>(())
 /// ```
+///
+/// # Errors
+///
+/// Fails if there is no such interface, it is down or no CAN interface, or the system refuses a socket.
 pub fn open(name: &str) -> Result<CanBus, OpenError> {
     CanBus::open(name)
 }
@@ -61,6 +65,10 @@ pub fn open(name: &str) -> Result<CanBus, OpenError> {
 /// let mut listener = adsdv_can::socket::listen("vcan0").unwrap();
 /// listener.send(&Edition::DEFAULT.bus.encode(Vcu2AiStatus::default()).unwrap());
 /// ```
+///
+/// # Errors
+///
+/// As [`open`].
 pub fn listen(name: &str) -> Result<Listener, OpenError> {
     Listener::open(name)
 }

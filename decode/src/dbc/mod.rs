@@ -46,6 +46,10 @@ impl Database {
     /// assert_eq!(error.line, Some(1));
     /// # Ok::<(), adsdv_decode::DbcError>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails if the text is no database, and says in which line.
     pub fn read(name: &str, text: &[u8]) -> Result<Self, DbcError> {
         if text.len() > MAX_DBC {
             return Err(DbcError::of_all("it is longer than 16 MiB"));

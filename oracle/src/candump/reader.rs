@@ -43,7 +43,7 @@ pub struct Reader<R> {
     /// The interface that the next line will name most of the time: that of a line before. Empty at first.
     interface: String,
     /// What a usual line says again, and what is then not read anew.
-    before: Before,
+    before: Box<Before>,
     /// The time of lines that were printed for a person.
     clock: Clock,
 }
@@ -60,7 +60,7 @@ impl<R: Read> Reader<R> {
             terminated: true,
             data: Box::new([0; MAX_DATA]),
             interface: String::new(),
-            before: Before::NOTHING,
+            before: Box::new(Before::NOTHING),
             clock: Clock::default(),
         }
     }

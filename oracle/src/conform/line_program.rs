@@ -34,7 +34,9 @@ pub struct LineProgram {
 impl LineProgram {
     /// Starts a program that has `timeout` for each line.
     ///
-    /// Errors: [`ProgramErrorKind::NoStart`].
+    /// # Errors
+    ///
+    /// [`ProgramErrorKind::NoStart`] if the system cannot start it.
     pub fn start(program: &OsString, args: &[OsString], timeout: Duration) -> Result<Self, ProgramErrorKind> {
         let started = Process::start(program, args);
         let (process, (mut stdin, stdout, stderr)) = started.map_err(ProgramErrorKind::NoStart)?;
@@ -72,7 +74,9 @@ impl LineProgram {
 
     /// The next line, without its line feed.
     ///
-    /// Errors: it does not come in time, is too long, or the program has ended or closed its output.
+    /// # Errors
+    ///
+    /// Fails if it does not come in time, is too long, or the program has ended or closed its output.
     pub fn line(&mut self) -> Result<&[u8], ProgramErrorKind> {
         let patience = self.patience()?;
         let process = &mut self.process;
@@ -118,7 +122,9 @@ impl LineProgram {
     /// Ends its input, and gives it a moment to end; what is worth a note of how it did. One that does not is killed when it is
     /// dropped; that is no trouble.
     ///
-    /// Errors: it wrote a line that nothing asked for.
+    /// # Errors
+    ///
+    /// Fails if it wrote a line that nothing asked for.
     pub fn end(&mut self) -> Result<Vec<String>, ProgramErrorKind> {
         self.requests = None;
         let start = Instant::now();

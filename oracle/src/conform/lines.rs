@@ -52,7 +52,9 @@ impl LineBuffer {
 
     /// The next line; where it stands without its line feed, for [`get`](Self::get). `None` if its end has not come.
     ///
-    /// Errors: it is [too long](Self::LONGEST). There is no way past such a line: a program that writes one is asked no more.
+    /// # Errors
+    ///
+    /// Fails if it is [too long](Self::LONGEST). There is no way past such a line: a program that writes one is asked no more.
     pub fn take(&mut self) -> Result<Option<Range<usize>>, TooLong> {
         let fresh = self.bytes.get(self.looked..).unwrap_or_default();
         let Some(end) = memchr::memchr(b'\n', fresh).map(|end| self.looked + end) else {

@@ -38,6 +38,10 @@ pub struct Program {
 
 impl Program {
     /// Starts a program that has `timeout` for each answer. One that is `late` may answer `{}` to a step.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramErrorKind::NoStart`](super::ProgramErrorKind::NoStart) if the system cannot start it.
     pub fn start(
         program: &OsString,
         args: &[OsString],
@@ -56,6 +60,10 @@ impl Program {
     }
 
     /// Power on, and waits for the answer; for who asks one thing after the other, each by the answer before.
+    ///
+    /// # Errors
+    ///
+    /// Fails if no answer comes in time, or what comes is none.
     pub fn reset(&mut self) -> Result<(), ProgramError> {
         if std::mem::take(&mut self.is_reset) {
             return Ok(());
@@ -64,6 +72,10 @@ impl Program {
     }
 
     /// One step, and waits for its answer.
+    ///
+    /// # Errors
+    ///
+    /// Fails if no answer comes in time, or what comes shows no outputs.
     pub fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
         let inputs = *inputs;
         self.asked(&Request::Step { dt_ms, inputs }, |line, protocol| {

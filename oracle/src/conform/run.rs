@@ -22,6 +22,10 @@ use crate::suite::{Scenario, Test, about_the_vcu, are_decisions};
 ///
 /// What it says of itself counts where `options` do not say otherwise: its cycle; the inputs that it has, for no other is asked for;
 /// and its clock. One on the wall has time for a few tests, and for no random scenarios.
+///
+/// # Errors
+///
+/// Fails if the program cannot be asked: it does not start, ends, hangs, or answers what is no line of the protocol.
 pub fn conform(
     vcu: &mut dyn Vcu,
     tests: &[Test],

@@ -40,7 +40,9 @@ pub struct RunningProgram {
 impl RunningProgram {
     /// Starts a program in a group of its own.
     ///
-    /// Errors: [`ProgramErrorKind::NoStart`].
+    /// # Errors
+    ///
+    /// [`ProgramErrorKind::NoStart`] if the system cannot start it.
     pub fn start(program: &OsString, args: &[OsString]) -> Result<Self, ProgramErrorKind> {
         let mark = mark();
         let mut command = Command::new(program);

@@ -11,10 +11,16 @@ use crate::suite::{Scenario, Step};
 pub trait Vcu {
     /// Learns, before anything else, which edition all that follows is about, and tells about itself.
     ///
-    /// Errors: it is of another one.
+    /// # Errors
+    ///
+    /// Fails if it is of another edition.
     fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError>;
 
     /// Steps through scenarios, each after a reset, and hands over the answers to all steps of each in turn.
+    ///
+    /// # Errors
+    ///
+    /// Fails where it does not answer, or answers what is none; what was answered before has been handed over.
     fn ask(
         &mut self,
         scenarios: &[(&str, &Scenario)],
@@ -23,6 +29,10 @@ pub trait Vcu {
 
     /// Steps through one scenario, after a reset, of which each step depends on the answer to the one before: `next` has the step
     /// at a place, given that answer. Hands over the answers.
+    ///
+    /// # Errors
+    ///
+    /// As [`ask`](Self::ask).
     fn ask_in_turn(
         &mut self,
         name: &str,
@@ -39,6 +49,10 @@ pub trait Vcu {
     }
 
     /// Ends it, and says what is worth knowing about how that went.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it says something that nobody asked for.
     fn end(&mut self) -> Result<Vec<String>, ProgramError> {
         Ok(Vec::new())
     }
@@ -57,7 +71,9 @@ pub enum Reply {
 impl Reply {
     /// The answer to a hello: whether the program is of the edition that it names.
     ///
-    /// Errors: the line is no text, no object, or says another edition, or none.
+    /// # Errors
+    ///
+    /// Fails if the line is no text, no object, or says another edition, or none.
     pub fn to_hello(line: &[u8], edition: &Edition) -> Result<(), ProgramErrorKind> {
         let line = text(line)?;
         match Answer::edition(line) {
@@ -72,7 +88,9 @@ impl Reply {
 
     /// What a program says of itself, if a line says that.
     ///
-    /// Errors: the line is no text, or says what cannot be so.
+    /// # Errors
+    ///
+    /// Fails if the line is no text, or says what cannot be so.
     pub fn about(line: &[u8], protocol: &Protocol) -> Result<Option<About>, ProgramErrorKind> {
         let line = text(line)?;
         About::read(line, protocol).map_err(|why| ProgramErrorKind::NoHello(excerpt(line.as_bytes()), why))
@@ -80,7 +98,9 @@ impl Reply {
 
     /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.
     ///
-    /// Errors: the line is no text, or says no outputs.
+    /// # Errors
+    ///
+    /// Fails if the line is no text, or says no outputs.
     pub fn to_step(line: &[u8], late: bool, protocol: &Protocol) -> Result<Self, ProgramErrorKind> {
         let line = text(line)?;
         protocol.answer(line).map(Self::Answer).or_else(|why: BadLine| {
@@ -94,7 +114,9 @@ impl Reply {
 
     /// Reads the answer to a reset.
     ///
-    /// Errors: the line is no text, or another answer.
+    /// # Errors
+    ///
+    /// Fails if the line is no text, or another answer.
     pub fn to_reset(line: &[u8]) -> Result<(), ProgramErrorKind> {
         let line = text(line)?;
         match Answer::is_reset(line) {

@@ -8,6 +8,11 @@ const TIMELESS: u64 = 100;
 
 impl LogJudge {
     /// The end of the log, which had so many lines: settles what is still open.
+    ///
+    /// # Errors
+    ///
+    /// Fails if there is nothing to judge, because no frame came or none on the interface that was asked for, or if the edition has not
+    /// all that the rules of the user's own name.
     pub fn finish(self, lines: u64) -> Result<Report, LogError> {
         self.finish_with_news(lines).map(|(report, _)| report)
     }
@@ -29,6 +34,10 @@ impl LogJudge {
     /// assert_eq!(known + findings.len(), report.findings.len());
     /// # Ok::<(), adsdv_oracle::log::LogError>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`finish`](Self::finish).
     pub fn finish_with_news(mut self, lines: u64) -> Result<(Report, Vec<Finding>), LogError> {
         self.decide();
         if self.frames == 0 {

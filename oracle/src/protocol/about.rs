@@ -25,8 +25,6 @@ const KEYS: [&str; 4] = ["inputs", "outputs", "cycle_ms", "clock"];
 impl About {
     /// Reads a line; `None` if it says nothing of the program itself.
     ///
-    /// Errors: a key has a value that it cannot have.
-    ///
     /// ```
     /// use adsdv_oracle::protocol::{About, Protocol};
     /// use adsdv_spec::Edition;
@@ -38,6 +36,10 @@ impl About {
     /// assert_eq!(About::read(r#"{"as_state":"AS_OFF"}"#, &protocol)?, None);
     /// # Ok::<(), adsdv_oracle::protocol::BadLine>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// Fails if a key has a value that it cannot have.
     pub fn read(line: &str, protocol: &Protocol) -> Result<Option<Self>, BadLine> {
         let Ok(Object(entries)) = Object::read(line) else { return Ok(None) };
         if !entries.iter().any(|(key, _)| KEYS.contains(&key.as_ref())) {

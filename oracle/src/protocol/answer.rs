@@ -98,6 +98,10 @@ impl Answer {
     }
 
     /// Whether a line answers a reset: an object that shows nothing, as `{}`. The error says why it is no object.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the line is no object, and says why.
     pub fn is_reset(line: &str) -> Result<bool, BadLine> {
         let Object(entries) = Object::read(line)?;
         Ok(entries.iter().all(|(key, _)| !FIELDS.iter().any(|field| field.key == key && field.is_in(UNSAID))))
@@ -105,6 +109,10 @@ impl Answer {
 
     /// Which edition an answer to a hello says that the program is of; `None` if it says none. The error says why the line is
     /// no object.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the line is no object, and says why.
     pub fn edition(line: &str) -> Result<Option<String>, BadLine> {
         let Object(entries) = Object::read(line)?;
         let said = entries.into_iter().find(|(key, _)| key == "edition");

@@ -100,16 +100,28 @@ impl Protocol {
     }
 
     /// Reads what is asked of a program.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no request, and says where and what was expected.
     pub fn request(&self, line: &str) -> Result<Request, BadLine> {
         Request::read(line, self)
     }
 
     /// Reads inputs that are an object of their own.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no object of inputs of this edition, and says where and what was expected.
     pub fn inputs_as_json(&self, object: &str) -> Result<InputsAsJson, BadLine> {
         InputsAsJson::read(object, self)
     }
 
     /// Reads what a program answers to a step.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no object of outputs, and says where and what was expected.
     pub fn answer(&self, line: &str) -> Result<Answer, BadLine> {
         Answer::read(line, self)
     }

@@ -119,7 +119,9 @@ impl ReadSuite {
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
-/// Errors: what the reader's own errors are. Bytes that are no UTF-8 are a line that is none.
+/// # Errors
+///
+/// Fails where the reader does. Bytes that are no UTF-8 are a line that is no test.
 pub fn read(mut reader: impl BufRead, machine: &Machine) -> io::Result<ReadSuite> {
     let mut suite = ReadSuite::default();
     let requirements = requirements(machine.edition());

@@ -26,8 +26,10 @@ pub trait Layout<M> {
     /// Data may be longer or shorter than the edition says, as long as every signal is there; bits that no signal uses
     /// are ignored. What the edition does not have is the default.
     ///
-    /// Errors: [`DecodeError::TooShort`] if a signal is not there, [`DecodeError::Value`] if one has a
-    /// value outside its range or its enumeration.
+    /// # Errors
+    ///
+    /// [`DecodeError::TooShort`] if a signal is not there, [`DecodeError::Value`] if one has a value outside its range or its
+    /// enumeration.
     fn decode(data: &[u8]) -> Result<M, DecodeError>;
 
     /// The frame that carries this message, as long as the edition says; bits that no signal uses are zero.

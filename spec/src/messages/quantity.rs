@@ -88,6 +88,10 @@ macro_rules! quantities {
             }
 
             /// This many raw steps, if they are in range.
+            ///
+            /// # Errors
+            ///
+            /// Fails if they are not in range; the error has the range.
             pub const fn from_raw(raw: i32) -> Result<Self, QuantityError> {
                 if Self::allows(raw as i64) { Ok(Self::of(raw)) } else { Err(Self::refused(GivenValue::Raw(raw))) }
             }
@@ -96,6 +100,10 @@ macro_rules! quantities {
                 #[doc = concat!("The value nearest to this many ", $unit, ", if that is in range.")]
                 ///
                 /// NaN is refused.
+                ///
+                /// # Errors
+                ///
+                /// Fails if it is not in range, or NaN; the error has the range.
                 #[allow(clippy::cast_possible_truncation, reason = "in range, hence lossless")]
                 pub const fn $from(physical: f64) -> Result<Self, QuantityError> {
                     match <Self as SignalValue>::SCALE.nearest_raw(physical) {

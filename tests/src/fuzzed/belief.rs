@@ -27,6 +27,10 @@ pub fn taken(bytes: &[u8]) -> Vec<Arrow> {
 }
 
 /// Goes from step to step, and looks at each: the arrows that were taken, or what is wrong with a step.
+///
+/// # Errors
+///
+/// Fails if a belief does not hold what really is, or the two ways to compute it differ.
 pub fn walk(bytes: &[u8]) -> Result<Vec<Arrow>, String> {
     let mut bytes = Bytes::new(bytes);
     let edition = bytes.edition();

@@ -46,6 +46,10 @@ impl Required {
     }
 
     /// Whether a log of this edition can show it.
+    ///
+    /// # Errors
+    ///
+    /// Fails if none can, and names requirements that are written much like it.
     pub fn is_shown_in(self, edition: &Edition) -> Result<(), RequiredError> {
         match self {
             Self::Requirement(id) if !cited::all(edition).contains(&id) => {
