@@ -11,12 +11,14 @@
 //! A requirement holds in one edition of the document or in several. The gate is for the editions that the code has; what holds
 //! only in others waits, and is counted ([`gate`]).
 //!
-//! `scripts/trace.sh` runs all of it.
+//! `scripts/trace.sh` runs all of it. What `cargo doc` renders of the sources gets the sentences as well ([`rendered`]); `scripts/docs.sh`
+//! does both.
 
 mod annotate;
 mod gate;
 mod kind;
 mod mistake;
+mod rendered;
 mod requirements;
 mod scan;
 mod sources;
@@ -34,13 +36,15 @@ use scan::Written;
 use sources::Source;
 
 const USAGE: &str = "\
-Usage: citations write | check | count
+Usage: citations write | check | count | render
 
 write  finds every citation in the sources below the current folder, and writes them as annotations for duvet
        into target/duvet/annotations
 check  reads duvet's report, target/duvet/report.json, and names every requirement that lacks an
        implementation, a proof or a test; then as count
 count  names the same from the sources alone
+render puts the sentence of each requirement beside its citations in the sources that cargo doc has rendered, in
+       target/doc/src
 
 What holds only in an edition that the code does not have yet is counted, and may lack anything.
 
@@ -53,6 +57,8 @@ const REQUIREMENTS: &str = "spec/REQUIREMENTS.md";
 const ANNOTATIONS: &str = "target/duvet/annotations";
 /// Where duvet writes its report: `.duvet/config.toml` says so.
 const REPORT: &str = "target/duvet/report.json";
+/// Where `cargo doc` puts the sources.
+const RENDERED: &str = "target/doc/src";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -60,6 +66,7 @@ fn main() -> ExitCode {
         ["write"] => write(),
         ["check"] => check(),
         ["count"] => count(),
+        ["render"] => render(),
         ["-h" | "--help"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;
@@ -97,6 +104,12 @@ fn count() -> io::Result<ExitCode> {
     let Some(citations) = all_cited(&requirements)? else { return Ok(ExitCode::FAILURE) };
     let code = editions_of_the_code(&requirements)?;
     Ok(printed(&Verdict::of_citations(&citations, &requirements, &code)))
+}
+
+fn render() -> io::Result<ExitCode> {
+    let cited = rendered::fill(Path::new(RENDERED), &requirements()?)?;
+    println!("{cited} citations in {RENDERED} have what they cite beside them");
+    Ok(if cited > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// The editions that the code has, each of which has to have requirements.
