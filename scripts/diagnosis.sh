@@ -21,6 +21,7 @@ USAGE
 }
 
 counts="1 2 4 8" runs=12 seed=1
+[ "${1-}" != --help ] || { usage; exit 0; }
 while getopts k:n:s:h option; do
   case $option in
     k) counts=$OPTARG ;;

@@ -18,6 +18,7 @@ fail() { echo "fresh-seeds.sh: $2" >&2; exit "$1"; }
 usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/fresh-seeds.sh; }
 
 seconds=1800 seed=$(od -An -N4 -tu4 /dev/urandom | tr -d ' ') cases=
+[ "${1-}" != --help ] || { usage; exit 0; }
 while getopts t:s:c:h option; do
   case $option in
     t) seconds=$OPTARG ;;

@@ -19,6 +19,7 @@ fail() { echo "fuzz.sh: $2" >&2; exit "$1"; }
 usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/fuzz.sh; }
 
 seconds=10 jobs=1 runs= seed=
+[ "${1-}" != --help ] || { usage; exit 0; }
 while getopts t:r:s:j:h option; do
   case $option in
     t) seconds=$OPTARG ;;

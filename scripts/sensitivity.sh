@@ -15,6 +15,7 @@ cd "$(dirname "$0")/.."
 
 usage() { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' scripts/sensitivity.sh; }
 edition=3.0 runs=20000 only=
+[ "${1-}" != --help ] || { usage; exit 0; }
 while getopts sk:e:n:h option; do
   case $option in
     s) only=soundness ;;
