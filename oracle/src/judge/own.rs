@@ -53,10 +53,8 @@ impl Own {
     /// There is nothing more to come.
     pub(super) fn end(&mut self, est: &Estimator, book: &mut Book) {
         if let Some(mut runner) = self.runner.take() {
-            runner.end(
-                est.now,
-                est.go_is_hidden().then(|| GoHidden { settled: est.pinned(Reading::GoSignal) }),
-            );
+            let hidden = est.go_is_hidden().then(|| GoHidden { settled: est.pinned(Reading::GoSignal) });
+            runner.end(est.now, hidden, est.options.complete);
             runner.news().into_iter().for_each(|finding| book.found(finding));
             self.reports = runner.reports();
         }

@@ -143,8 +143,8 @@ impl Runner {
         std::mem::take(&mut self.findings)
     }
 
-    /// There is nothing more to come after `t`.
-    pub(crate) fn end(&mut self, t: i64, hidden: Option<GoHidden>) {
+    /// There is nothing more to come after `t`; `complete`: nor can any frame be missing.
+    pub(crate) fn end(&mut self, t: i64, hidden: Option<GoHidden>, complete: bool) {
         self.pass(t);
         let Self { edition, subjects, rules, now, findings } = self;
         for running in rules {
@@ -156,7 +156,7 @@ impl Runner {
                 let RunningRule { form, subjects: about, begun, up_to_go, ended, report, .. } = running;
                 let about = about.iter().filter_map(|place| subjects.get(*place)).copied().collect();
                 let (begun, up_to_go, undecided) = (*begun, *up_to_go, [report.undecided, *ended]);
-                let course = Course { form, about, begun, up_to_go, undecided };
+                let course = Course { form, about, begun, up_to_go, undecided, complete };
                 report.why = Some(course.why(edition, hidden));
             }
         }

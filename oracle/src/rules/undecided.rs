@@ -27,6 +27,8 @@ pub(super) struct Course<'a> {
     pub(super) up_to_go: [bool; 3],
     /// How many times it came up, and how many of them the end of the recording left undecided.
     pub(super) undecided: [u64; 2],
+    /// Whether no frame can be missing.
+    pub(super) complete: bool,
 }
 
 impl Course<'_> {
@@ -51,7 +53,10 @@ impl Course<'_> {
         }
         let [undecided, ended] = self.undecided;
         let why = match self.form {
-            _ if undecided > ended => "something that it goes by was unknown each time",
+            _ if undecided > ended && self.complete => "something that it goes by was unknown each time",
+            _ if undecided > ended => {
+                "something that it goes by was unknown each time: a frame may be missing; if none is, say --complete"
+            }
             _ if undecided > 0 => "the recording ends before it is decided",
             Form::AtMost(..) if !self.begun => "what must not last never began",
             Form::Always(_) | Form::Never(_) | Form::AtMost(..) | Form::Until(None, ..) => {

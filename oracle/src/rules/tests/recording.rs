@@ -48,7 +48,11 @@ fn frames() -> Vec<(i64, Frame)> {
 }
 
 fn judged(rules: &str, frames: &[(i64, Frame)]) -> Report {
-    let mut judge = LogJudge::new(options(Edition::DEFAULT, rules));
+    judged_by(options(Edition::DEFAULT, rules), frames)
+}
+
+fn judged_by(options: LogOptions, frames: &[(i64, Frame)]) -> Report {
+    let mut judge = LogJudge::new(options);
     for (t, frame) in frames {
         judge.frame(&record(*t, frame));
     }
@@ -89,7 +93,14 @@ fn a_message_that_is_late_makes_its_signals_unknown() {
     };
     let late = judged(rules, &gone(600, 640));
     assert_eq!(verdicts(&late), [RuleVerdict::Broken, RuleVerdict::Undecided]);
-    assert_eq!(late.rules[1].why.as_deref(), Some("something that it goes by was unknown each time"));
+    let why =
+        "something that it goes by was unknown each time: a frame may be missing; if none is, say --complete";
+    assert_eq!(late.rules[1].why.as_deref(), Some(why));
+    // Who vouches for the recording has it decided.
+    let complete = JudgeOptions { complete: true, ..JudgeOptions::of(Edition::DEFAULT) };
+    let vouched =
+        judged_by(LogOptions { judge: complete, ..options(Edition::DEFAULT, rules) }, &gone(600, 640));
+    assert_eq!(verdicts(&vouched), [RuleVerdict::Broken; 2]);
     let never = judged(rules, &gone(0, 1000));
     assert_eq!(verdicts(&never), [RuleVerdict::Undecided; 2]);
     assert_eq!(never.rules[0].why.as_deref(), Some("VCU2AI_Status (520h) never showed AS_SWITCH_STATUS"));
