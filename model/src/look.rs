@@ -2,13 +2,14 @@
 //!
 //! Stateright asks for properties of states. A property of steps holds in a state if every step out of it keeps it.
 
-use adsdv_spec::{Control, Machine, Observation, Timing};
+use adsdv_spec::{Control, Machine, Timing};
 
 use crate::action::Action;
 use crate::document::Document;
 use crate::goals::goals;
-use crate::property::Property;
+use crate::property::{Led, Property};
 use crate::step::Step;
+use crate::vectors::Words;
 
 /// What the steps out of a control state showed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -25,21 +26,34 @@ pub(crate) struct Look {
 }
 
 /// Looks at a control state with these input vectors; `timing` has the times that the properties speak of.
-pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vectors: &[Observation]) -> Look {
+pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vectors: &Words) -> Look {
     let document = Document::of_machine(machine);
-    let concerned = Property::of(document.edition, control.state);
+    let (each, at_once): (Vec<_>, Vec<_>) = Property::of(document.edition, control.state)
+        .iter()
+        .partition::<Vec<_>, _>(|(_, property)| property.needs_each_step());
     let mut look = Look { steps: vectors.len() as u64, ..Look::default() };
     let mut next: Vec<Control> = Vec::new();
-    // Most steps lead where the one before them led.
-    let mut last = None;
-    for &seen in vectors {
-        let step = Step::of_document(machine, document, timing, *control, seen);
-        for (place, property) in concerned {
-            look.broken |= u64::from(!property.holds(machine, &step)) << place;
+    // Most steps lead where the one before them led, and many differ from it in the faults alone.
+    let mut last: Option<Step> = None;
+    for (word, planes) in vectors.words() {
+        let mut lead = Led::default();
+        for (place, &seen) in word.iter().enumerate() {
+            let step = Step::of_document(machine, document, timing, *control, seen);
+            lead.leads(place, step.after().state);
+            if last.is_some_and(|last| last.is(&step)) {
+                continue;
+            }
+            for (place, property) in &each {
+                look.broken |= u64::from(!property.holds(machine, &step)) << place;
+            }
+            if last.is_none_or(|last| last.after() != step.after()) && !next.contains(step.after()) {
+                next.push(*step.after());
+                look.ways.push(Action::Step(seen));
+            }
+            last = Some(step);
         }
-        if last.replace(*step.after()) != Some(*step.after()) && !next.contains(step.after()) {
-            next.push(*step.after());
-            look.ways.push(Action::Step(seen));
+        for (place, property) in &at_once {
+            look.broken |= u64::from(property.is_broken_in(planes, &lead)) << place;
         }
     }
     for after in &next {
@@ -51,4 +65,66 @@ pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vector
         look.ways.push(Action::PowerCycle);
     }
     look
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::{Atom, Atoms, Edition, Faults, Mutation, Observation};
+
+    use super::*;
+    use crate::reachable::reachable;
+    use crate::sweep::short_timers;
+    use crate::vectors::{Cache, Vectors, varied};
+
+    /// What a look says of the properties is what each of them says of each step: in every edition, of the document's machine and of
+    /// each mutant of its table.
+    #[test]
+    fn properties_of_64_steps_at_once_are_those_of_each_step() {
+        let mut broken = 0_u64;
+        for edition in Edition::ALL {
+            let timing = short_timers(edition);
+            let machine = |edition: Edition| Machine::new(edition.with_timing(timing), edition.readings);
+            let mutants = Mutation::all(edition).map(|mutation| machine(mutation.apply(edition)));
+            let cache = Cache::default();
+            let original = machine(**edition);
+            let mut states: Vec<Control> = reachable(&original, timing, Vectors::Few).into_iter().collect();
+            states.sort_unstable();
+            for machine in std::iter::once(original).chain(mutants) {
+                for control in states.iter().step_by(101) {
+                    let vectors = cache.get(varied(&machine, &timing, control, Vectors::Few), Vectors::Few);
+                    let look = look(&machine, &timing, control, &vectors);
+                    let one_by_one = Property::of(Document::of_machine(&machine).edition, control.state)
+                        .iter()
+                        .filter(|(_, property)| {
+                            vectors.iter().any(|&seen| {
+                                !property.holds(&machine, &Step::of(&machine, &timing, *control, seen))
+                            })
+                        })
+                        .fold(0, |all, (place, _)| all | 1 << place);
+                    assert_eq!(look.broken, one_by_one, "{control:?}");
+                    broken |= one_by_one;
+                }
+            }
+        }
+        assert!(broken.count_ones() > 25, "the mutants break many: {broken:b}");
+    }
+
+    #[test]
+    fn a_word_shows_what_its_vectors_show() {
+        let seen = |atoms: &[Atom]| Observation::new(Atoms::of(atoms), Faults::NONE);
+        let (one, other) = (seen(&[Atom::Asms]), seen(&[Atom::Asms, Atom::Tsms]));
+        let vectors: Words = (0..70).map(|place| if place % 3 == 0 { one } else { other }).collect();
+        let shows = |on: &[Atom], off: &[Atom]| -> Vec<usize> {
+            let words = vectors.words().enumerate();
+            let bits = |(word, (_, planes)): (usize, (_, &crate::vectors::Planes))| {
+                let bits = planes.show(Atoms::of(on), Atoms::of(off));
+                (0..64).filter(move |bit| bits >> bit & 1 == 1).map(move |bit| word * 64 + bit)
+            };
+            words.flat_map(bits).filter(|&place| place < vectors.len()).collect()
+        };
+        let every = |third: bool| (0..70).filter(|place| (place % 3 == 0) == third).collect::<Vec<_>>();
+        assert_eq!(shows(&[Atom::Asms], &[Atom::Tsms]), every(true));
+        assert_eq!(shows(&[Atom::Tsms], &[]), every(false));
+        assert!(shows(&[], &[Atom::Asms]).is_empty());
+    }
 }

@@ -7,7 +7,7 @@ use std::hash::{Hash, Hasher};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use adsdv_spec::{Control, Machine, Observation, Timing};
+use adsdv_spec::{Control, Machine, Timing};
 use stateright::Model;
 
 use crate::action::Action;
@@ -15,7 +15,7 @@ use crate::document::Document;
 use crate::goals::{questions, to_the_end};
 use crate::look::{Look, look};
 use crate::parts::Parts;
-use crate::vectors::{Cache, Vectors, varied};
+use crate::vectors::{Cache, Vectors, Words, varied};
 
 /// A control state, and what the steps out of it show, once somebody asks.
 #[derive(Clone, Debug)]
@@ -157,7 +157,7 @@ impl Open {
     }
 
     /// The input vectors that are tried at a control state.
-    pub(crate) fn steps(&self, control: &Control) -> Arc<[Observation]> {
+    pub(crate) fn steps(&self, control: &Control) -> Arc<Words> {
         self.cache.get(varied(&self.machine, &self.document, control, self.vectors), self.vectors)
     }
 }

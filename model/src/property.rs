@@ -8,6 +8,7 @@ use adsdv_spec::{Atom, Atoms, Control, Edition, Machine, Timing};
 use crate::document::Document;
 use crate::properties::PROPERTIES;
 use crate::step::Step;
+use crate::vectors::Planes;
 
 /// A property that every step keeps.
 #[derive(Clone, Copy, Debug)]
@@ -155,6 +156,26 @@ impl Property {
         }
     }
 
+    /// Whether none but a look at each step tells whether it is kept, and no [word](Self::is_broken_in) of them.
+    pub(crate) const fn needs_each_step(&self) -> bool {
+        let (Claim::Leads { when, .. } | Claim::Only { when, .. }) = self.claim else { return true };
+        !matches!(when, When::Inputs { .. })
+    }
+
+    /// Whether any step of a word breaks it, all of them out of a state that it concerns: of what is seen in them there are the
+    /// planes, and `lead` has those that lead to a state.
+    pub(crate) fn is_broken_in(&self, planes: &Planes, lead: &Led) -> bool {
+        match self.claim {
+            Claim::Leads { when: When::Inputs { on, off }, to, .. } => {
+                planes.show(on, off) & !to.iter().fold(0, |there, &to| there | lead.to(to)) & lead.all() != 0
+            }
+            Claim::Only { when: When::Inputs { on, off }, to, .. } => {
+                lead.to(to) & !planes.show(on, off) != 0
+            }
+            _ => false,
+        }
+    }
+
     /// The properties that an edition has, with their places in [`PROPERTIES`].
     pub(crate) fn of_edition(edition: &Edition) -> impl Iterator<Item = (usize, &'static Self)> {
         PROPERTIES.iter().enumerate().filter(move |(_, property)| (property.holds_in)(edition))
@@ -193,6 +214,29 @@ impl Property {
             Claim::Only { .. } => Atoms::NONE,
             Claim::Each { reads, .. } => reads(from, document),
         }
+    }
+}
+
+/// Which steps of a word lead where: a bit each.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Led([u64; 8]);
+
+impl Led {
+    /// The step at this place of the word leads to a state.
+    pub(crate) fn leads(&mut self, place: usize, to: AsState) {
+        if let Some(there) = self.0.get_mut(to as usize) {
+            *there |= 1 << place;
+        }
+    }
+
+    /// Those that lead to a state.
+    fn to(&self, to: AsState) -> u64 {
+        self.0.get(to as usize).copied().unwrap_or_default()
+    }
+
+    /// All that there are.
+    fn all(&self) -> u64 {
+        self.0.iter().fold(0, |all, there| all | there)
     }
 }
 

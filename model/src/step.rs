@@ -4,7 +4,8 @@ use adsdv_spec::messages::{
     AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MotorSpeedMax, SteerAngle,
 };
 use adsdv_spec::{
-    Actuation, Atom, Atoms, Choice, Control, Edition, Inputs, Machine, Observation, Outputs, Reaction, Timing,
+    Actuation, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Observation, Outputs,
+    Reaction, Taken, Timing,
 };
 
 use crate::document::{DEFAULT, Document};
@@ -21,6 +22,9 @@ pub(crate) const CYCLE_MS: u32 = {
 };
 
 /// A step: what was, what was seen, and what the VCU made of it.
+///
+/// Of the faults it has the conditions that they decide, and the cause that is remembered: steps that differ in the faults alone
+/// are the same to whoever looks at them so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// The document: what the machine should follow.
@@ -30,9 +34,9 @@ pub struct Step {
     /// The control state before the step.
     pub before: Control,
     /// What the VCU saw.
-    pub seen: Observation,
-    /// What it did.
-    pub reaction: Reaction,
+    seen: Atoms,
+    /// What it did, but for the faults that it shows.
+    reaction: Reaction,
 }
 
 impl Step {
@@ -49,7 +53,29 @@ impl Step {
         before: Control,
         seen: Observation,
     ) -> Self {
-        Self { document, timing: *timing, before, seen, reaction: machine.react(&before, seen, CYCLE_MS) }
+        let reaction = Reaction { faults: Faults::NONE, ..machine.react(&before, seen, CYCLE_MS) };
+        Self { document, timing: *timing, before, seen: seen.atoms(), reaction }
+    }
+
+    /// Whether another step of the same machine out of the same state is the same.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        (self.seen, &self.reaction) == (other.seen, &other.reaction)
+    }
+
+    /// The same step, had it led to another control state.
+    #[must_use]
+    pub fn leading_to(self, control: Control) -> Self {
+        Self { reaction: Reaction { control, ..self.reaction }, ..self }
+    }
+
+    /// The row that was taken; `None` if the state stays.
+    pub const fn taken(&self) -> Option<Taken> {
+        self.reaction.taken
+    }
+
+    /// All conditions as the guards saw them.
+    pub const fn guarded(&self) -> Atoms {
+        self.reaction.atoms
     }
 
     /// The control state after the step.
@@ -59,12 +85,12 @@ impl Step {
 
     /// Whether the inputs show this condition.
     pub fn sees(&self, atom: Atom) -> bool {
-        self.seen.atoms().has(atom)
+        self.seen.has(atom)
     }
 
     /// Whether the inputs show all of these conditions, and none of those.
     pub fn shows(&self, on: Atoms, off: Atoms) -> bool {
-        on.is_subset(self.seen.atoms()) && off.intersection(self.seen.atoms()).is_empty()
+        on.is_subset(self.seen) && off.intersection(self.seen).is_empty()
     }
 
     /// How long the state before the step has lasted when the step is made, in milliseconds, as far as it was counted.

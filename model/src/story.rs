@@ -68,7 +68,7 @@ fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     let (before, after) = (step.before.state, step.after().state);
     let rules = &machine.edition().rules;
     let table = &rules.table;
-    let taken = step.reaction.taken;
+    let taken = step.taken();
     let (row, term) = (taken.and_then(|taken| taken.row(table)), taken.and_then(|taken| taken.term(table)));
     let arrow = match row {
         Some(row) => format!("{before} -> {after} ({})", row.section),
@@ -76,7 +76,7 @@ fn add_line(machine: &Machine, step: &Step, looked_at: Atoms) -> String {
     };
     let deciding = term.map_or(Atoms::NONE, |term| term.on.union(term.off));
     let text = |atom, value| rules.text(atom, value).to_string();
-    let conditions = deciding.union(looked_at).iter().map(|atom| text(atom, step.reaction.atoms.has(atom)));
+    let conditions = deciding.union(looked_at).iter().map(|atom| text(atom, step.guarded().has(atom)));
     let mut conditions: Vec<_> = conditions.collect();
     if step.comms_lost() && !deciding.has(Atom::AiCommsLost) {
         conditions.push(text(Atom::AiCommsLost, true));

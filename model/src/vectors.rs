@@ -1,6 +1,7 @@
 //! The input vectors: every combination of the conditions that a step can depend on.
 
 use std::collections::HashMap;
+use std::ops::Deref;
 use std::sync::{Arc, PoisonError, RwLock};
 
 use adsdv_spec::messages::AsState;
@@ -27,10 +28,70 @@ pub enum Vectors {
     Few,
 }
 
+/// Input vectors, in words of 64.
+#[derive(Debug)]
+pub(crate) struct Words {
+    seen: Vec<Observation>,
+    planes: Vec<Planes>,
+}
+
+/// Of so many vectors a machine word has one bit each.
+pub(crate) const WORD: usize = u64::BITS as usize;
+
+/// Which of the vectors of a word show each atom: bit by bit in the order of the vectors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planes([u64; Atom::ALL.len()]);
+
+impl Words {
+    fn of(seen: Vec<Observation>) -> Self {
+        let planes = seen.chunks(WORD).map(Planes::of).collect();
+        Self { seen, planes }
+    }
+
+    /// The words, one after the other: up to 64 vectors each.
+    pub(crate) fn words(&self) -> impl Iterator<Item = (&[Observation], &Planes)> {
+        self.seen.chunks(WORD).zip(&self.planes)
+    }
+}
+
+impl FromIterator<Observation> for Words {
+    fn from_iter<I: IntoIterator<Item = Observation>>(seen: I) -> Self {
+        Self::of(seen.into_iter().collect())
+    }
+}
+
+/// The vectors, one by one.
+impl Deref for Words {
+    type Target = [Observation];
+
+    fn deref(&self) -> &[Observation] {
+        &self.seen
+    }
+}
+
+impl Planes {
+    fn of(word: &[Observation]) -> Self {
+        let plane = |atom: &Atom| {
+            let shows = |(place, seen): (usize, &Observation)| u64::from(seen.atoms().has(*atom)) << place;
+            word.iter().enumerate().map(shows).fold(0, |plane, bit| plane | bit)
+        };
+        let mut planes = [0; Atom::ALL.len()];
+        planes.iter_mut().zip(Atom::ALL).for_each(|(place, atom)| *place = plane(atom));
+        Self(planes)
+    }
+
+    /// Which vectors show all of these atoms, and none of those.
+    pub(crate) fn show(&self, on: Atoms, off: Atoms) -> u64 {
+        let plane = |atom: Atom| self.0.get(atom as usize).copied().unwrap_or_default();
+        let all = on.iter().fold(u64::MAX, |all, atom| all & plane(atom));
+        off.iter().fold(all, |all, atom| all & !plane(atom))
+    }
+}
+
 /// The vectors of each set of conditions, made once.
 #[derive(Debug, Default)]
 pub(crate) struct Cache {
-    by_reads: RwLock<HashMap<Key, Arc<[Observation]>>>,
+    by_reads: RwLock<HashMap<Key, Arc<Words>>>,
 }
 
 /// The bits of the atoms and of the faults, and which vectors.
@@ -38,13 +99,13 @@ type Key = (u32, u16, Vectors);
 
 impl Cache {
     /// The vectors for what is read.
-    pub(crate) fn get(&self, reads: Reads, vectors: Vectors) -> Arc<[Observation]> {
+    pub(crate) fn get(&self, reads: Reads, vectors: Vectors) -> Arc<Words> {
         let key = (u32::from(reads.atoms), u16::from(reads.faults), vectors);
         // What a panic elsewhere left behind is whole: entries are only ever added.
         if let Some(known) = self.by_reads.read().unwrap_or_else(PoisonError::into_inner).get(&key) {
             return Arc::clone(known);
         }
-        let made: Arc<[Observation]> = combinations(reads, vectors).into();
+        let made = Arc::new(Words::of(combinations(reads, vectors)));
         self.by_reads.write().unwrap_or_else(PoisonError::into_inner).insert(key, Arc::clone(&made));
         made
     }
@@ -104,7 +165,7 @@ fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
     let atoms: Vec<Atom> = reads.atoms.difference(by_faults).iter().collect();
     // A fault of the battery is a condition of its own where it is read, beside what opens the shutdown circuit.
     let battery = reads.atoms.has(Atom::BmsFault);
-    let faults: Vec<Faults> = subsets(&reads.faults.iter().collect::<Vec<_>>())
+    let mut faults: Vec<Faults> = subsets(&reads.faults.iter().collect::<Vec<_>>())
         .map(|faults| faults.into_iter().fold(Faults::NONE, Faults::with))
         .filter(|faults| {
             let opening = faults.intersection(Faults::OPENING);
@@ -116,6 +177,13 @@ fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
             }
         })
         .collect();
+    if vectors == Vectors::Every {
+        // Those that decide the same conditions, and have the same cause, come one after the other.
+        faults.sort_by_key(|&faults| {
+            let seen = Observation::new(Atoms::NONE, faults);
+            (u32::from(seen.atoms()), faults.intersection(Faults::OPENING).cause() as u8)
+        });
+    }
     subsets(&atoms)
         .map(|atoms| atoms.into_iter().fold(Atoms::NONE, Atoms::with))
         .flat_map(|atoms| faults.iter().map(move |&faults| Observation::new(atoms, faults)))

@@ -74,16 +74,17 @@ fn the_steps_that_break_a_property() {
         let faults = Edition::DEFAULT.faults.iter().filter(|_| random.one_in(24));
         let faults = faults.fold(Faults::NONE, Faults::with);
         let seen = Observation::new(atoms.fold(Atoms::NONE, Atoms::with), faults);
-        let mut step = Step::of(machine, &SHORT_TIMERS, before, seen);
+        let step = Step::of(machine, &SHORT_TIMERS, before, seen);
         let other = *one_of(&mut random);
-        let after = &mut step.reaction.control;
+        let mut after = *step.after();
         match number % 6 {
-            0 => *after = other,
+            0 => after = other,
             1 => after.state = other.state,
             2 => after.handshake = other.handshake,
             3 => after.shutdown_cause = other.shutdown_cause,
             _ => {}
         }
+        let step = step.leading_to(after);
         for (count, property) in broken.iter_mut().zip(properties(Edition::DEFAULT)) {
             *count += u32::from(!property.holds(machine, &step));
         }
