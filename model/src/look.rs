@@ -8,7 +8,7 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::goals::goals;
 use crate::property::{Led, Property};
-use crate::step::Step;
+use crate::step::{CYCLE_MS, Step};
 use crate::vectors::Words;
 
 /// What the steps out of a control state showed.
@@ -38,15 +38,16 @@ pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vector
     for (word, planes) in vectors.words() {
         let mut lead = Led::default();
         for (place, &seen) in word.iter().enumerate() {
-            let step = Step::of_document(machine, document, timing, *control, seen);
-            lead.leads(place, step.after().state);
-            if last.is_some_and(|last| last.is(&step)) {
+            let reaction = machine.react(control, seen, CYCLE_MS);
+            lead.leads(place, reaction.control.state);
+            if last.as_ref().is_some_and(|last| last.is(seen, &reaction)) {
                 continue;
             }
+            let step = Step::taken_by(document, timing, *control, seen, reaction);
             for (place, property) in &each {
                 look.broken |= u64::from(!property.holds(machine, &step)) << place;
             }
-            if last.is_none_or(|last| last.after() != step.after()) && !next.contains(step.after()) {
+            if last.as_ref().is_none_or(|last| last.after() != step.after()) && !next.contains(step.after()) {
                 next.push(*step.after());
                 look.ways.push(Action::Step(seen));
             }

@@ -42,24 +42,27 @@ pub struct Step {
 impl Step {
     /// The step of a machine, one cycle after its last.
     pub fn of(machine: &Machine, timing: &Timing, before: Control, seen: Observation) -> Self {
-        Self::of_document(machine, Document::of_machine(machine), timing, before, seen)
+        let reaction = machine.react(&before, seen, CYCLE_MS);
+        Self::taken_by(Document::of_machine(machine), timing, before, seen, reaction)
     }
 
-    /// The same where the document is known.
-    pub(crate) fn of_document(
-        machine: &Machine,
+    /// The same where it is known what the machine does.
+    pub(crate) fn taken_by(
         document: &'static Document,
         timing: &Timing,
         before: Control,
         seen: Observation,
+        reaction: Reaction,
     ) -> Self {
-        let reaction = Reaction { faults: Faults::NONE, ..machine.react(&before, seen, CYCLE_MS) };
+        let reaction = Reaction { faults: Faults::NONE, ..reaction };
         Self { document, timing: *timing, before, seen: seen.atoms(), reaction }
     }
 
-    /// Whether another step of the same machine out of the same state is the same.
-    pub(crate) fn is(&self, other: &Self) -> bool {
-        (self.seen, &self.reaction) == (other.seen, &other.reaction)
+    /// Whether the same machine, out of the same state, would take the same step where it sees this and does that.
+    pub(crate) fn is(&self, seen: Observation, reaction: &Reaction) -> bool {
+        let Reaction { control, taken, atoms, faults: _ } = reaction;
+        let own = &self.reaction;
+        (self.seen, &own.control, &own.taken, &own.atoms) == (seen.atoms(), control, taken, atoms)
     }
 
     /// The same step, had it led to another control state.
