@@ -34,6 +34,8 @@ const EARLY: u64 = 2;
 const FEW: usize = 50;
 /// So many times what was found leads to what else is measured and looked for, before all is tried again.
 const DEEPER: usize = 3;
+/// So many arrows that the program does not take are looked for where nothing explains that.
+const SOUGHT: usize = 2;
 /// Nobody waits longer for a diagnosis.
 const LONGEST: Duration = Duration::from_mins(10);
 /// So many walks by chance at the end of a round in which all was explained.
@@ -244,7 +246,12 @@ impl<'a, 'b> Search<'a, 'b> {
             let before = self.found.clone();
             self.measure(&self.found.clone())?;
             self.fit();
-            let missing = self.missing();
+            let mut missing = self.missing();
+            if self.found == before {
+                // What nothing explains may be an arrow that wants several things at once.
+                let untaken = self.a_fit().untaken(&self.found);
+                missing.extend(untaken.into_iter().take(SOUGHT).map(|(from, to)| (before.clone(), from, to)));
+            }
             for (without, from, to) in &missing {
                 if self.is_over() {
                     break;
@@ -280,7 +287,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let model = Model::new(self.edition, with);
         let mut measured = turn::all(self.subject, &Ways::of(&model, self.interface), self.until)?;
         measured.retain(|one| !self.candidates.single.contains(one));
-        self.candidates.single.extend(measured);
+        self.candidates.add_measured(measured);
         Ok(())
     }
 
