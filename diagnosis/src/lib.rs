@@ -32,7 +32,7 @@
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, by some of the records (`sample.rs`), `sets.rs` several of them at once, `nearest.rs` the nearest of them, and `certain.rs` whether they
 //!   are sure;
-//! - `diagnose.rs`: all of it in turn, `found.rs` what comes of it, `in_the_way.rs` without outputs that nothing explains;
+//! - `diagnose.rs`: all of it in turn, `found.rs` what comes of it, `again.rs` whether that is so each time, `in_the_way.rs` without outputs that nothing explains;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
 //! ```
@@ -50,6 +50,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod again;
 mod against;
 mod candidates;
 mod causes;
