@@ -201,7 +201,7 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
     // What counts comes first.
     each.sort_by_key(|(one, _)| (program.is_observed(**one), accepted.reason(&one.id(edition)).is_some()));
     if each.len() > WITHOUT_A_LIST {
-        list(out, program, &each, width)?;
+        list(out, program, &each, width);
     }
     for (deviation, example) in each {
         let id = deviation.id(edition);
@@ -271,12 +271,7 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
 }
 
 /// The deviations at a glance: what shows them takes more than a screen.
-fn list(
-    out: &mut String,
-    program: &DiagnosedProgram,
-    each: &[(&Deviation, &Option<Example>)],
-    width: usize,
-) -> fmt::Result {
+fn list(out: &mut String, program: &DiagnosedProgram, each: &[(&Deviation, &Option<Example>)], width: usize) {
     let all = counted(each.len() as u64, "deviation");
     let silent = each.iter().filter(|(one, _)| program.is_observed(**one)).count();
     let of_which = match silent {
@@ -292,7 +287,6 @@ fn list(
         out.push_str(&line);
     }
     out.push('\n');
-    Ok(())
 }
 
 /// The scenario that shows a deviation.
