@@ -11,7 +11,7 @@ const EDITION: &Edition = &Edition::V3_0;
 
 /// Two programs, of which the second answers now and then, or from some step on.
 struct Changing {
-    programs: [Running; 2],
+    programs: Vec<Running>,
     steps: u64,
     /// Which of them answers a step, counted from the start.
     second: fn(u64) -> bool,
@@ -24,9 +24,10 @@ impl Subject for Changing {
 
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
         self.steps += 1;
-        let [first, second] = &mut self.programs;
-        let (first, second) = (first.step(dt_ms, inputs)?, second.step(dt_ms, inputs)?);
-        Ok(if (self.second)(self.steps) { second } else { first })
+        let place = usize::from((self.second)(self.steps));
+        let answers: Result<Vec<Answer>, _> =
+            self.programs.iter_mut().map(|program| program.step(dt_ms, inputs)).collect();
+        Ok(answers?[place])
     }
 }
 
@@ -36,7 +37,7 @@ fn found(second: fn(u64) -> bool) -> Diagnosis {
             ids.iter().map(|id| Deviation::find(EDITION, id).expect("there is such a deviation"));
         Model::new(EDITION, &deviations.collect::<Vec<_>>()).running()
     };
-    let programs = [running(&["ready-off:missing"]), running(&["ready-off:missing", "handshake:+450ms"])];
+    let programs = vec![running(&["ready-off:missing"]), running(&["ready-off:missing", "handshake:+450ms"])];
     let mut program = Changing { programs, steps: 0, second };
     let time = Duration::from_secs(20);
     diagnose_within(&mut program, EDITION, &Interface::default(), time).expect("it answers everything")
