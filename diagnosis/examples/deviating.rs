@@ -6,6 +6,8 @@
 //! deviating --about '{"inputs":["asms","tsms"],"outputs":["as_state"]}' go:level
 //! ```
 //!
+//! With `--no-reset` it goes on at a reset as if there was none.
+//!
 //! With what it announces it is blind to all other inputs, and ends with an error if any of them is given, or if a step does not take
 //! the cycle that it announces.
 
@@ -18,7 +20,7 @@ use adsdv_spec::{Edition, Inputs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut edition = Edition::DEFAULT;
-    let (mut deviations, mut announced) = (Vec::new(), None);
+    let (mut deviations, mut announced, mut resets) = (Vec::new(), None, true);
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         if arg == "--edition" {
@@ -26,6 +28,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             edition = Edition::find(&version).ok_or(format!("no such edition: {version}"))?;
         } else if arg == "--about" {
             announced = Some(args.next().ok_or("--about needs a line of the protocol")?);
+        } else if arg == "--no-reset" {
+            resets = false;
         } else {
             deviations.push(Deviation::find(edition, &arg).ok_or(format!("no such deviation: {arg}"))?);
         }
@@ -54,7 +58,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         match protocol.request(&line)? {
             Request::Hello { .. } => writeln!(answers, "{{\"edition\":{:?}}}", edition.version)?,
             Request::Reset => {
-                program.reset()?;
+                if resets {
+                    program.reset()?;
+                }
                 writeln!(answers, "{{}}")?;
             }
             Request::Step { dt_ms, inputs } => {

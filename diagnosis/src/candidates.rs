@@ -20,6 +20,18 @@ pub(crate) struct Candidates {
     pub(crate) several: Vec<Vec<Deviation>>,
 }
 
+impl Candidates {
+    /// Numbers that were measured: each by itself, and together with what is remembered otherwise about the same time. By when
+    /// "Go" counts while it is on, a time that is a little longer may explain nothing alone, nor may "Go".
+    pub(crate) fn add_measured(&mut self, measured: Vec<Deviation>) {
+        for number in measured {
+            let together = self.single.iter().filter(|one| one.is_measured_with(&number));
+            self.several.extend(together.map(|one| vec![*one, number]));
+            self.single.push(number);
+        }
+    }
+}
+
 /// Every deviation that has no number in it which would have to be measured, as far as the inputs of a program can tell it.
 ///
 /// The answers to the document's questions come first: where one explains as much, it is no deviation at all.

@@ -88,6 +88,26 @@ impl<'a> Fit<'a> {
         alike
     }
 
+    /// The arrows that a set takes where the program stays, those first for which that is the most often.
+    pub(crate) fn untaken(&self, set: &[Deviation]) -> Vec<(AsState, AsState)> {
+        let model = Model::new(self.edition, set);
+        let mut counted: Vec<(usize, (AsState, AsState))> = Vec::new();
+        for stay in self.stays(set).iter().flat_map(|(_, stays)| stays) {
+            let Some(wrong) = stay.first_wrong(&model) else { continue };
+            let from = wrong.from.control.state;
+            if wrong.found != from || wrong.expected == from {
+                continue;
+            }
+            let arrow = (from, wrong.expected);
+            match counted.iter_mut().find(|(_, known)| *known == arrow) {
+                Some((count, _)) => *count += 1,
+                None => counted.push((1, arrow)),
+            }
+        }
+        counted.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        counted.into_iter().map(|(_, arrow)| arrow).collect()
+    }
+
     /// The set without what no experiment tells from something else, where not all is explained: there it may be otherwise.
     pub(crate) fn told_from_others(
         &self,

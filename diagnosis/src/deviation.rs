@@ -1,6 +1,6 @@
 //! What a program may do otherwise than the document says.
 
-use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::mutation::{Change, TermChange, Time};
 use adsdv_spec::table::{Row, Table, Term};
 use adsdv_spec::{AsState, Choice, Edition, Reading, Readings};
 
@@ -225,6 +225,26 @@ impl Deviation {
         }
     }
 
+    /// Whether it is about what is remembered while a time passes, so that what this time is depends on it.
+    pub(crate) fn is_measured_with(&self, time: &Self) -> bool {
+        let Self::Changed(Change::Time(time, _)) = time else { return false };
+        match time {
+            Time::ReadyDwell => match self {
+                Self::Reads(choice) => choice.reading() == Reading::GoEdge,
+                Self::GoLevel | Self::GoNeedsHandshake => true,
+                Self::Remembers(what) => {
+                    matches!(what, Remembers::DwellOfAllVisits | Remembers::GoSeenOff)
+                }
+                _ => false,
+            },
+            Time::EbsTimer => *self == Self::Remembers(Remembers::TimerWhileAsmsOff),
+            Time::Handshake => matches!(
+                self,
+                Self::Remembers(Remembers::CommsLost | Remembers::Handshake | Remembers::TimeBeforeHandshake)
+            ),
+        }
+    }
+
     /// Whether it only makes that an arrow is taken less often.
     pub(crate) const fn takes_away(&self) -> bool {
         matches!(
@@ -244,6 +264,11 @@ impl Deviation {
                 Reading::FinishedPriority => Some(AsState::Finished),
                 _ => None,
             },
+            Self::Changed(Change::Time(Time::ReadyDwell, _))
+            | Self::GoLevel
+            | Self::GoNeedsHandshake
+            | Self::Remembers(Remembers::DwellOfAllVisits | Remembers::GoSeenOff) => Some(AsState::Ready),
+            Self::Changed(Change::Time(Time::EbsTimer, _)) => Some(AsState::EmergencyBrake),
             _ => self.arrow(edition).map(|(from, _)| from),
         }
     }

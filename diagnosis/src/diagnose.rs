@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use adsdv_oracle::conform::ProgramError;
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
-use adsdv_spec::mutation::{Change, TermChange};
 
+use crate::again;
 use crate::candidates::{self, Candidates};
 use crate::cycles::each;
 use crate::deviation::Deviation;
@@ -34,6 +34,8 @@ const EARLY: u64 = 2;
 const FEW: usize = 50;
 /// So many times what was found leads to what else is measured and looked for, before all is tried again.
 const DEEPER: usize = 3;
+/// So many arrows that the program does not take are looked for where nothing explains that.
+const SOUGHT: usize = 2;
 /// Nobody waits longer for a diagnosis.
 const LONGEST: Duration = Duration::from_mins(10);
 /// So many walks by chance at the end of a round in which all was explained.
@@ -86,14 +88,18 @@ pub fn diagnose_within(
         if !explained {
             search.run(ROUNDS)?;
         }
-        return Ok(search.result());
+        return search.result();
+    }
+    if !search.repeats()? {
+        // Nothing that is looked for would explain that.
+        return search.result();
     }
     // What one output shows may hide what is wrong with the state machine.
     let narrower = interface.without(&in_the_way);
     let mut seen = Seen { subject: &mut *search.subject.subject, interface: &narrower };
     let mut few = Search::new(&mut seen, edition, &narrower, at(time / 3 * 2));
     let others_are_explained = few.run(ROUNDS)?;
-    let few = Diagnosis { left_out: in_the_way, ..few.result() };
+    let few = Diagnosis { left_out: in_the_way, ..few.result()? };
     let answers = few.readings.iter().map(|choice| Deviation::Reads(*choice));
     search.found = answers.chain(few.deviations.iter().copied()).collect();
     search.until = at(time);
@@ -104,12 +110,12 @@ pub fn diagnose_within(
         search.candidates.several.clear();
         search.is_explained_by_experiments(0)?;
         search.explain(1)?;
-        if !search.unexplained(&search.model()).is_empty() {
+        if !search.records.unexplained(&search.model()).is_empty() {
             return Ok(few);
         }
     }
     search.run(ROUNDS)?;
-    let all = search.result();
+    let all = search.result()?;
     let explains_more = few.unexplained.len() * all.experiments < all.unexplained.len() * few.experiments;
     Ok(if explains_more { few } else { all })
 }
@@ -186,17 +192,12 @@ impl<'a, 'b> Search<'a, 'b> {
     /// The outputs of which there are answers that nothing explains.
     fn in_the_way(&self) -> Vec<&'static str> {
         let model = self.model();
-        let unexplained = self.unexplained(&model);
+        let unexplained = self.records.unexplained(&model);
         // Of a few another look tells more.
         if unexplained.len() * FEW < self.records.count {
             return Vec::new();
         }
         in_the_way::outputs(&unexplained, &model)
-    }
-
-    fn unexplained(&self, model: &Model) -> Vec<Record> {
-        let all = self.records.kept().iter().map(crate::record::Kept::record);
-        all.filter(|record| !record.is_explained(model)).collect()
     }
 
     fn is_over(&self) -> bool {
@@ -256,7 +257,12 @@ impl<'a, 'b> Search<'a, 'b> {
             let before = self.found.clone();
             self.measure(&self.found.clone())?;
             self.fit();
-            let missing = self.missing();
+            let mut missing = seek::missing(self.edition, &self.found);
+            if self.found == before {
+                // What nothing explains may be an arrow that wants several things at once.
+                let untaken = self.a_fit().untaken(&self.found);
+                missing.extend(untaken.into_iter().take(SOUGHT).map(|(from, to)| (before.clone(), from, to)));
+            }
             for (without, from, to) in &missing {
                 if self.is_over() {
                     break;
@@ -292,28 +298,8 @@ impl<'a, 'b> Search<'a, 'b> {
         let model = Model::new(self.edition, with);
         let mut measured = turn::all(self.subject, &Ways::of(&model, self.interface), self.until)?;
         measured.retain(|one| !self.candidates.single.contains(one));
-        self.candidates.single.extend(measured);
+        self.candidates.add_measured(measured);
         Ok(())
-    }
-
-    /// The arrows that the program does not seem to have, each with what is left when it has them.
-    fn missing(&self) -> Vec<(Vec<Deviation>, AsState, AsState)> {
-        let rows = self.edition.rules.table.rows();
-        let mut all = Vec::new();
-        for one in &self.found {
-            let row = match *one {
-                Deviation::Changed(Change::RowDropped(row) | Change::Term(row, _, TermChange::Dropped))
-                | Deviation::Joined { row, .. } => rows.get(row).map(|row| (row.from, row.to)),
-                Deviation::Needs { from, to, .. } => Some((from, to)),
-                _ => None,
-            };
-            if let Some((from, to)) = row {
-                let without: Vec<Deviation> =
-                    self.found.iter().copied().filter(|other| other != one).collect();
-                all.push((without, from, to));
-            }
-        }
-        all
     }
 
     /// Looks for an arrow, and for what it needs.
@@ -365,7 +351,14 @@ impl<'a, 'b> Search<'a, 'b> {
         Ok(None)
     }
 
-    fn result(self) -> Diagnosis {
+    /// Whether the program answers alike what it is asked again. Like steps of a fixed cycle are kept as one, and cannot be asked.
+    fn repeats(&mut self) -> Result<bool, ProgramError> {
+        let unexplained = self.records.unexplained(&self.model());
+        Ok(self.interface.cycle_ms().is_some() || again::is_alike(self.subject, &self.records, &unexplained)?)
+    }
+
+    fn result(mut self) -> Result<Diagnosis, ProgramError> {
+        let repeats = self.repeats()?;
         let Self { edition, interface, ref candidates, ref records, ref found, until, .. } = self;
         let cut = Instant::now() >= until;
         let fit = Fit::new(edition, records.kept(), candidates, until);
@@ -375,7 +368,7 @@ impl<'a, 'b> Search<'a, 'b> {
         });
         let deviations = if cut { fit.of_explained_states(told) } else { told };
         let model = Model::new(edition, &deviations);
-        let unexplained = self.unexplained(&model);
+        let unexplained = records.unexplained(&model);
         let stays = fit.stays(&deviations);
         let is_clear = |(state, stays): &&(AsState, Vec<Stay<'_>>)| {
             !stays.is_empty() && fit.wrong_in(*state, &deviations) == 0
@@ -389,7 +382,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let not_shown = arrows.filter(|arrow| !is_shown(arrow)).collect();
         let (answers, deviations): (Vec<Deviation>, Vec<Deviation>) =
             deviations.into_iter().partition(|one| one.choice().is_some());
-        Diagnosis {
+        Ok(Diagnosis {
             deviations,
             readings: answers.iter().filter_map(Deviation::choice).collect(),
             unexplained,
@@ -398,6 +391,7 @@ impl<'a, 'b> Search<'a, 'b> {
             cut,
             unclear,
             not_shown,
-        }
+            repeats,
+        })
     }
 }

@@ -46,6 +46,7 @@ pub(crate) fn all(
         for (term, to) in &terms {
             experiments.with_each_dial(state, term, *to)?;
             experiments.too_early(state, term, *to)?;
+            experiments.at_the_moment(state, term, *to)?;
         }
         experiments.pairs(state, &terms)?;
         experiments.silence(state)?;
@@ -64,7 +65,7 @@ pub(crate) fn all(
 
 impl Experiments<'_> {
     /// Leads the program somewhere, does something, and looks at what follows.
-    fn try_it(
+    pub(crate) fn try_it(
         &mut self,
         state: AsState,
         act: impl FnOnce(&mut Pilot<'_>) -> Result<(), ProgramError>,

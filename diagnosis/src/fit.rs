@@ -6,6 +6,7 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::time::Instant;
 
 use adsdv_spec::Edition;
@@ -16,7 +17,7 @@ use crate::candidates::Candidates;
 use crate::deviation::Deviation;
 use crate::model::Model;
 use crate::record::Kept;
-use crate::sets::{same, shown_otherwise, with};
+use crate::sets::{everywhere, same, shown_otherwise, with};
 use crate::stays::{Stay, Wrong, cut};
 
 /// The output that tells in which state a program is.
@@ -35,6 +36,8 @@ const HARD: usize = 24;
 const TRIED: usize = 14;
 /// So many of those that explain the most of what is not explained yet are tried beside them.
 const TELLING: usize = 4;
+/// Of the sets that explain the same no more than these are followed.
+const ALIKE: usize = 2;
 /// So many ways to cut the stays are kept.
 const CUTS: usize = 10;
 /// The deviations of all states are looked for so many times: what is found in one may help in another.
@@ -66,6 +69,8 @@ struct Node {
     wrong: usize,
     /// How much of that is explained without any deviation of the state.
     spoilt: usize,
+    /// A number that stands for what it does not explain.
+    mark: u64,
 }
 
 /// A set that helps, with how much it does not explain of some stays that were wrong, of some of all, and of those that what is known
@@ -211,7 +216,7 @@ impl<'a> Fit<'a> {
 
     /// The stays, cut with those deviations of a set that may make a difference in any state.
     pub(crate) fn stays(&self, set: &[Deviation]) -> Stays<'a> {
-        let everywhere = self.everywhere(set);
+        let everywhere = everywhere(self.edition, set);
         let mut known = self.stays.borrow_mut();
         if let Some(place) = known.iter().position(|cut| cut.by == everywhere) {
             known[place..].rotate_left(1);
@@ -225,21 +230,6 @@ impl<'a> Fit<'a> {
         known.last().map(|cut| cut.stays.clone()).unwrap_or_default()
     }
 
-    /// Those of a set that decide where stays begin and end: where two states are shown alike, also what leads to one of them.
-    fn everywhere(&self, set: &[Deviation]) -> Vec<Deviation> {
-        let alike = set.iter().any(|one| match *one {
-            Deviation::Writes { key: AS_STATE, raw, .. } => AsState::from_raw(raw).is_some(),
-            _ => false,
-        });
-        let leads = |one: &Deviation| {
-            matches!(one, Deviation::Changed(Change::RowLeadsTo(..)) | Deviation::Also { .. })
-        };
-        let counts = |one: &Deviation| {
-            one.state(self.edition).is_none() && one.tells_what_is_remembered() || alike && leads(one)
-        };
-        set.iter().copied().filter(counts).collect()
-    }
-
     /// A set that explains more of a state, if one is found.
     fn explained(&self, state: AsState, set: &[Deviation]) -> Vec<Deviation> {
         let bare: Vec<Deviation> =
@@ -248,18 +238,20 @@ impl<'a> Fit<'a> {
         let mut beside: HashMap<String, usize> = HashMap::new();
         let mut node = |set: Vec<Deviation>| {
             let model = Model::new(self.edition, &set);
-            let (mut wrong, mut spoilt) = (0, 0);
+            let (mut wrong, mut spoilt, mut hasher) = (0, 0, DefaultHasher::new());
             let stays = self.stays(&set);
             for stay in of(&stays, state) {
                 let own = stay.wrong(&model);
+                own.hash(&mut hasher);
                 wrong += own;
                 spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
             }
-            let cut = self.everywhere(&set);
+            let cut = everywhere(self.edition, &set);
             let counts = |one: &&Deviation| one.state(self.edition).is_none() || cut.contains(one);
             let key = format!("{:?}", set.iter().filter(counts).collect::<Vec<_>>());
             wrong += *beside.entry(key).or_insert_with(|| self.wrong_beside(state, &set));
-            Node { set, wrong, spoilt }
+            wrong.hash(&mut hasher);
+            Node { set, wrong, spoilt, mark: hasher.finish() }
         };
         let known = node(set.to_vec());
         let (stays, model) = (self.stays(set), Model::new(self.edition, set));
@@ -282,7 +274,7 @@ impl<'a> Fit<'a> {
                 }
             }
             next.sort_by_key(Node::rank);
-            let next = both(next, FOLLOWED, |node| (node.spoilt, node.wrong, node.set.len()));
+            let next = both(diverse(next), FOLLOWED, |node| (node.spoilt, node.wrong, node.set.len()));
             let Some(first) = next.iter().min_by_key(|node| node.worth()) else { break };
             stuck += 1;
             if first.worth() < best.worth() {
@@ -381,6 +373,19 @@ fn kinds<'b, 'a>(wrong: &[(&'b Stay<'a>, usize)], model: &Model) -> Vec<(&'b Sta
     kinds.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
     kinds.truncate(KINDS);
     kinds.into_iter().map(|(_, stay, points, wrong)| (stay, points, wrong)).collect()
+}
+
+/// No more than a few of those that explain the same, so that others are followed beside them.
+fn diverse(all: Vec<Node>) -> Vec<Node> {
+    let mut counts: HashMap<u64, usize> = HashMap::new();
+    let few = |node: &Node| {
+        let count = counts.entry(node.mark).or_default();
+        *count += 1;
+        *count <= ALIKE
+    };
+    let mut all = all;
+    all.retain(few);
+    all
 }
 
 /// The first half of so many as they are, and the other half of the rest by another order.

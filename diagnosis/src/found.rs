@@ -25,4 +25,7 @@ pub struct Diagnosis {
     pub unclear: Vec<AsState>,
     /// The arrows of which nothing is known: the program did not show what it does there, or what it did is not explained.
     pub not_shown: Vec<(AsState, AsState)>,
+    /// Whether it answered alike what it was asked again. If not, it goes by chance or a clock, or keeps something over a reset, and
+    /// nothing that is said of it is sure.
+    pub repeats: bool,
 }

@@ -27,12 +27,12 @@
 //!   inputs, and `causes.rs` what of an emergency; `running.rs`: as a program;
 //! - `ways.rs`: the ways to the states by a model; `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow; `dials.rs`: the
 //!   inputs that can be changed;
-//! - `experiments.rs`: what is tried in each state, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
+//! - `experiments.rs`: what is tried in each state, `moments.rs` when a time is over, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
 //! - `record.rs`: what was answered, `cycles.rs` where it is asked at a fixed cycle, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
 //! - `fit.rs`: those that do, by some of the records (`sample.rs`), `sets.rs` several of them at once, `nearest.rs` the nearest of them, and `certain.rs` whether they
 //!   are sure;
-//! - `diagnose.rs`: all of it in turn, `found.rs` what comes of it, `in_the_way.rs` without outputs that nothing explains;
+//! - `diagnose.rs`: all of it in turn, `found.rs` what comes of it, `again.rs` whether that is so each time, `in_the_way.rs` without outputs that nothing explains;
 //! - `example.rs`: the shortest scenario that shows a deviation; `figure.rs`: Figure 2 as the program does it.
 //!
 //! ```
@@ -50,6 +50,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod again;
 mod against;
 mod candidates;
 mod causes;
@@ -68,6 +69,7 @@ mod found;
 mod in_the_way;
 mod interface;
 mod model;
+mod moments;
 mod named;
 mod nearest;
 mod pilot;

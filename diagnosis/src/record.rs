@@ -163,6 +163,11 @@ impl Records {
         self.kept.drain(..old);
     }
 
+    /// Those that a model does not explain.
+    pub(crate) fn unexplained(&self, model: &Model) -> Vec<Record> {
+        self.kept.iter().filter(|record| !record.is_explained(model)).map(Kept::record).collect()
+    }
+
     /// Those that are kept.
     pub(crate) fn kept(&self) -> &[Kept] {
         &self.kept

@@ -196,3 +196,22 @@ pub(crate) fn opposites(edition: &Edition, from: AsState, to: AsState) -> Vec<Ve
     all.sort_by_key(Vec::len);
     all
 }
+
+/// The arrows that a program with these deviations does not seem to have, each with what is left when it has them.
+pub(crate) fn missing(edition: &Edition, found: &[Deviation]) -> Vec<(Vec<Deviation>, AsState, AsState)> {
+    let rows = edition.rules.table.rows();
+    let mut all = Vec::new();
+    for one in found {
+        let row = match *one {
+            Deviation::Changed(Change::RowDropped(row) | Change::Term(row, _, TermChange::Dropped))
+            | Deviation::Joined { row, .. } => rows.get(row).map(|row| (row.from, row.to)),
+            Deviation::Needs { from, to, .. } => Some((from, to)),
+            _ => None,
+        };
+        if let Some((from, to)) = row {
+            let without: Vec<Deviation> = found.iter().copied().filter(|other| other != one).collect();
+            all.push((without, from, to));
+        }
+    }
+    all
+}

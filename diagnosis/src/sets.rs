@@ -1,9 +1,10 @@
 //! Sets of deviations: one more, in the place of others, and those that are the same.
 
-use adsdv_spec::AsState;
 use adsdv_spec::messages::ShutdownCause;
+use adsdv_spec::mutation::{Change, Time};
+use adsdv_spec::{AsState, Edition};
 
-use crate::deviation::Deviation;
+use crate::deviation::{Deviation, Remembers};
 use crate::stays::Wrong;
 
 /// The set with one more, in the place of those that cannot be beside it. Of two that lead out of a state as soon as an input has
@@ -57,4 +58,23 @@ pub(crate) fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
         }
     }
     all
+}
+
+/// Those of a set that decide where stays begin and end, and what is remembered there: where two states are shown alike, also what
+/// leads to one of them.
+pub(crate) fn everywhere(edition: &Edition, set: &[Deviation]) -> Vec<Deviation> {
+    let alike = set.iter().any(|one| match *one {
+        Deviation::Writes { key: "as_state", raw, .. } => AsState::from_raw(raw).is_some(),
+        _ => false,
+    });
+    let leads =
+        |one: &Deviation| matches!(one, Deviation::Changed(Change::RowLeadsTo(..)) | Deviation::Also { .. });
+    // How long a state lasted in all is remembered up to the time that counts.
+    let of_all_visits = set.contains(&Deviation::Remembers(Remembers::DwellOfAllVisits));
+    let counts = |one: &Deviation| {
+        one.state(edition).is_none() && one.tells_what_is_remembered()
+            || alike && leads(one)
+            || of_all_visits && matches!(one, Deviation::Changed(Change::Time(Time::ReadyDwell, _)))
+    };
+    set.iter().copied().filter(counts).collect()
 }

@@ -59,6 +59,26 @@ fn times_and_thresholds_are_measured() {
     names(&Edition::V2026, &[dwell, missed, speed]);
 }
 
+#[test]
+fn a_time_that_is_shorter_by_less_than_a_cycle_is_found() {
+    for by in [-1, -3, -9] {
+        names(&Edition::V4_0, &[Deviation::Changed(Change::Time(Time::ReadyDwell, by))]);
+    }
+    names(&Edition::V3_0, &[Deviation::Changed(Change::Time(Time::EbsTimer, -1))]);
+}
+
+/// Where "Go" need not be seen off, the cycle in which it is switched on counts as well.
+#[test]
+fn the_time_in_as_ready_is_exact_whatever_is_remembered_of_go_meanwhile() {
+    let seen_off = Deviation::Remembers(Remembers::GoSeenOff);
+    for go in [Deviation::GoLevel, Deviation::Reads(Choice::GoEdgeEnough), seen_off] {
+        for by in [2549, 7, -3] {
+            let dwell = Deviation::Changed(Change::Time(Time::ReadyDwell, by));
+            names(&Edition::V2026, &[go, dwell]);
+        }
+    }
+}
+
 /// The row of an arrow, by its place.
 fn row(edition: &Edition, from: AsState, to: AsState) -> usize {
     let rows = edition.rules.table.rows();

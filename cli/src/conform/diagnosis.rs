@@ -1,6 +1,7 @@
 //! What the program does otherwise, each by itself.
 
-use std::collections::BTreeMap;
+pub(super) mod json;
+
 use std::fmt::{self, Write as _};
 use std::time::Duration;
 
@@ -12,9 +13,8 @@ use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramErr
 use adsdv_oracle::protocol::{Answer, Difference};
 use adsdv_oracle::suite::are_decisions;
 use adsdv_spec::{AsState, Choices, Edition, Inputs, Machine, Reading, Readings};
-use serde::Serialize;
 
-use super::figure::{self as drawn, mark};
+use super::figure as drawn;
 use super::start;
 use crate::accept::Accepted;
 use crate::args::ConformArgs;
@@ -22,6 +22,8 @@ use crate::layout::{counted, wrapped};
 use crate::progress::ProgressLine;
 use crate::report::style::{self, Styled};
 
+/// Of so many deviations what shows them leaves room for all on a screen.
+const WITHOUT_A_LIST: usize = 3;
 /// Progress is shown after so many steps.
 const SHOWN_EVERY: u64 = 500;
 
@@ -95,6 +97,11 @@ impl DiagnosedProgram {
     pub(super) fn is_unclear(&self, reading: Reading) -> bool {
         let counts = states_of(&self.edition, reading);
         self.found.cut && self.found.unclear.iter().any(|state| counts.is_empty() || counts.contains(state))
+    }
+
+    /// Whether it answered alike what it was asked again.
+    pub(super) const fn repeats(&self) -> bool {
+        self.found.repeats
     }
 
     /// The deviations.
@@ -189,7 +196,14 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
         wrapped(out, text.split(' '), 2, width);
     }
     let machine = Machine::new(*edition, edition.readings);
-    for (deviation, example) in found.deviations.iter().zip(&program.examples) {
+    let mut each: Vec<(&Deviation, &Option<Example>)> =
+        found.deviations.iter().zip(&program.examples).collect();
+    // What counts comes first.
+    each.sort_by_key(|(one, _)| (program.is_observed(**one), accepted.reason(&one.id(edition)).is_some()));
+    if each.len() > WITHOUT_A_LIST {
+        list(out, program, &each, width);
+    }
+    for (deviation, example) in each {
         let id = deviation.id(edition);
         let requirements = deviation.requirements(edition).join(", ");
         let of = if requirements.is_empty() { String::new() } else { format!(" ({requirements})") };
@@ -256,6 +270,25 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
     Ok(())
 }
 
+/// The deviations at a glance: what shows them takes more than a screen.
+fn list(out: &mut String, program: &DiagnosedProgram, each: &[(&Deviation, &Option<Example>)], width: usize) {
+    let all = counted(each.len() as u64, "deviation");
+    let silent = each.iter().filter(|(one, _)| program.is_observed(**one)).count();
+    let of_which = match silent {
+        0 => String::new(),
+        silent => format!(", {silent} of them no failure, where the document is silent"),
+    };
+    wrapped(out, format!("{all}{of_which}; below, each with what shows it").split(' '), 2, width);
+    for (one, _) in each {
+        let text = one.text(&program.edition).to_string();
+        let short = text.split("; expected").next().unwrap_or_default();
+        let mut line = String::new();
+        wrapped(&mut line, format!("- {short}").split(' '), 4, width);
+        out.push_str(&line);
+    }
+    out.push('\n');
+}
+
 /// The scenario that shows a deviation.
 fn shown(
     out: &mut String,
@@ -281,86 +314,4 @@ fn shown(
     }
     let line = format!("as a test for --suite: {}", scenario.to_line(id, machine));
     writeln!(out, "      {}", Styled(style::QUIET, line))
-}
-
-/// As `--json` writes it.
-#[derive(Serialize)]
-pub(super) struct DiagnosisJson<'a> {
-    experiments: usize,
-    deviations: Vec<DeviationJson<'a>>,
-    readings: BTreeMap<&'static str, &'static str>,
-    figure: Vec<ArrowJson<'a>>,
-    unexplained: usize,
-    left_out: &'a [&'static str],
-    cut: bool,
-    unused: Vec<&'a str>,
-}
-
-#[derive(Serialize)]
-struct DeviationJson<'a> {
-    id: String,
-    text: String,
-    requirements: Vec<&'static str>,
-    observed: bool,
-    accepted: Option<&'a str>,
-    example: Option<ExampleJson>,
-}
-
-#[derive(Serialize)]
-struct ExampleJson {
-    differences: Vec<String>,
-    beside: Vec<String>,
-    test: String,
-}
-
-#[derive(Serialize)]
-struct ArrowJson<'a> {
-    from: &'static str,
-    to: &'static str,
-    section: Option<&'static str>,
-    guard: &'a [String],
-    otherwise: &'a [String],
-    missing: bool,
-    not_shown: bool,
-}
-
-impl<'a> From<&'a DiagnosedProgram> for DiagnosisJson<'a> {
-    fn from(program: &'a DiagnosedProgram) -> Self {
-        let DiagnosedProgram { edition, found, accepted, .. } = program;
-        let machine = Machine::new(*edition, edition.readings);
-        let one = |(deviation, example): (&Deviation, &Option<Example>)| {
-            let id = deviation.id(edition);
-            DeviationJson {
-                text: deviation.text(edition).to_string(),
-                requirements: deviation.requirements(edition),
-                observed: program.is_observed(*deviation),
-                accepted: accepted.reason(&id),
-                example: example.as_ref().map(|example| ExampleJson {
-                    differences: example.differences.iter().map(ToString::to_string).collect(),
-                    beside: example.beside.iter().map(|other| other.id(edition)).collect(),
-                    test: example.scenario.to_line(&id, &machine).to_string(),
-                }),
-                id,
-            }
-        };
-        let arrow = |arrow: &'a Arrow| ArrowJson {
-            from: arrow.from.name(),
-            to: arrow.to.name(),
-            section: arrow.section,
-            guard: &arrow.guard,
-            otherwise: &arrow.otherwise,
-            missing: mark(arrow) == adsdv_spec::export::Mark::Missing,
-            not_shown: arrow.not_shown,
-        };
-        Self {
-            experiments: found.experiments,
-            deviations: found.deviations.iter().zip(&program.examples).map(one).collect(),
-            readings: found.readings.iter().map(|choice| (choice.reading().id(), choice.id())).collect(),
-            figure: program.figure.iter().map(arrow).collect(),
-            unexplained: found.unexplained.len(),
-            left_out: &found.left_out,
-            cut: found.cut,
-            unused: program.unused(),
-        }
-    }
 }

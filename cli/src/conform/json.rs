@@ -10,7 +10,8 @@ use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
 use super::JudgedProgram;
-use super::diagnosis::{DiagnosedProgram, DiagnosisJson};
+use super::diagnosis::DiagnosedProgram;
+use super::diagnosis::json::DiagnosisJson;
 use crate::json::{SCHEMA, line};
 
 /// The outcome as one JSON object on one line.

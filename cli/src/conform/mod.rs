@@ -22,7 +22,8 @@ use std::io::{self, BufReader};
 use std::path::Path;
 
 use adsdv_oracle::conform::{
-    ConformOptions, ConformProgress, ConformReport, Phase, Program, ProgramError, ProgramErrorKind, conform,
+    ConformOptions, ConformProgress, ConformReport, NOT_ALIKE, Phase, Program, ProgramError,
+    ProgramErrorKind, conform,
 };
 use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Choices, Edition, Machine, Reading};
@@ -69,7 +70,7 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     })?;
     let read = |path| Accepted::read(path, &ACCEPTABLE);
     let accepted = args.accept.as_deref().map_or(Ok(Accepted::default()), read)?;
-    let report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
+    let mut report = judge(args, &tests, &options).map_err(|trouble| no_verdict(&name, args, &trouble))?;
     if report.tests == 0 {
         return Err(nothing_run(&name, &report));
     }
@@ -79,6 +80,10 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     } else {
         None
     };
+    if report.repeats && diagnosis.as_ref().is_some_and(|program| !program.repeats()) {
+        report.repeats = false;
+        report.notes.push(NOT_ALIKE.to_owned());
+    }
     if let Some(path) = &args.write_accept {
         let deviations = diagnosis.as_ref().map_or(&[][..], DiagnosedProgram::deviations);
         let wrong = deviations.iter().map(|one| (one.id(edition), one.text(edition).to_string()));
@@ -136,7 +141,7 @@ fn undiagnosed(args: &ConformArgs, report: &ConformReport) -> Option<&'static st
         )
     } else if report.about.wall_clock {
         Some(
-            "by a clock on the wall the thousands of experiments would take hours; a program that goes by dt_ms is diagnosed",
+            "by a clock on the wall the thousands of experiments would take hours; a program that goes by dt_ms is diagnosed; FAILURES has what its tests show",
         )
     } else if !report.repeats {
         Some("it does not answer alike each time, and what one experiment teaches would not hold in the next")

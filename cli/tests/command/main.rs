@@ -20,6 +20,7 @@ mod excerpt;
 mod exercised;
 mod explore;
 mod export;
+mod first_screen;
 mod golden;
 mod help;
 mod html;

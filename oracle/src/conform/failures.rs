@@ -18,6 +18,9 @@ use crate::suite::{Scenario, Test};
 /// The report lists so many things that are wrong; of more only how many there are.
 pub(super) const LISTED: usize = 20;
 
+/// So many of the first tests are asked again at the end.
+const FIRST: usize = 12;
+
 /// What failed in the suite.
 #[derive(Debug, Default)]
 pub(super) struct Failures {
@@ -61,7 +64,7 @@ impl Run<'_> {
             failed.iter().map(|(_, test, scenario, _)| (test.name.as_str(), *scenario)).collect();
         let mut again: Vec<Again> = Vec::with_capacity(named.len());
         let mut broken: Vec<(usize, WrongAnswers, Vec<String>)> = Vec::with_capacity(named.len());
-        self.asked.ask(&named, &mut |asked, replies| {
+        let mut look = |asked: usize, replies: &[Reply]| {
             let Some(&(place, test, scenario, _)) = failed.get(asked) else { return };
             let wrong = WrongAnswers::find(&machine, scenario, replies, suite.late);
             let requirements = blame.broken(&test.requirements, &wrong);
@@ -69,7 +72,17 @@ impl Run<'_> {
             let found = Break::find(&machine, scenario, replies, suite.late);
             let replies = if found.is_some() { replies.to_vec() } else { Vec::new() };
             again.push(Again { replies, found });
+        };
+        let mut done = 0;
+        self.asked.ask(&named, &mut |asked, replies| {
+            look(asked, replies);
+            done = asked + 1;
         })?;
+        // For the others there was no time.
+        for (asked, (place, ..)) in failed.iter().enumerate().skip(done) {
+            let kept = suite.asked.iter().position(|own| own == place).and_then(|own| suite.kept.get(own));
+            look(asked, kept.map_or(&[], Vec::as_slice));
+        }
 
         let mut groups: Vec<Failure> = Vec::new();
         let mut wrong: Vec<String> = Vec::new();
@@ -126,6 +139,31 @@ impl Run<'_> {
             listed.push(self.shortest(failure, &machine, suite.late, share)?);
         }
         Ok(Failures { listed, more, wrong, broken })
+    }
+
+    /// Whether the first tests, asked again now that so much came between, come out as they did: a program that keeps something over
+    /// a reset was fresh when they were asked. Only where there is time, and where some test fails.
+    pub(super) fn begins_anew(&mut self, tests: &[Test], suite: &Suite) -> Result<bool, ProgramError> {
+        if suite.failed.is_empty() || self.asked.until.is_some() {
+            return Ok(true);
+        }
+        let machine = Machine::new(self.options.edition, suite.judged_by());
+        let first: Vec<(usize, &Scenario)> = suite
+            .asked
+            .iter()
+            .take(FIRST)
+            .filter_map(|place| Some((*place, suite.scenarios.get(*place)?.as_ref()?)))
+            .collect();
+        let name = |place: usize| tests.get(place).map_or("", |test| test.name.as_str());
+        let named: Vec<(&str, &Scenario)> =
+            first.iter().map(|(place, scenario)| (name(*place), *scenario)).collect();
+        let mut same = true;
+        self.asked.ask(&named, &mut |asked, replies| {
+            let Some((place, scenario)) = first.get(asked) else { return };
+            let wrong = Break::find(&machine, scenario, replies, suite.late).is_some();
+            same &= wrong == suite.failed.contains(place);
+        })?;
+        Ok(same)
     }
 
     /// The failure with the shortest scenario that is found in this time.

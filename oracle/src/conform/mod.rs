@@ -79,7 +79,7 @@ pub use program::Program;
 pub use program_error::{ProgramError, ProgramErrorKind, SentLine, Work, excerpt};
 pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
-pub use run::conform;
+pub use run::{NOT_ALIKE, conform};
 pub use running::RunningProgram;
 pub use vcu::{InProcess, Reply, Vcu};
 pub use verdict::{Follows, Side};

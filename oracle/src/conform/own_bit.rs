@@ -4,10 +4,13 @@
 //! step would seem to lose communication there, and nothing behind it would be judged. So such a program is asked one step after
 //! the other, and where the scenario answers the specification's bit its own is answered.
 
+use std::time::Instant;
+
 use adsdv_spec::{Edition, Machine};
 
 use super::program_error::ProgramError;
 use super::vcu::{Reply, Vcu};
+use super::wall_clock::takes;
 use crate::protocol::{About, SHOWN};
 use crate::suite::{Scenario, Step};
 
@@ -16,6 +19,8 @@ pub(super) struct Asked<'a> {
     pub(super) vcu: &'a mut dyn Vcu,
     /// The machine whose bit the scenarios answer, if the program is to be answered by its own.
     pub(super) own: Option<Machine>,
+    /// Until when scenarios are begun, if there is no time for all of them.
+    pub(super) until: Option<Instant>,
 }
 
 impl Vcu for Asked<'_> {
@@ -28,12 +33,22 @@ impl Vcu for Asked<'_> {
         scenarios: &[(&str, &Scenario)],
         answered: &mut dyn FnMut(usize, &[Reply]),
     ) -> Result<(), ProgramError> {
-        let Some(machine) = self.own else { return self.vcu.ask(scenarios, answered) };
+        if self.own.is_none() && self.until.is_none() {
+            return self.vcu.ask(scenarios, answered);
+        }
         for (place, (name, scenario)) in scenarios.iter().enumerate() {
+            if self.until.is_some_and(|until| Instant::now() + takes(scenario) > until) {
+                break;
+            }
+            let Some(machine) = self.own else {
+                self.vcu.ask(&[(*name, *scenario)], &mut |_, replies| answered(place, replies))?;
+                continue;
+            };
             let answers: Vec<bool> = scenario.answers(&machine).collect();
             let mut bit = false;
             let mut next = |place: usize, last: Option<&Reply>| {
-                bit = last.and_then(handshake).unwrap_or(bit);
+                // It may be asked from the beginning again.
+                bit = last.map_or(Some(false), handshake).unwrap_or(bit);
                 let (step, answers) = (scenario.steps.get(place)?, answers.get(place)?);
                 let mut inputs = step.inputs;
                 inputs.ai.status.handshake = bit == *answers;

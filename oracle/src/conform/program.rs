@@ -11,7 +11,7 @@ use adsdv_spec::{Edition, Inputs};
 use super::line_program::LineProgram;
 use super::program_error::{ProgramError, ProgramErrorKind, SentLine};
 use super::vcu::{Reply, Vcu};
-use super::wall_clock::{PATIENCE, TRIES, Taken};
+use super::wall_clock::{PATIENCE, TRIED, TRIES, Taken};
 use crate::protocol::{About, Answer, Protocol, Request, UNSAID};
 use crate::suite::{Scenario, Step};
 
@@ -108,6 +108,40 @@ impl Program {
         self.clock = Some(Instant::now());
     }
 
+    /// Steps through one scenario, each step by the answer to the one before.
+    fn once_in_turn(
+        &mut self,
+        name: &str,
+        next: &mut dyn FnMut(usize, Option<&Reply>) -> Option<Step>,
+    ) -> Result<Vec<Reply>, ProgramError> {
+        let protocol = Arc::clone(&self.protocol);
+        let mut scenario = Scenario::default();
+        let mut replies = Vec::new();
+        let written = Instant::now();
+        // One that goes by a clock has waited since.
+        if !std::mem::take(&mut self.is_reset) || self.clock.is_some() {
+            self.lines.write(format!("{}\n", protocol.line(&Request::Reset)).into_bytes());
+            let reset = self.lines.line().and_then(Reply::to_reset);
+            reset.map_err(|what| self.trouble(what, name, &scenario, 0))?;
+        }
+        self.clock = self.clock.map(|_| Instant::now());
+        self.told = true;
+        let mut before = Taken { written, answered: Instant::now() };
+        while let Some(step) = next(replies.len(), replies.last()) {
+            scenario.steps.push(step);
+            self.wait_for(step.dt_ms);
+            let request = Request::Step { dt_ms: step.dt_ms, inputs: step.inputs };
+            let written = Instant::now();
+            self.lines.write(format!("{}\n", protocol.line(&request)).into_bytes());
+            let late = self.late;
+            let reply = self.lines.line().and_then(|line| Reply::to_step(line, late, &protocol));
+            replies.push(reply.map_err(|what| self.trouble(what, name, &scenario, replies.len() + 1))?);
+            let taken = Taken { written, answered: Instant::now() };
+            self.told &= Taken::is_told(std::mem::replace(&mut before, taken), taken, step.dt_ms);
+        }
+        Ok(replies)
+    }
+
     /// The first reset, before which a program may say something of itself.
     fn first_reset(&mut self) -> Result<Option<About>, ProgramErrorKind> {
         let protocol = Arc::clone(&self.protocol);
@@ -188,16 +222,7 @@ impl Vcu for Program {
         if self.clock.is_some() {
             for (place, (name, scenario)) in scenarios.iter().enumerate() {
                 let mut step = |place: usize, _: Option<&Reply>| scenario.steps.get(place).copied();
-                let mut replies = self.ask_in_turn(name, &mut step)?;
-                for _ in 1..self.tries {
-                    if self.told {
-                        break;
-                    }
-                    replies = self.ask_in_turn(name, &mut step)?;
-                }
-                if !self.told {
-                    self.tries = (self.tries / 2).max(1);
-                }
+                let replies = self.ask_in_turn(name, &mut step)?;
                 answered(place, &replies);
             }
             return Ok(());
@@ -232,35 +257,24 @@ impl Vcu for Program {
         Ok(())
     }
 
+    /// One that goes by a clock is asked again while that did not tell its time.
     fn ask_in_turn(
         &mut self,
         name: &str,
         next: &mut dyn FnMut(usize, Option<&Reply>) -> Option<Step>,
     ) -> Result<Vec<Reply>, ProgramError> {
-        let protocol = Arc::clone(&self.protocol);
-        let mut scenario = Scenario::default();
-        let mut replies = Vec::new();
-        let written = Instant::now();
-        // One that goes by a clock has waited since.
-        if !std::mem::take(&mut self.is_reset) || self.clock.is_some() {
-            self.lines.write(format!("{}\n", protocol.line(&Request::Reset)).into_bytes());
-            let reset = self.lines.line().and_then(Reply::to_reset);
-            reset.map_err(|what| self.trouble(what, name, &scenario, 0))?;
-        }
-        self.clock = self.clock.map(|_| Instant::now());
-        self.told = true;
-        let mut before = Taken { written, answered: Instant::now() };
-        while let Some(step) = next(replies.len(), replies.last()) {
-            scenario.steps.push(step);
-            self.wait_for(step.dt_ms);
-            let request = Request::Step { dt_ms: step.dt_ms, inputs: step.inputs };
-            let written = Instant::now();
-            self.lines.write(format!("{}\n", protocol.line(&request)).into_bytes());
-            let late = self.late;
-            let reply = self.lines.line().and_then(|line| Reply::to_step(line, late, &protocol));
-            replies.push(reply.map_err(|what| self.trouble(what, name, &scenario, replies.len() + 1))?);
-            let taken = Taken { written, answered: Instant::now() };
-            self.told &= Taken::is_told(std::mem::replace(&mut before, taken), taken, step.dt_ms);
+        let began = Instant::now();
+        let mut replies = self.once_in_turn(name, next)?;
+        if self.clock.is_some() {
+            for _ in 1..self.tries {
+                if self.told || began.elapsed() > TRIED {
+                    break;
+                }
+                replies = self.once_in_turn(name, next)?;
+            }
+            if !self.told {
+                self.tries = (self.tries / 2).max(1);
+            }
         }
         Ok(replies)
     }

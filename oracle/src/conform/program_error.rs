@@ -69,6 +69,8 @@ pub enum ProgramErrorKind {
     },
     /// It answered a hello with something else than an object.
     NoHello(String, BadLine),
+    /// What it says of itself cannot be so.
+    NoAbout(String, BadLine),
     /// It answered a step with something else than outputs.
     NoAnswer(String, BadLine),
     /// It answered a reset with something else than an object, or with outputs.
@@ -93,11 +95,16 @@ impl ProgramError {
     /// What to do, in one sentence.
     pub fn hint(&self) -> &'static str {
         const HELLO: &str = "a program of this edition answers the hello with it, as oracle/PROTOCOL.md has it; for one of another edition name that with --edition";
+        const ABOUT: &str = "say before the first answer only what oracle/PROTOCOL.md has: \"inputs\", \"outputs\", \"cycle_ms\" and \"clock\", each as it is there; or leave it out";
+        if let ProgramErrorKind::NoAbout(..) = self.what {
+            return ABOUT;
+        }
         if self.place.as_ref().is_some_and(|place| place.scenario.is_empty()) {
             return HELLO;
         }
         match &self.what {
             ProgramErrorKind::OtherEdition { .. } | ProgramErrorKind::NoHello(..) => HELLO,
+            ProgramErrorKind::NoAbout(..) => ABOUT,
             ProgramErrorKind::NoStart(error) => match error.kind() {
                 io::ErrorKind::NotFound => {
                     "check the path, and put what the program is started with before it, such as: adsdv conform -- python3 vcu.py"
@@ -126,7 +133,7 @@ impl ProgramError {
                 "write answers in UTF-8, and nothing but answers; standard error is for everything else"
             }
             ProgramErrorKind::NoAnswer(line, _) if line.trim() == "{}" => {
-                "show at least as_state; {} here means that a line before it was not answered, or that the program is late: then say by how many steps with --latency"
+                "show at least as_state; {} here means that a line before it was not answered, that what the program said of itself first has no key that there is, or that it is late: then say by how many steps with --latency"
             }
             ProgramErrorKind::NoAnswer(..) => {
                 "answer a step with one JSON object, as oracle/PROTOCOL.md has it, and write everything else to standard error"
@@ -174,6 +181,7 @@ impl ProgramErrorKind {
             | Self::NoAnswer(line, _)
             | Self::NoReset(line, _)
             | Self::NoHello(line, _)
+            | Self::NoAbout(line, _)
             | Self::TooMany(line)
             | Self::TooLong(_, line) => Some(line),
             Self::Late(_, unfinished) => Some(unfinished).filter(|unfinished| !unfinished.is_empty()),
@@ -235,6 +243,7 @@ impl fmt::Display for ProgramErrorKind {
                 )
             }
             Self::NoHello(_, why) => write!(f, "not the answer to a hello: {why}"),
+            Self::NoAbout(_, why) => write!(f, "what it says of itself cannot be so: {why}"),
             Self::NoAnswer(_, why) => write!(f, "not the answer to a step: {why}"),
             Self::NoReset(_, Some(why)) => write!(f, "not the answer to a reset: {why}"),
             Self::NoReset(_, None) => f.write_str("not the answer to a reset: outputs; expected {}"),

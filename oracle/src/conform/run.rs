@@ -1,6 +1,6 @@
 //! The suite, then random scenarios, and what came of them.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use adsdv_spec::{Inputs, Machine};
 
@@ -32,6 +32,7 @@ pub fn conform(
     options: &ConformOptions,
     progress: &mut dyn FnMut(ConformProgress),
 ) -> Result<ConformReport, ProgramError> {
+    let began = Instant::now();
     let about = vcu.hello(&options.edition)?;
     let mut options = options.clone();
     options.cycle_ms = options.cycle_ms.or(about.cycle_ms);
@@ -41,7 +42,10 @@ pub fn conform(
     let askable: Vec<Test> = askable(tests, &about, &options).cloned().collect();
     let at = ConformProgress { phase: Phase::Suite, done: 0, all: askable.len() };
     let shrinking = options.shrinking;
-    let asked = Asked { vcu, own: None };
+    // Each test is asked once: one line after the other, by its own bit, as long as there is time.
+    let own = about.wall_clock.then(|| Machine::new(options.edition, options.edition.readings));
+    let until = about.wall_clock.then(|| began + options.wall_time);
+    let asked = Asked { vcu, own, until };
     let runs = options.runs;
     let mut run = Run {
         asked,
@@ -103,6 +107,10 @@ fn said(about: &About, report: &ConformReport) -> Vec<String> {
     notes
 }
 
+/// What is said of a program that does not repeat its answers.
+pub const NOT_ALIKE: &str = "it does not answer the same questions alike: what is said of it may be otherwise the next time; \
+    it may go by chance or by a clock, or keep something over a reset";
+
 /// What goes on, and what it has come to.
 pub(super) struct Run<'a> {
     pub(super) asked: Asked<'a>,
@@ -130,6 +138,7 @@ impl Run<'_> {
         notes.extend(self.by_its_own_bit(tests, &mut suite)?);
         let blame = Blame::of(&Machine::new(options.edition, suite.judged_by()), tests);
         let in_suite = self.suite_failures(tests, &suite, &blame)?;
+        let begins_anew = self.begins_anew(tests, &suite)?;
         let in_random = self.random(&suite, &in_suite, &blame)?;
         notes.extend(self.asked.end()?);
 
@@ -137,11 +146,9 @@ impl Run<'_> {
         let strict = options.strict;
         let is_observed =
             |wrong: &WrongAnswers, ids: &[String]| !strict && !wrong.is_nothing() && are_decisions(ids);
-        let repeats = broken.iter().all(|(_, wrong, _)| !wrong.is_nothing());
+        let repeats = broken.iter().all(|(_, wrong, _)| !wrong.is_nothing()) && begins_anew;
         if !repeats {
-            notes.push(
-                "it does not answer the same questions alike: what is said of it may be otherwise the next time".to_owned(),
-            );
+            notes.push(NOT_ALIKE.to_owned());
         }
         let observed_tests = broken.iter().filter(|(_, wrong, ids)| is_observed(wrong, ids)).count();
         let follows = if suite.failed.is_empty() {

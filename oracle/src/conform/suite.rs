@@ -38,9 +38,11 @@ pub(super) struct Suite {
     pub(super) explained_by_state: Vec<Set>,
     /// The outputs that all answers to each show.
     pub(super) shown: Vec<Keys>,
+    /// The answers to each, where there may be no time to ask for them again.
+    pub(super) kept: Vec<Vec<Reply>>,
     /// The scenarios as they were asked for.
     pub(super) scenarios: Vec<Option<Scenario>>,
-    /// The tests that steps of the cycle cannot express.
+    /// The tests that steps of the cycle cannot express, or for which there was no time.
     pub(super) not_run: Vec<String>,
     /// Whether some answers that nothing explains have another handshake bit than the default readings.
     pub(super) another_bit: bool,
@@ -69,7 +71,7 @@ impl Suite {
 impl Run<'_> {
     /// Whether most of the suite fails only because the outputs are later than is allowed for.
     pub(super) fn later(&mut self, tests: &[Test], suite: &Suite) -> Result<Vec<String>, ProgramError> {
-        if suite.failed.len() * 2 <= tests.len() {
+        if suite.failed.len() * 2 <= tests.len() || self.asked.until.is_some() {
             return Ok(Vec::new());
         }
         let steps = self.steps;
@@ -95,7 +97,7 @@ impl Run<'_> {
         tests: &[Test],
         suite: &mut Suite,
     ) -> Result<Option<String>, ProgramError> {
-        if !suite.another_bit || self.options.latency > 0 {
+        if !suite.another_bit || self.options.latency > 0 || self.asked.own.is_some() {
             return Ok(None);
         }
         let machine = Machine::new(self.options.edition, suite.judged_by());
@@ -124,7 +126,7 @@ impl Run<'_> {
         };
         let scenarios: Vec<Option<Scenario>> =
             tests.iter().map(|test| Some(with_tail(&stepped(test)?, latency))).collect();
-        let asked: Vec<(usize, &str, &Scenario)> = tests
+        let mut asked: Vec<(usize, &str, &Scenario)> = tests
             .iter()
             .zip(&scenarios)
             .enumerate()
@@ -135,7 +137,8 @@ impl Run<'_> {
         let mut explained: Vec<Vec<Explained>> = Vec::new();
         explained.resize_with(latency + 1, || Vec::with_capacity(asked.len()));
         let mut shown: Vec<Keys> = Vec::with_capacity(asked.len());
-        let mut another_bit = false;
+        let (mut another_bit, mut kept) = (false, Vec::new());
+        let keeps = self.asked.until.is_some();
         let named: Vec<(&str, &Scenario)> =
             asked.iter().map(|&(_, name, scenario)| (name, scenario)).collect();
         self.suite_steps = named.iter().map(|(_, scenario)| scenario.steps.len() as u64).sum();
@@ -146,12 +149,18 @@ impl Run<'_> {
                     another_bit |= by.state.is_empty() && differs(&reference, scenario, replies);
                     explained.push(by);
                 }
+                if keeps {
+                    kept.push(replies.to_vec());
+                }
                 // Of the first answers a late program need not show more than AS_OFF.
                 let given = replies.iter().skip(latency).map(Keys::given);
                 shown.push(given.fold(Keys::ALL, Keys::and));
             }
         })?;
 
+        // For the others there was no time.
+        asked.truncate(shown.len());
+        let was_asked = |place: &usize| asked.iter().any(|(own, ..)| own == place);
         let counted = explained.iter().enumerate().map(|(late, explained)| {
             let by = |set: fn(&Explained) -> &Set| explained.iter().map(set);
             (late, verdict::best(&explain, by(|one| &one.all), by(|one| &one.state)))
@@ -181,10 +190,11 @@ impl Run<'_> {
             readings,
             not_run: tests
                 .iter()
-                .zip(&scenarios)
-                .filter(|(_, scenario)| scenario.is_none())
-                .map(|(test, _)| test.name.clone())
+                .enumerate()
+                .filter(|(place, _)| !was_asked(place))
+                .map(|(_, test)| test.name.clone())
                 .collect(),
+            kept,
             asked: asked.iter().map(|(place, ..)| *place).collect(),
             explained_by_state,
             shown,

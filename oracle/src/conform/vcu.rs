@@ -93,7 +93,7 @@ impl Reply {
     /// Fails if the line is no text, or says what cannot be so.
     pub fn about(line: &[u8], protocol: &Protocol) -> Result<Option<About>, ProgramErrorKind> {
         let line = text(line)?;
-        About::read(line, protocol).map_err(|why| ProgramErrorKind::NoHello(excerpt(line.as_bytes()), why))
+        About::read(line, protocol).map_err(|why| ProgramErrorKind::NoAbout(excerpt(line.as_bytes()), why))
     }
 
     /// The answer to a step, as a program writes it. One that is `late` may have nothing to show yet.

@@ -13,6 +13,8 @@ const MOST_MS: u32 = 9;
 /// So often a test is tried in which a step may have taken less than it says, or more than it may: on a busy computer both sides
 /// let each other wait now and then. For a program that is always slow that is no use, and tried less and less.
 pub(super) const TRIES: usize = 8;
+/// A test that has taken longer is not tried again.
+pub(super) const TRIED: Duration = Duration::from_secs(2);
 /// What a program may take for a step beside its time.
 const ANSWER: Duration = Duration::from_millis(2);
 

@@ -1,6 +1,6 @@
 //! What a program says of itself: its inputs, its outputs, its cycle, its clock.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use adsdv_oracle::conform::{ConformOptions, ConformReport, ProgramError};
 use adsdv_spec::Edition;
@@ -76,4 +76,21 @@ fn a_program_on_a_wall_clock_is_judged_in_the_time_that_there_is() {
     assert!(report.conforms(), "{:?}", report.failures.iter().map(|one| &one.name).collect::<Vec<_>>());
     let wrong = judged(&[&args[..], &["--mutation", "3.6: dropped"]].concat(), &options).expect("it answers");
     assert!(!wrong.conforms());
+}
+
+/// Those that failed are asked again only as far as there is time.
+#[test]
+fn a_program_on_a_wall_clock_that_fails_most_tests_is_judged_in_the_same_time() {
+    let options = ConformOptions { wall_time: Duration::from_secs(4), ..some() };
+    let args = ["--about", r#"{"clock":"wall"}"#, "--clock", "--mutation", "3.1: dropped"];
+    let start = Instant::now();
+    let report = judged(&args, &options).expect("it answers");
+    assert!(
+        report.tests > 10 && report.failed_tests * 2 > report.tests,
+        "{} of {}",
+        report.failed_tests,
+        report.tests
+    );
+    assert_eq!(report.tests + report.not_run.len(), tests().len());
+    assert!(start.elapsed() < options.wall_time + Duration::from_secs(1), "{:?}", start.elapsed());
 }
