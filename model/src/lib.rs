@@ -46,6 +46,7 @@ mod look;
 mod moot;
 mod open;
 mod parts;
+mod planes;
 mod promela;
 mod properties;
 mod property;

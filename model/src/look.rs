@@ -7,9 +7,9 @@ use adsdv_spec::{Control, Machine, Timing};
 use crate::action::Action;
 use crate::document::Document;
 use crate::goals::goals;
+use crate::planes::Words;
 use crate::property::{Led, Property};
 use crate::step::{CYCLE_MS, Step};
-use crate::vectors::Words;
 
 /// What the steps out of a control state showed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub(crate) fn look(machine: &Machine, timing: &Timing, control: &Control, vector
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::{Atom, Atoms, Edition, Faults, Mutation, Observation};
+    use adsdv_spec::{Edition, Mutation};
 
     use super::*;
     use crate::reachable::reachable;
@@ -108,24 +108,5 @@ mod tests {
             }
         }
         assert!(broken.count_ones() > 25, "the mutants break many: {broken:b}");
-    }
-
-    #[test]
-    fn a_word_shows_what_its_vectors_show() {
-        let seen = |atoms: &[Atom]| Observation::new(Atoms::of(atoms), Faults::NONE);
-        let (one, other) = (seen(&[Atom::Asms]), seen(&[Atom::Asms, Atom::Tsms]));
-        let vectors: Words = (0..70).map(|place| if place % 3 == 0 { one } else { other }).collect();
-        let shows = |on: &[Atom], off: &[Atom]| -> Vec<usize> {
-            let words = vectors.words().enumerate();
-            let bits = |(word, (_, planes)): (usize, (_, &crate::vectors::Planes))| {
-                let bits = planes.show(Atoms::of(on), Atoms::of(off));
-                (0..64).filter(move |bit| bits >> bit & 1 == 1).map(move |bit| word * 64 + bit)
-            };
-            words.flat_map(bits).filter(|&place| place < vectors.len()).collect()
-        };
-        let every = |third: bool| (0..70).filter(|place| (place % 3 == 0) == third).collect::<Vec<_>>();
-        assert_eq!(shows(&[Atom::Asms], &[Atom::Tsms]), every(true));
-        assert_eq!(shows(&[Atom::Tsms], &[]), every(false));
-        assert!(shows(&[], &[Atom::Asms]).is_empty());
     }
 }

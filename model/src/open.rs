@@ -15,7 +15,8 @@ use crate::document::Document;
 use crate::goals::{questions, to_the_end};
 use crate::look::{Look, look};
 use crate::parts::Parts;
-use crate::vectors::{Cache, Vectors, Words, varied};
+use crate::planes::Words;
+use crate::vectors::{Cache, Vectors, varied};
 
 /// A control state, and what the steps out of it show, once somebody asks.
 #[derive(Clone, Debug)]

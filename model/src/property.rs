@@ -6,9 +6,9 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Control, Edition, Machine, Timing};
 
 use crate::document::Document;
+use crate::planes::Planes;
 use crate::properties::PROPERTIES;
 use crate::step::Step;
-use crate::vectors::Planes;
 
 /// A property that every step keeps.
 #[derive(Clone, Copy, Debug)]

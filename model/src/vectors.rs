@@ -1,13 +1,13 @@
 //! The input vectors: every combination of the conditions that a step can depend on.
 
 use std::collections::HashMap;
-use std::ops::Deref;
 use std::sync::{Arc, PoisonError, RwLock};
 
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observation, Reads, Row, Timing};
 
 use crate::document::Document;
+use crate::planes::Words;
 use crate::property::Property;
 use crate::step::CYCLE_MS;
 
@@ -26,66 +26,6 @@ pub enum Vectors {
     /// As [`Read`](Self::Read), with one fault only that opens the shutdown circuit, by the lemma `which-fault`: the
     /// others differ from it in the `SHUTDOWN_CAUSE` alone.
     Few,
-}
-
-/// Input vectors, in words of 64.
-#[derive(Debug)]
-pub(crate) struct Words {
-    seen: Vec<Observation>,
-    planes: Vec<Planes>,
-}
-
-/// Of so many vectors a machine word has one bit each.
-pub(crate) const WORD: usize = u64::BITS as usize;
-
-/// Which of the vectors of a word show each atom: bit by bit in the order of the vectors.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Planes([u64; Atom::ALL.len()]);
-
-impl Words {
-    fn of(seen: Vec<Observation>) -> Self {
-        let planes = seen.chunks(WORD).map(Planes::of).collect();
-        Self { seen, planes }
-    }
-
-    /// The words, one after the other: up to 64 vectors each.
-    pub(crate) fn words(&self) -> impl Iterator<Item = (&[Observation], &Planes)> {
-        self.seen.chunks(WORD).zip(&self.planes)
-    }
-}
-
-impl FromIterator<Observation> for Words {
-    fn from_iter<I: IntoIterator<Item = Observation>>(seen: I) -> Self {
-        Self::of(seen.into_iter().collect())
-    }
-}
-
-/// The vectors, one by one.
-impl Deref for Words {
-    type Target = [Observation];
-
-    fn deref(&self) -> &[Observation] {
-        &self.seen
-    }
-}
-
-impl Planes {
-    fn of(word: &[Observation]) -> Self {
-        let plane = |atom: &Atom| {
-            let shows = |(place, seen): (usize, &Observation)| u64::from(seen.atoms().has(*atom)) << place;
-            word.iter().enumerate().map(shows).fold(0, |plane, bit| plane | bit)
-        };
-        let mut planes = [0; Atom::ALL.len()];
-        planes.iter_mut().zip(Atom::ALL).for_each(|(place, atom)| *place = plane(atom));
-        Self(planes)
-    }
-
-    /// Which vectors show all of these atoms, and none of those.
-    pub(crate) fn show(&self, on: Atoms, off: Atoms) -> u64 {
-        let plane = |atom: Atom| self.0.get(atom as usize).copied().unwrap_or_default();
-        let all = on.iter().fold(u64::MAX, |all, atom| all & plane(atom));
-        off.iter().fold(all, |all, atom| all & !plane(atom))
-    }
 }
 
 /// The vectors of each set of conditions, made once.
