@@ -120,7 +120,7 @@ impl AsSvg<'_> {
         let dashes = if arrow.mark == Mark::Missing { r#" stroke-dasharray="3 5""# } else { "" };
         write!(
             f,
-            r##"<path class="line" d="{line}" fill="none" stroke="{colour}" stroke-width="{width}"{dashes} marker-end="url(#figure-2-{head})"/>"##
+            r#"<path class="line" d="{line}" fill="none" stroke="{colour}" stroke-width="{width}"{dashes} marker-end="url(#figure-2-{head})"/>"#
         )
     }
 
