@@ -1,6 +1,5 @@
 //! A bus that somebody else hears, judged while its frames come: the lines that `adsdv watch --web` streams.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{Cursor, Read};
 
@@ -55,7 +54,12 @@ pub(crate) struct HeardJson {
 }
 
 /// The last frame of a message, and how many came.
-type Last = BTreeMap<u32, (i64, Vec<u8>, u64)>;
+struct Last {
+    id: u32,
+    time_ns: i64,
+    data: Vec<u8>,
+    count: u64,
+}
 
 impl Live {
     /// By an edition, `None` where the frames are to tell it, and with readings that are pinned.
@@ -72,7 +76,7 @@ impl Live {
         if missed > 0 {
             self.judge.lost(missed);
         }
-        let mut last = Last::new();
+        let mut last: Vec<Last> = Vec::new();
         // Of the kind that reads files, so that the module has one.
         let source: Box<dyn Read + Send> = Box::new(Cursor::new(lines.to_owned()));
         let mut reader = Reader::new(source);
@@ -92,16 +96,16 @@ impl Live {
                 Err(error) => return Err(Refusal::of_request(error.to_string())),
             }
         }
-        Ok(self.json(last))
+        Ok(self.json(&last))
     }
 
     /// Nothing comes any more: what waits for the edition is judged.
     pub(crate) fn end(&mut self) -> HeardJson {
         self.judge.decide();
-        self.json(Last::new())
+        self.json(&[])
     }
 
-    fn json(&mut self, last: Last) -> HeardJson {
+    fn json(&mut self, last: &[Last]) -> HeardJson {
         let (transitions, findings) = self.judge.news();
         self.violations += findings.iter().filter(|one| one.severity == Severity::Violation).count();
         let judged_at = self.judge.judged_at().filter(|_| self.frames > 0);
@@ -117,7 +121,7 @@ impl Live {
             in_state: self.judge.waits().map_or(0.0, |(now, stay)| seconds(now - stay.since_ns)),
             known: Atom::ALL.iter().map(|atom| (atom.id(), known.of(*atom).name())).collect(),
             stay: self.judge.waits().map(|(_, stay)| StayJson::of(rules, &latest(stay))),
-            messages: last.into_iter().filter_map(message).collect(),
+            messages: last.iter().filter_map(message).collect(),
             transitions: transitions.iter().map(ChangeJson::of).collect(),
             findings: findings
                 .iter()
@@ -137,22 +141,28 @@ impl Live {
     }
 }
 
-fn take_down(last: &mut Last, record: &Record<'_>) {
-    if record.kind == FrameKind::Standard {
-        let (time_ns, data, count) = last.entry(record.id).or_default();
-        *time_ns = record.time_ns;
-        record.data.clone_into(data);
-        *count += 1;
+fn take_down(last: &mut Vec<Last>, record: &Record<'_>) {
+    if record.kind != FrameKind::Standard {
+        return;
+    }
+    let (id, time_ns) = (record.id, record.time_ns);
+    // There are some thirty.
+    match last.iter_mut().find(|one| one.id == id) {
+        Some(one) => {
+            record.data.clone_into(&mut one.data);
+            (one.time_ns, one.count) = (time_ns, one.count + 1);
+        }
+        None => last.push(Last { id, time_ns, data: record.data.to_vec(), count: 1 }),
     }
 }
 
-fn message((id, (time_ns, data, count)): (u32, (i64, Vec<u8>, u64))) -> Option<(f64, u16, String, u64)> {
+fn message(Last { id, time_ns, data, count }: &Last) -> Option<(f64, u16, String, u64)> {
     let mut hex = String::new();
     for byte in data {
         // Memory takes it.
         let _ = write!(hex, "{byte:02X}");
     }
-    Some((seconds(time_ns), u16::try_from(id).ok()?, hex, count))
+    Some((seconds(*time_ns), u16::try_from(*id).ok()?, hex, *count))
 }
 
 /// A state with what blocks its arrows now; what blocked them before may be much.

@@ -109,19 +109,24 @@ impl fmt::Display for Line {
     }
 }
 
-/// To a tenth, which nobody sees.
+/// To a tenth: nobody sees less.
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = |f: &mut fmt::Formatter<'_>, number: f64| {
-            if abs(number % 1.0) < 0.05 || abs(number % 1.0) > 0.95 {
-                write!(f, "{number:.0}")
-            } else {
-                write!(f, "{number:.1}")
-            }
-        };
-        number(f, self.x)?;
-        f.write_str(" ")?;
-        number(f, self.y)
+        write!(f, "{} {}", Tenths(self.x), Tenths(self.y))
+    }
+}
+
+/// Displays a number of the picture to a tenth.
+pub(super) struct Tenths(pub(super) f64);
+
+impl fmt::Display for Tenths {
+    #[expect(clippy::cast_possible_truncation, reason = "what is in the picture has few digits")]
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let tenths = (self.0 * 10.0 + 0.5) as i32;
+        match (tenths / 10, tenths % 10) {
+            (whole, 0) => write!(f, "{whole}"),
+            (whole, tenth) => write!(f, "{whole}.{tenth}"),
+        }
     }
 }
 

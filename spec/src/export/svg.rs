@@ -4,7 +4,7 @@ use core::fmt::{self, Write as _};
 
 use super::drawing::{Drawing, DrawnArrow, Mark};
 use super::light::{Background, Paint};
-use super::places::{BOX, Line, Point, SIZE, place};
+use super::places::{BOX, Line, Point, SIZE, Tenths, place};
 use crate::Assi;
 use crate::messages::AsState;
 
@@ -162,10 +162,11 @@ fn label(
     let width = f64::from(u16::try_from(width).unwrap_or(u16::MAX));
     write!(
         f,
-        r#"</title><rect x="{:.1}" y="{:.1}" width="{width}" height="20" rx="5" fill="{paper}" stroke="{ink}"/><text x="{x:.1}" y="{:.1}" fill="{ink}" font-size="12" font-weight="{weight}">{sign}{}</text></g>"#,
-        x - width / 2.0,
-        y - 10.0,
-        y + 4.0,
+        r#"</title><rect x="{}" y="{}" width="{width}" height="20" rx="5" fill="{paper}" stroke="{ink}"/><text x="{}" y="{}" fill="{ink}" font-size="12" font-weight="{weight}">{sign}{}</text></g>"#,
+        Tenths(x - width / 2.0),
+        Tenths(y - 10.0),
+        Tenths(x),
+        Tenths(y + 4.0),
         Text(first)
     )
 }

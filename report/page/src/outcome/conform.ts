@@ -33,7 +33,7 @@ function deviations(data: ConformData, all: Deviation[]): HTMLElement {
         ["Against", one.requirements.length > 0 && sentences(data, one.requirements)],
         ["Beside", one.example && one.example.beside.length > 0 && one.example.beside.join(", ")]),
       one.example && h("h4", {}, "The shortest scenario that shows it"),
-      one.example && suiteTable(one.example.test, one.example.differences.join(", ")),
+      one.example && suiteTable(one.id, one.example.test, one.example.differences.join(", ")),
       one.example && copied("As a test for --suite", one.example.test));
   });
   const none = data.json.diagnosis!.cut ? "The search ended before anything could be named."
@@ -77,7 +77,7 @@ function failure(data: ConformData, one: Failure): HTMLElement {
       ["Against", one.requirements.length > 0 && sentences(data, one.requirements)],
       ["Fail likewise", one.also.join(", ")],
       ["Right under", one.explained_by.join(", ")]),
-    stepTable(one.steps, keys.length > 0 ? keys : ["as_state"]));
+    stepTable(one.name, one.steps, keys.length > 0 ? keys : ["as_state"]));
 }
 
 const OUTCOMES: Kind[] = [

@@ -35,7 +35,7 @@ function finding(data: ExamData, one: ExamFinding): HTMLElement {
       ["The operator had", one.operator.map(({ t, did }) => `${t.toFixed(3)} s ${did}`).join("; ")],
       ["The car", one.car]),
     one.trace ? copied("Where it failed, in its own words", one.trace) : null,
-    frames.length > 0 && table("The last frames of each message that decides", ["When", "By", "Frame"], frames),
+    frames.length > 0 && table(`The last frames of ${one.scenario} at ${one.t.toFixed(3)} s, by message`, ["When", "By", "Frame"], frames),
     one.shortest ? copied("The shortest scenario that shows it, for --scenario", one.shortest) : null);
 }
 

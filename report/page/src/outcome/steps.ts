@@ -36,7 +36,7 @@ function outputs(step: Step, which: "expected" | "actual", wrong: string[]): str
 }
 
 /** A failure's steps as a table. */
-export function stepTable(steps: Step[], keys: string[]): HTMLElement {
+export function stepTable(name: string, steps: Step[], keys: string[]): HTMLElement {
   const lines: Stretch[] = [];
   let ms = 0;
   steps.forEach((step, place) => {
@@ -50,13 +50,13 @@ export function stepTable(steps: Step[], keys: string[]): HTMLElement {
       before.ms = ms;
     } else lines.push(line);
   });
-  return table(["Step", "Time", "Inputs that changed", "Expected", "Shown"], lines.map((one) => [
+  return table(name, ["Step", "Time", "Inputs that changed", "Expected", "Shown"], lines.map((one) => [
     one.first === one.last ? String(one.first) : `${one.first}–${one.last}`, `${one.ms} ms`, one.changes, one.expected,
     one.wrong ? h("strong", { class: "past" }, `${SIGNS.bad} ${one.actual}`) : one.actual]));
 }
 
 /** The steps of a line of a suite, and what is shown after the last of them. */
-export function suiteTable(line: string, end: string): HTMLElement | undefined {
+export function suiteTable(name: string, line: string, end: string): HTMLElement | undefined {
   let test: { steps?: { dt_ms?: number; times?: number; inputs?: Record<string, Value> }[] };
   try {
     test = JSON.parse(line) as typeof test;
@@ -77,11 +77,11 @@ export function suiteTable(line: string, end: string): HTMLElement | undefined {
     return [first === last ? String(first) : `${first}–${last}`, `${ms} ms`, changed, ""] as (string | HTMLElement)[];
   });
   lines.at(-1)?.splice(3, 1, h("strong", { class: "past" }, `${SIGNS.bad} ${end}`));
-  return table(["Step", "Time", "Inputs that changed", "Shown"], lines);
+  return table(name, ["Step", "Time", "Inputs that changed", "Shown"], lines);
 }
 
-function table(head: string[], lines: (string | HTMLElement)[][]): HTMLElement {
-  return h("div", { class: "scroll frames", tabindex: 0, role: "region", "aria-label": "Steps, a table" },
+function table(name: string, head: string[], lines: (string | HTMLElement)[][]): HTMLElement {
+  return h("div", { class: "scroll frames", tabindex: 0, role: "region", "aria-label": `Steps of ${name}, a table` },
     h("table", {}, h("thead", {}, h("tr", {}, ...head.map((title) => h("th", { scope: "col" }, title)))),
       h("tbody", {}, ...lines.map((cells) => h("tr", {}, ...cells.map((cell) => h("td", {}, cell)))))));
 }
