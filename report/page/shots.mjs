@@ -41,7 +41,7 @@ await shot("phone", violates, { viewport: { width: 390, height: 760 }, isMobile:
 // Those of docs/outcomes.md.
 docs = new URL("../../docs/outcomes", import.meta.url).pathname;
 mkdirSync(docs, { recursive: true });
-const vcu = outcome("conform", ["--runs", "50"], [mutant, "--mutation", "3.6: dropped", "--mutation", "3.7 term 5: dropped"]).page;
+const vcu = outcome("conform", ["--runs", "50"], [mutant, "--mutation", "3.6: dropped", "--mutation", "3.3: leads to AS_OFF", "--mutation", "ready dwell +1"]).page;
 await shot("conform", vcu, { viewport: { width: 1000, height: 640 } });
 await shot("figure", vcu, { viewport: { width: 1000, height: 480 } }, at("figure2"));
 await shot("exam", outcome("exam", ["--stdio"], [stack, "looks-at-one-wheel"]).page, { viewport: { width: 1000, height: 760 } }, (tab) => tab.locator("#findings .open").first().click());

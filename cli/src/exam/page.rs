@@ -27,7 +27,7 @@ pub(super) fn html(subject: &Examinee<'_>, report: &ExamReport) -> Result<String
         verdict: &verdict,
         next: &next(subject, report),
         json: &json(subject, report),
-        shown: Shown::Exam,
+        shown: Shown::Exam(subject.edition.edition()),
     }
     .html()
 }

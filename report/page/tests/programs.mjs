@@ -1,11 +1,12 @@
 // Programs with mistakes, what adsdv says of them, and the pages that it makes of that.
 
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, relative } from "node:path";
 
 import { folder, root, run, template } from "./browser.mjs";
 
-const examples = process.env.EXAMPLES ?? join(root, "target/debug/examples");
+/** Seen from the root, so that no page has a path of this machine. */
+const examples = relative(root, process.env.EXAMPLES ?? join(root, "target/debug/examples"));
 /** A VCU, by what it does otherwise. */
 export const mutant = join(examples, "mutant");
 /** An AI Computer, by its mistake. */
@@ -18,20 +19,16 @@ export function outcome(command, options, program) {
   return { page, json };
 }
 
-/** The page of costs of readings: exploring them takes minutes, so that they are read from a file of `adsdv verify --readings --json`. */
+/** The page of costs of readings: exploring them takes minutes, so that its data is that of `adsdv verify --readings --edition 3.0 --html`. */
 export function costs() {
-  const json = [JSON.parse(readFileSync(new URL("costs-3.0.json", import.meta.url), "utf8"))];
-  const page = template("outcome", {
-    kind: "readings", version: "0", title: "adsdv verify --readings: what each reading costs", about: ["edition 3.0"], mood: "good",
-    verdict: "Every exploration was complete.", next: "Agree on the answers.", requirements: {}, readings: {}, picture: null, json,
-  });
-  return { page, json };
+  const data = JSON.parse(readFileSync(new URL("costs-3.0.json", import.meta.url), "utf8"));
+  return { page: template("outcome", data), json: data.json };
 }
 
 /** A program under another name. */
 export function named(program, name) {
   const bin = join(folder, "bin");
   mkdirSync(bin, { recursive: true });
-  copyFileSync(program, join(bin, name));
+  copyFileSync(join(root, program), join(bin, name));
   return join(bin, name);
 }

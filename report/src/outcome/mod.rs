@@ -10,10 +10,11 @@ mod named;
 
 use std::collections::BTreeMap;
 
-use adsdv_spec::AsState;
+use adsdv_spec::{AsState, Edition};
 use serde::Serialize;
 use serde_json::value::RawValue;
 
+use crate::catalog::{MessageJson, messages};
 use crate::figure::Picture;
 use crate::mood::Mood;
 use crate::page::PageError;
@@ -34,7 +35,7 @@ pub(crate) const TEMPLATE: &str = include_str!("../../page/dist/outcome.html");
 ///     verdict: "It passes.",
 ///     next: "Nothing is to be done.",
 ///     json: r#"{"requirements":[{"id":"HS-5"}]}"#,
-///     shown: Shown::Exam,
+///     shown: Shown::Exam(&adsdv_spec::Edition::V3_0),
 /// };
 /// let page = outcome.html()?;
 /// assert!(page.starts_with("<!doctype html>") && page.contains("It passes."));
@@ -64,8 +65,8 @@ pub enum Shown<'a> {
     /// A program that is a VCU: `adsdv conform`. With the arrows of its own Figure 2 in the order of the JSON's, none where it was not
     /// found out.
     Conform(&'a [(AsState, AsState)]),
-    /// An AI Computer: `adsdv exam`.
-    Exam,
+    /// An AI Computer: `adsdv exam`, by this edition.
+    Exam(&'a Edition),
     /// The readings of the document: `adsdv verify --readings`.
     Readings,
 }
@@ -84,6 +85,8 @@ struct DataJson<'a> {
     /// The questions that the document leaves open, and the answers to them, in words.
     readings: BTreeMap<String, &'static str>,
     picture: Option<Picture>,
+    /// How frames are read, where there are some.
+    messages: Vec<MessageJson>,
     json: &'a RawValue,
 }
 
@@ -96,10 +99,10 @@ impl Outcome<'_> {
     /// The data of the page, as one JSON object in which no `<` can end the script that it stands in.
     pub fn data(&self) -> Result<String, PageError> {
         let Self { title, about, mood, verdict, next, json, shown } = *self;
-        let (kind, picture) = match shown {
-            Shown::Conform(arrows) => ("conform", Some(arrows).filter(|arrows| !arrows.is_empty())),
-            Shown::Exam => ("exam", None),
-            Shown::Readings => ("readings", None),
+        let (kind, picture, edition) = match shown {
+            Shown::Conform(arrows) => ("conform", Some(arrows).filter(|arrows| !arrows.is_empty()), None),
+            Shown::Exam(edition) => ("exam", None, Some(edition)),
+            Shown::Readings => ("readings", None, None),
         };
         let json = json.trim_end();
         let data = DataJson {
@@ -113,6 +116,7 @@ impl Outcome<'_> {
             requirements: named::requirements(&serde_json::from_str(json)?),
             readings: named::readings(),
             picture: picture.map(Picture::of),
+            messages: edition.map(messages).unwrap_or_default(),
             json: serde_json::from_str(json)?,
         };
         Ok(harmless(&serde_json::to_string(&data)?))

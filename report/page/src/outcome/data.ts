@@ -1,7 +1,7 @@
 // The one object of data that the page of an outcome shows: report/src/outcome/mod.rs. `json` is what the command prints with --json; the
 // schemas of adsdv say what each part of it means.
 
-import type { Mood } from "../data";
+import type { Message, Mood } from "../data";
 import type { Picture } from "../figure";
 
 interface Common {
@@ -24,6 +24,7 @@ export interface ConformData extends Common {
 
 export interface ExamData extends Common {
   kind: "exam";
+  messages: Message[];
   json: Exam;
 }
 

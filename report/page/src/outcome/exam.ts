@@ -1,6 +1,8 @@
 // An AI Computer that was examined: what failed with expected and seen, the requirements, the scenarios.
 
 import { SIGNS, counted, h, number, table } from "../dom";
+import type { Message } from "../data";
+import { raw, shown } from "../frames";
 import type { ExamData, ExamFinding } from "./data";
 import { type Kind, copied, filtered, opening, page, plain, rows, sentences, terms } from "./parts";
 
@@ -28,15 +30,27 @@ function findings(data: ExamData): HTMLElement {
 }
 
 function finding(data: ExamData, one: ExamFinding): HTMLElement {
-  const frames = one.frames.map(({ t, by, frame }) => [`${t.toFixed(3)} s`, by, h("code", {}, frame)]);
+  const frames = one.frames.map(({ t, by, frame }) => [`${t.toFixed(3)} s`, by, ...said(data.messages, frame)]);
   return h("div", {},
     terms(["Seen", one.seen], ["Expected", one.expected], ["Section", `${one.section}, rule ${one.rule}`],
       ["Against", one.requirements.length > 0 && sentences(data, one.requirements)],
       ["The operator had", one.operator.map(({ t, did }) => `${t.toFixed(3)} s ${did}`).join("; ")],
       ["The car", one.car]),
     one.trace ? copied("Where it failed, in its own words", one.trace) : null,
-    frames.length > 0 && table(`The last frames of ${one.scenario} at ${one.t.toFixed(3)} s, by message`, ["When", "By", "Frame"], frames),
+    frames.length > 0 && table(`The last frames of ${one.scenario} at ${one.t.toFixed(3)} s, by message`, ["When", "By", "Frame", "What it says"], frames),
     one.shortest ? copied("The shortest scenario that shows it, for --scenario", one.shortest) : null);
+}
+
+/** The name of a frame that candump writes so, and its signals; what is zero tells nothing. */
+function said(messages: Message[], frame: string): (string | HTMLElement)[] {
+  const [id, hex] = frame.split("#");
+  const bytes = Uint8Array.from(hex?.match(/../g) ?? [], (byte) => Number.parseInt(byte, 16));
+  const message = messages.find((message) => message.id === Number.parseInt(id ?? "", 16));
+  const values = (message?.signals ?? []).flatMap((signal) => {
+    const value = raw(signal, bytes, 0, bytes.length);
+    return value === undefined || value === 0 ? [] : [`${signal.name}: ${shown(signal, value)}`];
+  });
+  return [h("span", {}, message?.name ?? "", " ", h("code", {}, frame)), values.join(", ")];
 }
 
 const OUTCOMES: Kind[] = [

@@ -51,7 +51,7 @@ export function stepTable(name: string, steps: Step[], keys: string[]): HTMLElem
     } else lines.push(line);
   });
   return table(name, ["Step", "Time", "Inputs that changed", "Expected", "Shown"], lines.map((one) => [
-    one.first === one.last ? String(one.first) : `${one.first}–${one.last}`, `${one.ms} ms`, one.changes, one.expected,
+    one.first === one.last ? String(one.first) : `${one.first}–${one.last}`, when(one.ms), one.changes, one.expected,
     one.wrong ? h("strong", { class: "past" }, `${SIGNS.bad} ${one.actual}`) : one.actual]));
 }
 
@@ -74,11 +74,13 @@ export function suiteTable(name: string, line: string, end: string): HTMLElement
     const inputs = step.inputs ?? {};
     const changed = changes(before, inputs);
     before = inputs;
-    return [first === last ? String(first) : `${first}–${last}`, `${ms} ms`, changed, ""] as (string | HTMLElement)[];
+    return [first === last ? String(first) : `${first}–${last}`, when(ms), changed, ""] as (string | HTMLElement)[];
   });
   lines.at(-1)?.splice(3, 1, h("strong", { class: "past" }, `${SIGNS.bad} ${end}`));
   return table(name, ["Step", "Time", "Inputs that changed", "Shown"], lines);
 }
+
+const when = (ms: number) => h("span", { class: "when" }, `${ms} ms`);
 
 function table(name: string, head: string[], lines: (string | HTMLElement)[][]): HTMLElement {
   return h("div", { class: "scroll frames", tabindex: 0, role: "region", "aria-label": `Steps of ${name}, a table` },
