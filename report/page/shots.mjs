@@ -38,6 +38,16 @@ await shot("dark", page(driven("remote-estop", "2026")), { viewport: { width: 11
 });
 await shot("phone", violates, { viewport: { width: 390, height: 760 }, isMobile: true, hasTouch: true });
 
+// The ten questions with their answers, of both recordings and of each scenario.
+for (const [name, log] of [
+  ["mission-3.0", recording("mission")], ["finished-while-moving", recording("finished-while-moving")],
+  ...["mission", "go-too-early", "go-lost", "remote-estop", "power-cycle"].map((scenario) => [scenario, driven(scenario, "2026")]),
+]) {
+  const { tab, close } = await open(page(log), { viewport: { width: 900, height: 640 } });
+  await tab.locator("#questions").screenshot({ path: join(docs, `questions-${name}.png`) });
+  await close();
+}
+
 // Those of docs/outcomes.md.
 docs = new URL("../../docs/outcomes", import.meta.url).pathname;
 mkdirSync(docs, { recursive: true });

@@ -23,8 +23,8 @@ export interface Look {
 
 export interface Drawn {
   picture: HTMLElement;
-  /** In their order. */
-  arrows: SVGGElement[];
+  /** Whether an arrow, by its place, has a class. */
+  mark(which: number, name: string, on: boolean): void;
   boxes: Map<string, SVGGElement>;
   /** Marks an arrow as chosen, and no other. */
   choose(which: number | undefined): void;
@@ -47,23 +47,30 @@ export function lightClass(light: string): string {
 
 /** Draws it; a click on an arrow tells which. */
 export function drawn(picture: Picture, looks: Look[], label: string, chosen: (which: number) => void): Drawn {
-  const arrows = picture.lines.map((line, which) => arrow(line, which, looks[which]!, () => chosen(which)));
+  const arrows = picture.lines.map((line, which) => arrow(line, looks[which]!, () => chosen(which)));
   const boxes = new Map(picture.states.map((state) => [state.name, box(state, picture.box)]));
   const order = picture.lines.map((line, which) => ({ line, which })).sort((a, b) => b.line.length - a.line.length);
   const [width, height] = picture.size;
   const element = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "figure2", role: "group", "aria-label": label },
     svg("defs", {}, ...HEADS.map((kind) => svg("marker", { id: `head${kind}`, class: `head${kind}`, viewBox: "0 0 10 10", refX: 9, refY: 5, markerWidth: 7, markerHeight: 7, orient: "auto-start-reverse" }, svg("path", { d: "M0 0 L10 5 L0 10 z" })))),
-    // The longest lie below, and all labels once more above all lines, so that no line goes through that of another.
-    ...order.map(({ which }) => arrows[which]!),
-    ...arrows.map((_, which) => svg("use", { href: `#label-${which}`, class: "above", "aria-hidden": "true" })), ...boxes.values());
+    // All lines lie below, the longest first, so that none goes through the label of another.
+    ...order.map(({ which }) => arrows[which]!.line), ...arrows.map(({ label }) => label), ...boxes.values());
   const holder = document.createElement("div");
   holder.className = "picture";
   holder.append(element);
   return {
     picture: holder,
-    arrows,
+    mark(which, name, on) {
+      const { line, label } = arrows[which]!;
+      for (const part of [line, label]) {
+        part.classList.remove(name);
+        // Begins anew, where it was there.
+        if (on) void part.getBoundingClientRect();
+        part.classList.toggle(name, on);
+      }
+    },
     boxes,
-    choose: (which) => arrows.forEach((one, place) => one.setAttribute("aria-pressed", String(place === which))),
+    choose: (which) => arrows.forEach(({ label }, place) => label.setAttribute("aria-pressed", String(place === which))),
   };
 }
 
@@ -74,19 +81,20 @@ function box({ name, light, x, y }: Picture["states"][number], [width, height]: 
     svg("text", { x, y: y + 15, class: "small" }, light === "off" ? "dark" : light));
 }
 
-function arrow({ path, label: [x, y] }: Picture["lines"][number], which: number, look: Look, chosen: () => void): SVGGElement {
+/** An arrow: its line, and what can be clicked, which has its label. */
+function arrow({ path, label: [x, y] }: Picture["lines"][number], look: Look, chosen: () => void): { line: SVGGElement; label: SVGGElement } {
   const width = Math.max(34, look.label.length * 7 + 12);
-  const element = svg("g", { class: `arrow ${look.class ?? ""}`.trim(), tabindex: 0, role: "button", "aria-pressed": "false", "aria-label": look.name, "data-arrow": `${look.from}-${look.to}` },
+  const kind = `arrow ${look.class ?? ""}`.trim();
+  const label = svg("g", { class: kind, tabindex: 0, role: "button", "aria-pressed": "false", "aria-label": look.name, "data-arrow": `${look.from}-${look.to}` },
     svg("title", {}, look.title),
-    svg("path", { d: path, class: "wide" }), svg("path", { d: path, class: "line" }),
-    svg("g", { id: `label-${which}` },
-      svg("rect", { x: x - width / 2, y: y - 10, width, height: 20, rx: 5 }),
-      svg("text", { x, y: y + 4 }, look.label)));
-  element.addEventListener("click", chosen);
-  element.addEventListener("keydown", (event) => {
+    svg("path", { d: path, class: "wide" }),
+    svg("rect", { x: x - width / 2, y: y - 10, width, height: 20, rx: 5 }),
+    svg("text", { x, y: y + 4 }, look.label));
+  label.addEventListener("click", chosen);
+  label.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();
     chosen();
   });
-  return element;
+  return { line: svg("g", { class: kind, "data-line": `${look.from}-${look.to}` }, svg("path", { d: path, class: "line" })), label };
 }

@@ -36,13 +36,13 @@ test("a program that deviates: the verdict, what to do next, and each deviation 
 test("the program's own Figure 2 is drawn, and what differs is told by a sign, a line and words", async () => {
   const { tab, wrong, close } = await open(vcu.page);
   const { figure } = vcu.json.diagnosis;
-  assert.equal(await tab.locator(".figure2 .arrow").count(), figure.length);
+  assert.equal(await tab.locator(".figure2 [data-arrow]").count(), figure.length);
   const missing = figure.filter((one) => one.missing);
   assert.equal(missing.length, 1);
   const arrow = tab.locator(`[data-arrow="${missing[0].from}-${missing[0].to}"]`);
   assert.equal(await arrow.locator("text").textContent(), `✗ ${missing[0].section}`);
   assert.ok((await arrow.getAttribute("aria-label")).endsWith(": missing"));
-  assert.notEqual(await arrow.locator(".line").evaluate((line) => getComputedStyle(line).strokeDasharray), "none");
+  assert.notEqual(await tab.locator(`[data-line="${missing[0].from}-${missing[0].to}"] .line`).evaluate((line) => getComputedStyle(line).strokeDasharray), "none");
   assert.equal(await tab.locator(".figure2 .arrow.usual .line").first().evaluate((line) => getComputedStyle(line).strokeDasharray), "none");
   assert.deepEqual(await texts(tab, ".legend li"), ["as in the document: a thin line", "✗ missing: a dashed line"]);
   assert.ok((await tab.locator("#guard").textContent()).includes(missing[0].otherwise[0]));

@@ -41,12 +41,20 @@ export function figure(data: FigureData): Figure {
     const text = arrow.terms.map((term) => term.conditions.map((one) => one.text).join(" and ")).join("; or ");
     return { from: arrow.from, to: arrow.to, label: arrow.section, name: `${arrow.from} to ${arrow.to}, section ${arrow.section}`, title: `${arrow.from} → ${arrow.to} (${arrow.section}): ${text}` };
   });
-  const { picture, arrows, boxes, choose } = drawn(data.picture, looks, "Figure 2: the states, and the arrows between them", (which) => {
+  const { picture, mark, boxes, choose } = drawn(data.picture, looks, "Figure 2: the states, and the arrows between them", (which) => {
     const one = data.arrows[which];
     chosen = chosen === one ? undefined : one;
     choose(chosen && which);
     tell();
   });
+  const marks = new Map<string, boolean>();
+  /** What is so already is left as it is. */
+  const set = (place: number, name: string, on: boolean) => {
+    const key = `${place} ${name}`;
+    if (marks.get(key) === on) return;
+    marks.set(key, on);
+    mark(place, name, on);
+  };
   const tell = () => {
     const of = data.arrows.filter((arrow) => (chosen ? arrow === chosen : arrow.from === current));
     const key = `${chosen ? data.arrows.indexOf(chosen) : current} ${of.map((arrow) => arrow.terms.map((term) => term.conditions.map(({ atom, value }) => fits(holds(atom), value)))).join()}`;
@@ -69,18 +77,14 @@ export function figure(data: FigureData): Figure {
       holds = truth;
       data.arrows.forEach((arrow, place) => {
         const from = arrow.from === state;
-        arrows[place]!.classList.toggle("from-here", from);
-        arrows[place]!.classList.toggle("open", from && arrow.terms.some((term) => term.conditions.every(({ atom, value }) => fits(holds(atom), value) === "true")));
+        set(place, "from-here", from);
+        set(place, "open", from && arrow.terms.some((term) => term.conditions.every(({ atom, value }) => fits(holds(atom), value) === "true")));
       });
       tell();
     },
     taken(from, to) {
-      const element = arrows[data.arrows.findIndex((arrow) => arrow.from === from && arrow.to === to)];
-      if (!element) return;
-      arrows.forEach((one) => one.classList.remove("taken"));
-      // Begins anew, where it was just taken.
-      void element.getBoundingClientRect();
-      element.classList.add("taken");
+      const taken = data.arrows.findIndex((arrow) => arrow.from === from && arrow.to === to);
+      if (taken >= 0) data.arrows.forEach((_, place) => mark(place, "taken", place === taken));
     },
   };
 }

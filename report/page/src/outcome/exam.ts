@@ -30,7 +30,7 @@ function findings(data: ExamData): HTMLElement {
 }
 
 function finding(data: ExamData, one: ExamFinding): HTMLElement {
-  const frames = one.frames.map(({ t, by, frame }) => [`${t.toFixed(3)} s`, by, ...said(data.messages, frame)]);
+  const frames = one.frames.map(({ t, by, frame }) => [h("span", { class: "when" }, `${t.toFixed(3)} s`), by, ...said(data.messages, frame)]);
   return h("div", {},
     terms(["Seen", one.seen], ["Expected", one.expected], ["Section", `${one.section}, rule ${one.rule}`],
       ["Against", one.requirements.length > 0 && sentences(data, one.requirements)],
