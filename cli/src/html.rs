@@ -29,6 +29,13 @@ pub(crate) fn prepare(file: Option<&Path>, json: bool) -> Result<(), Error> {
     Ok(())
 }
 
+/// The same for what takes long: a folder that is missing is told as well.
+pub(crate) fn prepare_long(file: Option<&Path>, json: bool) -> Result<(), Error> {
+    prepare(file, json)?;
+    let Some(file) = file.filter(|file| !is_printed(Some(file))) else { return Ok(()) };
+    whole::beside(file).map(drop).map_err(|error| failed(file, &error))
+}
+
 /// Writes it where it is asked for.
 pub(crate) fn write(file: &Path, page: Result<String, PageError>) -> Result<(), Error> {
     let html = page.map_err(|error| failed(file, &error.into()))?;

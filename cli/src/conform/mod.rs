@@ -45,7 +45,7 @@ const ACCEPTABLE: Acceptable = Acceptable {
 };
 
 pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
-    html::prepare(args.html.as_deref(), args.json)?;
+    html::prepare_long(args.html.as_deref(), args.json)?;
     let chosen = args.edition.chosen()?;
     let edition = chosen.edition();
     let options = ConformOptions {

@@ -38,7 +38,7 @@ use crate::{html, output};
 use verdict::Verdict;
 
 pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
-    html::prepare(args.html.as_deref(), args.json)?;
+    html::prepare_long(args.html.as_deref(), args.json)?;
     let edition = args.edition.chosen()?;
     let scenarios = choose::chosen(args)?;
     if args.list {

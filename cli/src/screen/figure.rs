@@ -31,7 +31,7 @@ pub(super) fn draw(status: &Status, lit: bool, theme: Theme, area: Rect, buffer:
     block.render(area, buffer);
     let state = status.outputs.map(|outputs| outputs.state);
     let arrows = arrows(status);
-    lines(&arrows, state, theme, inner, buffer);
+    let drawn = lines(&arrows, inner, buffer);
     for state_of_box in AsState::ALL {
         let here = state == Some(state_of_box);
         let style = if here { theme.light(Assi::of(state_of_box), lit) } else { Style::new() };
@@ -42,6 +42,12 @@ pub(super) fn draw(status: &Status, lit: bool, theme: Theme, area: Rect, buffer:
             .block(Block::bordered().border_type(kind))
             .style(style)
             .render(area, buffer);
+    }
+    for (arrow, (from, _, section)) in drawn.iter().zip(&arrows) {
+        let here = state == Some(*from);
+        let style = if here { theme.key() } else { QUIET };
+        write(head(arrow), outside(arrow, inner), style, inner, buffer);
+        write(section, arrow.label, if here { STRONG } else { Style::new() }, inner, buffer);
     }
 }
 
@@ -61,14 +67,8 @@ fn arrows(status: &Status) -> Vec<(AsState, AsState, &'static str)> {
     arrows
 }
 
-/// The arrows with their heads and sections; those from the state stand out.
-fn lines(
-    arrows: &[(AsState, AsState, &'static str)],
-    state: Option<AsState>,
-    theme: Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+/// Draws their lines, and tells how they run.
+fn lines(arrows: &[(AsState, AsState, &'static str)], area: Rect, buffer: &mut Buffer) -> Vec<Arrow> {
     let pairs = arrows.iter().map(|(from, to, _)| (*from, *to));
     let drawn: Vec<Arrow> =
         (0..arrows.len()).filter_map(|which| Arrow::among(pairs.clone(), which)).collect();
@@ -87,12 +87,16 @@ fn lines(
             }
         })
         .render(area, buffer);
-    for (arrow, (from, _, section)) in drawn.iter().zip(arrows) {
-        let here = state == Some(*from);
-        let style = if here { theme.key() } else { QUIET };
-        write(head(arrow), arrow.to, style, area, buffer);
-        write(section, arrow.label, if here { STRONG } else { Style::new() }, area, buffer);
-    }
+    drawn
+}
+
+/// The last point of an arrow in front of the box that it leads to, which takes more cells than its size.
+fn outside(arrow: &Arrow, area: Rect) -> Point {
+    let is_inside = |point: Point| {
+        AsState::ALL.iter().any(|state| cells(place(*state), area).contains(cell(point, area).into()))
+    };
+    let back = (0..50_u8).map(|step| arrow.at(1.0 - f64::from(step) / 100.0));
+    back.into_iter().find(|point| !is_inside(*point)).unwrap_or(arrow.to)
 }
 
 /// The head of an arrow, by where it leads.
@@ -125,7 +129,8 @@ fn write(text: &str, at: Point, style: Style, area: Rect, buffer: &mut Buffer) {
 fn cell(Point { x, y }: Point, area: Rect) -> (u16, u16) {
     let scaled = |at: f64, size: f64, cells: u16| {
         let last = f64::from(cells.saturating_sub(1));
-        (at / size * f64::from(cells)).clamp(0.0, last.max(0.0)) as u16
+        // What is a hair before a cell is in it.
+        (at / size * f64::from(cells) + 1e-6).clamp(0.0, last.max(0.0)) as u16
     };
     (area.x + scaled(x, SIZE.0, area.width), area.y + scaled(y, SIZE.1, area.height))
 }

@@ -53,7 +53,7 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
 /// What each reading of these editions costs: as Markdown, a line of JSON for each, or a page.
 fn readings(args: &VerifyArgs, editions: &[&'static Edition], threads: usize) -> Result<Status, Error> {
     let file = args.html.as_deref();
-    html::prepare(file, args.json)?;
+    html::prepare_long(file, args.json)?;
     let is_text = !args.json && !html::is_printed(file);
     if is_text {
         output::plain(READINGS_HEAD)?;
