@@ -11,6 +11,7 @@
 #![forbid(unsafe_code)]
 
 mod feed;
+mod headers;
 mod live;
 mod serve;
 mod stream;

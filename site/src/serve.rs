@@ -11,17 +11,9 @@ use tiny_http::{Header, Method, Request, Response, Server};
 
 use crate::PAGE;
 use crate::feed::Feed;
+use crate::headers::HEADERS;
 use crate::live;
 use crate::stream;
-
-/// What every answer says of itself. The page has its own policy; that nobody puts it into a frame can be said only here.
-pub(crate) const HEADERS: [(&str, &str); 5] = [
-    ("Content-Security-Policy", "frame-ancestors 'none'"),
-    ("Cross-Origin-Resource-Policy", "same-origin"),
-    ("Referrer-Policy", "no-referrer"),
-    ("X-Content-Type-Options", "nosniff"),
-    ("Cache-Control", "no-cache"),
-];
 
 /// A server of the page.
 ///

@@ -7,7 +7,7 @@ use std::time::Duration;
 use tiny_http::Request;
 
 use crate::feed::{Feed, Lines, Reader};
-use crate::serve::HEADERS;
+use crate::headers::HEADERS;
 
 /// Where it is.
 pub(crate) const PATH: &str = "/live";

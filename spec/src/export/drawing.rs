@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use super::svg::AsSvg;
 use super::{dot, mermaid};
 use crate::messages::AsState;
 
@@ -71,11 +70,6 @@ impl<'a> Drawing<'a> {
     /// As a Graphviz digraph.
     pub const fn dot(&self) -> AsDot<'a> {
         AsDot(*self)
-    }
-
-    /// As a picture, which any browser shows.
-    pub const fn svg(&self) -> AsSvg<'a> {
-        AsSvg::new(*self)
     }
 
     fn arrows(&self) -> impl Iterator<Item = (AsState, AsState, Marked<'a>, Mark)> + 'a {

@@ -33,8 +33,15 @@ pub struct AsSvg<'a> {
     width: u32,
 }
 
+impl<'a> Drawing<'a> {
+    /// As a picture, which any browser shows.
+    pub const fn svg(&self) -> AsSvg<'a> {
+        AsSvg::new(*self)
+    }
+}
+
 impl<'a> AsSvg<'a> {
-    pub(super) const fn new(drawing: Drawing<'a>) -> Self {
+    const fn new(drawing: Drawing<'a>) -> Self {
         Self { drawing, state: None, taken: None, on: Background::Light, corner: (0, 0), width: 800 }
     }
 
