@@ -22,7 +22,7 @@ pub struct Picture {
     #[serde(rename = "box")]
     size_of_box: (f64, f64),
     states: Vec<StateJson>,
-    lines: Vec<LineJson>,
+    lines: Vec<RunJson>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -35,7 +35,7 @@ struct StateJson {
 }
 
 #[derive(Clone, Debug, Serialize)]
-struct LineJson {
+struct RunJson {
     /// As an SVG has it.
     path: String,
     label: (f64, f64),
@@ -54,12 +54,12 @@ impl Picture {
             size: SIZE,
             size_of_box: BOX,
             states: AsState::ALL.map(state).into(),
-            lines: lines.map(|line| LineJson::from(&line)).collect(),
+            lines: lines.map(|line| RunJson::from(&line)).collect(),
         }
     }
 }
 
-impl From<&Line> for LineJson {
+impl From<&Line> for RunJson {
     fn from(line: &Line) -> Self {
         Self { path: line.to_string(), label: (line.label.x, line.label.y), length: line.length }
     }

@@ -57,7 +57,7 @@ pub(super) fn json(sweep: &Sweep) -> String {
             .collect(),
         holding: properties(edition)
             .filter(|property| !fails(property.name))
-            .map(|property| PropertyJson::of(edition, property))
+            .map(|property| CostlyJson::of(edition, property))
             .collect(),
     })
 }
@@ -107,7 +107,7 @@ struct CostsJson {
     costs: Vec<CostJson>,
     closed: Vec<ClosedJson>,
     unreachable: Vec<GoalJson>,
-    holding: Vec<PropertyJson>,
+    holding: Vec<CostlyJson>,
 }
 
 #[derive(Serialize)]
@@ -125,7 +125,7 @@ struct RankedJson {
 }
 
 #[derive(Serialize)]
-struct PropertyJson {
+struct CostlyJson {
     name: &'static str,
     statement: String,
     requirements: Vec<&'static str>,
@@ -134,7 +134,7 @@ struct PropertyJson {
 #[derive(Serialize)]
 struct CostJson {
     #[serde(flatten)]
-    property: PropertyJson,
+    property: CostlyJson,
     answers: Vec<AnswerJson>,
     undone_by: Vec<String>,
     harm: &'static str,
@@ -144,7 +144,7 @@ struct CostJson {
 #[derive(Serialize)]
 struct ClosedJson {
     #[serde(flatten)]
-    property: PropertyJson,
+    property: CostlyJson,
     answers: Vec<AnswerJson>,
     run: Vec<LineJson>,
 }
@@ -162,7 +162,7 @@ struct LineJson {
     text: String,
 }
 
-impl PropertyJson {
+impl CostlyJson {
     fn of(edition: &Edition, property: &Property) -> Self {
         Self {
             name: property.name,
@@ -176,7 +176,7 @@ impl CostJson {
     fn of(edition: &Edition, property: &Property, cost: &Cost) -> Self {
         let run = cost.run.as_deref().map(|run| story(&cost.machine(), run, Some(property)));
         Self {
-            property: PropertyJson::of(edition, property),
+            property: CostlyJson::of(edition, property),
             answers: answers(edition, cost.choices),
             undone_by: cost.undone_by.iter().map(|choice| choice.to_string()).collect(),
             harm: cost.harm(property).text(),
@@ -188,7 +188,7 @@ impl CostJson {
 impl ClosedJson {
     fn of(edition: &Edition, ClosedCost { property, choice, run }: &ClosedCost) -> Self {
         Self {
-            property: PropertyJson {
+            property: CostlyJson {
                 name: property.name,
                 statement: property.statement_in(edition),
                 requirements: property.requirements_in(edition),

@@ -72,7 +72,7 @@ pub enum Shown<'a> {
 }
 
 #[derive(Serialize)]
-struct DataJson<'a> {
+struct OutcomeJson<'a> {
     kind: &'static str,
     version: &'static str,
     title: &'a str,
@@ -105,7 +105,7 @@ impl Outcome<'_> {
             Shown::Readings => ("readings", None, None),
         };
         let json = json.trim_end();
-        let data = DataJson {
+        let data = OutcomeJson {
             kind,
             version: env!("CARGO_PKG_VERSION"),
             title,
