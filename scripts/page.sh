@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The page of `adsdv check --html`: that what is checked in is what its sources build, and that it does in a browser what it should.
+# The pages that --html writes: that what is checked in is what their sources build, and that they do in a browser what they should.
 #
 #   scripts/page.sh             types, the build, and the tests in Chromium
-#   scripts/page.sh --build     builds report/page/dist/page.html anew, after a change of its sources
+#   scripts/page.sh --build     builds report/page/dist anew, after a change of its sources
 #   scripts/page.sh --measure   file size, time to the first picture, and time of a frame while an hour is zoomed
-#   scripts/page.sh --shots     the pictures of docs/report.md
+#   scripts/page.sh --shots     the pictures of docs/report.md and docs/outcomes.md
 #
 # Needs Node 20 with npm and, but for --build, Chromium (Debian's chromium) or the browser that CHROMIUM names. Ends with 77 where one of
 # them is missing. ADSDV names the program whose pages are tested; without it target/debug/adsdv is built.
@@ -45,6 +45,9 @@ if [ -z "${ADSDV-}" ]; then
   cargo build --quiet --locked -p adsdv
   export ADSDV="$PWD/target/debug/adsdv"
 fi
+# Programs with mistakes, for the pages about programs.
+cargo build --quiet --locked -p adsdv-oracle -p adsdv-exam --example mutant --example ai_mutant
+export EXAMPLES="${CARGO_TARGET_DIR:-$PWD/target}/debug/examples"
 case ${1-} in
 --measure) exec node report/page/measure.mjs ;;
 --shots) exec node report/page/shots.mjs ;;

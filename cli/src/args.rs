@@ -190,6 +190,8 @@ pub(crate) enum WithJson {
     Prove,
     /// adsdv verify.
     Verify,
+    /// adsdv verify --readings: a line for an edition.
+    Costs,
     /// adsdv readings.
     Readings,
     /// adsdv diff.

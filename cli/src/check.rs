@@ -15,14 +15,14 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
         return many::run(args, &plan);
     }
     let [log] = &args.logs[..] else { return Ok(Status::NoAnswer) };
-    html::prepare(args)?;
+    html::prepare(args.html.as_deref(), args.json)?;
     let name = recording::name(log);
     let mut line = ProgressLine::new();
     let progress = |progress: LogProgress| line.show(format_args!("{} lines", progress.lines));
     let log = recording::open(log, &name)?;
     args.excerpt.as_deref().map_or(Ok(()), excerpt::prepare)?;
     let subject = judged(args, &plan, log, progress).map_err(|error| error.into_error(args, &name))?;
-    if html::is_printed(args) {
+    if html::is_printed(args.html.as_deref()) {
         // The page is the answer.
     } else if args.json {
         output::plain(&subject.json(args, None))?;
@@ -33,7 +33,9 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
         excerpt::write(args, directory, subject.edition().version, excerpts)?;
     }
     many::write_one(args, &name, &subject)?;
-    html::write(args, &name, &subject)?;
+    if let (Some(file), Some(recorded)) = (&args.html, &subject.recorded) {
+        html::write(file, subject.page(args, &name, recorded))?;
+    }
     // What could be read has been judged; a verdict on all of the log it is not.
     match subject.failure {
         None => Ok(requires::status(&subject.report, &args.required)),

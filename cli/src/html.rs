@@ -1,26 +1,24 @@
-//! `adsdv check --html`: writes the report as a page to look at.
+//! `--html`: writes a report as a page to look at.
 
 use std::io::{self, Write as _};
 use std::path::Path;
 
-use adsdv_report::Subject as PageSubject;
+use adsdv_report::PageError;
 
-use crate::args::CheckArgs;
 use crate::error::Error;
-use crate::judged::Subject;
 use crate::{interrupt, output, recording, whole};
 
 /// Whether the page is printed, in place of the report.
-pub(crate) fn is_printed(args: &CheckArgs) -> bool {
-    args.html.as_deref() == Some(Path::new(recording::STDOUT))
+pub(crate) fn is_printed(file: Option<&Path>) -> bool {
+    file == Some(Path::new(recording::STDOUT))
 }
 
-/// What goes with it, and what does not.
-pub(crate) fn prepare(args: &CheckArgs) -> Result<(), Error> {
-    if let Some(file) = args.html.as_deref().filter(|file| file.is_dir()) {
+/// What goes with it, and what does not: told before anything is done that takes time.
+pub(crate) fn prepare(file: Option<&Path>, json: bool) -> Result<(), Error> {
+    if let Some(file) = file.filter(|file| file.is_dir()) {
         return Err(failed(file, &io::ErrorKind::IsADirectory.into()));
     }
-    if is_printed(args) && args.json {
+    if is_printed(file) && json {
         return Err(Error {
             what: "--html -".to_owned(),
             why: "prints the page, and --json prints the report; expected one of them on standard output"
@@ -31,21 +29,17 @@ pub(crate) fn prepare(args: &CheckArgs) -> Result<(), Error> {
     Ok(())
 }
 
+/// The same for what takes long: a folder that is missing is told as well.
+pub(crate) fn prepare_long(file: Option<&Path>, json: bool) -> Result<(), Error> {
+    prepare(file, json)?;
+    let Some(file) = file.filter(|file| !is_printed(Some(file))) else { return Ok(()) };
+    whole::beside(file).map(drop).map_err(|error| failed(file, &error))
+}
+
 /// Writes it where it is asked for.
-pub(crate) fn write(args: &CheckArgs, name: &str, subject: &Subject) -> Result<(), Error> {
-    let (Some(file), Some(recorded)) = (&args.html, &subject.recorded) else { return Ok(()) };
-    let settings = subject.settings();
-    let check = subject.json(args, None);
-    let page = PageSubject {
-        name,
-        settings: &settings,
-        check: &check,
-        edition: subject.edition(),
-        report: &subject.report,
-        recording: recorded,
-    };
-    let html = page.html().map_err(|error| failed(file, &error.into()))?;
-    if is_printed(args) {
+pub(crate) fn write(file: &Path, page: Result<String, PageError>) -> Result<(), Error> {
+    let html = page.map_err(|error| failed(file, &error.into()))?;
+    if is_printed(Some(file)) {
         return output::plain(&html);
     }
     let (mut out, unfinished) = whole::begin(file).map_err(|error| failed(file, &error))?;

@@ -36,6 +36,9 @@ pub(crate) const CONFORM_SCHEMA: &str = include_str!("../schema/conform.schema.j
 /// The form of what `adsdv exam --json` prints.
 pub(crate) const EXAM_SCHEMA: &str = include_str!("../schema/exam.schema.json");
 
+/// The JSON Schema of each line that `adsdv verify --readings --json` writes.
+pub(crate) const COSTS_SCHEMA: &str = include_str!("../schema/costs.schema.json");
+
 /// The JSON Schema of what `adsdv verify --json` writes.
 pub(crate) const VERIFY_SCHEMA: &str = include_str!("../schema/verify.schema.json");
 

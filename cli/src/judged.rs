@@ -6,7 +6,7 @@ use adsdv_oracle::excerpt::{Excerpts, judge_with_excerpts};
 use adsdv_oracle::judge::Report;
 use adsdv_oracle::log::{Judged, LogError, LogProgress};
 use adsdv_oracle::recognise::Recognised;
-use adsdv_report::{Asked, Recorder, Recording};
+use adsdv_report::{Asked, PageError, Recorder, Recording, Subject as PageSubject};
 use adsdv_spec::Edition;
 
 use crate::args::{CheckArgs, ChosenEdition};
@@ -128,8 +128,28 @@ impl Subject {
     }
 
     /// How it was judged, a line each.
-    pub(crate) fn settings(&self) -> Vec<String> {
+    fn settings(&self) -> Vec<String> {
         self.asked.settings()
+    }
+
+    /// The report as a page to look at.
+    pub(crate) fn page(
+        &self,
+        args: &CheckArgs,
+        name: &str,
+        recording: &Recording,
+    ) -> Result<String, PageError> {
+        let (settings, check) = (self.settings(), self.json(args, None));
+        let edition = self.edition();
+        let page = PageSubject {
+            name,
+            settings: &settings,
+            check: &check,
+            edition,
+            report: &self.report,
+            recording,
+        };
+        page.html()
     }
 
     /// The report for a program; with the name of the log, where it is one of several.

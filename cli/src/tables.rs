@@ -45,6 +45,7 @@ pub(crate) fn schema(args: &SchemaArgs) -> Result<Status, Error> {
         WithJson::Suite => json::SUITE_SCHEMA,
         WithJson::Prove => json::PROVE_SCHEMA,
         WithJson::Verify => json::VERIFY_SCHEMA,
+        WithJson::Costs => json::COSTS_SCHEMA,
         WithJson::Readings => json::READINGS_SCHEMA,
         WithJson::Diff => json::DIFF_SCHEMA,
     })

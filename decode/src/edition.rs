@@ -1,68 +1,45 @@
 //! The messages of an edition, from its tables: nothing about them is written down here.
 
 use adsdv_spec::Edition;
-use adsdv_spec::messages::{Coding as DeviceCoding, DeviceMessage, DeviceSignal, MessageDef, SignalDef};
+use adsdv_spec::messages::{Coding as RowCoding, MessageRow, SignalRow, Steps};
 
 use crate::signal::Scaling;
 use crate::{Coding, Message, Order, Origin, Place, Signal};
 
 /// Every message of an edition: between the VCU and the AI Computer, and with the devices.
 pub(crate) fn messages(edition: &Edition) -> Vec<Message> {
-    let documented = edition.bus.messages.iter().map(|message| documented(message));
-    documented.chain(edition.bus.devices.iter().map(of_device)).collect()
+    edition.bus.rows().map(|row| message(&row)).collect()
 }
 
-fn documented(message: &MessageDef) -> Message {
+fn message(row: &MessageRow) -> Message {
     Message {
-        name: message.name.into(),
-        id: message.id.into(),
+        name: row.name.into(),
+        id: row.id.into(),
         extended: false,
-        len: message.len.into(),
+        len: row.len.into(),
         origin: Origin::Edition,
-        signals: message.signals.iter().filter_map(signal).collect(),
-        doc: message.doc.into(),
+        signals: row.signals().filter_map(signal).collect(),
+        doc: row.doc.into(),
     }
 }
 
-fn signal(signal: &SignalDef) -> Option<Signal> {
-    let coding = if signal.signed { Coding::Signed } else { Coding::Unsigned };
-    Some(Signal {
-        name: signal.name.into(),
-        unit: signal.unit.into(),
-        place: Place::new(signal.start.into(), signal.width.into(), Order::Little, coding)?,
-        scaling: Scaling::Steps(signal.scale),
-        names: names(signal.values),
-        multiplexed: None,
-        doc: signal.doc.into(),
-    })
-}
-
-fn of_device(message: &DeviceMessage) -> Message {
-    Message {
-        name: message.name.into(),
-        id: message.id.into(),
-        extended: false,
-        len: message.len.into(),
-        origin: Origin::Edition,
-        signals: message.signals.iter().filter_map(device_signal).collect(),
-        doc: message.sender.what().into(),
-    }
-}
-
-fn device_signal(signal: &DeviceSignal) -> Option<Signal> {
-    let coding = match signal.coding {
-        DeviceCoding::Unsigned => Coding::Unsigned,
-        DeviceCoding::Signed => Coding::Signed,
-        DeviceCoding::Float => Coding::Float,
+fn signal(row: SignalRow) -> Option<Signal> {
+    let coding = match row.coding {
+        RowCoding::Unsigned => Coding::Unsigned,
+        RowCoding::Signed => Coding::Signed,
+        RowCoding::Float => Coding::Float,
     };
     Some(Signal {
-        name: signal.name.into(),
-        unit: signal.unit.into(),
-        place: Place::new(signal.start.into(), signal.width.into(), Order::Little, coding)?,
-        scaling: Scaling::of(signal.scale, signal.offset),
-        names: names(signal.values),
+        name: row.name.into(),
+        unit: row.unit.into(),
+        place: Place::new(row.start.into(), row.width.into(), Order::Little, coding)?,
+        scaling: match row.steps {
+            Steps::Exact(scale) => Scaling::Steps(scale),
+            Steps::Linear { factor, offset } => Scaling::of(factor, offset),
+        },
+        names: names(row.values),
         multiplexed: None,
-        doc: "".into(),
+        doc: row.doc.into(),
     })
 }
 

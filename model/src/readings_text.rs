@@ -1,13 +1,13 @@
 //! What the readings cost, as the Markdown of `model/READINGS.md`: its head, and a section for each edition.
 
-use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
 use adsdv_spec::{Choice, Choices, Edition};
 
 use crate::document::{have_the_same_state_machine, is_default};
 use crate::goals::goals;
-use crate::property::{Harm, Property, properties};
+use crate::property::{Property, properties};
+use crate::ranking::Ranked;
 use crate::story::{StoryLine, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};
 
@@ -81,35 +81,21 @@ impl Display for Sweep {
 
 impl Sweep {
     fn ranking(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let mut ranked: BTreeMap<Choices, Vec<(&Property, Harm)>> = BTreeMap::new();
-        for cost in &self.costs {
-            if let Some(property) = Property::find(cost.name) {
-                ranked.entry(cost.choices).or_default().push((property, cost.harm(property)));
-            }
-        }
-        let mut ranked: Vec<_> = ranked.into_iter().collect();
-        // The worst first; of equals the one that fails most, then in the order of the questions.
-        ranked.sort_by_key(|(choices, failed)| {
-            (failed.iter().map(|(_, harm)| *harm).min(), std::cmp::Reverse(failed.len()), *choices)
-        });
         writeln!(f, "| rank | answer | instead of | what it can cost | properties that fail |")?;
         writeln!(f, "|---|---|---|---|---|")?;
-        for (rank, (choices, failed)) in ranked.iter().enumerate() {
-            let harm = failed.iter().map(|(_, harm)| *harm).min().map_or("", Harm::text);
-            let names: Vec<String> =
-                failed.iter().map(|(property, _)| format!("`{}`", property.name)).collect();
+        for (rank, Ranked { choices, harm, fails }) in self.ranked().iter().enumerate() {
+            let names: Vec<String> = fails.iter().map(|name| format!("`{name}`")).collect();
             writeln!(
                 f,
-                "| {} | {} | {} | {harm} | {} |",
+                "| {} | {} | {} | {} | {} |",
                 rank + 1,
                 listed(*choices, |choice| format!("`{choice}`: {}", choice.text())),
                 listed(*choices, |choice| self.edition.readings.choice(choice.reading()).text().to_owned()),
+                harm.text(),
                 names.join(", ")
             )?;
         }
-        let free = self.edition.alternatives();
-        let costly = self.costs.iter().fold(Choices::NONE, |all, cost| all.union(cost.choices));
-        for choice in free.difference(costly).iter() {
+        for choice in self.free().iter() {
             writeln!(f, "| - | `{choice}`: {} | | fails nothing | |", choice.text())?;
         }
         Ok(())

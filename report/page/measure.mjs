@@ -29,6 +29,7 @@ async function hour() {
 }
 
 const median = (list) => list.toSorted((a, b) => a - b)[Math.floor(list.length / 2)];
+const frame = (list) => `${median(list).toFixed(1)} ms (median), ${percentile(list, 0.95).toFixed(1)} ms (95 %), ${Math.max(...list).toFixed(1)} ms (longest)`;
 const percentile = (list, share) => list.toSorted((a, b) => a - b)[Math.min(Math.floor(list.length * share), list.length - 1)];
 
 async function measured(name, log) {
@@ -49,7 +50,7 @@ async function measured(name, log) {
   }
   const bytes = statSync(file).size;
   console.log(`${name}: ${bytes.toLocaleString("en")} bytes; first picture ${median(opened).toFixed(0)} ms (5 times), every frame ${all.toFixed(0)} ms; `
-    + `while zooming: work of a frame ${median(frames).toFixed(1)} ms (median), ${percentile(frames, 0.95).toFixed(1)} ms (95 %), ${Math.max(...frames).toFixed(1)} ms (longest)`);
+    + `while zooming: work of a frame ${frame(frames.work)}; from frame to frame ${frame(frames.between)}`);
 }
 
 /** Zooms from all to a second and back, a step a frame, and tells how long the script and the drawing of each frame took. */
@@ -61,11 +62,14 @@ async function zoomed(tab) {
     const stack = document.querySelector(".stack");
     const box = stack.getBoundingClientRect();
     const frame = () => new Promise((next) => requestAnimationFrame(next));
-    const times = [];
+    const times = { work: [], between: [] };
+    let last = await frame().then(() => performance.now());
     for (const by of [-60, 60]) {
       for (let i = 0; i < 70; i++) {
         stack.dispatchEvent(new WheelEvent("wheel", { deltaY: by, ctrlKey: true, clientX: box.left + 700, clientY: box.top + 100, cancelable: true }));
         await frame();
+        times.between.push(performance.now() - last);
+        last = performance.now();
         // The callbacks of this frame have begun; what follows them ends its work.
         const begun = performance.now();
         await new Promise((done) => {
@@ -73,7 +77,7 @@ async function zoomed(tab) {
           channel.port1.onmessage = done;
           channel.port2.postMessage(0);
         });
-        times.push(performance.now() - begun);
+        times.work.push(performance.now() - begun);
       }
     }
     return times;

@@ -1,7 +1,7 @@
 //! The messages of an edition as the page decodes them: the rows of the edition's own tables, and nothing beside them.
 
 use adsdv_spec::Edition;
-use adsdv_spec::messages::{Coding, DeviceMessage, DeviceSignal, MessageDef, SignalDef};
+use adsdv_spec::messages::{Coding, MessageRow, SignalRow, Steps};
 use serde::Serialize;
 
 /// A message, and how its frames are read.
@@ -50,64 +50,40 @@ pub fn catalog(edition: &Edition) -> serde_json::Value {
 
 /// Every message of an edition.
 pub(crate) fn messages(edition: &Edition) -> Vec<MessageJson> {
-    let documented = edition.bus.messages.iter().map(|message| documented(message));
-    documented.chain(edition.bus.devices.iter().map(of_device)).collect()
+    edition.bus.rows().map(|row| message(&row)).collect()
 }
 
-fn documented(message: &MessageDef) -> MessageJson {
+fn message(row: &MessageRow) -> MessageJson {
     MessageJson {
-        id: message.id,
-        name: message.name,
-        from: message.sender.name(),
-        cycle_ms: Some(message.cycle_ms),
-        len: message.len,
-        doc: message.doc,
-        signals: message.signals.iter().map(signal).collect(),
+        id: row.id,
+        name: row.name,
+        from: row.from,
+        cycle_ms: row.cycle_ms,
+        len: row.len,
+        doc: row.doc,
+        signals: row.signals().map(signal).collect(),
     }
 }
 
-fn signal(signal: &SignalDef) -> SignalJson {
+fn signal(row: SignalRow) -> SignalJson {
+    let (num, den, offset) = match row.steps {
+        Steps::Exact(scale) => (scale.num().into(), scale.den().into(), 0.0),
+        Steps::Linear { factor, offset } => (factor, 1.0, offset),
+    };
     SignalJson {
-        name: signal.name,
-        start: signal.start,
-        width: signal.width,
-        coding: if signal.signed { 'i' } else { 'u' },
-        num: signal.scale.num().into(),
-        den: signal.scale.den().into(),
-        offset: 0.0,
-        unit: signal.unit,
-        values: signal.values.to_vec(),
-        doc: signal.doc,
-    }
-}
-
-fn of_device(message: &DeviceMessage) -> MessageJson {
-    MessageJson {
-        id: message.id,
-        name: message.name,
-        from: message.sender.name(),
-        cycle_ms: message.cycle_ms,
-        len: message.len,
-        doc: message.sender.what(),
-        signals: message.signals.iter().map(device_signal).collect(),
-    }
-}
-
-fn device_signal(signal: &DeviceSignal) -> SignalJson {
-    SignalJson {
-        name: signal.name,
-        start: signal.start,
-        width: signal.width,
-        coding: match signal.coding {
+        name: row.name,
+        start: row.start,
+        width: row.width,
+        coding: match row.coding {
             Coding::Unsigned => 'u',
             Coding::Signed => 'i',
             Coding::Float => 'f',
         },
-        num: signal.scale,
-        den: 1.0,
-        offset: signal.offset,
-        unit: signal.unit,
-        values: signal.values.to_vec(),
-        doc: "",
+        num,
+        den,
+        offset,
+        unit: row.unit,
+        values: row.values.to_vec(),
+        doc: row.doc,
     }
 }

@@ -10,8 +10,10 @@
 //!              chunks: every frame, for all that is looked at closely;  catalog: how frames are read
 //! ```
 //!
-//! The page itself is in `page/`: TypeScript that is built into one template (`page/dist/page.html`), which is checked in, so that
-//! nobody needs Node who wants a page. It takes one object of data, and asks for nothing else.
+//! The pages themselves are in `page/`: TypeScript that is built into templates (`page/dist`), which are checked in, so that nobody needs
+//! Node who wants a page. Each takes one object of data, and asks for nothing else.
+//!
+//! What came of a program or of the readings of the document is a page as well: an [`Outcome`], of what `--json` prints of it.
 //!
 //! There are no threads here, no files and no clock: what comes in is entries of a log, and what goes out is text. So a browser can
 //! do the same.
@@ -27,9 +29,11 @@ mod catalog;
 mod chunks;
 mod clock;
 mod facts;
+mod figure;
 pub mod json;
 mod lanes;
 mod mood;
+mod outcome;
 mod overview;
 mod packed;
 mod page;
@@ -39,10 +43,14 @@ mod recorder;
 mod recording;
 mod requests;
 mod summary;
+mod template;
 mod time;
 
 pub use asked::Asked;
 pub use catalog::catalog;
+pub use figure::Picture;
+pub use mood::Mood;
+pub use outcome::{Outcome, Shown};
 pub use page::{PageError, Subject};
 pub use recorder::Recorder;
 pub use recording::{Found, Kept, Lost, Recording, signal};

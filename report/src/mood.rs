@@ -1,11 +1,11 @@
-//! How something looks that is said of a run.
+//! How something looks that is said of a run, or of a program.
 
 use serde::Serialize;
 
 /// How an answer looks; its words say it all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Mood {
+pub enum Mood {
     /// As it should be.
     Good,
     /// Worth a look.

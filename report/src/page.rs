@@ -1,4 +1,4 @@
-//! The page: one template that is built beforehand, and one object of data in it.
+//! The page of a judged recording, and its data.
 
 use std::collections::BTreeMap;
 
@@ -17,13 +17,11 @@ use crate::plots::{PlotJson, plots};
 use crate::questions::{AnswerJson, questions};
 use crate::recording::Recording;
 use crate::summary::{SummaryJson, summary};
+use crate::template::{filled, harmless};
 use crate::time::micros;
 
 /// The page without data, as `page/` builds it.
-const TEMPLATE: &str = include_str!("../page/dist/page.html");
-
-/// What the data takes the place of.
-const PLACE: &str = "\"adsdv-data\"";
+pub(crate) const TEMPLATE: &str = include_str!("../page/dist/page.html");
 
 /// A judged recording, as a page is made of it.
 #[derive(Clone, Copy, Debug)]
@@ -85,9 +83,7 @@ impl Subject<'_> {
     ///
     /// As [`data`](Self::data).
     pub fn html(&self) -> Result<String, PageError> {
-        let data = self.data()?;
-        let (before, after) = TEMPLATE.split_once(PLACE).unwrap_or((TEMPLATE, ""));
-        Ok([before, &data, after].concat())
+        Ok(filled(TEMPLATE, &self.data()?))
     }
 
     /// The data of the page, as one JSON object in which no `<` can end the script that it stands in.
@@ -139,41 +135,5 @@ impl Subject<'_> {
         let exercised = report.exercised.requirements.iter().map(|one| &one.id);
         let all = of_findings.chain(of_margins).chain(of_arrows).chain(exercised);
         all.filter_map(|id| Some((*id, requirement(id)?))).collect()
-    }
-}
-
-/// JSON that says the same, and in which nothing is markup: what stands in a log ends no script and begins none.
-fn harmless(json: &str) -> String {
-    let mut text = String::with_capacity(json.len());
-    for letter in json.chars() {
-        // Only strings have any of these.
-        match letter {
-            '<' => text.push_str("\\u003c"),
-            '>' => text.push_str("\\u003e"),
-            '&' => text.push_str("\\u0026"),
-            '\u{2028}' => text.push_str("\\u2028"),
-            '\u{2029}' => text.push_str("\\u2029"),
-            letter => text.push(letter),
-        }
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_made_harmless_says_the_same() {
-        let text = "</script><!--<script>alert(1)&amp;\u{2028}\u{2029}é";
-        let json = serde_json::to_string(text).expect("text");
-        let harmless = harmless(&json);
-        assert!(!harmless.contains(['<', '>', '&', '\u{2028}', '\u{2029}']), "{harmless}");
-        assert_eq!(serde_json::from_str::<String>(&harmless).expect("JSON"), text);
-    }
-
-    #[test]
-    fn the_template_has_one_place_for_the_data() {
-        assert_eq!(TEMPLATE.matches(PLACE).count(), 1);
     }
 }

@@ -5,12 +5,18 @@
 //! ```
 //!
 //! The page is one file, which is checked in, so that nobody needs Node or another compiler who wants it. It needs nothing but itself,
-//! so that the server has one answer: no path of a request reaches a file.
+//! so that the server has one answer: no path of a request reaches a file. With a
+//! [`Feed`] it has a second one: the lines of a stream, for the page alone.
 
 #![forbid(unsafe_code)]
 
+mod feed;
+mod headers;
+mod live;
 mod serve;
+mod stream;
 
+pub use feed::{Feed, Lines};
 pub use serve::{Site, SiteError};
 
 /// The page, whole.

@@ -3,20 +3,17 @@
 use std::error::Error;
 use std::fmt;
 use std::io;
-use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+
+use std::thread;
 
 use tiny_http::{Header, Method, Request, Response, Server};
 
 use crate::PAGE;
-
-/// What every answer says of itself. The page has its own policy; that nobody puts it into a frame can be said only here.
-const HEADERS: [(&str, &str); 5] = [
-    ("Content-Security-Policy", "frame-ancestors 'none'"),
-    ("Cross-Origin-Resource-Policy", "same-origin"),
-    ("Referrer-Policy", "no-referrer"),
-    ("X-Content-Type-Options", "nosniff"),
-    ("Cache-Control", "no-cache"),
-];
+use crate::feed::Feed;
+use crate::headers::HEADERS;
+use crate::live;
+use crate::stream;
 
 /// A server of the page.
 ///
@@ -37,7 +34,17 @@ const HEADERS: [(&str, &str); 5] = [
 pub struct Site {
     server: Server,
     address: SocketAddr,
+    live: Option<Live>,
 }
+
+/// A stream that the page shows, and the page that does.
+struct Live {
+    feed: Feed,
+    page: String,
+}
+
+/// So many pages may read a stream at once.
+const READERS: usize = 16;
 
 /// Why nothing is served: the address cannot be had.
 #[derive(Debug)]
@@ -73,7 +80,13 @@ impl Site {
         let address = listener.local_addr().map_err(SiteError)?;
         let server = Server::from_listener(listener, None)
             .map_err(|error| SiteError(io::Error::other(error.to_string())))?;
-        Ok(Self { server, address })
+        Ok(Self { server, address, live: None })
+    }
+
+    /// Takes an address of loopback, and shows a stream in the page: what is on the bus is for nobody else than who sits at this machine.
+    pub fn live(port: u16, feed: &Feed) -> Result<Self, SiteError> {
+        let site = Self::bind(Ipv4Addr::LOCALHOST.into(), port)?;
+        Ok(Self { live: Some(Live { feed: feed.clone(), page: live::page() }), ..site })
     }
 
     /// Where it is.
@@ -84,22 +97,55 @@ impl Site {
     /// Serves the page until the process ends.
     pub fn serve(&self) {
         for request in self.server.incoming_requests() {
-            // Who asked may be gone, and others still ask.
-            let _ = answer(request);
+            let Some(live) = &self.live else {
+                // Who asked may be gone, and others still ask.
+                let _ = answer(request, PAGE);
+                continue;
+            };
+            let _ = if !live::is_asked_for_here(&request, self.address) {
+                refuse(request, 421, "This page answers to 127.0.0.1 and localhost alone.\n")
+            } else if path(&request) == stream::PATH && *request.method() == Method::Get {
+                begin(request, &live.feed)
+            } else {
+                answer(request, &live.page)
+            };
         }
     }
 }
 
-/// Answers a request: the page, and nothing else.
-fn answer(request: Request) -> io::Result<()> {
-    let path = request.url().split(['?', '#']).next().unwrap_or_default();
-    let (status, kind, text) = match (request.method(), path) {
-        (Method::Get | Method::Head, "/" | "/index.html") => (200, "text/html; charset=utf-8", PAGE),
-        (Method::Get | Method::Head, _) => {
-            (404, "text/plain; charset=utf-8", "There is only the page at /.\n")
-        }
-        _ => (405, "text/plain; charset=utf-8", "There is only GET.\n"),
+/// Streams to a page in a thread of its own.
+fn begin(request: Request, feed: &Feed) -> io::Result<()> {
+    let Some(reader) = feed.reader(READERS) else {
+        return refuse(request, 503, "Too many pages show this bus already.\n");
     };
+    let stream = move || {
+        // Who read may be gone.
+        let _ = stream::write(request, &reader);
+    };
+    thread::Builder::new().name("stream".to_owned()).spawn(stream).map(drop)
+}
+
+fn path(request: &Request) -> &str {
+    request.url().split(['?', '#']).next().unwrap_or_default()
+}
+
+/// Answers a request: the page, and nothing else.
+fn answer(request: Request, page: &str) -> io::Result<()> {
+    let (status, kind, text) = match (request.method(), path(&request)) {
+        (Method::Get | Method::Head, "/" | "/index.html") => (200, "text/html; charset=utf-8", page),
+        (Method::Get | Method::Head, _) => (404, PLAIN, "There is only the page at /.\n"),
+        _ => (405, PLAIN, "There is only GET.\n"),
+    };
+    respond(request, status, kind, text)
+}
+
+fn refuse(request: Request, status: u16, text: &str) -> io::Result<()> {
+    respond(request, status, PLAIN, text)
+}
+
+const PLAIN: &str = "text/plain; charset=utf-8";
+
+fn respond(request: Request, status: u16, kind: &str, text: &str) -> io::Result<()> {
     let mut response = Response::new(status.into(), Vec::new(), text.as_bytes(), Some(text.len()), None)
         // Its length is known, so that whoever loads it sees how far it is.
         .with_chunked_threshold(usize::MAX);

@@ -39,6 +39,11 @@ impl Assi {
             AsState::Finished => Self::BlueContinuous,     //= SM-8
         }
     }
+
+    /// Whether it goes on and off.
+    pub const fn flashes(self) -> bool {
+        matches!(self, Self::YellowFlashing | Self::BlueFlashing)
+    }
 }
 
 impl fmt::Display for Assi {

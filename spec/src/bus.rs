@@ -4,7 +4,7 @@ use core::fmt;
 use core::ops::RangeInclusive;
 
 use crate::messages::{
-    AnyMessage, DecodeError, Device, DeviceMessage, Frame, Message, MessageDef, Node, SignalDef,
+    AnyMessage, DecodeError, Device, DeviceMessage, Frame, Message, MessageDef, MessageRow, Node, SignalDef,
 };
 
 /// The bus of one edition.
@@ -98,6 +98,21 @@ impl Bus {
             i += 1;
         }
         None
+    }
+
+    /// Every message, those of devices behind the others: what all have in common.
+    ///
+    /// ```
+    /// use adsdv_spec::Edition;
+    ///
+    /// let mut rows = Edition::V2026.bus.rows();
+    /// let remote = rows.find(|row| row.id == 0x181).expect("of the remote control");
+    /// assert_eq!(remote.from, "RES");
+    /// assert!(remote.signals().any(|signal| signal.name == "K2_SWITCH_GO_STATUS"));
+    /// ```
+    pub fn rows(&self) -> impl Iterator<Item = MessageRow> + use<> {
+        let documented = self.messages.iter().map(|message| MessageRow::documented(message));
+        documented.chain(self.devices.iter().map(MessageRow::of_device))
     }
 
     /// The message with this name.

@@ -1,6 +1,7 @@
 // The pictures of docs/web.md, small enough for a repository.
 
-import { copyFileSync, mkdirSync } from "node:fs";
+import { spawn } from "node:child_process";
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { begin, browser, choose, driven, folder, ready, recording, root } from "./tests/web.mjs";
@@ -14,6 +15,23 @@ async function shot(name, options, act) {
   await tab.waitForTimeout(300);
   await tab.screenshot({ path: join(docs, `${name}.png`) });
   await close();
+}
+
+/** A bus that is watched, and what it has come to. */
+async function live() {
+  const child = spawn(process.env.ADSDV, ["watch", "-", "--web", "--port", "0"], { cwd: root });
+  child.stdout.resume();
+  const url = await new Promise((done) => {
+    let text = "";
+    child.stderr.on("data", (data) => (text += data).includes("\n") && done(/http:\S+/.exec(text)[0]));
+  });
+  child.stdin.write(readFileSync(join(root, recording("finished-while-moving")), "utf8").split("\n").slice(0, 14_000).join("\n"));
+  const { tab, close } = await begin(url, { viewport: { width: 1000, height: 760 } });
+  await tab.waitForFunction(() => Number(document.documentElement.dataset.heard) > 13_000);
+  await tab.waitForTimeout(300);
+  await tab.screenshot({ path: join(docs, "live.png") });
+  await close();
+  child.kill();
 }
 
 const wide = { viewport: { width: 1000, height: 640 } };
@@ -51,6 +69,7 @@ await shot("folder", { viewport: { width: 1000, height: 400 } }, async (tab) => 
   await ready(tab);
 });
 await shot("car", { viewport: { width: 1100, height: 620 } }, car);
+await live();
 await shot("figure2", { viewport: { width: 1100, height: 560 } }, async (tab) => {
   await car(tab);
   await tab.evaluate(() => document.getElementById("figure2").scrollIntoView());

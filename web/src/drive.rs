@@ -88,12 +88,19 @@ struct MissingJson {
 }
 
 #[derive(Serialize)]
-struct ChangeJson {
+pub(crate) struct ChangeJson {
     t: f64,
     from: &'static str,
     to: &'static str,
     section: &'static str,
     justified: &'static str,
+}
+
+impl BegunJson {
+    pub(crate) fn of(machine: &Machine, edition: &'static Edition) -> Self {
+        let messages = adsdv_report::catalog(edition);
+        Self { edition: edition.version, figure: FigureJson::of(machine), messages }
+    }
 }
 
 impl Drive {
@@ -125,11 +132,7 @@ impl Drive {
     }
 
     pub(crate) fn begun(&self) -> BegunJson {
-        BegunJson {
-            edition: self.edition.version,
-            figure: FigureJson::of(self.bench.car().machine()),
-            messages: adsdv_report::catalog(self.edition),
-        }
+        BegunJson::of(self.bench.car().machine(), self.edition)
     }
 
     pub(crate) fn act(&mut self, action: &str) -> Result<(), Refusal> {
@@ -283,7 +286,7 @@ impl MissingJson {
 }
 
 impl ChangeJson {
-    fn of(transition: &Transition) -> Self {
+    pub(crate) fn of(transition: &Transition) -> Self {
         let Transition { t_ns, from, to, section, justified, .. } = transition;
         Self { t: seconds(*t_ns), from: from.name(), to: to.name(), section, justified: justified.name() }
     }

@@ -1,25 +1,22 @@
-//! Figure 2 as a machine reads it: its states with their lights, and its arrows with their guards.
+//! Figure 2 as a machine reads it: where it is drawn, and its arrows with their guards.
 
-use adsdv_spec::{AsState, Assi, Machine};
-use serde::Serialize;
+use adsdv_report::Picture;
+use adsdv_spec::{AsState, Machine};
+use serde::{Serialize, Serializer};
 
 /// The figure.
 #[derive(Serialize)]
 pub(crate) struct FigureJson {
-    states: Vec<StateJson>,
+    picture: Picture,
     arrows: Vec<ArrowJson>,
 }
 
 #[derive(Serialize)]
-struct StateJson {
-    name: &'static str,
-    light: String,
-}
-
-#[derive(Serialize)]
 struct ArrowJson {
-    from: &'static str,
-    to: &'static str,
+    #[serde(serialize_with = "name")]
+    from: AsState,
+    #[serde(serialize_with = "name")]
+    to: AsState,
     section: &'static str,
     /// The alternatives of the guard, each of which takes the arrow.
     terms: Vec<TermJson>,
@@ -41,14 +38,14 @@ struct ConditionJson {
 
 impl FigureJson {
     pub(crate) fn of(machine: &Machine) -> Self {
-        let states = AsState::ALL.iter();
-        Self {
-            states: states
-                .map(|state| StateJson { name: state.name(), light: Assi::of(*state).to_string() })
-                .collect(),
-            arrows: AsState::ALL.iter().flat_map(|state| arrows(machine, *state)).collect(),
-        }
+        let arrows: Vec<ArrowJson> = AsState::ALL.iter().flat_map(|state| arrows(machine, *state)).collect();
+        let ends: Vec<(AsState, AsState)> = arrows.iter().map(|arrow| (arrow.from, arrow.to)).collect();
+        Self { picture: Picture::of(&ends), arrows }
     }
+}
+
+fn name<S: Serializer>(state: &AsState, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(state.name())
 }
 
 /// The arrows of a state, in the order in which they are evaluated.
@@ -66,7 +63,7 @@ fn arrows(machine: &Machine, from: AsState) -> Vec<ArrowJson> {
         if let Some((_, arrow)) = rows.iter_mut().find(|(place, _)| *place == taken.row) {
             arrow.terms.push(term);
         } else {
-            let (from, to) = (row.from.name(), row.to.name());
+            let (from, to) = (row.from, row.to);
             rows.push((taken.row, ArrowJson { from, to, section: row.section, terms: vec![term] }));
         }
     }

@@ -20,6 +20,7 @@ mod drive;
 mod error;
 mod examples;
 mod figure;
+mod live;
 mod logs;
 mod session;
 mod subject;

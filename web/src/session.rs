@@ -8,6 +8,7 @@ use crate::about::AboutJson;
 use crate::drive::Drive;
 use crate::error::Refusal;
 use crate::examples;
+use crate::live::Live;
 use crate::logs::{self, LogAsked};
 
 /// What a page asks.
@@ -46,6 +47,21 @@ enum Request {
     Run { ms: u32 },
     /// The log of the drive so far.
     DriveLog,
+    /// Begins to hear a bus.
+    Listen {
+        #[serde(default)]
+        edition: Option<String>,
+        #[serde(default)]
+        readings: Vec<String>,
+    },
+    /// Lines that came from it, of which so many before were lost.
+    Hear {
+        lines: String,
+        #[serde(default)]
+        lost: u64,
+    },
+    /// Nothing comes any more.
+    HeardAll,
 }
 
 /// What comes back.
@@ -70,6 +86,7 @@ pub enum Answer {
 #[derive(Debug, Default)]
 pub struct Session {
     drive: Option<Drive>,
+    live: Option<Live>,
 }
 
 impl Session {
@@ -105,7 +122,17 @@ impl Session {
             }
             Request::Run { ms } => json(&self.drive()?.run(ms)),
             Request::DriveLog => Ok(self.drive()?.log()),
+            Request::Listen { edition, readings } => {
+                self.live = Some(Live::begin(edition.as_deref(), &readings)?);
+                Ok("{}".to_owned())
+            }
+            Request::Hear { lines, lost } => json(&self.live()?.hear(&lines, lost)?),
+            Request::HeardAll => json(&self.live()?.end()),
         }
+    }
+
+    fn live(&mut self) -> Result<&mut Live, Refusal> {
+        self.live.as_mut().ok_or_else(|| Refusal::of_request("no bus is heard yet"))
     }
 
     fn drive(&mut self) -> Result<&mut Drive, Refusal> {

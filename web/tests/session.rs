@@ -148,7 +148,10 @@ fn each_example_is_the_log_that_its_title_says() {
 fn a_drive_is_what_the_demo_drives() {
     let mut session = Session::default();
     let begun = answer(&mut session, &json!({ "do": "begin", "edition": "3.0", "scenario": "mission" }));
-    assert_eq!(begun["figure"]["states"][0], json!({ "name": "AS_OFF", "light": "off" }));
+    assert_eq!(
+        begun["figure"]["picture"]["states"][0],
+        json!({ "name": "AS_OFF", "light": "off", "x": 400.0, "y": 50.0 })
+    );
     let mut changes = Vec::new();
     for _ in 0..400 {
         let run = answer(&mut session, &json!({ "do": "run", "ms": 100 }));

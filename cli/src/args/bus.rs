@@ -192,6 +192,9 @@ EXAMPLES
       adsdv watch can0 --log run.log
       adsdv check run.log
 
+  In a web browser as well, for who stands beside the laptop:
+      adsdv watch can0 --web
+
   A team's own rules beside the document:
       adsdv watch can0 --rules team.rules
 
@@ -237,6 +240,18 @@ pub(crate) struct WatchArgs {
     /// `adsdv schema watch` describes it.
     #[arg(long)]
     pub(crate) json: bool,
+
+    /// Show the bus in a web browser as well, while it is watched.
+    ///
+    /// Serves the page of `adsdv web` on this machine only, and streams every frame into it, where the same judge hears them: the AS
+    /// state with its light, what the car waits for, Figure 2, what is found, the frames. A page that is opened later begins with
+    /// what was heard in the last minutes. With - it is served until the command is stopped, also when the frames have ended.
+    #[arg(long)]
+    pub(crate) web: bool,
+
+    /// The port of the page on loopback; 0 for any that is free.
+    #[arg(long, value_name = "N", default_value_t = 3024, requires = "web", value_parser = super::verify::port, allow_negative_numbers = true)]
+    pub(crate) port: u16,
 
     /// Judge a team's own rules as well: a file with a rule in each line; see RULES.md.
     ///

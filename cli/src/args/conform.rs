@@ -99,6 +99,9 @@ EXAMPLES
   Its own Figure 2, drawn:
       adsdv conform --figure vcu.dot -- ./vcu; dot -Tsvg vcu.dot > vcu.svg
 
+  The report as a page to look at, or to send to the rest of the team:
+      adsdv conform --html vcu.html -- ./vcu
+
   The requirements that failed, for a program:
       adsdv conform --json -- ./vcu | jq '.requirements[] | select(.outcome == \"fail\")'
 
@@ -237,6 +240,14 @@ pub(crate) struct ConformArgs {
     /// List the requirements that passed as well, the tests that were not run, and the outputs that are not shown.
     #[arg(long)]
     pub(crate) all: bool,
+
+    /// Write the report as a page to look at to this file, beside printing it.
+    ///
+    /// One file that needs nothing else and no network, with all that --json prints: the verdict and what to do next, each deviation
+    /// with the scenario that shows it, the program's own Figure 2 drawn with what differs, the failures step by step, the requirements.
+    /// The file is there when all of it is written. With - the page is printed in place of the report.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
 
     /// Print JSON; `adsdv schema conform` prints its schema.
     #[arg(long)]

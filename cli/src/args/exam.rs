@@ -46,6 +46,9 @@ EXAMPLES
       adsdv exam --stdio --runs 1000 --seed 7 --logs logs -- ./my_stack
       adsdv exam --stdio --scenario logs/finding-1.txt -- ./my_stack
 
+  The report as a page to look at, or to send to the rest of the team:
+      adsdv exam --stdio --html exam.html -- ./my_stack
+
   The logs of the scenarios, each as `adsdv check` reads it:
       adsdv exam --stdio --logs logs -- ./my_stack
       adsdv check logs/mission-skidpad.log
@@ -211,6 +214,14 @@ pub(crate) struct ExamArgs {
     /// List the requirements that passed as well.
     #[arg(long)]
     pub(crate) all: bool,
+
+    /// Write the report as a page to look at to this file, beside printing it.
+    ///
+    /// One file that needs nothing else and no network, with all that --json prints: the verdict and what to do next, each finding
+    /// with what was seen and expected, its frames and its shortest scenario, the requirements, the scenarios.
+    /// The file is there when all of it is written. With - the page is printed in place of the report.
+    #[arg(long, value_name = "FILE", conflicts_with = "list")]
+    pub(crate) html: Option<PathBuf>,
 
     /// Print JSON; `adsdv schema exam` prints its schema.
     #[arg(long)]

@@ -33,6 +33,9 @@ EXAMPLES
   model/READINGS.md):
       adsdv verify --readings > READINGS.md
 
+  The same as a page to look at, of one edition:
+      adsdv verify --readings --edition 3.0 --html readings.html
+
   Quickly, with only those inputs that can matter at each state:
       adsdv verify --vectors read
 
@@ -68,9 +71,9 @@ pub(crate) struct VerifyArgs {
     #[arg(long = "reading", value_name = "ID=CHOICE")]
     pub(crate) readings: Vec<Choice>,
 
-    /// Check the combinations of readings that can matter, and print as Markdown what each costs: for every edition, or for the one
+    /// Check the combinations of readings that can matter, and print as Markdown or JSON what each costs: for every edition, or for the one
     /// that is asked for.
-    #[arg(long = "readings", conflicts_with_all = ["readings", "model", "vectors", "json", "logs", "color"])]
+    #[arg(long = "readings", conflicts_with_all = ["readings", "model", "vectors", "logs", "color"])]
     pub(crate) sweep: bool,
 
     /// Which models are explored.
@@ -89,7 +92,17 @@ pub(crate) struct VerifyArgs {
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub(crate) logs: PathBuf,
 
+    /// With --readings, write what they cost as a page to look at to this file, beside printing it.
+    ///
+    /// One file that needs nothing else and no network, with all that --json prints: a ranking of the answers by what they can cost,
+    /// and of each property that fails the shortest run that shows it. The file is there when all of it is written. With - the page
+    /// is printed in place of the text.
+    #[arg(long, value_name = "FILE", requires = "sweep")]
+    pub(crate) html: Option<PathBuf>,
+
     /// Print JSON; `adsdv schema verify` prints its schema.
+    ///
+    /// With --readings a line for each edition, and its schema is that of `adsdv schema costs`.
     #[arg(long)]
     pub(crate) json: bool,
 

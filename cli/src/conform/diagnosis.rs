@@ -136,6 +136,20 @@ impl DiagnosedProgram {
         self.found.deviations.iter().all(|one| accepted(one) || observed(one))
     }
 
+    /// The first that counts, in words.
+    pub(super) fn first_that_counts(&self) -> Option<String> {
+        let counts = |one: &&Deviation| {
+            self.accepted.reason(&one.id(&self.edition)).is_none() && !self.is_observed(**one)
+        };
+        let first = self.found.deviations.iter().find(counts)?;
+        Some(first.text(&self.edition).to_string())
+    }
+
+    /// How long a search may take that finds more, in seconds, where this one ended early.
+    pub(super) fn longer(&self) -> Option<f64> {
+        self.found.cut.then_some(self.limit.as_secs_f64() * 10.0)
+    }
+
     fn is_observed(&self, deviation: Deviation) -> bool {
         !self.strict && are_decisions(&deviation.requirements(&self.edition))
     }

@@ -1,7 +1,7 @@
 //! `adsdv conform`: runs the suite and random scenarios against a program, and tells what came of it.
 //!
 //! ```text
-//! suite (generated, or read) ---> conform ---> text or json
+//! suite (generated, or read) ---> conform ---> text, json or a page
 //!                                    |
 //!            a program that does not keep to the protocol: an error
 //! ```
@@ -9,6 +9,7 @@
 mod diagnosis;
 mod figure;
 mod json;
+mod page;
 mod stop;
 mod text;
 
@@ -35,7 +36,7 @@ use crate::args::{ChosenEdition, ConformArgs};
 use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::status::Status;
-use crate::{output, pins};
+use crate::{html, output, pins};
 
 /// What `--accept` accepts.
 const ACCEPTABLE: Acceptable = Acceptable {
@@ -45,6 +46,7 @@ const ACCEPTABLE: Acceptable = Acceptable {
 };
 
 pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
+    html::prepare_long(args.html.as_deref(), args.json)?;
     let chosen = args.edition.chosen()?;
     let edition = chosen.edition();
     let options = ConformOptions {
@@ -97,10 +99,15 @@ pub(crate) fn run(args: &ConformArgs) -> Result<Status, Error> {
     let conforms = conforms(args, &report, diagnosis.as_ref());
     let undiagnosed = undiagnosed(args, &report);
     let subject = JudgedProgram { edition: chosen, name: &name, args, diagnosis, undiagnosed, conforms };
-    if args.json {
+    if html::is_printed(args.html.as_deref()) {
+        // The page is the answer.
+    } else if args.json {
         output::plain(&json::text(&subject, &report))?;
     } else {
         output::styled(&text::text(&subject, &report, output::width()), args.color)?;
+    }
+    if let Some(file) = &args.html {
+        html::write(file, page::html(&subject, &report))?;
     }
     Ok(if conforms { Status::Conforms } else { Status::Violates })
 }

@@ -1,7 +1,7 @@
 //! `adsdv exam`: examines an AI Computer, and tells what came of it.
 //!
 //! ```text
-//! scenarios ---> exam ---> shorter ones of what is wrong ---> text or json; JUnit, a summary and logs in files
+//! scenarios ---> exam ---> shorter ones of what is wrong ---> text, json or a page; JUnit, a summary and logs in files
 //!                  |
 //!   a program that does not keep to the protocol: an error
 //! ```
@@ -12,6 +12,7 @@ mod choose;
 mod files;
 mod junit;
 mod live;
+mod page;
 mod summary;
 mod text;
 mod verdict;
@@ -30,13 +31,14 @@ use crate::accept::Accepted;
 use crate::args::{ChosenEdition, ExamArgs};
 use crate::conform::{program_name, stops_the_program};
 use crate::error::Error;
-use crate::output;
 use crate::progress::ProgressLine;
 use crate::status::Status;
+use crate::{html, output};
 
 use verdict::Verdict;
 
 pub(crate) fn run(args: &ExamArgs) -> Result<Status, Error> {
+    html::prepare_long(args.html.as_deref(), args.json)?;
     let edition = args.edition.chosen()?;
     let scenarios = choose::chosen(args)?;
     if args.list {
@@ -85,13 +87,18 @@ fn accepted(args: &ExamArgs) -> Result<Accepted, Error> {
 
 /// Prints the report, and then writes the files that somebody asks for: one that cannot be written takes nothing from the report.
 fn print(subject: &Examinee<'_>, report: &ExamReport) -> Result<(), Error> {
-    if subject.args.json {
+    if html::is_printed(subject.args.html.as_deref()) {
+        // The page is the answer.
+    } else if subject.args.json {
         output::plain(&json(subject, report))?;
     } else {
         output::styled(&text::text(subject, report, output::width()), subject.args.color)?;
     }
     if let Some(path) = &subject.args.write_accept {
         subject.verdict.write(path, report)?;
+    }
+    if let Some(file) = &subject.args.html {
+        html::write(file, page::html(subject, report))?;
     }
     files::write(subject, report)
 }

@@ -76,6 +76,12 @@ fn help() {
 }
 
 #[test]
+fn figure_2() {
+    let screen = Screen { figure: true, ..Screen::new(true) };
+    golden("figure", &sample::driving(), &screen, &[(80, 24), (100, 30)]);
+}
+
+#[test]
 fn scrolled_back() {
     let screen = Screen { back: 4, ..Screen::new(true) };
     golden("scrolled", &sample::emergency(), &screen, &[(100, 30)]);
@@ -115,8 +121,9 @@ fn no_size_is_too_small_or_too_large_to_be_drawn() {
     let widths = [0, 1, 2, 20, 79, 80, 81, 99, 100, 101, 250];
     for status in [sample::off(), sample::emergency(), sample::dark(), Status::default()] {
         for (width, height) in widths.iter().flat_map(|&width| heights.map(|height| (width, height))) {
-            for help in [false, true] {
-                drawn(&status, &Screen { help, back: 1000, ..Screen::new(true) }, width, height);
+            for (help, figure) in [(false, false), (true, false), (false, true)] {
+                let screen = Screen { help, figure, back: 1000, ..Screen::new(true) };
+                drawn(&status, &screen, width, height);
             }
         }
     }

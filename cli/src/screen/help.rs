@@ -33,6 +33,7 @@ pub(super) fn draw(theme: Theme, area: Rect, buffer: &mut Buffer) {
             .as_slice(),
         &[
             other("?", "this help"),
+            other("  Tab", "Figure 2"),
             other("  q Ctrl-C", "quit"),
             other("  Ctrl-Z", "stop"),
             other("  Ctrl-L", "draw anew"),

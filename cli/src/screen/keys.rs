@@ -68,7 +68,9 @@ pub(super) enum KeyCommand {
     Quit,
     /// Explain the keys, or stop explaining them.
     Help,
-    /// Stop explaining the keys.
+    /// Show Figure 2, or no longer.
+    Figure,
+    /// Stop explaining the keys, and show Figure 2 no longer.
     Close,
     /// Put the program into the background.
     Suspend,
@@ -140,6 +142,7 @@ pub(super) fn command(event: KeyEvent) -> Option<KeyCommand> {
         KeyCode::Char('q' | 'Q') => Some(KeyCommand::Quit),
         KeyCode::Char('?') => Some(KeyCommand::Help),
         KeyCode::Char(key) => operator(key),
+        KeyCode::Tab => Some(KeyCommand::Figure),
         KeyCode::Esc => Some(KeyCommand::Close),
         KeyCode::Up => Some(KeyCommand::Scroll(Scroll::Up)),
         KeyCode::Down => Some(KeyCommand::Scroll(Scroll::Down)),
@@ -211,6 +214,7 @@ mod tests {
     fn keys_of_the_screen() {
         assert_eq!(char('q'), Some(KeyCommand::Quit));
         assert_eq!(char('?'), Some(KeyCommand::Help));
+        assert_eq!(press(KeyCode::Tab, KeyModifiers::NONE), Some(KeyCommand::Figure));
         assert_eq!(press(KeyCode::Esc, KeyModifiers::NONE), Some(KeyCommand::Close));
         for (key, scroll) in [
             (KeyCode::Up, Scroll::Up),

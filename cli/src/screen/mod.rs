@@ -10,6 +10,7 @@
 //! it what the operator does. Drawing is a function of a status and of the few things that a [`Screen`] remembers, so that
 //! what people see is compared with the files in `golden/`.
 
+mod figure;
 mod help;
 mod keyboard;
 mod keys;
@@ -60,6 +61,8 @@ pub(crate) struct Screen {
     edition: String,
     /// The keys are explained.
     help: bool,
+    /// Figure 2 is shown.
+    figure: bool,
     /// A light that flashes is lit.
     lit: bool,
     /// By how many lines what happened is scrolled back.
@@ -89,7 +92,7 @@ impl Screen {
     /// A screen as it begins.
     fn new(color: bool) -> Self {
         let (edition, log, turned) = (String::new(), panel::Room::default(), Vec::new());
-        Self { color, edition, help: false, lit: true, back: 0, log, turned }
+        Self { color, edition, help: false, figure: false, lit: true, back: 0, log, turned }
     }
 
     /// The same, of a VCU whose edition was chosen like this.
@@ -116,7 +119,8 @@ impl Screen {
                 }
             }
             KeyCommand::Help => self.help = !self.help,
-            KeyCommand::Close => self.help = false,
+            KeyCommand::Figure => self.figure = !self.figure,
+            KeyCommand::Close => (self.help, self.figure) = (false, false),
             KeyCommand::Scroll(scroll) => self.scroll(scroll),
         }
         Effect::Nothing
@@ -189,6 +193,22 @@ mod tests {
             assert_eq!(screen.follow(command, &inputs), Effect::Nothing);
             assert_eq!(screen.help, help, "{command:?}");
         }
+    }
+
+    #[test]
+    fn figure_2_opens_and_closes_and_the_keys_are_explained_over_it() {
+        let (mut screen, inputs) = (Screen::new(true), Inputs::default());
+        for (command, figure) in [
+            (KeyCommand::Figure, true),
+            (KeyCommand::Figure, false),
+            (KeyCommand::Figure, true),
+            (KeyCommand::Help, true),
+        ] {
+            assert_eq!(screen.follow(command, &inputs), Effect::Nothing);
+            assert_eq!(screen.figure, figure, "{command:?}");
+        }
+        screen.follow(KeyCommand::Close, &inputs);
+        assert!(!screen.figure && !screen.help);
     }
 
     #[test]

@@ -19,6 +19,7 @@ use ratatui::text::{Line, Span, Text};
 use ratatui::widgets::Widget as _;
 
 use super::Screen;
+use super::figure;
 use super::help;
 use super::panel::{
     self, bus, faults, flow, handshake, happened, missing, requests, seconds, state, switches, title,
@@ -51,6 +52,9 @@ pub(super) fn render(status: &Status, screen: &Screen, area: Rect, buffer: &mut 
     header(status, screen, theme, head, buffer);
     let drawing = Drawing { status, screen, theme };
     let room = if has(area, ROOMY) { drawing.roomy(body, buffer) } else { drawing.compact(body, buffer) };
+    if screen.figure {
+        figure::draw(status, screen.lit, theme, body, buffer);
+    }
     if screen.help {
         help::draw(theme, area, buffer);
     }

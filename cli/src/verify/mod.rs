@@ -4,8 +4,11 @@
 //! outcome ------> table (text) or json
 //!    |
 //!    +--- what fails ---> counterexample: a log, judged as `adsdv check` judges it
+//!
+//! --readings: a sweep of each edition ---> Markdown, costs (json), or a page
 //! ```
 
+mod costs;
 mod counterexample;
 mod json;
 mod outcome;
@@ -20,7 +23,7 @@ use crate::args::VerifyArgs;
 use crate::error::Error;
 use crate::progress::ProgressLine;
 use crate::status::Status;
-use crate::{output, pins};
+use crate::{html, output, pins};
 
 use outcome::Outcome;
 
@@ -30,7 +33,7 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     if args.sweep {
         let one = chosen.asked_for().map(|_| chosen.edition());
         let editions: Vec<_> = one.map_or_else(|| state_machines().collect(), |one| vec![one]);
-        return readings(&editions, threads);
+        return readings(args, &editions, threads);
     }
     let machine = pins::machine(chosen.edition(), &args.readings)?;
     counterexample::expect_directory(&args.logs)?;
@@ -47,19 +50,30 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     unwritten.map_or(Ok(outcome.status()), Err)
 }
 
-/// What each reading of these editions costs.
-fn readings(editions: &[&'static Edition], threads: usize) -> Result<Status, Error> {
-    output::plain(READINGS_HEAD)?;
-    let mut status = Status::Conforms;
+/// What each reading of these editions costs: as Markdown, a line of JSON for each, or a page.
+fn readings(args: &VerifyArgs, editions: &[&'static Edition], threads: usize) -> Result<Status, Error> {
+    let file = args.html.as_deref();
+    html::prepare_long(file, args.json)?;
+    let is_text = !args.json && !html::is_printed(file);
+    if is_text {
+        output::plain(READINGS_HEAD)?;
+    }
+    let (mut lines, mut holds) = (Vec::new(), true);
     for edition in editions {
         let swept = explored(edition, threads);
-        output::plain(&format!("\n{swept}"))?;
-        let defaults_hold = swept.costs.iter().all(|cost| !cost.choices.is_empty());
-        if !swept.complete || !defaults_hold {
-            status = Status::Violates;
+        holds &= costs::holds(&swept);
+        let line = costs::json(&swept);
+        if is_text {
+            output::plain(&format!("\n{swept}"))?;
+        } else if args.json {
+            output::plain(&line)?;
         }
+        lines.push(line);
     }
-    Ok(status)
+    if let Some(file) = file {
+        html::write(file, costs::page(editions, &lines, holds))?;
+    }
+    Ok(if holds { Status::Conforms } else { Status::Violates })
 }
 
 /// What each reading of an edition costs, with a line that tells how far it is.

@@ -3,10 +3,12 @@
 //! ```text
 //! bus --> Ears (a thread that does nothing else) --> judge --> lines, as it is certain of something
 //!                                                |--> log     --> summary, in the end
+//!                                                |--> pages
 //! ```
 //!
 //! It has nothing to send with: what it opens can only listen. Where another program hears the bus, `piped` takes the place of the ears.
 
+mod audience;
 mod ears;
 mod lines;
 mod news;
@@ -15,6 +17,7 @@ mod record;
 #[cfg(test)]
 mod tests;
 mod waits;
+mod web;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -26,16 +29,18 @@ use adsdv_oracle::judge::{JudgeOptions, Report};
 use adsdv_oracle::log::{LogError, LogJudge, LogOptions};
 use adsdv_oracle::recognise::Recognised;
 
-use crate::args::WatchArgs;
+use crate::args::{ChosenEdition, WatchArgs};
 use crate::error::Error;
 use crate::report::{self, JudgedLog};
 use crate::status::Status;
 use crate::{interrupt, json, output, pins, rules};
+use audience::Audience;
 use ears::{Arrival, Ears};
 use lines::Lines;
 use news::News;
 use piped::Piped;
 use record::Recorder;
+use web::Pages;
 
 pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let chosen = args.edition.chosen()?;
@@ -52,14 +57,17 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     let stop = interrupt::flag().map_err(|error| Error::system("signals", &error))?;
     let news = News::new(Lines::new(args, chosen), options.rules.clone());
     let heard = if args.interface == piped::STDIN {
+        // Who opens the page need not wait for the first line.
+        let audience = audience(args, chosen, piped::NAME)?;
         let log = piped::open(&stop)?;
-        let recorder = recorder(args)?;
-        Heard::piped(piped::watch(log, judge_of(&options, by_bus), recorder, news, &stop))
+        Heard::piped(piped::watch(log, judge_of(&options, by_bus), audience, news, &stop))
     } else {
         let listener = socket::listen(&args.interface)?;
-        Heard::on_bus(watch(listener, &options, recorder(args)?, news, &stop)?)
+        let audience = audience(args, chosen, listener.name())?;
+        Heard::on_bus(watch(listener, &options, audience, news, &stop)?)
     };
-    let Heard { name, recognised, report, traffic, outages, recorder, lines, failure } = heard;
+    let Heard { name, recognised, report, traffic, outages, audience, lines, failure } = heard;
+    let Audience { recorder, pages } = audience;
     let log = recorder.map_or(Ok(()), Recorder::finish);
     if let Some(recognised) = &recognised {
         options.judge = options.judge.under(recognised.edition);
@@ -77,6 +85,11 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         }
         _ => lines.finish(),
     };
+    if let Some(pages) = pages {
+        let piped = args.interface == piped::STDIN;
+        let why = if stop.load(Ordering::Relaxed) { "it was stopped" } else { "no more frames come" };
+        pages.end(why, &stop, piped);
+    }
     // All that went wrong is reported, what ended the watching last.
     let (verdict, report) = match report {
         Ok(report) => (Some(report.verdict()), Ok(())),
@@ -96,8 +109,10 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
     }
 }
 
-fn recorder(args: &WatchArgs) -> Result<Option<Recorder>, Error> {
-    args.log.as_deref().map(Recorder::create).transpose()
+fn audience(args: &WatchArgs, chosen: ChosenEdition, name: &str) -> Result<Audience, Error> {
+    // An address that cannot be had leaves the log as it was.
+    let pages = Pages::serve(args, chosen, name)?;
+    Ok(Audience { recorder: args.log.as_deref().map(Recorder::create).transpose()?, pages })
 }
 
 fn judge_of(options: &LogOptions, by_bus: bool) -> LogJudge {
@@ -111,7 +126,7 @@ struct Heard {
     report: Result<Report, LogError>,
     traffic: Traffic,
     outages: Vec<Outage>,
-    recorder: Option<Recorder>,
+    audience: Audience,
     lines: Lines,
     /// Why no more could be read.
     failure: Option<Error>,
@@ -119,18 +134,18 @@ struct Heard {
 
 impl Heard {
     fn on_bus(watched: Watched) -> Self {
-        let Watched { name, watch, recorder, news } = watched;
+        let Watched { name, watch, audience, news } = watched;
         let (traffic, outages) = (watch.traffic(), watch.outages().to_vec());
         let recognised = watch.recognised().cloned();
         let (report, lines) = (watch.finish(), news.lines);
-        Self { name, recognised, report, traffic, outages, recorder, lines, failure: None }
+        Self { name, recognised, report, traffic, outages, audience, lines, failure: None }
     }
 
     fn piped(piped: Piped) -> Self {
-        let Piped { judge, traffic, recorder, news, lines: count, failure } = piped;
+        let Piped { judge, traffic, audience, news, lines: count, failure } = piped;
         let recognised = judge.recognised().cloned();
         let (name, report) = (piped::NAME.to_owned(), judge.finish(count));
-        Self { name, recognised, report, traffic, outages: Vec::new(), recorder, lines: news.lines, failure }
+        Self { name, recognised, report, traffic, outages: Vec::new(), audience, lines: news.lines, failure }
     }
 }
 
@@ -138,7 +153,7 @@ impl Heard {
 struct Watched {
     name: String,
     watch: Watch,
-    recorder: Option<Recorder>,
+    audience: Audience,
     news: News,
 }
 
@@ -148,7 +163,7 @@ struct Watched {
 fn watch(
     listener: impl Listen + Send + 'static,
     options: &LogOptions,
-    recorder: Option<Recorder>,
+    audience: Audience,
     mut news: News,
     stop: &AtomicBool,
 ) -> Result<Watched, Error> {
@@ -156,14 +171,12 @@ fn watch(
     let begin = if news.lines.is_named() { Watch::new } else { Watch::recognising };
     let watch = begin(&name, options.clone());
     let ears = Ears::start(listener).map_err(|error| Error::system("threads", &error))?;
-    news.lines.begin(&name, recorder.as_ref().map(Recorder::path));
-    let mut watched = Watched { name, watch, recorder, news };
+    news.lines.begin(&name, audience.log());
+    let mut watched = Watched { name, watch, audience, news };
     while watched.news.lines.is_read() && !stop.load(Ordering::Relaxed) {
         // Many frames are heard before anything is printed: printing may take its time.
         ears.take().into_iter().for_each(|heard| watched.hear(heard));
-        if let Some(recorder) = &mut watched.recorder {
-            recorder.flush_now_and_then();
-        }
+        watched.audience.flush_now_and_then();
         watched.print_news();
     }
     // What the kernel had when it was stopped is of the run as well.
@@ -175,19 +188,15 @@ fn watch(
 
 impl Watched {
     fn hear(&mut self, heard: Arrival) {
-        let Self { name, watch, recorder, news } = self;
+        let Self { name, watch, audience, news } = self;
         let Arrival { event, dropped, now_ns } = heard;
-        if let Some(lost) = watch.dropped(dropped)
-            && let Some(recorder) = recorder
-        {
-            recorder.dropped(&lost);
+        if let Some(lost) = watch.dropped(dropped) {
+            audience.dropped(&lost);
         }
         match event {
             Event::Frame(frame) => {
                 let frame = watch.frame(&frame);
-                if let Some(recorder) = recorder {
-                    recorder.frame(&frame.record(name));
-                }
+                audience.frame(&frame.record(name));
             }
             Event::Nothing => watch.silence(now_ns),
             Event::Disturbance(trouble) => {

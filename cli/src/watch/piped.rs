@@ -11,8 +11,8 @@ use adsdv_can::live::Traffic;
 use adsdv_formats::{Entries as _, Entry, Log};
 use adsdv_oracle::log::{LogError, LogJudge};
 
+use super::audience::Audience;
 use super::news::News;
-use super::record::Recorder;
 use crate::error::Error;
 
 /// The interface that stands for standard input.
@@ -26,7 +26,7 @@ const LOOK_NS: i64 = 100_000_000;
 pub(super) struct Piped {
     pub(super) judge: LogJudge,
     pub(super) traffic: Traffic,
-    pub(super) recorder: Option<Recorder>,
+    pub(super) audience: Audience,
     pub(super) news: News,
     /// How many lines came.
     pub(super) lines: u64,
@@ -44,12 +44,12 @@ pub(super) fn open(stop: &Arc<AtomicBool>) -> Result<Log, Error> {
 pub(super) fn watch(
     mut log: Log,
     judge: LogJudge,
-    recorder: Option<Recorder>,
+    audience: Audience,
     mut news: News,
     stop: &AtomicBool,
 ) -> Piped {
-    news.lines.begin(NAME, recorder.as_ref().map(Recorder::path));
-    let mut piped = Piped { judge, traffic: Traffic::default(), recorder, news, lines: 0, failure: None };
+    news.lines.begin(NAME, audience.log());
+    let mut piped = Piped { judge, traffic: Traffic::default(), audience, news, lines: 0, failure: None };
     let mut looked_ns = i64::MIN;
     while piped.news.lines.is_read() && !stop.load(Ordering::Relaxed) {
         let entry = match log.next_entry() {
@@ -81,22 +81,16 @@ impl Piped {
             Entry::Frame(record) => {
                 self.traffic.count(record.kind, record.time_ns);
                 self.judge.frame(record);
-                if let Some(recorder) = &mut self.recorder {
-                    recorder.frame(record);
-                }
+                self.audience.frame(record);
             }
             Entry::Dropped(dropped) => {
                 self.traffic.dropped += dropped.count;
                 self.judge.dropped(dropped);
-                if let Some(recorder) = &mut self.recorder {
-                    recorder.dropped(dropped);
-                }
+                self.audience.dropped(dropped);
             }
             Entry::Broken(error) => self.judge.broken(*error),
         }
-        if let Some(recorder) = &mut self.recorder {
-            recorder.flush_now_and_then();
-        }
+        self.audience.flush_now_and_then();
     }
 }
 

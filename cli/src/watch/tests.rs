@@ -77,7 +77,7 @@ fn watched_by(
 ) -> Watched {
     let stop = Arc::new(AtomicBool::new(false));
     let script = Script(events.into_iter().collect(), Arc::clone(&stop), Arc::new(Mutex::new(dropped)));
-    watch(script, options, None, news(&args(words), options), &stop).expect("it watches")
+    watch(script, options, Audience::default(), news(&args(words), options), &stop).expect("it watches")
 }
 
 /// A mission of an edition, both sides.
@@ -260,8 +260,15 @@ fn an_output_that_fails_ends_the_watching_with_everything_recorded() {
     let mut lines = lines(&args(&["--json"]));
     lines.note(Err(Error::output(&std::io::ErrorKind::StorageFull.into())));
     let news = News::new(lines, None);
-    let watched = watch(script, &LogOptions::default(), Some(recorder), news, &stop).expect("it watches");
-    assert!(watched.recorder.is_some_and(|recorder| recorder.finish().is_ok()));
+    let watched = watch(
+        script,
+        &LogOptions::default(),
+        Audience { recorder: Some(recorder), pages: None },
+        news,
+        &stop,
+    )
+    .expect("it watches");
+    assert!(watched.audience.recorder.is_some_and(|recorder| recorder.finish().is_ok()));
     let text = std::fs::read_to_string(&log).expect("the log");
     _ = std::fs::remove_file(&log);
     assert!(

@@ -51,12 +51,13 @@ impl Explorer {
             })
             .expect("somebody listens");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time that is not zero");
-        write!(stream, "GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address)
+        // Of this version no answer comes in pieces.
+        write!(stream, "GET {path} HTTP/1.0\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address)
             .expect("the request is taken");
         let mut answer = String::new();
         stream.read_to_string(&mut answer).expect("an answer that ends");
         let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
-        assert!(head.starts_with("HTTP/1.1 200 "), "{path}: {head}\n{body}");
+        assert_eq!(head.split(' ').nth(1), Some("200"), "{path}: {head}\n{body}");
         body.to_owned()
     }
 

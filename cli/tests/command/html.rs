@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, file, run};
+use crate::run::{FINISHED_WHILE_MOVING, MISSION, check_input, example, file, run};
 
 /// An empty folder for one test.
 fn folder(name: &str) -> PathBuf {
@@ -115,4 +115,50 @@ fn what_does_not_go_with_a_page_is_refused_before_the_log_is_read() {
     );
     refused(&["check", "--html", "-", "--json", MISSION], "expected one of them on standard output");
     refused(&["check", "--html", "tests", "no-such-log"], "tests: cannot write the page: ");
+}
+
+/// What each of these prints for a program is on its page, and what is printed is as always.
+#[test]
+fn the_pages_of_programs_have_what_json_has() {
+    let page = folder("html-programs").join("page.html");
+    let (vcu, stack) = (example("mutant"), example("ai_mutant"));
+    for (command, program) in [
+        (&["conform", "--runs", "5"][..], &[vcu.as_str(), "--mutation", "3.6: dropped"][..]),
+        (&["exam", "--stdio", "--only", "ready"], &[&stack, "never-selects"]),
+    ] {
+        let with = |options: &[&str]| run(&[command, options, &["--"], program].concat());
+        let outcome = with(&["--json", "--html", text(&page)]);
+        assert_eq!(outcome.status, Some(1), "{command:?}: {}", outcome.stderr);
+        let html = fs::read_to_string(&page).expect("a page");
+        let json: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+        assert_eq!(data(&html)["json"], json, "{command:?}");
+        assert_eq!(data(&html)["kind"], command[0]);
+        let printed = with(&["--html", "-"]);
+        assert_eq!((printed.status, &data(&printed.stdout)["kind"]), (Some(1), &Value::from(command[0])));
+        let beside = with(&["--html", text(&page)]);
+        assert!(beside.status == Some(1) && beside.stdout.starts_with("edition 3.0"), "{}", beside.stdout);
+        fs::remove_file(&page).expect("it is there");
+    }
+}
+
+#[test]
+fn a_page_of_a_program_that_cannot_be_written_is_told_before_the_program_is_started() {
+    let missing = folder("html-nowhere").join("missing/page.html");
+    for command in [&["conform"][..], &["exam", "--stdio"], &["verify", "--readings"]] {
+        let program: &[&str] = if command[0] == "verify" { &[] } else { &["--", "no-such-program"] };
+        let refused = |options: &[&str], why: &str| {
+            let outcome = run(&[command, options, program].concat());
+            assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{command:?}");
+            assert!(
+                outcome.stderr.contains(why) && outcome.stderr.contains("\nhint: "),
+                "{command:?}: {}",
+                outcome.stderr
+            );
+        };
+        refused(&["--html", "tests"], "tests: cannot write the page: ");
+        refused(&["--html", "-", "--json"], "expected one of them on standard output");
+        refused(&["--html", text(&missing)], "missing/page.html: cannot write the page: ");
+    }
+    let outcome = run(&["verify", "--html", "page.html"]);
+    assert!(outcome.status == Some(2) && outcome.stderr.contains("--readings"), "{}", outcome.stderr);
 }

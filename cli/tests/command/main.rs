@@ -37,5 +37,6 @@ mod streams;
 mod suite;
 mod tables;
 mod verify;
+mod watch_web;
 mod web;
 mod why;

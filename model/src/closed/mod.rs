@@ -62,6 +62,7 @@
 pub mod action;
 pub mod ai;
 pub mod bus;
+mod figure;
 mod meaning;
 pub mod operator;
 mod properties;
@@ -403,7 +404,7 @@ impl Model for Closed {
     }
 
     fn as_svg(&self, path: Path<ClosedState, ClosedAction>) -> Option<String> {
-        Some(svg::draw(&sequence::of(self, &path.into_vec())))
+        Some(svg::draw(&self.machine, &sequence::of(self, &path.into_vec())))
     }
 
     fn properties(&self) -> Vec<Property<Self>> {

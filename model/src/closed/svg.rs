@@ -1,13 +1,15 @@
-//! A run as an SVG sequence diagram: a lifeline for each party, an arrow for each event, and the VCU's state as a band in
-//! the colours of the ASSI.
+//! A run as an SVG: Figure 2 with the state that it led to, and below it a sequence diagram: a lifeline for each party, an arrow for
+//! each event, and the VCU's state as a band in the colours of the ASSI.
 //!
 //! The picture is self-contained: it brings its colours, and is shown as it is by the Explorer and by any browser.
 
 use std::fmt::{self, Write};
 
-use adsdv_spec::Assi;
+use adsdv_spec::export::{Background, Paint};
 use adsdv_spec::messages::AsState;
+use adsdv_spec::{Assi, Machine};
 
+use super::figure;
 use super::sequence::{Event, Party, Sequence};
 use super::words::seconds;
 
@@ -30,6 +32,8 @@ const TEXT: &str = "#e7ecef";
 const LIFELINE: &str = "#5b7f9b";
 const ARROW: &str = "#f2e27a";
 const MUTED: &str = "#9fb3c4";
+/// Blue light is too dark for letters on this background.
+const LIGHT_BLUE: &str = "#8db8ff";
 
 impl Party {
     const ALL: [Self; 4] = [Self::Operator, Self::Ai, Self::Vcu, Self::Vehicle];
@@ -62,24 +66,26 @@ impl Party {
     }
 }
 
-/// Draws a run.
-pub(super) fn draw(sequence: &Sequence) -> String {
+/// Draws a run of a machine.
+pub(super) fn draw(machine: &Machine, sequence: &Sequence) -> String {
     let mut svg = String::new();
     // Writing to a string does not fail.
-    let _ = write(&mut svg, sequence);
+    let _ = write(&mut svg, machine, sequence);
     svg
 }
 
-fn write(svg: &mut String, sequence: &Sequence) -> fmt::Result {
+fn write(svg: &mut String, machine: &Machine, sequence: &Sequence) -> fmt::Result {
     let events: Vec<Drawn> = drawn(sequence);
     let bottom = events.last().map_or(TOP, |drawn| drawn.bottom).saturating_add(ROW / 2);
-    let height = bottom.saturating_add(10);
+    let height = bottom.saturating_add(10).saturating_add(figure::HEIGHT);
     write!(
         svg,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" viewBox="0 0 {WIDTH} {height}" font-family="monospace" font-size="11" role="img"><title>Sequence diagram of the run</title>"#
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" viewBox="0 0 {WIDTH} {height}" font-family="monospace" font-size="11" role="img"><title>Figure 2 and a sequence diagram of the run</title>"#
     )?;
-    svg.write_str(DEFINITIONS)?;
+    definitions(svg)?;
     write!(svg, r#"<rect width="{WIDTH}" height="{height}" fill="{BACKGROUND}"/>"#)?;
+    figure::write(svg, machine, sequence, (125, 8))?;
+    write!(svg, r#"<g transform="translate(0 {})">"#, figure::HEIGHT)?;
     for party in Party::ALL {
         let (x, name) = (party.x(), party.name());
         write!(
@@ -97,7 +103,7 @@ fn write(svg: &mut String, sequence: &Sequence) -> fmt::Result {
         }
         if event.from == event.to { own(svg, drawn)? } else { arrow(svg, drawn)? }
     }
-    svg.write_str("</svg>")
+    svg.write_str("</g></svg>")
 }
 
 /// An event with its place.
@@ -139,16 +145,42 @@ fn wrapped(words: &str) -> Vec<String> {
 }
 
 /// The arrow's head, and the flashing lights as stripes.
-const DEFINITIONS: &str = r##"<defs><marker id="head" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="8" markerHeight="8" orient="auto"><path d="M0 0L8 4L0 8z" fill="#f2e27a"/></marker><pattern id="yellow-flashing" width="18" height="12" patternUnits="userSpaceOnUse"><rect width="18" height="12" fill="#f5c400"/><rect width="18" height="4" fill="#4a3d05"/></pattern><pattern id="blue-flashing" width="18" height="12" patternUnits="userSpaceOnUse"><rect width="18" height="12" fill="#2f7bff"/><rect width="18" height="4" fill="#0b1f4d"/></pattern></defs>"##;
+fn definitions(svg: &mut String) -> fmt::Result {
+    write!(
+        svg,
+        r#"<defs><marker id="head" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="8" markerHeight="8" orient="auto"><path d="M0 0L8 4L0 8z" fill="{ARROW}"/></marker>"#
+    )?;
+    for light in AsState::ALL.map(Assi::of).into_iter().filter(|light| light.flashes()) {
+        let (Paint { fill, .. }, Paint { fill: dark, .. }) = (shown(light), shown(Assi::Off));
+        write!(
+            svg,
+            r#"<pattern id="{}" width="18" height="12" patternUnits="userSpaceOnUse"><rect width="18" height="12" fill="{fill}"/><rect width="18" height="4" fill="{dark}"/></pattern>"#,
+            stripes(light)
+        )?;
+    }
+    svg.write_str("</defs>")
+}
 
-/// What fills the band while the ASSI shows this, and the colour of the state's name.
-const fn paint(assi: Assi) -> (&'static str, &'static str) {
-    match assi {
-        Assi::Off => ("#3a4654", TEXT),
-        Assi::YellowContinuous => ("#f5c400", "#f5c400"),
-        Assi::YellowFlashing => ("url(#yellow-flashing)", "#f5c400"),
-        Assi::BlueFlashing => ("url(#blue-flashing)", "#8db8ff"),
-        Assi::BlueContinuous => ("#2f7bff", "#8db8ff"),
+/// The name of the stripes of a light that flashes.
+fn stripes(light: Assi) -> String {
+    light.to_string().replace(", ", "-")
+}
+
+const fn shown(light: Assi) -> Paint {
+    Paint::of(light, Background::Dark)
+}
+
+/// What fills the band while the ASSI shows this.
+fn fill(light: Assi) -> String {
+    if light.flashes() { format!("url(#{})", stripes(light)) } else { shown(light).fill.to_owned() }
+}
+
+/// The colour of the name of a state on the background: that of its light, and a lighter blue.
+const fn name_colour(light: Assi) -> &'static str {
+    match light {
+        Assi::Off => TEXT,
+        Assi::YellowContinuous | Assi::YellowFlashing => shown(light).fill,
+        Assi::BlueContinuous | Assi::BlueFlashing => LIGHT_BLUE,
     }
 }
 
@@ -162,7 +194,7 @@ fn bands(svg: &mut String, first: AsState, events: &[Drawn<'_>], bottom: u32) ->
         }
     }
     band(svg, state, begin, bottom)?;
-    let (_, colour) = paint(Assi::of(first));
+    let colour = name_colour(Assi::of(first));
     let (x, y) = (Party::Vcu.x() + BAND + 6, TOP + 10);
     write!(
         svg,
@@ -172,7 +204,7 @@ fn bands(svg: &mut String, first: AsState, events: &[Drawn<'_>], bottom: u32) ->
 }
 
 fn band(svg: &mut String, state: AsState, from: u32, to: u32) -> fmt::Result {
-    let (fill, _) = paint(Assi::of(state));
+    let fill = fill(Assi::of(state));
     let (x, width, height) = (Party::Vcu.x() - BAND, 2 * BAND, to.saturating_sub(from));
     write!(
         svg,
@@ -215,7 +247,7 @@ fn own(svg: &mut String, drawn: &Drawn<'_>) -> fmt::Result {
     let last = lines.len().saturating_sub(1);
     for (line, words) in lines.iter().enumerate() {
         let (fill, weight) = match event.enters {
-            Some(state) if line == last => (paint(Assi::of(state)).1, "bold"),
+            Some(state) if line == last => (name_colour(Assi::of(state)), "bold"),
             _ if line == 0 => (TEXT, "normal"),
             _ => (MUTED, "normal"),
         };
@@ -309,7 +341,7 @@ mod tests {
     fn words_have_lines_of_their_own() {
         let words = ["one", "two", "three", "four"].map(str::to_owned).to_vec();
         let event = Event { from: Party::Ai, to: Party::Vcu, words, enters: None, ms: 0 };
-        let svg = draw(&Sequence { first: AsState::Off, events: vec![event] });
+        let svg = draw(&Machine::REFERENCE, &Sequence { first: AsState::Off, events: vec![event] });
         let y = |text: &str| {
             let (before, _) = svg.split_once(&format!(">{text}</text>")).expect("it is there");
             let (_, tag) = before.rsplit_once(" y=\"").expect("it has a place");
@@ -324,7 +356,7 @@ mod tests {
         let model = Closed::explorer(Machine::REFERENCE);
         let svg = model.as_svg(path(&model)).expect("a picture");
         assert!(is_well_formed(&svg), "{svg}");
-        assert_eq!(svg.matches(r#"class="arrow""#).count(), RUN.len(), "one arrow for each action");
+        assert_eq!(svg.matches(r#"<path class="arrow""#).count(), RUN.len(), "one arrow for each action");
         assert_eq!(svg.matches(r#"class="lifeline""#).count(), Party::ALL.len());
         assert_eq!(svg.matches(r#"class="band""#).count(), 4, "one band for each AS state that lasts");
         let words = [
@@ -346,20 +378,32 @@ mod tests {
         for words in words {
             assert!(svg.contains(words), "{words}");
         }
-        assert!(!svg.contains("http://") || svg.matches("http://").count() == 1, "only the namespace");
+        let figure = svg.split("<title>Figure 2, and the state").nth(1).expect("Figure 2 stands above it");
+        assert!(
+            figure.contains("<title>AS_READY to AS_DRIVING: 3.2, 5 second timer elapsed and"),
+            "{figure}"
+        );
+        let current = figure.split(r#"stroke-width="5""#).nth(1).expect("the state that the run led to");
+        assert!(current.contains(r#"font-weight="bold">EMERGENCY_BRAKE</text>"#), "{current}");
+        let spaces = svg.matches("http://").count();
+        assert_eq!(
+            spaces,
+            svg.matches(r#"xmlns="http://www.w3.org/2000/svg""#).count(),
+            "only the namespace"
+        );
     }
 
     #[test]
     fn bands_have_the_colours_of_the_assi() {
         let colours = AsState::ALL.map(|first| {
-            let svg = draw(&Sequence { first, events: Vec::new() });
+            let svg = draw(&Machine::REFERENCE, &Sequence { first, events: Vec::new() });
             assert!(is_well_formed(&svg) && svg.contains(first.name()));
             let band = svg.split(r#"class="band""#).nth(1).expect("a band");
             band.split(r#"fill=""#).nth(1).expect("a colour").split('"').next().expect("its name").to_owned()
         });
         assert_eq!(
             colours,
-            ["#3a4654", "#f5c400", "url(#yellow-flashing)", "url(#blue-flashing)", "#2f7bff"]
+            ["#3a424b", "#ffd400", "url(#yellow-flashing)", "url(#blue-flashing)", "#3f6ee8"]
         );
     }
 
@@ -372,7 +416,7 @@ mod tests {
             enters: None,
             ms: 0,
         };
-        let svg = draw(&Sequence { first: AsState::Off, events: vec![event] });
+        let svg = draw(&Machine::REFERENCE, &Sequence { first: AsState::Off, events: vec![event] });
         assert!(is_well_formed(&svg) && svg.contains("a &lt; b &amp; &quot;c&quot; &gt; d"));
         assert!(!is_well_formed("<svg><b></svg>") && !is_well_formed("<svg>a & b</svg>"));
     }

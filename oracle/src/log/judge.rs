@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use adsdv_spec::Edition;
+use adsdv_spec::{AsState, Edition, Knowledge};
 
 use super::LogOptions;
 use super::directions::Directions;
@@ -180,6 +180,16 @@ impl LogJudge {
     /// beyond the number that it lists: see [`Judge::news`].
     pub fn news(&mut self) -> (Vec<Transition>, Vec<Finding>) {
         self.judge.news()
+    }
+
+    /// The AS state that the VCU showed last, while its frames are fresh.
+    pub fn state(&self) -> Option<AsState> {
+        self.judge.state()
+    }
+
+    /// What is known now of the conditions of Figure 2.
+    pub fn known(&self) -> Knowledge {
+        self.judge.known()
     }
 
     /// What the VCU waits for: see [`Judge::waits`].

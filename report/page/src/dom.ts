@@ -49,5 +49,13 @@ export function counted(count: number, noun: string): string {
   return `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
 }
 
+const MOODS = { good: "good", care: "worth a look", bad: "not as it should be", unknown: "not known" } as const;
+
+/** The sign of a mood, with its meaning. */
+export function sign(mood: keyof typeof MOODS): HTMLElement {
+  return h("span", { class: "sign", title: MOODS[mood] },
+    h("span", { "aria-hidden": "true" }, SIGNS[mood]), h("span", { class: "hidden" }, `${MOODS[mood]}: `));
+}
+
 /** What stands before a word, so that color is not all that tells. */
 export const SIGNS = { good: "✓", care: "!", bad: "✗", unknown: "?", violation: "▲", warning: "◆", note: "●" } as const;

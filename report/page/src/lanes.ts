@@ -32,10 +32,10 @@ function fills(context: CanvasRenderingContext2D): Fills {
   const [yellow, blue] = [color("yellow"), color("blue")];
   return {
     dark: [color("dark-light"), color("on-dark-light")],
-    yellow: [yellow, "#1a1400"],
-    "yellow-flashing": [stripes(context, yellow, "#fff3b0", 9), "#1a1400"],
-    blue: [blue, "#ffffff"],
-    "blue-flashing": [stripes(context, blue, "#12307a", 9), "#ffffff"],
+    yellow: [yellow, color("on-yellow")],
+    "yellow-flashing": [stripes(context, yellow, "#fff3b0", 9), color("on-yellow")],
+    blue: [blue, color("on-blue")],
+    "blue-flashing": [stripes(context, blue, "#12307a", 9), color("on-blue")],
     off: [color("faint"), quiet],
     on: [color("on"), color("on-on")],
     bad: [color("bad"), color("on-bad")],

@@ -42,7 +42,7 @@ export class PlotView {
     const near = new IntersectionObserver(([entry]) => {
       this.seen = entry?.isIntersecting ?? true;
       if (this.seen && this.stale) this.draw();
-    }, { rootMargin: "300px" });
+    }, { rootMargin: "100px" });
     near.observe(this.frame);
     new ResizeObserver(() => this.resize()).observe(this.frame);
     view.on((changed) => {
@@ -176,7 +176,7 @@ export class PlotView {
   /** What is drawn: each value where there are few, else the lowest and the highest of each column. */
   private points(pixels: number): uPlot.AlignedData {
     const { from, to } = this.view;
-    const columns = Math.max(Math.floor(pixels / 2), 10);
+    const columns = Math.max(Math.floor(pixels / (this.view.moving ? 5 : 2)), 10);
     const shown = this.series.map((one, place) => (this.hidden.has(place) ? undefined : one));
     const none: (number | null | undefined)[] = [];
     if (shown.every((one) => !one || one.count(this.store, from, to) <= columns * 4)) {
@@ -194,7 +194,7 @@ export class PlotView {
     const width = (to - from) / columns;
     const times = Array.from({ length: columns * 2 }, (_, i) => (from + (i / 2 + 0.25) * width) / 1e6);
     const values = shown.map((one) => (one ? one.columns(this.store, from, to, columns) : none));
-    values.forEach((row, place) => this.dashed(place, !restless(row)));
+    values.forEach((row, place) => this.dashed(place, !this.view.moving && !restless(row)));
     return [times, ...values] as uPlot.AlignedData;
   }
 }

@@ -1,21 +1,13 @@
 // The top of the page: what was judged, the verdict, what to do next, what matters most, and the questions that a team has.
 
-import type { Data, Mood } from "./data";
-import { SIGNS, counted, h, seconds, section } from "./dom";
+import type { Data } from "./data";
+import { counted, h, seconds, section, sign } from "./dom";
 
 export interface Go {
   /** Looks at a moment, in a lane or plot. */
   look(at: number | null, show: string): void;
   /** Opens a finding. */
   open(finding: number): void;
-}
-
-const MOODS: Record<Mood, string> = { good: "good", care: "worth a look", bad: "not as it should be", unknown: "not known" };
-
-/** A sign with its meaning. */
-function sign(mood: Mood): HTMLElement {
-  return h("span", { class: "sign", title: MOODS[mood] },
-    h("span", { "aria-hidden": "true" }, SIGNS[mood]), h("span", { class: "hidden" }, `${MOODS[mood]}: `));
 }
 
 export function head(data: Data): HTMLElement {

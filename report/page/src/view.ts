@@ -2,11 +2,16 @@
 
 /** The shortest stretch that is shown, in microseconds. */
 const SHORTEST = 1000;
+/** What changes again within this time, in milliseconds, is moving: it is drawn coarsely, and finely when it rests. */
+const RESTS = 120;
 
 export class View {
   from = 0;
   to: number;
   cursor: number | null = null;
+  /** Whether the stretch goes on changing. */
+  moving = false;
+  private resting: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners: ((changed: "range" | "cursor") => void)[] = [];
   private waiting: "range" | "cursor" | null = null;
 
@@ -67,6 +72,22 @@ export class View {
   }
 
   private changed(what: "range" | "cursor"): void {
+    if (what === "range") this.moves();
+    this.ask(what);
+  }
+
+  private moves(): void {
+    this.moving = this.resting !== undefined;
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => {
+      this.resting = undefined;
+      if (!this.moving) return;
+      this.moving = false;
+      this.ask("range");
+    }, RESTS);
+  }
+
+  private ask(what: "range" | "cursor"): void {
     if (this.waiting === null) requestAnimationFrame(() => this.tell());
     this.waiting = this.waiting === "range" ? "range" : what;
   }

@@ -45,6 +45,14 @@ export function page(log, ...more) {
   return file;
 }
 
+/** A page of a template and of data that nobody made. */
+export function template(name, data) {
+  const file = join(folder, `${Math.random().toString(36).slice(2)}.html`);
+  const text = JSON.stringify(data).replaceAll("<", "\\u003c");
+  writeFileSync(file, readFileSync(join(root, `report/page/dist/${name}.html`), "utf8").replace('"adsdv-data"', () => text));
+  return file;
+}
+
 /** The object of data in a page. */
 export function data(file) {
   const [, text] = /id="data">(.*?)<\/script>/s.exec(readFileSync(file, "utf8"));

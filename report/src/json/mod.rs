@@ -24,6 +24,7 @@ pub use compare::compared;
 pub use finding::FindingJson;
 pub use number::seconds;
 pub use readings::ReadingsJson;
+pub use stays::StayJson;
 
 /// The number of the form that every answer in JSON has, which is its first key; `cli/schema/README.md` says when it changes.
 pub const SCHEMA: u32 = 1;

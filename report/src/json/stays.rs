@@ -6,8 +6,9 @@ use serde::Serialize;
 
 use super::number::seconds;
 
+/// A state, and what blocked its arrows: one of the `stays` of `adsdv check --json`.
 #[derive(Serialize)]
-pub(super) struct StayJson {
+pub struct StayJson {
     state: &'static str,
     since: f64,
     until: f64,
@@ -50,7 +51,8 @@ pub(super) struct GoPressJson {
 }
 
 impl StayJson {
-    pub(super) fn of(rules: &Rules, stay: &Stay) -> Self {
+    /// In the words of an edition's rules.
+    pub fn of(rules: &Rules, stay: &Stay) -> Self {
         Self {
             state: stay.state.name(),
             since: seconds(stay.since_ns),

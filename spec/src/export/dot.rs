@@ -5,7 +5,7 @@ use core::fmt;
 use super::arrows::{Label, Title, arrows};
 use super::drawing::Mark;
 use super::escape::Escaped;
-use super::light::{fill, flashes};
+use super::light::{Background, Paint};
 use super::mermaid::in_title;
 use crate::messages::AsState;
 use crate::{Assi, Control, Machine};
@@ -47,12 +47,12 @@ pub(super) fn write<L: fmt::Display + Copy>(
     f.write_str("    start [shape=point, width=0.15];\n")?;
     for state in AsState::ALL {
         let light = Assi::of(state);
-        let style = if flashes(light) { "rounded,filled,dashed" } else { "rounded,filled" };
+        let style = if light.flashes() { "rounded,filled,dashed" } else { "rounded,filled" };
         let label = Escaped(light, in_quotes);
-        let fill = fill(light);
+        let Paint { fill, ink } = Paint::of(light, Background::Light);
         writeln!(
             f,
-            "    {state} [label=\"{state}\\nASSI {label}\", style=\"{style}\", fillcolor=\"{fill}\"];"
+            "    {state} [label=\"{state}\\nASSI {label}\", style=\"{style}\", fillcolor=\"{fill}\", fontcolor=\"{ink}\"];"
         )?;
     }
     writeln!(f, "    start -> {};", Control::INITIAL.state)?;

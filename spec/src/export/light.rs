@@ -1,17 +1,44 @@
-//! How a diagram shows the light of a state: its colour fills the box, and a box that flashes has a dashed edge.
+//! How the light of a state looks wherever it is drawn: the pages, the terminal, the diagrams. Its colour fills the box, and what flashes
+//! has a dashed edge or stripes besides.
 
 use crate::Assi;
 
-/// The colour of the box, light enough for black text.
-pub(super) const fn fill(light: Assi) -> &'static str {
-    match light {
-        Assi::Off => "#f2f2f2",
-        Assi::YellowContinuous | Assi::YellowFlashing => "#ffe680",
-        Assi::BlueContinuous | Assi::BlueFlashing => "#b3d1ff",
-    }
+/// What a picture stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Background {
+    /// Paper, or a light page.
+    Light,
+    /// A dark page.
+    Dark,
 }
 
-/// Whether the light flashes.
-pub(super) const fn flashes(light: Assi) -> bool {
-    matches!(light, Assi::YellowFlashing | Assi::BlueFlashing)
+/// The colours of a box, as `#rrggbb`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Paint {
+    /// What fills it.
+    pub fill: &'static str,
+    /// What is written in it: a contrast of 4.5 to 1 at least.
+    pub ink: &'static str,
+}
+
+impl Paint {
+    /// The colours of a light on a background.
+    ///
+    /// ```
+    /// use adsdv_spec::Assi;
+    /// use adsdv_spec::export::{Background, Paint};
+    ///
+    /// let ready = Paint::of(Assi::YellowContinuous, Background::Dark);
+    /// assert_eq!(ready, Paint::of(Assi::YellowFlashing, Background::Light), "yellow is yellow");
+    /// ```
+    pub const fn of(light: Assi, on: Background) -> Self {
+        let (fill, ink) = match (light, on) {
+            (Assi::Off, Background::Light) => ("#d3d8de", "#1b1f24"),
+            (Assi::Off, Background::Dark) => ("#3a424b", "#e6e9ed"),
+            (Assi::YellowContinuous | Assi::YellowFlashing, _) => ("#ffd400", "#1b1f24"),
+            (Assi::BlueContinuous | Assi::BlueFlashing, Background::Light) => ("#2355d4", "#ffffff"),
+            (Assi::BlueContinuous | Assi::BlueFlashing, Background::Dark) => ("#3f6ee8", "#ffffff"),
+        };
+        Self { fill, ink }
+    }
 }

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::arrows::{Label, Title, arrows};
 use super::escape::Escaped;
-use super::light::{fill, flashes};
+use super::light::{Background, Paint};
 use crate::messages::AsState;
 use crate::{Assi, Control, Machine};
 
@@ -51,9 +51,10 @@ pub(super) fn write<L: fmt::Display + Copy>(
     }
     for state in AsState::ALL {
         let light = Assi::of(state);
+        let Paint { fill, ink } = Paint::of(light, Background::Light);
         // Classes and states are named apart, so the name of the one serves the other.
-        write!(f, "    classDef {state} fill:{},stroke:#333,color:#000", fill(light))?;
-        writeln!(f, "{}", if flashes(light) { ",stroke-dasharray:5 5" } else { "" })?;
+        write!(f, "    classDef {state} fill:{fill},stroke:#333,color:{ink}")?;
+        writeln!(f, "{}", if light.flashes() { ",stroke-dasharray:5 5" } else { "" })?;
         writeln!(f, "    class {state} {state}")?;
     }
     Ok(())

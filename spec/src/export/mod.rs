@@ -14,7 +14,9 @@
 //! [`Readings`](crate::Readings) have and no others, an arrow being left out when it has no term at all. Where an
 //! alternative of a guard comes from another section than its arrow does, that section stands behind it.
 //!
-//! A [`Drawing`] draws the state machine of somebody else in the same way, with what differs marked.
+//! A [`Drawing`] draws the state machine of somebody else in the same way, with what differs marked; as [`AsSvg`] it needs no other
+//! tool. Where its boxes stand and how its arrows run ([`place`], [`Line`]), and what colours the lights have ([`Paint`]), holds
+//! for the pages as well.
 //!
 //! ```
 //! use adsdv_spec::export::{Dbc, Figure2, Mermaid};
@@ -39,9 +41,14 @@ mod escape;
 mod light;
 mod markdown;
 mod mermaid;
+mod places;
+mod svg;
 
 pub use dbc::Dbc;
 pub use dot::Dot;
 pub use drawing::{AsDot, AsMermaid, Drawing, DrawnArrow, Mark};
+pub use light::{Background, Paint};
 pub use markdown::Figure2;
 pub use mermaid::Mermaid;
+pub use places::{BOX, Line, Point, SIZE, place};
+pub use svg::AsSvg;

@@ -17,7 +17,7 @@
 //! spells the names of an enumeration in its own way, its row has them.
 //!
 //! Where an edition's database has messages that only the VCU and its devices exchange, they stand in rows of their own
-//! (`device.rs`), without a struct.
+//! (`device.rs`), without a struct. What they have in common with the others is a [`MessageRow`], for who decodes all of a bus.
 //!
 //! The bit layout, the lengths and the names are those of the CAN database; where the document's text
 //! says otherwise about a range, a sign or a value's name, the text is followed and the row says so.
@@ -53,6 +53,7 @@ mod frame;
 pub(crate) mod layout;
 mod log;
 mod quantity;
+mod row;
 mod scale;
 mod value;
 mod vcu;
@@ -68,6 +69,7 @@ pub use frame::Frame;
 pub use layout::Layout;
 pub use log::*;
 pub use quantity::*;
+pub use row::{MessageRow, SignalRow, Steps};
 pub use scale::{Decimal, Scale};
 pub use value::SignalValue;
 pub use vcu::*;

@@ -7,7 +7,7 @@ import { idText, raw, shown } from "../../../report/page/src/frames";
 /** So often what stands there is written anew, in seconds of the car's time: nobody reads faster. */
 const OFTEN = 0.1;
 
-export function frames(messages: Message[]): { element: HTMLElement; add(frames: [number, number, string][], t: number): void } {
+export function frames(messages: Message[]): { element: HTMLElement; add(frames: [number, number, string, number?][], t: number): void } {
   const rows = new Map<number, { last: string; count: number; cells: HTMLElement[] }>();
   const body = h("tbody", {});
   let written = -1;
@@ -29,9 +29,9 @@ export function frames(messages: Message[]): { element: HTMLElement; add(frames:
       h("table", {}, h("caption", { class: "hidden" }, "The last frame of each message"),
         h("thead", {}, h("tr", {}, ...["Frame", "From", "Count", "What it says"].map((title) => h("th", { scope: "col" }, title)))), body)),
     add(some, t) {
-      for (const [, id, hex] of some) {
+      for (const [, id, hex, count = 1] of some) {
         const one = row(id);
-        one.count++;
+        one.count += count;
         one.last = hex;
       }
       if (t >= written && t - written < OFTEN) return;

@@ -4,8 +4,10 @@ import type { Finding, Message } from "../../../report/page/src/data";
 import { SIGNS, h, section } from "../../../report/page/src/dom";
 import { refused } from "./busy";
 import type { Engine, Source, Switch } from "./engine";
-import { type FigureData, figure, lightClass } from "./figure";
+import { lightClass } from "../../../report/page/src/figure";
+import { type FigureData, figure } from "./figure";
 import { frames } from "./bus";
+import { happenings } from "./happened";
 
 interface Begun {
   edition: string;
@@ -41,7 +43,6 @@ export interface Run {
 const MOST = 250;
 
 const PARTS: [Switch["part"], string][] = [["", "The car"], ["sdc", "Opens the shutdown circuit"], ["reports", "Is reported to the VCU"]];
-const JUSTIFIED: Record<string, string> = { true: `${SIGNS.good} justified`, false: `${SIGNS.bad} violation`, unknown: `${SIGNS.unknown} not certain` };
 
 export function car(engine: Engine, open: (source: Source) => void, signal: AbortSignal): HTMLElement[] {
   const { about } = engine;
@@ -117,7 +118,7 @@ function drive(engine: Engine, begun: Begun): { elements: HTMLElement[]; tick: (
   const act = (action: string) => void engine.ask({ do: "act", action });
   const drawn = figure(begun.figure);
   const bus = frames(begun.messages);
-  const lights = new Map(begun.figure.states.map(({ name, light }) => [name, light]));
+  const lights = new Map(begun.figure.picture.states.map(({ name, light }) => [name, light]));
 
   const lamp = h("div", { class: "lamp", id: "lamp" });
   const moves = h("p", { class: "moves" });
@@ -139,13 +140,8 @@ function drive(engine: Engine, begun: Begun): { elements: HTMLElement[]; tick: (
   });
   groups.push(h("fieldset", {}, h("legend", {}, "The AI Computer makes a mistake"), ...slips.map((one) => one.button)));
 
-  const verdict = h("p", { id: "live-verdict", role: "status" });
-  const happened = h("ol", { class: "happened", id: "happened", tabindex: 0, "aria-label": "What happened, the latest first" });
-  const counts = { violation: 0, warning: 0, note: 0 };
-  const tell = (element: HTMLElement) => {
-    happened.prepend(element);
-    while (happened.childElementCount > 200) happened.lastElementChild?.remove();
-  };
+  const happened = happenings();
+  const full = h("p", { class: "full", id: "full", role: "status" });
 
   let state: string | null | undefined;
   let missing = "";
@@ -159,7 +155,8 @@ function drive(engine: Engine, begun: Begun): { elements: HTMLElement[]; tick: (
       lamp.replaceChildren(h("strong", {}, state ?? "no power"), h("span", {}, state === null ? "" : `light: ${light}`));
       heard.textContent = `${state ?? "no power"}, light ${light}`;
     }
-    drawn.now(run.state, new Set(run.holds));
+    const holds = new Set(run.holds);
+    drawn.now(run.state, (atom) => (holds.has(atom) ? "true" : "false"));
     moves.textContent = `${run.t.toFixed(1)} s; in this state for ${run.in_state.toFixed(1)} s; ${run.speed_mps.toFixed(1)} m/s, ${run.distance_m.toFixed(1)} m, steering ${run.steer_deg.toFixed(1)}°; GO_SIGNAL ${run.go_signal ? "on" : "off"}${run.next ? `; next: ${run.next}` : ""}`;
     const bad = run.faults.length > 0 ? `${SIGNS.bad} ${run.faults.join(", ")}` : `${SIGNS.good} no fault`;
     faults.textContent = run.shutdown_cause === "NO SHUTDOWN" ? bad : `${bad}; SHUTDOWN_CAUSE ${run.shutdown_cause}`;
@@ -172,15 +169,11 @@ function drive(engine: Engine, begun: Begun): { elements: HTMLElement[]; tick: (
       fill(next, run.missing, act);
     }
     bus.add(run.frames, run.t);
-    for (const [t, what] of run.did) tell(h("li", {}, time(t), ` operator: ${what}`));
-    for (const one of run.transitions) tell(h("li", { class: one.justified === "false" ? "violation" : "change" }, time(one.t), ` ${one.from} → ${one.to} (${one.section}) ${JUSTIFIED[one.justified] ?? one.justified}`));
-    for (const one of run.findings) {
-      counts[one.severity]++;
-      tell(h("li", { class: one.severity }, time(one.t), h("strong", {}, ` ${SIGNS[one.severity]} ${one.severity}`), ` by ${one.party} (${one.section}): ${one.message}`));
+    for (const [t, what] of run.did) happened.did(t, what);
+    happened.add(run.transitions, run.findings);
+    if (run.full && full.textContent === "") {
+      full.textContent = `${SIGNS.care} The log of this drive ends here: it holds ${run.kept.toLocaleString("en")} frames and no more. The car drives on and is judged, but what comes is in no report and no saved log. Begin anew for another log.`;
     }
-    const judged = counts.violation > 0 ? `${SIGNS.bad} violates the document: ${counts.violation} violation${counts.violation === 1 ? "" : "s"}, ${counts.warning} warnings` : `${SIGNS.good} no violation so far, ${counts.warning} warnings`;
-    if (verdict.textContent !== judged) verdict.textContent = judged;
-    verdict.classList.toggle("bad", counts.violation > 0);
   };
   tick(10);
 
@@ -190,13 +183,11 @@ function drive(engine: Engine, begun: Begun): { elements: HTMLElement[]; tick: (
       h("section", { "aria-label": "Switches", class: "switches" }, ...groups)),
     section("figure2", "Figure 2", h("p", { class: "quiet" }, `As edition ${begun.edition} has it. An arrow shows its guard; what holds is marked while the car moves.`), drawn.element),
     h("div", { class: "two" },
-      section("judged", "Judged live", verdict, happened),
+      section("judged", "Judged live", happened.verdict, full, happened.list),
       section("bus", "On the bus", bus.element)),
   ];
   return { elements, tick };
 }
-
-const time = (t: number) => h("span", { class: "when" }, `${t.toFixed(3)} s`);
 
 /** A switch: a button where it is on or off, else a list of its positions. */
 function control(one: Switch, act: (action: string) => void): { element: HTMLElement; set: (position: string) => void } {

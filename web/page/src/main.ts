@@ -3,12 +3,14 @@
 //   start --a log--> opened: the report, by the edition and readings that are chosen
 //     |  --several-> list: a verdict each --a click--> opened
 //     +-- car: the virtual car, judged live --its log--> opened
+//     +-- live: a bus that `adsdv watch --web` streams --its log--> opened
 
 import { h } from "../../../report/page/src/dom";
 import { refused } from "./busy";
 import { car } from "./car";
 import { Engine, type Source } from "./engine";
 import { list } from "./list";
+import { hasLive, live } from "./live";
 import { opened } from "./opened";
 import { start } from "./start";
 import { keepOffline } from "./offline";
@@ -36,6 +38,7 @@ function begin(engine: Engine): void {
     mark(logs);
   };
   const showCar = () => to("the virtual car", (signal) => car(engine, showOne, signal));
+  const showLive = () => to("a live bus", (signal) => live(engine, showOne, signal));
   const open = (sources: Source[]) => {
     several = sources.length > 1 ? sources : [];
     all.hidden = several.length === 0;
@@ -54,16 +57,22 @@ function begin(engine: Engine): void {
   const logs = tab("Judge a log", showStart);
   const all = tab("The list", showList);
   const drive = tab("Virtual car", showCar);
+  const watched = hasLive() ? [tab("Live bus", showLive)] : [];
   const mark = (current: HTMLButtonElement) => {
-    for (const one of [logs, all, drive]) {
+    for (const one of [...watched, logs, all, drive]) {
       if (one === current) one.setAttribute("aria-current", "page");
       else one.removeAttribute("aria-current");
     }
   };
   all.hidden = true;
-  page.replaceChildren(h("nav", { "aria-label": "adsdv", class: "tabs" }, h("strong", {}, "adsdv"), logs, all, drive));
-  showStart();
-  mark(logs);
+  page.replaceChildren(h("nav", { "aria-label": "adsdv", class: "tabs" }, h("strong", {}, "adsdv"), ...watched, logs, all, drive));
+  if (watched[0]) {
+    showLive();
+    mark(watched[0]);
+  } else {
+    showStart();
+    mark(logs);
+  }
   // What misses the place to drop is not to replace the page.
   for (const event of ["dragover", "drop"]) addEventListener(event, (one) => one.preventDefault());
   document.documentElement.dataset["begun"] = "yes";
