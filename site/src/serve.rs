@@ -84,6 +84,10 @@ impl Site {
     }
 
     /// Takes an address of loopback, and shows a stream in the page: what is on the bus is for nobody else than who sits at this machine.
+    ///
+    /// # Errors
+    ///
+    /// As [`bind`](Self::bind).
     pub fn live(port: u16, feed: &Feed) -> Result<Self, SiteError> {
         let site = Self::bind(Ipv4Addr::LOCALHOST.into(), port)?;
         Ok(Self { live: Some(Live { feed: feed.clone(), page: live::page() }), ..site })

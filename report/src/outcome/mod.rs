@@ -92,11 +92,19 @@ struct OutcomeJson<'a> {
 
 impl Outcome<'_> {
     /// The page, which needs nothing else: a browser opens it from a file or a mail.
+    ///
+    /// # Errors
+    ///
+    /// As [`data`](Self::data).
     pub fn html(&self) -> Result<String, PageError> {
         Ok(filled(TEMPLATE, &self.data()?))
     }
 
     /// The data of the page, as one JSON object in which no `<` can end the script that it stands in.
+    ///
+    /// # Errors
+    ///
+    /// Fails if what it is about cannot be written as JSON.
     pub fn data(&self) -> Result<String, PageError> {
         let Self { title, about, mood, verdict, next, json, shown } = *self;
         let (kind, picture, edition) = match shown {
