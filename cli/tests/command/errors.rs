@@ -159,8 +159,7 @@ fn threads_and_ports_that_are_none() {
 
 #[test]
 fn all_readings_at_once_leave_no_choice() {
-    for option in [&["--json"][..], &["--reading", "go-edge=edge"], &["--vectors", "read"], &["--logs", "."]]
-    {
+    for option in [&["--reading", "go-edge=edge"][..], &["--vectors", "read"], &["--logs", "."]] {
         let args = [&["verify", "--readings"], option].concat();
         wrong_arguments(&args, &format!("'--readings' cannot be used with '{}", option[0]));
     }
