@@ -91,4 +91,8 @@ fn an_svg_has_every_state_and_arrow_and_tells_what_differs_without_colour() {
         inner.contains("x=\"5\" y=\"7\" width=\"400\" height=\"191\" viewBox=\"0 0 800 382\""),
         "{inner}"
     );
+    let dark = drawing.svg().on(Background::Dark).to_string();
+    assert!(dark.contains("fill=\"#142b46\"") && !svg.contains("fill=\"#142b46\""), "{dark}");
+    let odd = Drawing { title: "\"a\u{7}b\"", arrows: &ARROWS }.svg().to_string();
+    assert!(odd.contains("<title>&quot;a b&quot;</title>"), "{odd}");
 }

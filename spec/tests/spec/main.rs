@@ -21,6 +21,7 @@ mod reads;
 mod receive;
 mod requirements;
 mod reserved;
+mod rows;
 #[cfg(feature = "serde")]
 mod serde;
 mod show;
