@@ -6,7 +6,9 @@ use core::fmt;
 use crate::messages::AsState;
 
 /// The width and the height of the picture. All sizes are in its units, which are pixels where nothing scales it.
-pub const SIZE: (f64, f64) = (800.0, 382.0);
+pub const SIZE: (f64, f64) = (WHOLE.0 as f64, WHOLE.1 as f64);
+/// The same in whole numbers.
+pub(super) const WHOLE: (u32, u32) = (800, 382);
 /// The width and the height of a state's box.
 pub const BOX: (f64, f64) = (170.0, 52.0);
 

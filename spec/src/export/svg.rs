@@ -4,7 +4,7 @@ use core::fmt::{self, Write as _};
 
 use super::drawing::{Drawing, DrawnArrow, Mark};
 use super::light::{Background, Paint};
-use super::places::{BOX, Line, Point, SIZE, Tenths, place};
+use super::places::{BOX, Line, Point, SIZE, Tenths, WHOLE, place};
 use crate::Assi;
 use crate::messages::AsState;
 
@@ -42,7 +42,7 @@ impl<'a> Drawing<'a> {
 
 impl<'a> AsSvg<'a> {
     const fn new(drawing: Drawing<'a>) -> Self {
-        Self { drawing, state: None, taken: None, on: Background::Light, corner: (0, 0), width: 800 }
+        Self { drawing, state: None, taken: None, on: Background::Light, corner: (0, 0), width: WHOLE.0 }
     }
 
     /// With a state that somebody is in.
@@ -71,7 +71,7 @@ impl<'a> AsSvg<'a> {
 
     /// How high it is where it is so wide.
     pub const fn height(width: u32) -> u32 {
-        width.saturating_mul(382) / 800
+        width.saturating_mul(WHOLE.1) / WHOLE.0
     }
 
     /// Ink, and what is less important.
