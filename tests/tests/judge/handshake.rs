@@ -2,7 +2,7 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Meter, Party, Rule};
 use adsdv_spec::Choice;
-use adsdv_spec::messages::{AnyMessage, AsState, Node};
+use adsdv_spec::messages::{AnyMessage, AsState, Node, Vcu2AiStatus};
 use adsdv_tests::bus::BUS;
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
@@ -147,8 +147,11 @@ fn comms_lost_while_the_tractive_system_is_off() {
     let mut world = World::reference();
     world.wait(300);
     world.ai_answers = false;
+    world.shows = |status| status.handshake = true;
     world.wait(300);
-    world.shows = |status| (status.ai_comms_lost, status.fault_status) = (true, true);
+    world.shows = |status| {
+        (status.handshake, status.ai_comms_lost, status.fault_status) = (true, true, true);
+    };
     world.wait(300);
     let unfounded = [(Rule::FlagUnfounded, "2.4")];
     is_reported(&world, pinned(Choice::HandshakeTsms), Party::Vcu, &unfounded, "raised while TSMS is off");
@@ -186,5 +189,26 @@ fn an_ai_computer_that_answers_in_time_is_never_blamed() {
                 is_reported(&world, options, Party::Ai, &[], "answered in time");
             }
         }
+    }
+}
+
+/// It sends one bit from the beginning on, which the AI Computer answers, and then says that it is not answered.
+//= HS-9
+#[test]
+fn a_bit_that_never_changes_though_it_is_answered_leaves_no_reason_for_a_loss_of_communication() {
+    let bits: [fn(&mut Vcu2AiStatus); 2] =
+        [|status| status.handshake = true, |status| status.handshake = false];
+    for stuck in bits {
+        let mut world = World::reference();
+        world.shows = stuck;
+        world.ready();
+        assert_eq!(world.control.state, AsState::EmergencyBrake);
+        is_reported(
+            &world,
+            JudgeOptions { complete: true, ..JudgeOptions::default() },
+            Party::Vcu,
+            &[(Rule::FlagUnfounded, "2.4")],
+            "answered all the time",
+        );
     }
 }

@@ -19,6 +19,8 @@ pub(crate) struct Watch {
     ai: Option<bool>,
     /// How many frames in a row the AI Computer has sent that bit.
     ai_run: u32,
+    /// How many of them in a row the VCU's bit was the same as theirs.
+    agreed: u32,
     /// Whether the last edge was answered.
     answered: bool,
     /// How long the answer before took.
@@ -49,6 +51,9 @@ impl Watch {
         let unanswered = !self.answered && !self.blind && self.ai.is_some();
         let suspect = before.zip(self.edge_at).filter(|_| unanswered);
         self.edge_at = before.map(|_| now);
+        if self.ai != Some(bit) {
+            self.agreed = 0;
+        }
         self.answered = false;
         self.blind = self.ai.is_none();
         (self.reported_ai, self.reported_vcu) = (false, false);
@@ -56,17 +61,23 @@ impl Watch {
     }
 
     /// The AI Computer's bit was seen. Tells whether this changes what is known: it answers the edge, or shows that
-    /// one is missing from the log.
+    /// one is missing from the log, or has been the VCU's for long.
     pub(crate) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
+        self.agreed = match self.vcu {
+            Some(vcu) if vcu == bit => self.agreed.saturating_add(1),
+            // Meanwhile the VCU's bit cannot have gone to and fro: the AI Computer has answered nothing else.
+            None if self.ai_run > 1 => self.agreed,
+            _ => 0,
+        };
         if self.answered && self.vcu != Some(bit) {
             // The AI Computer goes on to the next bit: an edge of the VCU is missing from the log.
             self.restart();
             return true;
         }
         if self.answered || self.vcu != Some(bit) {
-            return false;
+            return self.agreed == STUCK;
         }
         self.answered = true;
         self.last_response = self.edge_at.map_or(self.last_response, |edge| now - edge);
@@ -86,7 +97,7 @@ impl Watch {
 
     /// The AI Computer's frames stopped, or cannot be read.
     pub(crate) fn ai_gone(&mut self) {
-        (self.ai, self.ai_run, self.blind) = (None, 0, true);
+        (self.ai, self.ai_run, self.agreed, self.blind) = (None, 0, 0, true);
     }
 
     /// The VCU's frames stopped: nothing is known of its edge.
@@ -124,6 +135,8 @@ impl Watch {
     pub(crate) fn lost(&self, now: i64, limit: i64, window: i64) -> Truth {
         let quick = self.last_response + window < limit;
         match self.unanswered(now) {
+            // Whenever it began: a VCU that has seen its own bit for so long has its answer.
+            _ if self.agreed >= STUCK && self.vcu.is_some() => Truth::False,
             // While the AI Computer is not heard, two edges may be missing from the log: the bit looks the same.
             None if self.edge_at.is_some() && quick && !self.blind => Truth::False,
             Some(elapsed) if elapsed + window < limit && quick => Truth::False,

@@ -11,25 +11,21 @@ use adsdv_spec::messages::{EbsState, Frame, Node, Vcu2AiStatus};
 use adsdv_spec::{Control, Edition, Faults, Inputs, Machine};
 use adsdv_tests::world::{MS, Recorded, World};
 
+/// The time between two steps, in milliseconds.
+pub(crate) const CYCLE_MS: u16 = Edition::DEFAULT.rules.timing.cycle_ms;
+
 /// Whether the recording of a run, with nothing late and nothing lost, shows that its VCU is not the specification's.
 pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
     let bus = &specification.edition().bus;
-    let cycle_ms = Edition::DEFAULT.rules.timing.cycle_ms;
-    let cycle = i64::from(cycle_ms) * MS;
-    let mut sent = world.log.iter().filter(|recorded| recorded.sender() == Some(Node::Vcu)).peekable();
     let mut possible = HashSet::from([Control::INITIAL]);
-    for ((_, inputs), step) in world.steps.iter().zip(1..) {
-        let mut frames = Vec::new();
-        while let Some(Recorded { frame, .. }) = sent.next_if(|recorded| recorded.t < step * cycle) {
-            frames.push(*frame);
-        }
+    for (inputs, frames) in steps(world) {
         let sends = |frame: Frame| frames.iter().all(|sent| sent.id != frame.id || *sent == frame);
         let hidden = hidden(specification, inputs, &frames);
         let mut after = HashSet::new();
         for (control, inputs) in
             possible.iter().flat_map(|control| hidden.iter().map(move |inputs| (control, inputs)))
         {
-            let (next, outputs) = specification.step(control, inputs, cycle_ms.into());
+            let (next, outputs) = specification.step(control, inputs, CYCLE_MS.into());
             if !after.contains(&next) && outputs.messages(inputs).frames(bus).all(sends) {
                 after.insert(next);
             }
@@ -42,9 +38,22 @@ pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
     false
 }
 
+/// The inputs of each step, and what the VCU sent at it.
+pub(crate) fn steps(world: &World) -> impl Iterator<Item = (&Inputs, Vec<Frame>)> {
+    let cycle = i64::from(CYCLE_MS) * MS;
+    let mut sent = world.log.iter().filter(|recorded| recorded.sender() == Some(Node::Vcu)).peekable();
+    world.steps.iter().zip(1..).map(move |((_, inputs), step)| {
+        let mut frames = Vec::new();
+        while let Some(Recorded { frame, .. }) = sent.next_if(|recorded| recorded.t < step * cycle) {
+            frames.push(*frame);
+        }
+        (inputs, frames)
+    })
+}
+
 /// All that the inputs may have been at a step of which the bus shows these frames: what the AI Computer sent and what sensors measured
 /// is on the bus, and so are the switches of the remote control where it is.
-fn hidden(specification: &Machine, seen: &Inputs, frames: &[Frame]) -> Vec<Inputs> {
+pub(crate) fn hidden(specification: &Machine, seen: &Inputs, frames: &[Frame]) -> Vec<Inputs> {
     let bus = &specification.edition().bus;
     let Inputs { ami, ai, ai_silence, vehicle, .. } = *seen;
     let mut inputs = Inputs { ami, ai, ai_silence, vehicle, ..Inputs::default() };
@@ -70,7 +79,7 @@ fn hidden(specification: &Machine, seen: &Inputs, frames: &[Frame]) -> Vec<Input
 }
 
 /// All of them with a change, and without.
-fn either(all: &mut Vec<Inputs>, change: impl Fn(&mut Inputs)) {
+pub(crate) fn either(all: &mut Vec<Inputs>, change: impl Fn(&mut Inputs)) {
     let changed = |inputs: &Inputs| {
         let mut inputs = *inputs;
         change(&mut inputs);

@@ -54,6 +54,11 @@ impl Profile {
         log
     }
 
+    /// Whether all that a document excludes has to be a violation: somebody vouches for the recording, and it is hardly late.
+    pub(crate) const fn is_to_tell(&self) -> bool {
+        self.complete && self.loss == 0 && self.jitter_ms <= 5
+    }
+
     /// Writes a recording into a directory, for `adsdv check`.
     pub(crate) fn keep(&self, directory: &Path, run: &Run) -> io::Result<PathBuf> {
         fs::create_dir_all(directory)?;
