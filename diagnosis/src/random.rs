@@ -1,13 +1,18 @@
 //! Numbers that look random.
 
-/// The next of a row of numbers that look random, the same every time.
+use fastrand::Rng;
+
+/// A row of numbers that look random, the same every time.
 #[derive(Clone, Debug)]
-pub(crate) struct Random(pub(crate) u64);
+pub(crate) struct Random(Rng);
 
 impl Random {
-    /// The next number below an end.
+    pub(crate) fn with_seed(seed: u64) -> Self {
+        Self(Rng::with_seed(seed))
+    }
+
+    /// The next number below an end; 0 if that is 0.
     pub(crate) fn below(&mut self, end: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).unwrap_or(0) % end.max(1)
+        self.0.usize(..end.max(1))
     }
 }
