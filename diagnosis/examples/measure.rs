@@ -22,13 +22,22 @@ use adsdv_oracle::conform::ProgramError;
 use adsdv_oracle::protocol::Answer;
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{Edition, Inputs};
-use fastrand::Rng;
 
 /// So many random walks where steps take any time, and where they take but one.
 const WALKS: [usize; 2] = [1500, 150];
 
 /// No diagnosis takes longer.
 const LONGEST: Duration = Duration::from_mins(10);
+
+/// The next of a row of numbers that look random.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).unwrap_or(0) % end.max(1)
+    }
+}
 
 /// A program that counts what it is asked.
 struct Counted {
@@ -71,9 +80,9 @@ impl Comparison<'_> {
     }
 
     /// So many that lead out of one state, each of which can be observed by itself: they are in each other's way.
-    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut Rng) -> Vec<Deviation> {
+    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
         let rows = self.edition.rules.table.rows();
-        let from = rows[random.usize(..rows.len())].from;
+        let from = rows[random.below(rows.len())].from;
         let leads = |one: &&Deviation| match one {
             Deviation::Changed(
                 Change::RowDropped(row)
@@ -93,7 +102,7 @@ impl Comparison<'_> {
     }
 
     /// So many different ones, each of which can be observed by itself.
-    fn picked(&self, all: &[Deviation], count: usize, random: &mut Rng) -> Vec<Deviation> {
+    fn picked(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
         let mut picked = Vec::new();
         while picked.len() < count {
             let Some(one) = pick(self.edition, all, random) else { continue };
@@ -122,8 +131,8 @@ impl Comparison<'_> {
 }
 
 /// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
-fn pick(edition: &Edition, all: &[Deviation], random: &mut Rng) -> Option<Deviation> {
-    let kind = random.usize(..16);
+fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
+    let kind = random.below(16);
     let is = |deviation: &&Deviation| match deviation {
         Deviation::Changed(Change::Time(..)) => kind == 0,
         Deviation::Changed(Change::Threshold(..)) => kind == 1,
@@ -143,7 +152,7 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Rng) -> Option<Deviat
         Deviation::Ignores { .. } => kind == 14,
     };
     let these: Vec<&Deviation> = all.iter().filter(is).collect();
-    let one = **random.choice(&these)?;
+    let one = **these.get(random.below(these.len()))?;
     Some(match one {
         Deviation::Changed(Change::Time(time, _)) => {
             let timing = &edition.rules.timing;
@@ -168,10 +177,10 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Rng) -> Option<Deviat
 }
 
 /// By how much a number is another: at most twice as much as usual, and at least a tenth.
-fn other(usual: i32, random: &mut Rng) -> i16 {
+fn other(usual: i32, random: &mut Random) -> i16 {
     let span = i16::try_from(usual * 9 / 10).unwrap_or(1).max(1);
-    let by = i16::try_from(1 + random.usize(..usize::from(span.unsigned_abs()).max(1))).unwrap_or(1);
-    if random.bool() { by } else { -by }
+    let by = i16::try_from(1 + random.below(span.unsigned_abs().into())).unwrap_or(1);
+    if random.below(2) == 0 { by } else { -by }
 }
 
 /// The ids of deviations.
@@ -265,7 +274,7 @@ fn main() {
     let wanted = |edition: &&&Edition| only.as_ref().is_none_or(|only| only == edition.version);
     for edition in Edition::ALL.iter().filter(wanted) {
         let all = Deviation::every(edition);
-        let mut random = Rng::with_seed(seed as u64);
+        let mut random = Random(seed as u64);
         let mut tally = Tally { shows, ..Tally::default() };
         let interface = Interface::default().at_cycle(cycle_ms);
         let comparison = Comparison { edition, interface, walks: WALKS[usize::from(cycle_ms.is_some())] };

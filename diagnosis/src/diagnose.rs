@@ -150,7 +150,7 @@ impl<'a, 'b> Search<'a, 'b> {
             },
             records: Records::default(),
             found: Vec::new(),
-            random: Random::with_seed(1),
+            random: Random(1),
             sought: Vec::new(),
             until,
         }

@@ -38,7 +38,7 @@ pub(crate) fn all(
     states: &[AsState],
     until: Option<Instant>,
 ) -> Result<Vec<Record>, ProgramError> {
-    let (model, records, random) = (ways.model, Vec::new(), Random::with_seed(seed));
+    let (model, records, random) = (ways.model, Vec::new(), Random(seed));
     let mut experiments = Experiments { subject, model, ways, records, random, until };
     for &state in states {
         experiments.alone(state)?;

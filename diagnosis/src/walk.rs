@@ -95,7 +95,7 @@ pub fn difference(
     seed: u64,
 ) -> Option<Vec<Step>> {
     let (one, other) = (Model::new(edition, one), Model::new(edition, other));
-    let mut random = Random::with_seed(seed);
+    let mut random = Random(seed);
     for (leads, follows) in [(&one, &other), (&other, &one)] {
         let ways = Ways::of(leads, interface);
         let mut running = leads.clone().running();

@@ -1,8 +1,8 @@
-//! Chance that stays the same: the one generator of this project's own, but for the firmware that measures.
+//! Chance that stays the same, whatever version of a crate draws.
 
 /// SplitMix64, the same numbers for the same seed on every machine and in every version.
 ///
-/// Everything else draws from the crate fastrand, which may draw otherwise in its next version. What is drawn from this one
+/// Tests and the exam draw from the crate fastrand, which may draw otherwise in its next version. What is drawn from this one
 /// stands written down: a seed of `adsdv conform` in somebody's ticket, and the figures of `scripts/sensitivity.sh`.
 ///
 /// ```
