@@ -6,6 +6,7 @@ use std::io::{self, BufRead, BufReader, Read};
 use adsdv_can::car::{Action, Switch};
 use adsdv_can::scenario::{MAX_BYTES, MAX_LINE, Player, Scenario, Unreadable, When};
 use adsdv_spec::messages::AsState;
+use fastrand::Rng;
 
 fn errors(text: &[u8]) -> Vec<String> {
     match Scenario::read(text) {
@@ -294,51 +295,43 @@ fn an_interrupted_read_goes_on() {
     assert_eq!(Scenario::read(source).map(|scenario| scenario.lines().len()).ok(), Some(2));
 }
 
-/// A small generator, so that failures can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        usize::try_from(self.0 >> 33).expect("31 bits") % limit
-    }
-}
-
 #[test]
 fn what_is_printed_is_read_back() {
     let switches: Vec<Switch> = Switch::all().collect();
     for seed in 1..2000 {
-        let mut random = Random(seed);
+        let mut random = Rng::with_seed(seed);
         let mut text = String::new();
         let mut at = 0;
-        let lines = 1 + random.below(6);
+        let lines = random.usize(1..=6);
         for line in 0..lines {
-            let ms = random.below(3_000);
+            let ms = random.usize(..3_000);
             let time = format!("{}.{:03}", ms / 1000, ms % 1000);
-            let when = match random.below(4) {
+            let when = match random.usize(..4) {
                 0 => {
                     // Later than everything before it can be.
                     at += 20;
                     format!("{at}.{:03}", ms % 1000)
                 }
                 1 => format!("+{time}"),
-                2 => AsState::ALL[random.below(5)].to_string(),
-                _ => format!("{} +{time}", AsState::ALL[random.below(5)]),
+                2 => AsState::ALL[random.usize(..5)].to_string(),
+                _ => format!("{} +{time}", AsState::ALL[random.usize(..5)]),
             };
-            let first = random.below(switches.len() - 3);
-            let mut doings: Vec<String> = switches[first..first + random.below(3)]
+            let first = random.usize(..switches.len() - 3);
+            let mut doings: Vec<String> = switches[first..first + random.usize(..3)]
                 .iter()
                 .map(|switch| {
                     let positions = switch.positions();
-                    format!("{} {}", switch.key(), switch.position(positions[random.below(positions.len())]))
+                    format!(
+                        "{} {}",
+                        switch.key(),
+                        switch.position(positions[random.usize(..positions.len())])
+                    )
                 })
                 .collect();
-            if random.below(5) == 0 || doings.is_empty() {
+            if random.usize(..5) == 0 || doings.is_empty() {
                 doings.push("power cycle".to_owned());
             }
-            if line + 1 == lines && random.below(2) == 0 {
+            if line + 1 == lines && random.usize(..2) == 0 {
                 doings.push("end".to_owned());
             }
             writeln!(text, "{when}\t{}", doings.join(" ,")).expect("a string");
@@ -377,9 +370,9 @@ fn no_bytes_make_it_panic() {
         b"\r",
     ];
     for seed in 1..20_000 {
-        let mut random = Random(seed);
-        let count = random.below(20);
-        let text: Vec<u8> = (0..count).flat_map(|_| words[random.below(words.len())]).copied().collect();
+        let mut random = Rng::with_seed(seed);
+        let count = random.usize(..20);
+        let text: Vec<u8> = (0..count).flat_map(|_| words[random.usize(..words.len())]).copied().collect();
         match Scenario::read(&text[..]) {
             Ok(read) => assert_eq!(scenario(&read.to_string()), read),
             Err(error) => assert!(error.to_string().starts_with("line "), "{error}"),

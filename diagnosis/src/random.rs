@@ -1,6 +1,7 @@
 //! Numbers that look random.
 
-/// The next of a row of numbers that look random, the same every time.
+/// The next of a row of numbers that look random, the same every time. They stay as they are: which experiments are made hangs on
+/// them, and with that what tests hold as printed and TESTING.md as measured.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(pub(crate) u64);
 

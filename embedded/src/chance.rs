@@ -3,7 +3,8 @@
 use adsdv_spec::messages::{DirectionRequest, MissionStatus, WheelSpeed};
 use adsdv_spec::{AsState, Inputs};
 
-/// A generator after Marsaglia (xorshift), which needs no more than shifts.
+/// A generator after Marsaglia (xorshift), which needs no more than shifts. Its numbers stay as they are: TESTING.md has what was
+/// measured with them.
 pub(crate) struct Chance(u32);
 
 impl Chance {

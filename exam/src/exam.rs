@@ -118,13 +118,14 @@ impl Collector {
     pub(crate) fn ran(&mut self, scenario: &ExamScenario, ran: &Ran, findings: Vec<ExamFinding>) {
         let Self { marks, report } = self;
         let place = report.scenarios.len();
-        marks.ran(ran);
+        let exercised = marks.ran(ran, &findings);
         report.scenarios.push(ScenarioOutcome {
             name: scenario.name.clone(),
             about: scenario.about.clone(),
             duration_ms: ran.duration_ms,
             frames: ran.sent.len(),
             findings: findings.len(),
+            exercised,
             stuck: ran.stuck.as_ref().map(ToString::to_string),
         });
         report.findings.extend(findings.into_iter().map(|one| ExamFinding { scenario: place, ..one }));
@@ -165,15 +166,24 @@ impl Marks {
         }
     }
 
-    fn ran(&mut self, ran: &Ran) {
-        self.tally.add(&ran.tally);
-        self.failed += usize::from(ran.failed.is_some());
-        let exercised = ran.followed.iter().filter(|followed| followed.exercised);
-        self.expected.extend(exercised.flat_map(|followed| followed.expectation.against));
+    /// Counts a scenario, and tells what it put to the test.
+    fn ran(&mut self, ran: &Ran, findings: &[ExamFinding]) -> Vec<&'static str> {
+        let followed = ran.followed.iter().filter(|followed| followed.exercised);
+        let mut expected: Vec<&'static str> =
+            followed.flat_map(|followed| followed.expectation.against).copied().collect();
         // An answer within the cycle is never seen to be missing.
         if ran.report.responses.count() > 0 {
-            self.expected.extend(ANSWERS.against);
+            expected.extend(ANSWERS.against);
         }
+        let is_exercised = |entry: &&Entry| {
+            let broken = || findings.iter().any(|one| one.requirements.contains(&entry.id));
+            entry.lacks(&ran.tally, expected.contains(&entry.id)).is_none() || broken()
+        };
+        let exercised = self.entries.iter().filter(is_exercised).map(|entry| entry.id).collect();
+        self.tally.add(&ran.tally);
+        self.expected.extend(expected);
+        self.failed += usize::from(ran.failed.is_some());
+        exercised
     }
 
     fn outcomes(self, findings: &[ExamFinding]) -> Vec<Examined> {

@@ -56,6 +56,7 @@ impl ExamForm<'_> {
             duration: ms(one.duration_ms),
             frames: one.frames,
             findings: one.findings,
+            exercised: &one.exercised,
             stuck: one.stuck.as_deref(),
         });
         let findings = report.findings.iter().enumerate().map(|(place, one)| FindingJson {
@@ -103,6 +104,7 @@ struct ScenarioJson<'a> {
     duration: f64,
     frames: usize,
     findings: usize,
+    exercised: &'a [&'static str],
     stuck: Option<&'a str>,
 }
 

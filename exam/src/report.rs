@@ -69,6 +69,8 @@ pub struct ScenarioOutcome {
     pub frames: usize,
     /// How many findings it has.
     pub findings: usize,
+    /// The requirements that it put to the test, whether they were kept or broken, in the order of the document.
+    pub exercised: Vec<&'static str>,
     /// What it waited for in vain, if it came to no end.
     pub stuck: Option<String>,
 }

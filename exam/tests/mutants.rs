@@ -41,6 +41,13 @@ fn each_mutant_fails_with_its_requirements_as_the_table_says() {
             let report = examined(mutant, edition);
             let known: Vec<&str> = report.requirements.iter().map(|one| one.id).collect();
             let expected: Vec<&str> = mutant.breaks.iter().copied().filter(|id| known.contains(id)).collect();
+            for finding in &report.findings {
+                let exercised = &report.scenarios[finding.scenario].exercised;
+                assert!(
+                    finding.requirements.iter().all(|id| exercised.contains(id)),
+                    "{finding:?}: {exercised:?}"
+                );
+            }
             let failed = failed(&report);
             // The vehicle of 2026 lets torque and brakes come at once (D-67).
             let can_show = mutant.name != "brakes-and-drives" || edition.version != "2026";

@@ -24,7 +24,7 @@ const ROUNDS: u32 = if cfg!(miri) { 50 } else { 20_000 };
 
 #[test]
 fn any_bits_are_a_step_or_an_error() {
-    let mut random = Random(7);
+    let mut random = Random::with_seed(7);
     let (mut fine, mut wrong) = (0, 0);
     for round in 0..ROUNDS {
         let mut machine: adsdv_machine = any(&mut random);
@@ -69,7 +69,7 @@ fn any_bits_are_a_step_or_an_error() {
 
 #[test]
 fn any_frame_is_taken_or_an_error() {
-    let mut random = Random(8);
+    let mut random = Random::with_seed(8);
     for _ in 0..ROUNDS {
         let mut frame: adsdv_frame = any(&mut random);
         if random.one_in(2) {
@@ -202,7 +202,7 @@ fn null_is_an_error_for_each_pointer() {
 
 #[test]
 fn any_number_has_a_name_or_none() {
-    let mut random = Random(9);
+    let mut random = Random::with_seed(9);
     for _ in 0..100 {
         let (enumeration, value) = (random.bits(), random.bits());
         let (enumeration, value) = ((enumeration >> 32) as u32, (value >> 32) as i32);
@@ -239,7 +239,7 @@ fn null_is_an_error_for_each_pointer_of_the_judge() {
 #[cfg(feature = "judge")]
 #[test]
 fn any_frame_is_judged() {
-    let mut random = Random(11);
+    let mut random = Random::with_seed(11);
     // SAFETY: the pointers are to what they are said to be, or NULL.
     unsafe {
         let judge = adsdv_judge_new(null(), null_mut());

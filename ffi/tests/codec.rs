@@ -181,7 +181,7 @@ fn any_frame_is_read_as_the_specification_reads_it() {
 }
 
 fn frames_are_read(spoken: &Spoken) {
-    let mut random = Random(1);
+    let mut random = Random::with_seed(1);
     let mut outcomes = [0; 3];
     for _ in 0..20_000 {
         let id = random.pick(spoken.bus.messages).id;

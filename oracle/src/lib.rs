@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 pub mod candump;
+pub mod chance;
 pub mod compare;
 pub mod conform;
 pub mod excerpt;

@@ -2,26 +2,26 @@
 
 use core::fmt;
 
+use crate::derives::data;
 use crate::messages::AsState;
 
-/// What the ASSI shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub enum Assi {
-    /// Dark.
-    Off,
-    /// Yellow, continuous.
-    YellowContinuous,
-    /// Yellow, flashing.
-    YellowFlashing,
-    /// Blue, flashing.
-    BlueFlashing,
-    /// Blue, continuous.
-    BlueContinuous,
-}
+data!(
+    /// What the ASSI shows.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+    pub enum Assi {
+        /// Dark.
+        Off,
+        /// Yellow, continuous.
+        YellowContinuous,
+        /// Yellow, flashing.
+        YellowFlashing,
+        /// Blue, flashing.
+        BlueFlashing,
+        /// Blue, continuous.
+        BlueContinuous,
+    }
+);
 
 impl Assi {
     /// The light of a state (Figure 2).

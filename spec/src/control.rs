@@ -4,35 +4,34 @@
 //! its initial value, so that equal behaviour is equal control state.
 
 use crate::atoms::Atom;
+use crate::derives::data;
 use crate::edition::Timing;
 use crate::handshake::Handshake;
 use crate::messages::{AsState, ShutdownCause};
 use crate::readings::{Choice, Readings};
 
-/// The control state. The default is the VCU after a power cycle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Control {
-    /// The state of Figure 2.
-    pub state: AsState,
-    /// How long that state has lasted, in milliseconds, up to the limit of [`Timing::in_state_limit`].
-    pub in_state_ms: u16,
-    /// `AS_READY` only: the "Go" switch was seen off, so that a rising edge now is accepted (section 3.2, item 3).
-    pub go_seen_low: bool,
-    /// `AS_DRIVING` only, where changes count ([`Choice::FaultEdge`]): `MISSION_STATUS` was RUNNING.
-    pub was_running: bool,
-    /// `AS_DRIVING` only, where changes count ([`Choice::FaultEdge`]): `DIRECTION_REQUEST` was FORWARD.
-    pub was_forward: bool,
-    /// The handshake (section 2.4).
-    pub handshake: Handshake,
-    /// The vehicle must be power-cycled before it can drive again (section 3.9).
-    pub power_cycle_needed: bool,
-    /// The fault that shut the vehicle down first (section 2.2).
-    pub shutdown_cause: ShutdownCause,
-}
+data!(
+    /// The control state. The default is the VCU after a power cycle.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct Control {
+        /// The state of Figure 2.
+        pub state: AsState,
+        /// How long that state has lasted, in milliseconds, up to the limit of [`Timing::in_state_limit`].
+        pub in_state_ms: u16,
+        /// `AS_READY` only: the "Go" switch was seen off, so that a rising edge now is accepted (section 3.2, item 3).
+        pub go_seen_low: bool,
+        /// `AS_DRIVING` only, where changes count ([`Choice::FaultEdge`]): `MISSION_STATUS` was RUNNING.
+        pub was_running: bool,
+        /// `AS_DRIVING` only, where changes count ([`Choice::FaultEdge`]): `DIRECTION_REQUEST` was FORWARD.
+        pub was_forward: bool,
+        /// The handshake (section 2.4).
+        pub handshake: Handshake,
+        /// The vehicle must be power-cycled before it can drive again (section 3.9).
+        pub power_cycle_needed: bool,
+        /// The fault that shut the vehicle down first (section 2.2).
+        pub shutdown_cause: ShutdownCause,
+    }
+);
 
 impl Control {
     /// The VCU after a power cycle: `AS_OFF`, nothing remembered.

@@ -3,32 +3,32 @@
 //! The VCU sends a bit, waits until the AI Computer sends the same bit back, and then changes its own. An edge
 //! that stays unanswered for too long is the fault `AI_COMMS_LOST`; it lasts until the edge is answered.
 
-/// The VCU's side of the handshake.
-///
-/// ```
-/// use adsdv_spec::{Handshake, Edition};
-/// let limit = Edition::V3_0.rules.timing.handshake_ms;
-/// let mut vcu = Handshake::default().step(true, false, 10, limit); // the AI's 0 matches: the VCU now asks for 1
-/// assert!(vcu.bit);
-/// for _ in 0..4 { vcu = vcu.step(true, false, 10, limit); }        // 40 ms without an answer
-/// assert!(!vcu.is_lost(limit));
-/// vcu = vcu.step(true, false, 10, limit);                          // 50 ms
-/// assert!(vcu.is_lost(limit));
-/// assert!(!vcu.step(true, true, 10, limit).is_lost(limit));        // answered at last
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Handshake {
-    /// Whether the handshake was performed at the last step.
-    pub active: bool,
-    /// The HANDSHAKE bit that the VCU sends.
-    pub bit: bool,
-    /// For how long that bit has been unanswered, in milliseconds; it stops counting at the limit.
-    pub unanswered_ms: u16,
-}
+use crate::derives::data;
+
+data!(
+    /// The VCU's side of the handshake.
+    ///
+    /// ```
+    /// use adsdv_spec::{Handshake, Edition};
+    /// let limit = Edition::V3_0.rules.timing.handshake_ms;
+    /// let mut vcu = Handshake::default().step(true, false, 10, limit); // the AI's 0 matches: the VCU now asks for 1
+    /// assert!(vcu.bit);
+    /// for _ in 0..4 { vcu = vcu.step(true, false, 10, limit); }        // 40 ms without an answer
+    /// assert!(!vcu.is_lost(limit));
+    /// vcu = vcu.step(true, false, 10, limit);                          // 50 ms
+    /// assert!(vcu.is_lost(limit));
+    /// assert!(!vcu.step(true, true, 10, limit).is_lost(limit));        // answered at last
+    /// ```
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub struct Handshake {
+        /// Whether the handshake was performed at the last step.
+        pub active: bool,
+        /// The HANDSHAKE bit that the VCU sends.
+        pub bit: bool,
+        /// For how long that bit has been unanswered, in milliseconds; it stops counting at the limit.
+        pub unanswered_ms: u16,
+    }
+);
 
 impl Handshake {
     /// The VCU's side at rest: it sends 0 and waits for nothing.

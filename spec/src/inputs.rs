@@ -2,6 +2,7 @@
 #![expect(clippy::inline_always, reason = "for speed, as in machine.rs")]
 
 use crate::bus::Bus;
+use crate::derives::data;
 use crate::faults::{Fault, Faults};
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AnyMessage, AxleTorque,
@@ -10,103 +11,95 @@ use crate::messages::{
 };
 use crate::silence::AiSilence;
 
-/// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Inputs {
-    /// The Autonomous System Master Switch is on.
-    pub asms: bool,
-    /// The Tractive System Master Switch is on.
-    pub tsms: bool,
-    /// The mission selected on the Autonomous Mission Indicator.
-    pub ami: AmiState,
-    /// The state of the Emergency Braking System, as it reports it.
-    pub ebs: EbsState,
-    /// The remote "Go" switch is on.
-    pub go: bool,
-    /// What opens the shutdown circuit.
-    pub sdc: ShutdownCircuit,
-    /// Faults and warnings that other controllers report.
-    pub reports: Reports,
-    /// The last valid messages of the AI Computer; the default stands for none yet.
-    pub ai: AiMessages, //= D-35
-    /// How long ago these messages came.
-    pub ai_silence: AiSilence,
-    /// What the vehicle's sensors measure.
-    pub vehicle: Vehicle,
-}
+data!(
+    /// Everything that the VCU sees at one step. The default is a vehicle with everything off, at rest, without a fault.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct Inputs {
+        /// The Autonomous System Master Switch is on.
+        pub asms: bool,
+        /// The Tractive System Master Switch is on.
+        pub tsms: bool,
+        /// The mission selected on the Autonomous Mission Indicator.
+        pub ami: AmiState,
+        /// The state of the Emergency Braking System, as it reports it.
+        pub ebs: EbsState,
+        /// The remote "Go" switch is on.
+        pub go: bool,
+        /// What opens the shutdown circuit.
+        pub sdc: ShutdownCircuit,
+        /// Faults and warnings that other controllers report.
+        pub reports: Reports,
+        /// The last valid messages of the AI Computer; the default stands for none yet.
+        pub ai: AiMessages, //= D-35
+        /// How long ago these messages came.
+        pub ai_silence: AiSilence,
+        /// What the vehicle's sensors measure.
+        pub vehicle: Vehicle,
+    }
+);
 
-/// The causes of an open shutdown circuit (section 3.5). Each is true while it holds the circuit open.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct ShutdownCircuit {
-    /// The remote E-stop button is pressed.
-    pub remote_estop: bool, //= RTE-2
-    /// The remote E-stop receiver has lost the transmitter.
-    pub res_link_lost: bool, //= RTE-3
-    /// An E-stop button on the vehicle is pressed.
-    pub vehicle_estop: bool, //= RTE-4
-    /// The inertial crash sensor is activated.
-    pub crash_sensor: bool, //= RTE-5
-    /// The VCU detects a critical system fault that has no flag of its own.
-    pub critical_fault: bool, //= RTE-6
-    /// The BMS detects a critical fault in the traction battery.
-    pub bms_fault: bool, //= RTE-7
-    /// The autonomous driving dongle is not in the Multi-Purpose Port.
-    pub mpp_dongle_removed: bool, //= RTE-8
-}
+data!(
+    /// The causes of an open shutdown circuit (section 3.5). Each is true while it holds the circuit open.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct ShutdownCircuit {
+        /// The remote E-stop button is pressed.
+        pub remote_estop: bool, //= RTE-2
+        /// The remote E-stop receiver has lost the transmitter.
+        pub res_link_lost: bool, //= RTE-3
+        /// An E-stop button on the vehicle is pressed.
+        pub vehicle_estop: bool, //= RTE-4
+        /// The inertial crash sensor is activated.
+        pub crash_sensor: bool, //= RTE-5
+        /// The VCU detects a critical system fault that has no flag of its own.
+        pub critical_fault: bool, //= RTE-6
+        /// The BMS detects a critical fault in the traction battery.
+        pub bms_fault: bool, //= RTE-7
+        /// The autonomous driving dongle is not in the Multi-Purpose Port.
+        pub mpp_dongle_removed: bool, //= RTE-8
+    }
+);
 
-/// Faults and warnings that reach the VCU from elsewhere (the fault diagnostics of 520h, section 2.2).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Reports {
-    /// HVIL or the shutdown circuit has an open circuit.
-    pub hvil_open: bool,
-    /// HVIL or the shutdown circuit has a short circuit.
-    pub hvil_short: bool,
-    /// The Emergency Braking System is faulty.
-    pub ebs_fault: bool,
-    /// The off-board charger is faulty.
-    pub offboard_charger_fault: bool,
-    /// The battery is being charged: a fault as soon as ASMS or TSMS is on.
-    pub charging: bool,
-    /// The traction battery is hot (a warning).
-    pub batt_temp_high: bool,
-    /// The traction battery's charge is low (a warning).
-    pub batt_soc_low: bool,
-}
+data!(
+    /// Faults and warnings that reach the VCU from elsewhere (the fault diagnostics of 520h, section 2.2).
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct Reports {
+        /// HVIL or the shutdown circuit has an open circuit.
+        pub hvil_open: bool,
+        /// HVIL or the shutdown circuit has a short circuit.
+        pub hvil_short: bool,
+        /// The Emergency Braking System is faulty.
+        pub ebs_fault: bool,
+        /// The off-board charger is faulty.
+        pub offboard_charger_fault: bool,
+        /// The battery is being charged: a fault as soon as ASMS or TSMS is on.
+        pub charging: bool,
+        /// The traction battery is hot (a warning).
+        pub batt_temp_high: bool,
+        /// The traction battery's charge is low (a warning).
+        pub batt_soc_low: bool,
+    }
+);
 
-/// The AI Computer's messages that the VCU acts on (section 2.1).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct AiMessages {
-    /// 510h.
-    pub status: Ai2VcuStatus,
-    /// 511h.
-    pub drive_f: Ai2VcuDriveF,
-    /// 512h.
-    pub drive_r: Ai2VcuDriveR,
-    /// 513h.
-    pub steer: Ai2VcuSteer,
-    /// 514h.
-    pub brake: Ai2VcuBrake,
-}
+data!(
+    /// The AI Computer's messages that the VCU acts on (section 2.1).
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct AiMessages {
+        /// 510h.
+        pub status: Ai2VcuStatus,
+        /// 511h.
+        pub drive_f: Ai2VcuDriveF,
+        /// 512h.
+        pub drive_r: Ai2VcuDriveR,
+        /// 513h.
+        pub steer: Ai2VcuSteer,
+        /// 514h.
+        pub brake: Ai2VcuBrake,
+    }
+);
 
 impl AiMessages {
     /// The identifiers of these messages, ascending.
@@ -177,37 +170,35 @@ impl AiMessages {
     }
 }
 
-/// What the vehicle's sensors and controllers measure. All but the steer angle and the wheel speeds is only reported.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Vehicle {
-    /// The actual steer angle, positive to the left.
-    pub steer_angle: SteerAngle,
-    /// The largest steer angle that is allowed.
-    pub steer_angle_max: SteerAngleMax,
-    /// The wheel speeds (525h).
-    pub wheel_speeds: Vcu2AiWheelSpeeds,
-    /// The pulse counts of the wheel speed sensors (526h).
-    pub wheel_counts: Vcu2AiWheelCounts,
-    /// The actual drive torque at the front axle.
-    pub front_axle_trq: AxleTorque,
-    /// The actual drive torque at the rear axle.
-    pub rear_axle_trq: AxleTorque,
-    /// The largest drive torque that is allowed at the front axle.
-    pub front_axle_trq_max: AxleTorqueRequest,
-    /// The largest drive torque that is allowed at the rear axle.
-    pub rear_axle_trq_max: AxleTorqueRequest,
-    /// The actual hydraulic pressure of the front brakes.
-    pub hyd_press_f: BrakePressure,
-    /// The actual hydraulic pressure of the rear brakes.
-    pub hyd_press_r: BrakePressure,
-    /// The actual speed of the vehicle.
-    pub speed: SpeedKmh,
-}
+data!(
+    /// What the vehicle's sensors and controllers measure. All but the steer angle and the wheel speeds is only reported.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct Vehicle {
+        /// The actual steer angle, positive to the left.
+        pub steer_angle: SteerAngle,
+        /// The largest steer angle that is allowed.
+        pub steer_angle_max: SteerAngleMax,
+        /// The wheel speeds (525h).
+        pub wheel_speeds: Vcu2AiWheelSpeeds,
+        /// The pulse counts of the wheel speed sensors (526h).
+        pub wheel_counts: Vcu2AiWheelCounts,
+        /// The actual drive torque at the front axle.
+        pub front_axle_trq: AxleTorque,
+        /// The actual drive torque at the rear axle.
+        pub rear_axle_trq: AxleTorque,
+        /// The largest drive torque that is allowed at the front axle.
+        pub front_axle_trq_max: AxleTorqueRequest,
+        /// The largest drive torque that is allowed at the rear axle.
+        pub rear_axle_trq_max: AxleTorqueRequest,
+        /// The actual hydraulic pressure of the front brakes.
+        pub hyd_press_f: BrakePressure,
+        /// The actual hydraulic pressure of the rear brakes.
+        pub hyd_press_r: BrakePressure,
+        /// The actual speed of the vehicle.
+        pub speed: SpeedKmh,
+    }
+);
 
 impl Inputs {
     /// The inputs nearest to these that an edition's messages can hold: steer angles within its own range, which may be

@@ -56,6 +56,7 @@ pub mod belief;
 mod bus;
 mod conditions;
 mod control;
+mod derives;
 mod edition;
 pub mod editions;
 pub mod export;

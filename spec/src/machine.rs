@@ -12,6 +12,7 @@
 
 use crate::atoms::{Atom, Atoms};
 use crate::control::Control;
+use crate::derives::data;
 use crate::edition::{Edition, Rules};
 use crate::faults::{Fault, Faults};
 use crate::handshake::{Handshake, count_up};
@@ -49,17 +50,16 @@ struct Arrow {
     taken: Taken,
 }
 
-/// Which row of the table was taken, and which alternative of its guard decided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Taken {
-    /// The index into [`Table::rows`].
-    pub row: u8,
-    /// The index into [`Row::terms`].
-    pub term: u8,
-}
+data!(
+    /// Which row of the table was taken, and which alternative of its guard decided.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub struct Taken {
+        /// The index into [`Table::rows`].
+        pub row: u8,
+        /// The index into [`Row::terms`].
+        pub term: u8,
+    }
+);
 
 impl Taken {
     /// The row that was taken.

@@ -3,6 +3,7 @@
 use crate::assi::Assi;
 use crate::atoms::Atoms;
 use crate::bus::Bus;
+use crate::derives::data;
 use crate::faults::{Fault, Faults};
 use crate::inputs::Inputs;
 use crate::machine::{Machine, Taken};
@@ -16,63 +17,61 @@ use crate::messages::{
 use crate::silence::AiSilence;
 use crate::table::{Row, Term};
 
-/// The outcome of one step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Outputs {
-    /// The state before the step.
-    pub from: AsState,
-    /// The state after the step.
-    pub state: AsState,
-    /// The row of Figure 2 that was taken and the term that decided; `None` if the state stays.
-    pub taken: Option<Taken>,
-    /// The conditions as the guards saw them.
-    pub atoms: Atoms,
-    /// The fault flags of 520h.
-    pub faults: Faults,
-    /// `SHUTDOWN_CAUSE` of 520h.
-    pub shutdown_cause: ShutdownCause,
-    /// The HANDSHAKE bit of 520h.
-    pub handshake: bool,
-    /// `GO_SIGNAL` of 520h.
-    pub go_signal: bool,
-    /// The HANDSHAKE bit has been unanswered for too long.
-    pub handshake_lost: bool,
-    /// The silence, in milliseconds, from which a message of the AI Computer counts as missed at this step; `None` while
-    /// nobody watches.
-    pub missed_ms: Option<u16>,
-}
+data!(
+    /// The outcome of one step.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub struct Outputs {
+        /// The state before the step.
+        pub from: AsState,
+        /// The state after the step.
+        pub state: AsState,
+        /// The row of Figure 2 that was taken and the term that decided; `None` if the state stays.
+        pub taken: Option<Taken>,
+        /// The conditions as the guards saw them.
+        pub atoms: Atoms,
+        /// The fault flags of 520h.
+        pub faults: Faults,
+        /// `SHUTDOWN_CAUSE` of 520h.
+        pub shutdown_cause: ShutdownCause,
+        /// The HANDSHAKE bit of 520h.
+        pub handshake: bool,
+        /// `GO_SIGNAL` of 520h.
+        pub go_signal: bool,
+        /// The HANDSHAKE bit has been unanswered for too long.
+        pub handshake_lost: bool,
+        /// The silence, in milliseconds, from which a message of the AI Computer counts as missed at this step; `None` while
+        /// nobody watches.
+        pub missed_ms: Option<u16>,
+    }
+);
 
-/// What reaches the actuators (sections 3.2, 3.3).
-///
-/// Drive and steering requests do so in `AS_DRIVING` only. Brake requests do in every state but `AS_OFF`, where the
-/// brakes are the driver's; in `EMERGENCY_BRAKE` the Emergency Braking System brakes fully whatever is asked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct Actuation {
-    /// The drive torque of the front axle.
-    pub front_axle_trq: AxleTorqueRequest,
-    /// The speed limit of the front motor.
-    pub front_motor_speed_max: MotorSpeedMax,
-    /// The drive torque of the rear axle.
-    pub rear_axle_trq: AxleTorqueRequest,
-    /// The speed limit of the rear motor.
-    pub rear_motor_speed_max: MotorSpeedMax,
-    /// The direction of driving.
-    pub direction: DirectionRequest,
-    /// The steer angle to go to; `None` if the steering is not active.
-    pub steer: Option<SteerAngle>,
-    /// The hydraulic pressure of the front brakes.
-    pub hyd_press_f: BrakePressure,
-    /// The hydraulic pressure of the rear brakes.
-    pub hyd_press_r: BrakePressure,
-    /// The Emergency Braking System is triggered.
-    pub ebs_triggered: bool,
-}
+data!(
+    /// What reaches the actuators (sections 3.2, 3.3).
+    ///
+    /// Drive and steering requests do so in `AS_DRIVING` only. Brake requests do in every state but `AS_OFF`, where the
+    /// brakes are the driver's; in `EMERGENCY_BRAKE` the Emergency Braking System brakes fully whatever is asked.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub struct Actuation {
+        /// The drive torque of the front axle.
+        pub front_axle_trq: AxleTorqueRequest,
+        /// The speed limit of the front motor.
+        pub front_motor_speed_max: MotorSpeedMax,
+        /// The drive torque of the rear axle.
+        pub rear_axle_trq: AxleTorqueRequest,
+        /// The speed limit of the rear motor.
+        pub rear_motor_speed_max: MotorSpeedMax,
+        /// The direction of driving.
+        pub direction: DirectionRequest,
+        /// The steer angle to go to; `None` if the steering is not active.
+        pub steer: Option<SteerAngle>,
+        /// The hydraulic pressure of the front brakes.
+        pub hyd_press_f: BrakePressure,
+        /// The hydraulic pressure of the rear brakes.
+        pub hyd_press_r: BrakePressure,
+        /// The Emergency Braking System is triggered.
+        pub ebs_triggered: bool,
+    }
+);
 
 impl Actuation {
     /// The requirements of section 3 behind what reaches the actuators in a state, and the decisions where it has none, as
@@ -88,33 +87,32 @@ impl Actuation {
     }
 }
 
-/// Every message that the VCU sends after a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct VcuMessages {
-    /// 520h.
-    pub status: Vcu2AiStatus,
-    /// 521h.
-    pub drive_f: Vcu2AiDriveF,
-    /// 522h.
-    pub drive_r: Vcu2AiDriveR,
-    /// 523h.
-    pub steer: Vcu2AiSteer,
-    /// 524h.
-    pub brake: Vcu2AiBrake,
-    /// 525h.
-    pub wheel_speeds: Vcu2AiWheelSpeeds,
-    /// 526h.
-    pub wheel_counts: Vcu2AiWheelCounts,
-    /// 500h.
-    pub log_dynamics: Vcu2LogDynamics1,
-    /// 120h, which version 3.0 does not have.
-    pub vcu_status: VcuStatus,
-    /// 502h, which is sent less often: see [`MessageDef::cycle_ms`](crate::messages::MessageDef::cycle_ms).
-    pub log_status: Vcu2LogStatus,
-}
+data!(
+    /// Every message that the VCU sends after a step.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub struct VcuMessages {
+        /// 520h.
+        pub status: Vcu2AiStatus,
+        /// 521h.
+        pub drive_f: Vcu2AiDriveF,
+        /// 522h.
+        pub drive_r: Vcu2AiDriveR,
+        /// 523h.
+        pub steer: Vcu2AiSteer,
+        /// 524h.
+        pub brake: Vcu2AiBrake,
+        /// 525h.
+        pub wheel_speeds: Vcu2AiWheelSpeeds,
+        /// 526h.
+        pub wheel_counts: Vcu2AiWheelCounts,
+        /// 500h.
+        pub log_dynamics: Vcu2LogDynamics1,
+        /// 120h, which version 3.0 does not have.
+        pub vcu_status: VcuStatus,
+        /// 502h, which is sent less often: see [`MessageDef::cycle_ms`](crate::messages::MessageDef::cycle_ms).
+        pub log_status: Vcu2LogStatus,
+    }
+);
 
 impl Outputs {
     /// The row of Figure 2 that was taken.

@@ -5,29 +5,28 @@
 //! whether the longest silence has reached the limit, and the VCU's memory has no counter for it.
 
 use crate::atoms::{Atom, Atoms};
+use crate::derives::data;
 use crate::edition::Thresholds;
 use crate::messages::{Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer};
 
-/// For how long there has been no valid message of each kind from the AI Computer, in milliseconds; before the first one,
-/// since the VCU started. The default is that all have just come.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub struct AiSilence {
-    /// 510h.
-    pub status_silence_ms: u16,
-    /// 511h.
-    pub drive_f_silence_ms: u16,
-    /// 512h.
-    pub drive_r_silence_ms: u16,
-    /// 513h.
-    pub steer_silence_ms: u16,
-    /// 514h.
-    pub brake_silence_ms: u16,
-}
+data!(
+    /// For how long there has been no valid message of each kind from the AI Computer, in milliseconds; before the first one,
+    /// since the VCU started. The default is that all have just come.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+    pub struct AiSilence {
+        /// 510h.
+        pub status_silence_ms: u16,
+        /// 511h.
+        pub drive_f_silence_ms: u16,
+        /// 512h.
+        pub drive_r_silence_ms: u16,
+        /// 513h.
+        pub steer_silence_ms: u16,
+        /// 514h.
+        pub brake_silence_ms: u16,
+    }
+);
 
 impl AiSilence {
     /// The atom that the silence decides.

@@ -3,22 +3,21 @@
 use core::fmt;
 
 use crate::Atoms;
+use crate::derives::data;
 
-/// True, false, or unknown: Kleene's three values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub enum Truth {
-    /// It does not hold, whatever the unseen is.
-    False,
-    /// It may hold or not, as the unseen decides.
-    Unknown,
-    /// It holds, whatever the unseen is.
-    True,
-}
+data!(
+    /// True, false, or unknown: Kleene's three values.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum Truth {
+        /// It does not hold, whatever the unseen is.
+        False,
+        /// It may hold or not, as the unseen decides.
+        Unknown,
+        /// It holds, whatever the unseen is.
+        True,
+    }
+);
 
 impl Truth {
     /// Both hold.

@@ -47,22 +47,23 @@ fn crate_of(file: &str) -> String {
     name.strip_suffix(".rs").unwrap_or(&name).to_owned()
 }
 
-/// The types that a file defines, those of inline modules as well; what a function defines for itself is its own. The file is
-/// as rustfmt leaves it: what stands in a module is four columns further in than the module.
+/// The types that a file defines, those of inline modules and those that a macro such as `data!` takes as well; what a function
+/// defines for itself is its own. The file is as rustfmt leaves it: what stands in a module is four columns further in than the
+/// module.
 fn types(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut depth = 0;
     for line in text.lines() {
         let code = line.trim_start();
         let indent = line.len() - code.len();
-        if code == "}" && indent + INDENT == depth {
+        if matches!(code, "}" | ");") && indent + INDENT == depth {
             depth = indent;
         }
         if indent != depth {
             continue;
         }
         let code = without_visibility(code);
-        if code.starts_with("mod ") && code.ends_with('{') {
+        if code.starts_with("mod ") && code.ends_with('{') || code.ends_with("!(") {
             depth += INDENT;
         } else if let Some(rest) = KINDS.iter().find_map(|kind| code.strip_prefix(kind)) {
             let name = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next();
@@ -115,6 +116,8 @@ fn a_second_type_of_a_name_is_found_in_its_crate_alone() {
         ("one/src/lib.rs", "pub struct Line;\nfn f() {\n    struct Word;\n}"),
         ("one/src/deep/word.rs", "enum Word {}\nmod tests {\n    trait Line {}\n}"),
         ("one/tests/word.rs", "type Word = u8;"),
+        ("one/src/part.rs", "data!(\n    pub struct Part {\n        a: u8,\n    }\n);\nstruct Whole;"),
+        ("one/src/parts.rs", "fn f() {}\nstruct Part;\nenum Whole {}"),
         ("two/src/lib.rs", "union Line { a: u8 }"),
         (
             "two/src/bin/line/main.rs",
@@ -131,6 +134,8 @@ fn a_second_type_of_a_name_is_found_in_its_crate_alone() {
     let files = |files: [&str; 2]| files.map(str::to_owned).to_vec();
     let expected = [
         (("one/src", "Line"), files(["one/src/lib.rs", "one/src/deep/word.rs"])),
+        (("one/src", "Part"), files(["one/src/part.rs", "one/src/parts.rs"])),
+        (("one/src", "Whole"), files(["one/src/part.rs", "one/src/parts.rs"])),
         (("two/src/bin/line", "Twice"), files(["two/src/bin/line/twice.rs", "two/src/bin/line/once.rs"])),
     ];
     let found: Vec<_> = repeated(&places).into_iter().map(|(what, files)| (what, files.to_vec())).collect();

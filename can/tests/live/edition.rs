@@ -6,7 +6,7 @@ use adsdv_can::live::{AiComputer, Vcu};
 use adsdv_can::status::{HappeningKind, Status};
 use adsdv_oracle::candump::FrameKind;
 use adsdv_spec::messages::Node;
-use adsdv_spec::{Edition, Machine, Rules, Timing};
+use adsdv_spec::{AiMessages, Edition, Machine, Rules, Timing};
 
 use super::{Bench, count, happenings, ms, run};
 
@@ -77,7 +77,7 @@ fn said(status: &Status, of: Node) -> Vec<(u64, Vec<&'static str>)> {
 
 /// The lengths of what an AI Computer sends.
 fn lens(edition: &Edition) -> Vec<(u16, u8)> {
-    let messages = edition.bus.messages.iter().filter(|message| (0x510..=0x514).contains(&message.id));
+    let messages = edition.bus.messages.iter().filter(|message| AiMessages::IDS.contains(&message.id));
     messages.map(|message| (message.id, message.len)).collect()
 }
 

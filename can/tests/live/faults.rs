@@ -247,13 +247,11 @@ fn garbage_of_the_ai_computer_is_refused_and_reported() {
 
     let bench = Bench::new();
     let mut vcu = vcu(&bench, "");
-    let (mut seed, mut refused) = (1_u64, 0);
+    let (mut random, mut refused) = (fastrand::Rng::with_seed(1), 0);
     for at in 0..5000 {
-        // A generator of Knuth's: any garbage will do.
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let bytes = seed.to_be_bytes();
+        let bytes = random.u64(..).to_be_bytes();
         let id = 0x510 + (at % 5) as u16;
-        let data = &bytes[..usize::from(bytes[1] % 9)];
+        let data = &bytes[..random.usize(..=8)];
         refused += u64::from(adsdv_spec::Edition::DEFAULT.bus.decode(id, data).is_err());
         bench.frame_comes(ms(at), FrameKind::Standard, id.into(), data);
     }

@@ -11,8 +11,8 @@ use adsdv_can::scenario::Scenario;
 use adsdv_oracle::candump::{FrameKind, Reader, write_dropped, write_record};
 use adsdv_oracle::judge::{Finding, Report, Rule, Severity, Transition};
 use adsdv_oracle::log::{LogError, LogOptions, judge_log, judge_recognised};
-use adsdv_spec::Edition;
 use adsdv_spec::messages::{AsState, Vcu2AiStatus};
+use adsdv_spec::{AiMessages, Edition};
 
 use super::bench::{encoded, received};
 use super::{Bench, mission, ms, run};
@@ -103,7 +103,7 @@ fn both_sides(edition: &'static Edition) -> Vec<Received> {
 #[test]
 fn watch_recognises_the_edition_that_check_recognises_in_the_recorded_log() -> Result<(), Box<dyn Error>> {
     let ai_first = |frames: &[Received], alone: i64| -> Vec<Received> {
-        let is_ai = |frame: &Received| (0x510..=0x514).contains(&frame.id);
+        let is_ai = |frame: &Received| AiMessages::IDS.iter().any(|&id| frame.id == u32::from(id));
         let later = |frame: &Received| Received { time_ns: frame.time_ns + alone, ..*frame };
         let ai = frames.iter().filter(|frame| is_ai(frame) && frame.time_ns < ORIGIN + alone).copied();
         ai.chain(frames.iter().map(later)).collect()
@@ -234,18 +234,6 @@ fn a_bus_without_a_frame_has_no_report() {
     assert!(matches!(watch.finish(), Err(LogError::NoFrame { .. })));
 }
 
-/// A small generator of pseudo-random numbers (xorshift64*), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: i64) -> i64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33).cast_signed() % bound
-    }
-}
-
 /// The same as `check` says of the log, whatever happens between the frames.
 fn assert_same(live: &Report, log: &[u8], what: &str) -> Result<(), Box<dyn Error>> {
     let recorded = judge_log(log, &LogOptions::default(), |_| {})?;
@@ -266,20 +254,20 @@ fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> 
     let frames = traffic();
     let (mut silences, mut losses, mut gaps) = (0, 0, 0);
     for round in 0..60 {
-        let mut random = Random(0x0AD5_D001 + round);
+        let mut random = fastrand::Rng::with_seed(0x0AD5_D001 + round);
         let mut watch = Watch::new("vcan0", LogOptions::default());
         let mut log = Vec::new();
         let (mut later, mut dropped, mut skip) = (0, 0, 0);
         let mut last = ORIGIN;
         for frame in &frames {
             // The bus is silent from time to time, for as long as to be noticed, or not.
-            if random.below(400) == 0 {
-                later += random.below(600) * MS;
+            if random.u32(..400) == 0 {
+                later += random.i64(0..600) * MS;
                 silences += 1;
             }
             // Or frames are lost, one or many, once or time and again.
-            if skip == 0 && random.below(if dropped % 2 == 1 { 20 } else { 600 }) == 0 {
-                skip = 1 + random.below(40);
+            if skip == 0 && random.u32(..if dropped % 2 == 1 { 20 } else { 600 }) == 0 {
+                skip = random.i32(1..=40);
             }
             if skip > 0 {
                 skip -= 1;
@@ -290,7 +278,7 @@ fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> 
             // The thread that listens reports silence every 50 ms or so, and never where a frame came.
             let mut now = last;
             while now < frame.time_ns {
-                now += 1 + random.below(120 * MS);
+                now += random.i64(1..=120 * MS);
                 if now - 100 * MS < frame.time_ns {
                     watch.silence(now);
                 }
@@ -304,7 +292,7 @@ fn silences_and_losses_are_judged_as_in_the_log() -> Result<(), Box<dyn Error>> 
             write_record(&mut log, &logged.record("vcan0"))?;
             watch.news();
         }
-        watch.silence(last + random.below(1000) * MS);
+        watch.silence(last + random.i64(0..1000) * MS);
         let live = watch.finish()?;
         gaps += live.findings.iter().filter(|finding| finding.seen.contains("lost")).count();
         assert_same(&live, &log, &format!("round {round}"))?;

@@ -132,12 +132,11 @@ fn go_that_a_vcu_in_a_late_recording_does_not_hear() {
     };
     let log: Vec<String> = log.lines().map(&mut deaf).collect();
     // The recorder is late by up to 9 ms.
-    let mut random = 0_u32;
+    let mut random = fastrand::Rng::with_seed(1);
     let mut late = |line: &str| {
         let (time, rest) = line.split_once(' ').expect("a time");
         let us: u64 = time.trim_matches(['(', ')']).replace('.', "").parse().expect("a time");
-        random = random.wrapping_mul(1_103_515_245).wrapping_add(12345);
-        (us + u64::from(random >> 16) % 9000, rest.to_owned())
+        (us + random.u64(..9000), rest.to_owned())
     };
     let mut lines: Vec<(u64, String)> = log.iter().map(|line| late(line)).collect();
     lines.sort_by_key(|(us, _)| *us);

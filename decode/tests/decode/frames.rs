@@ -37,20 +37,14 @@ pub(crate) fn decode(log: &str, catalog: &Catalog, format: Format) -> (String, S
 
 /// Random frames of every message of a catalog, so many of each, from a fixed seed.
 pub(crate) fn random(catalog: &Catalog, each: usize) -> String {
-    let mut state = 0x2545_F491_4F6C_DD1D_u64;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state
-    };
+    let mut random = fastrand::Rng::with_seed(1);
     let (mut log, mut time) = (String::new(), 0);
     for _ in 0..each {
         for message in catalog.messages() {
             time += 1;
             let _ = write!(log, "(1.{time:06}) can0 {}#", message.id_text());
             for _ in 0..message.len {
-                let _ = write!(log, "{:02X}", next() >> 32 & 0xFF);
+                let _ = write!(log, "{:02X}", random.u8(..));
             }
             log.push('\n');
         }

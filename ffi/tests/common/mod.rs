@@ -79,7 +79,7 @@ impl Run {
     }
 
     pub(crate) fn of(edition: &'static Edition, seed: u64) -> Self {
-        Self { random: Random(seed), edition, fields: Protocol::of(edition).inputs().collect() }
+        Self { random: Random::with_seed(seed), edition, fields: Protocol::of(edition).inputs().collect() }
     }
 
     /// What is only passed on, and so not in the protocol: any value of each.

@@ -1,9 +1,11 @@
 //! The bus: real frames that have been sent and have not arrived yet.
 
+use adsdv_spec::AiMessages;
 use adsdv_spec::messages::Frame;
 
-/// How many messages a sender has that matter to the other one: 510h to 514h, and 520h, 521h, 522h, 524h and 525h.
-const MESSAGES: usize = 5;
+/// How many messages a sender has that matter to the other one: those of the AI Computer, and as many of the VCU, which are
+/// 520h, 521h, 522h, 524h and 525h.
+const MESSAGES: usize = AiMessages::IDS.len();
 
 /// Both directions of the bus.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

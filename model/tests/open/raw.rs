@@ -82,7 +82,7 @@ fn random_raw_inputs_stay_within_what_was_explored() {
     let machine = Machine::REFERENCE;
     let cycle_ms = u32::from(Edition::DEFAULT.rules.timing.cycle_ms);
     let explored = reachable(&machine, Vectors::Read);
-    let mut random = Random(3);
+    let mut random = Random::with_seed(3);
     let (mut control, mut inputs) = (Control::INITIAL, Inputs::default());
     let mut arrows = vec![0_u32; machine.edition().rules.table.rows().len()];
     for step in 0..4_000_000 {

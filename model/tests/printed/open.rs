@@ -53,7 +53,7 @@ const STEPS: u64 = 100_000;
 /// Steps of the reference, of those that err, and of VCUs that do anything at all: which properties each breaks.
 #[test]
 fn the_steps_that_break_a_property() {
-    let mut random = Random(3);
+    let mut random = Random::with_seed(3);
     let machines: Vec<Machine> = machines(1).map(|(_, machine)| machine).collect();
     let all = reachable(&SHORT, SHORT_TIMERS, Vectors::Few);
     let controls = AsState::ALL.map(|state| {

@@ -86,7 +86,7 @@ fn machines() -> impl Iterator<Item = Machine> {
 
 /// The chance of one machine: other chance for each, and for each seed.
 fn chance(place: u64) -> Random {
-    Random(seed().wrapping_mul(1 << 32).wrapping_add(place))
+    Random::with_seed(seed().wrapping_mul(1 << 32).wrapping_add(place))
 }
 
 #[test]

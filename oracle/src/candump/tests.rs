@@ -70,29 +70,25 @@ fn outline(seen: &[OwnedEntry]) -> Vec<Result<u64, u64>> {
         .collect()
 }
 
-/// A small generator of pseudo-random numbers (xorshift64*), so that a failure can be repeated.
-struct Random(u64);
+/// What is drawn from a seed, so that a failure can be repeated.
+struct Random(fastrand::Rng);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
+    fn with_seed(seed: u64) -> Self {
+        Self(fastrand::Rng::with_seed(seed))
     }
 
     fn below(&mut self, bound: usize) -> usize {
-        (self.next() >> 33) as usize % bound
+        self.0.usize(..bound)
     }
 
     /// Of up to 29 bits, short ones as likely as long ones.
     fn identifier(&mut self) -> u32 {
-        let [.., a, b, c, d] = self.next().to_be_bytes();
-        u32::from_be_bytes([a, b, c, d]) >> (3 + self.below(29))
+        self.0.u32(..) >> self.0.u32(3..32)
     }
 
     fn bytes(&mut self, len: usize) -> Vec<u8> {
-        (0..len).map(|_| self.next().to_be_bytes()[0]).collect()
+        (0..len).map(|_| self.0.u8(..)).collect()
     }
 
     /// Bytes that a log is made of, so that rubbish comes close to being a frame.
@@ -168,7 +164,7 @@ fn the_mark_of_utf_8_costs_no_line() {
         ([b"\xef\xbb", GOOD].concat(), vec![Err(1)]),
     ] {
         assert_eq!(outline(&self::read(&log)), read, "{}", log.escape_ascii());
-        let (seen, error) = read_all(Trickle(&log, Random(3)));
+        let (seen, error) = read_all(Trickle(&log, Random::with_seed(3)));
         assert!(error.is_none());
         assert_eq!(outline(&seen), read, "{}", log.escape_ascii());
     }
@@ -286,7 +282,7 @@ fn an_endless_line_is_one_broken_line() {
     for len in [MAX_LINE - 1, MAX_LINE, MAX_LINE + 1, 127 * 1024, 128 * 1024, 129 * 1024, 3_000_000] {
         let endless = vec![b'7'; len];
         let log = [GOOD, &endless, GOOD].join(&b'\n');
-        let trickled = read_all(Trickle(&log, Random(len as u64))).0;
+        let trickled = read_all(Trickle(&log, Random::with_seed(len as u64))).0;
         for seen in [read(&log), trickled] {
             assert_eq!(outline(&seen), [Ok(1), Err(2), Ok(3)], "{len}");
             let OwnedEntry::Broken(error) = &seen[1] else { unreachable!("the outline says so") };
@@ -360,7 +356,7 @@ fn a_failing_source_costs_no_line_before_the_failure() {
 
 #[test]
 fn rubbish_never_panics_and_never_hides_a_line() {
-    let mut random = Random(0x0AD5_D001);
+    let mut random = Random::with_seed(0x0AD5_D001);
     for round in 0..3_000 {
         let (mut log, mut expected, mut lines) = (Vec::new(), Vec::new(), 0);
         for _ in 0..random.below(6) {
@@ -369,7 +365,7 @@ fn rubbish_never_panics_and_never_hides_a_line() {
             lines += memchr::memchr_iter(b'\n', &rubbish).count() as u64;
             log.extend(rubbish);
             log.push(b'\n');
-            let time = (random.next() >> 1).cast_signed();
+            let time = random.0.i64(0..);
             let id = random.identifier();
             let len = random.below(9);
             let data = random.bytes(len);
@@ -388,7 +384,7 @@ fn rubbish_never_panics_and_never_hides_a_line() {
             frames.filter(|frame| expected.iter().any(|(line, ..)| *line == frame.0)).collect();
         assert_eq!(frames, expected, "{}", log.escape_ascii());
         // And it does not matter in what pieces the log arrives.
-        assert_eq!(read_all(Trickle(&log, Random(round + 1))).0, seen);
+        assert_eq!(read_all(Trickle(&log, Random::with_seed(round + 1))).0, seen);
     }
 }
 
@@ -407,9 +403,9 @@ fn a_changed_byte_breaks_at_most_its_own_line() {
 
 #[test]
 fn what_is_written_is_read_back() {
-    let mut random = Random(0x0AD5_D002);
+    let mut random = Random::with_seed(0x0AD5_D002);
     for _ in 0..20_000 {
-        let time_ns = (random.next() >> (1 + random.below(63))).cast_signed();
+        let time_ns = random.0.i64(0..) >> random.0.u32(..63);
         let interface = ["vcan0", "can0", "any", "slcan12", "can-π", "520#00"][random.below(6)];
         let id = random.identifier();
         let len = random.below(9);

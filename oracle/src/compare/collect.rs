@@ -2,16 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use adsdv_spec::AsState;
-use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, MessageDef, SignalDef,
-};
+use adsdv_spec::messages::{Ai2VcuStatus, MessageDef, SignalDef};
+use adsdv_spec::{AiMessages, AsState};
 
 use super::cycle::Cycle;
 use crate::judge::Judge;
 
-/// The messages whose signals are numbers that the AI Computer requests.
-const REQUESTS: [u16; 4] = [Ai2VcuDriveF::ID, Ai2VcuDriveR::ID, Ai2VcuSteer::ID, Ai2VcuBrake::ID];
 /// What it says in 510h that leads from state to state.
 const SAYS: [&str; 3] = ["mission_status", "direction_request", "estop_request"];
 /// So many values of a sequence are kept.
@@ -106,12 +102,12 @@ impl Collector {
         }
         let requests = self.collected.requests.last_mut().filter(|_| self.states <= MOST);
         if let (Some((_, since)), Some(message), Some(requests)) = (self.state, message, requests) {
-            if message.id == Ai2VcuStatus::ID {
-                requests.says(message, data);
-            }
             // What was requested before the AI Computer could know of the state is about the one before.
-            if t - since > judge.window_ns() && REQUESTS.contains(&message.id) {
-                requests.requests(message, data);
+            let may_know = t - since > judge.window_ns();
+            match message.id {
+                Ai2VcuStatus::ID => requests.says(message, data),
+                id if may_know && AiMessages::IDS.contains(&id) => requests.requests(message, data),
+                _ => {}
             }
         }
     }
@@ -160,7 +156,7 @@ impl Range {
 #[cfg(test)]
 fn is_complete(bus: &adsdv_spec::Bus) -> bool {
     let says = bus.message(Ai2VcuStatus::ID);
-    REQUESTS.iter().all(|id| bus.message(*id).is_some())
+    AiMessages::IDS.iter().all(|id| bus.message(*id).is_some())
         && says.is_some_and(|message| SAYS.iter().all(|field| message.signal_of(field).is_some()))
 }
 
@@ -178,13 +174,17 @@ mod tests {
         }
     }
 
-    /// Frames of a VCU in this state, and of an AI Computer that requests this torque.
+    /// Frames of a VCU in this state, and of an AI Computer that requests this torque and reports laps and a speed.
     fn collected(state: u8, torques: &[u8]) -> Collected {
         let mut judge = Judge::new(JudgeOptions::default());
         let mut collector = Collector::default();
         for (torque, ms) in torques.iter().zip((0..).step_by(10)) {
-            for (id, data) in [(0x520, [0, 0, state, 0, 0, 0, 0, 0]), (0x511, [*torque, 0, 0, 0, 0, 0, 0, 0])]
-            {
+            let frames = [
+                (0x520, [0, 0, state, 0, 0, 0, 0, 0]),
+                (0x510, [0, 0, 1, 0, 0, 0, *torque, 0]),
+                (0x511, [*torque, 0, 0, 0, 0, 0, 0, 0]),
+            ];
+            for (id, data) in frames {
                 judge.frame(ms * 1_000_000, id, &data);
                 collector.frame(&judge, id, &data);
             }
@@ -204,6 +204,13 @@ mod tests {
         );
         let seen = collected.ids.get(&0x511).expect("it came");
         assert_eq!((seen.count, seen.lengths), (8, 1 << 8));
+    }
+
+    #[test]
+    fn the_numbers_that_510h_reports_are_no_requests() {
+        let collected = collected(2, &[4; 8]);
+        let ranges = &collected.requests.first().expect("it lasts").ranges;
+        assert!(ranges.iter().all(|range| range.id == 0x511), "{ranges:?}");
     }
 
     #[test]

@@ -5,28 +5,21 @@ use adsdv_spec::messages::{
     SteerAngle, WheelSpeed,
 };
 use adsdv_spec::{Control, Inputs, Machine, Reports, ShutdownCircuit};
+use fastrand::Rng;
 
 use crate::compare::{self, Count, Disagreement, ROWS};
 
-/// A small deterministic generator (SplitMix64), so that a failure can be repeated.
-pub(crate) struct Prng(u64);
+/// Chance that is the same for the same seed, so that a failure can be repeated.
+pub(crate) struct Prng(Rng);
 
 impl Prng {
     pub(crate) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
+        Self(Rng::with_seed(seed))
     }
 
     /// A number from 0 to below the limit.
     fn below(&mut self, limit: usize) -> usize {
-        usize::try_from(self.next() >> 33).unwrap_or_default() % limit
+        self.0.usize(..limit)
     }
 
     /// One of the values.

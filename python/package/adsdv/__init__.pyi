@@ -347,6 +347,7 @@ class _ScenarioOutcome(TypedDict):
     duration: float
     frames: int
     findings: int
+    exercised: list[str]
     stuck: str | None
 
 class _Action(TypedDict):

@@ -157,8 +157,9 @@ impl PyReport {
         self.get(py, "findings")
     }
 
-    /// The scenarios, in their order, as dicts: name, about, duration (in seconds of simulated time), frames, findings (how many) and
-    /// stuck (what it waited for in vain, if it came to no end).
+    /// The scenarios, in their order, as dicts: name, about, duration (in seconds of simulated time), frames, findings (how many),
+    /// exercised (the requirements that it put to the test, kept or broken) and stuck (what it waited for in vain, if it came to no
+    /// end).
     #[getter]
     fn scenarios<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.get(py, "scenarios")

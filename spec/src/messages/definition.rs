@@ -5,21 +5,20 @@ use core::fmt;
 use super::bits::{self, FRAME_BYTES};
 use super::content::same;
 use super::{Decimal, FieldDef, OutOfRange, Scale, SignalValue};
+use crate::derives::data;
 
-/// Who sends a message.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(kani, derive(kani::Arbitrary))]
-#[cfg_attr(feature = "arbitrary", derive(arbitrary::Arbitrary))]
-#[cfg_attr(feature = "proptest", derive(proptest_derive::Arbitrary))]
-pub enum Node {
-    /// The AI Computer.
-    #[cfg_attr(feature = "serde", serde(rename = "AI"))]
-    Ai,
-    /// The Vehicle Control Unit.
-    #[cfg_attr(feature = "serde", serde(rename = "VCU"))]
-    Vcu,
-}
+data!(
+    /// Who sends a message.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Node {
+        /// The AI Computer.
+        #[cfg_attr(feature = "serde", serde(rename = "AI"))]
+        Ai,
+        /// The Vehicle Control Unit.
+        #[cfg_attr(feature = "serde", serde(rename = "VCU"))]
+        Vcu,
+    }
+);
 
 impl Node {
     /// The name of the node in the CAN database.

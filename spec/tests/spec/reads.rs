@@ -70,7 +70,7 @@ impl Random {
 
 #[test]
 fn a_step_depends_on_nothing_but_what_it_reads() {
-    let mut random = Random(0x0A15_D5DE);
+    let mut random = Random::with_seed(0x0A15_D5DE);
     let machines: Vec<Machine> = Edition::ALL
         .iter()
         .flat_map(|edition| {
@@ -118,7 +118,7 @@ fn what_cannot_matter_is_not_read() {
 /// What is possible is asked of one alternative, or of all: the answers are the same.
 #[test]
 fn the_possible_alternatives_are_those_of_which_each_is_possible() {
-    let mut random = Random(0x0A15_D5DF);
+    let mut random = Random::with_seed(0x0A15_D5DF);
     let (mut open, mut all) = (0, 0);
     let machines = Edition::ALL.iter().flat_map(|edition| {
         edition.choices.combinations(Reading::ALL).map(|readings| Machine::new(**edition, readings))

@@ -71,7 +71,7 @@ impl Drop for Running<'_> {
 pub fn random(count: u64, body: fn(&[u8])) {
     body(&[]);
     let seed = seed::seed();
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     let mut input = Vec::new();
     for _ in 0..count {
         input.clear();

@@ -257,7 +257,7 @@ fn with(before: &[u8], behind: &[u8]) -> Vec<u8> {
 }
 
 fn any_bytes(seed: u64, len: u16) -> Vec<u8> {
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     (0..len).map(|_| random.bits().to_le_bytes()[0]).collect()
 }
 

@@ -4,7 +4,7 @@ use adsdv_spec::messages::{
     AmiState, AxleTorqueRequest, BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle,
     WheelSpeed,
 };
-use adsdv_spec::{Choice, Edition, Readings};
+use adsdv_spec::{AiMessages, Choice, Edition, Readings};
 
 use super::{MS, World};
 
@@ -90,7 +90,7 @@ impl World {
             1 => self.ai.brake.hyd_press_r_req = BrakePressure::clamped(chance.pick(&[0, 0, 1, 200])),
             2 => self.inputs.sdc.bms_fault = chance.one_in(4),
             3 => self.mutes.clear(),
-            _ => self.mutes.push(chance.pick(&[0x510, 0x511, 0x512, 0x513, 0x514])),
+            _ => self.mutes.push(chance.pick(&AiMessages::IDS)),
         }
     }
 

@@ -42,7 +42,7 @@ impl World {
 
     /// The recording with each time stamp late by up to `jitter`, and one in `loss` frames lost.
     pub fn disturbed(&self, seed: u64, jitter: i64, loss: u64) -> Vec<Recorded> {
-        let mut random = Random(seed);
+        let mut random = Random::with_seed(seed);
         // A recorder may swap messages, but not two of the same identifier.
         let mut last = HashMap::new();
         let mut log: Vec<Recorded> = self

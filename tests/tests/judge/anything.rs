@@ -189,7 +189,7 @@ const RUNS: u64 = 300;
 
 /// The recording of this number, how it is judged, and what chance comes to next.
 fn anything(seed: u64) -> (Vec<Recorded>, JudgeOptions, Random) {
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     let world = any_run(&mut random);
     let log = any_recording(&mut random, &world);
     let options = any_options(&mut random, &world);
@@ -208,7 +208,7 @@ fn the_live_judge_says_what_the_judge_of_a_log_says() {
 #[test]
 fn losing_frames_adds_no_violation() {
     for seed in 0..4 * RUNS {
-        let mut random = Random(seed);
+        let mut random = Random::with_seed(seed);
         let world = any_run(&mut random);
         let mut options = any_options(&mut random, &world);
         // Where nothing may be late, what follows a frame that is missing is too late.

@@ -44,7 +44,7 @@ impl Recording {
 
     /// Of a VCU that follows another Figure 2 than the edition by which it is judged.
     fn of_vcu(edition: &'static Edition, vcu: &Edition, seed: u64, jitter_ms: i64, loss: u64) -> Self {
-        let mut random = Random(seed);
+        let mut random = Random::with_seed(seed);
         let world = random_run(&mut random, vcu, 400);
         // Half of the recordings start in mid-run, and half are judged by the very readings that the VCU follows.
         let mut log = world.disturbed(seed, jitter_ms * MS, loss);

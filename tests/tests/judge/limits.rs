@@ -2,10 +2,8 @@
 //! limit of another edition.
 
 use adsdv_oracle::judge::{JudgeOptions, Measure, Party, Rule};
-use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AnyMessage, AsState, VcuStatus,
-};
-use adsdv_spec::{Edition, Fault, Machine, Timing};
+use adsdv_spec::messages::{Ai2VcuStatus, Ai2VcuSteer, AnyMessage, AsState, VcuStatus};
+use adsdv_spec::{AiMessages, Edition, Fault, Machine, Timing};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::check::{Blame, blames, by, is_reported, is_silent, recordings_of_a_kind};
@@ -91,10 +89,6 @@ fn an_answer_a_millisecond_before_at_and_behind_the_limit() {
     }
 }
 
-/// The messages that are watched.
-const WATCHED: [u16; 5] =
-    [Ai2VcuStatus::ID, Ai2VcuDriveF::ID, Ai2VcuDriveR::ID, Ai2VcuSteer::ID, Ai2VcuBrake::ID];
-
 /// AS_DRIVING, and so many messages in a row do not come.
 fn left_out(edition: &Edition, id: u16, count: i64) -> World {
     let mut world = World::of(edition);
@@ -111,7 +105,7 @@ fn left_out(edition: &Edition, id: u16, count: i64) -> World {
 #[test]
 fn ten_messages_in_a_row_are_missed_and_nine_are_not() {
     for (edition, limit) in watching() {
-        for id in WATCHED {
+        for id in AiMessages::IDS {
             for count in [9, 10, 11] {
                 let world = left_out(edition, id, count);
                 let name = format!("{}: {count} of {id:03X}h", edition.version);

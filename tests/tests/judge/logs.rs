@@ -42,7 +42,7 @@ fn a_log_that_begins_or_ends_anywhere_conforms() {
     let mut worlds = vec![run(), World::reference()];
     worlds[1].after_emergency();
     let seed = seed();
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     for world in &worlds {
         for cut in 0..200 {
             let end = world.t.unsigned_abs();
@@ -125,7 +125,7 @@ fn an_ai_computer_that_leaves_cycles_out_excuses_no_vcu() {
     world.hold_state();
     world.inputs.asms = false;
     world.wait(2000);
-    let mut random = Random(1);
+    let mut random = Random::with_seed(1);
     let is_ai = |id| BUS.message(id).is_some_and(|message| message.sender == Node::Ai);
     world.log.retain(|recorded| !is_ai(recorded.frame.id) || !random.one_in(3));
     is_reported(

@@ -2,10 +2,10 @@
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest,
-    BrakePressure, EbsState, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiSteer,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure,
+    EbsState, Frame, SteerAngle, Vcu2AiStatus, Vcu2AiSteer,
 };
-use adsdv_spec::{Choice, Choices, Edition, Fault, Machine};
+use adsdv_spec::{AiMessages, Choice, Choices, Edition, Fault, Machine};
 use adsdv_tests::world::{MS, Recorded, World, judge, violations};
 
 use crate::check::{by, recordings_of_a_kind, section_of};
@@ -77,12 +77,9 @@ fn a_mission_conforms_without_a_word() {
     assert_eq!(states, [AsState::Ready, AsState::Driving, AsState::Finished, AsState::Off]);
 }
 
-const WATCHED: [u16; 5] =
-    [Ai2VcuStatus::ID, Ai2VcuDriveF::ID, Ai2VcuDriveR::ID, Ai2VcuSteer::ID, Ai2VcuBrake::ID];
-
 #[test]
 fn a_message_that_is_missed_is_the_ai_computers_fault() {
-    for id in WATCHED {
+    for id in AiMessages::IDS {
         let mut world = world(&[]);
         world.driving();
         world.mutes.push(id);
@@ -153,7 +150,7 @@ fn a_silence_that_has_ended_may_be_shown_late() {
 fn nine_messages_in_a_row_are_not_missed() {
     let mut world = world(&[]);
     world.driving();
-    for id in WATCHED.into_iter().skip(1) {
+    for id in AiMessages::IDS.into_iter().skip(1) {
         world.mutes.push(id);
         world.wait(90);
         world.mutes.clear();

@@ -2,16 +2,13 @@
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::messages::{
-    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest,
-    BrakePressure, MessageDef, MissionStatus, SmAs, SmSys, SysActionState, Vcu2AiStatus, VcuStatus,
+    Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuStatus, Ai2VcuSteer, AsState, AxleTorqueRequest, BrakePressure,
+    MessageDef, MissionStatus, SmAs, SmSys, SysActionState, Vcu2AiStatus, VcuStatus,
 };
-use adsdv_spec::{AsState as State, Edition, Fault, Faults};
+use adsdv_spec::{AiMessages, AsState as State, Edition, Fault, Faults};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 use crate::v4_0::{Found, finds, options, the, world};
-
-const WATCHED: [u16; 5] =
-    [Ai2VcuStatus::ID, Ai2VcuDriveF::ID, Ai2VcuDriveR::ID, Ai2VcuSteer::ID, Ai2VcuBrake::ID];
 
 const TIMEOUTS: [&str; 5] = [
     "R1_AI2VCU_STATUS_TIMEOUT_ERROR",
@@ -64,7 +61,7 @@ fn shown_by(finding: &Finding) -> (Vec<&'static str>, Vec<u16>) {
 //= MSG-92, D-56
 #[test]
 fn a_timeout_that_is_raised_while_its_message_comes_violates() {
-    for (id, signal) in WATCHED.into_iter().zip(TIMEOUTS) {
+    for (id, signal) in AiMessages::IDS.into_iter().zip(TIMEOUTS) {
         let world = driving_with(signal, 1);
         finds(&world, options(&[]), &[violation(Rule::FlagUnfounded)]);
         let report = judge(&world.log, options(&[]));
@@ -85,7 +82,7 @@ fn a_timeout_that_is_raised_while_its_message_comes_violates() {
 //= MSG-92, D-56
 #[test]
 fn a_timeout_of_a_message_that_was_silent_is_no_violation() {
-    for (place, &id) in WATCHED.iter().enumerate().skip(1) {
+    for (place, &id) in AiMessages::IDS.iter().enumerate().skip(1) {
         for ms in [80, 90, 100, 200] {
             let mut world = world(&[]);
             moving(&mut world);
@@ -124,7 +121,7 @@ fn a_timeout_that_stays_behind_a_silence_is_no_violation() {
 //= MSG-92, D-56
 #[test]
 fn a_timeout_that_is_not_raised_though_its_message_is_missed_violates() {
-    for (id, signal) in WATCHED.into_iter().zip(TIMEOUTS) {
+    for (id, signal) in AiMessages::IDS.into_iter().zip(TIMEOUTS) {
         let missed = |raised: bool| {
             let mut world = world(&[]);
             moving(&mut world);

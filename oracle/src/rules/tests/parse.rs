@@ -225,9 +225,6 @@ fn no_text_is_more_than_refused() {
 
 /// Numbers below a bound that look random, the same in each run.
 pub(super) fn numbers(seed: u64) -> impl FnMut(usize) -> usize {
-    let mut state = seed;
-    move |bound| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(state >> 40).unwrap_or_default() % bound
-    }
+    let mut random = fastrand::Rng::with_seed(seed);
+    move |bound| random.usize(..bound)
 }

@@ -121,7 +121,7 @@ export interface ExamFinding {
 
 export interface Exam {
   edition: string;
-  scenarios: { name: string; about: string; duration: number; frames: number; findings: number; stuck: string | null }[];
+  scenarios: { name: string; about: string; duration: number; frames: number; findings: number; exercised: string[]; stuck: string | null }[];
   requirements: { id: string; section: string; about: string; outcome: string; accepted: string | null; findings: number[]; why: string | null }[];
   findings: ExamFinding[];
   slowest_answer_ms: number | null;

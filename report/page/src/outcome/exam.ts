@@ -79,9 +79,10 @@ function scenarios(data: ExamData): HTMLElement {
     const against = [...new Set(json.findings.filter((finding) => finding.scenario === one.name).flatMap((finding) => finding.requirements))];
     const sign = kind === "wrong" ? SIGNS.bad : kind === "stuck" ? SIGNS.unknown : SIGNS.good;
     const came = one.stuck !== null ? `waited in vain for ${one.stuck}` : one.findings > 0 ? counted(one.findings, "finding") : "nothing wrong";
-    return plain(kind, [one.name, one.about, came, ...against].join(" "), [
-      h("strong", {}, one.name), one.about, `${number(one.duration, 1)} s`, String(one.frames), `${sign} ${came}`, against.join(", ")]);
+    return plain(kind, [one.name, one.about, came, ...against, ...one.exercised].join(" "), [
+      h("strong", {}, one.name), one.about, `${number(one.duration, 1)} s`, String(one.frames), `${sign} ${came}`, against.join(", "),
+      one.exercised.length > 0 ? h("details", {}, h("summary", {}, counted(one.exercised.length, "requirement")), one.exercised.join(", ")) : ""]);
   });
   return filtered("scenarios", "Scenarios", "scenarios", RUNS, items,
-    rows("Scenarios", ["Scenario", "What it is about", "Time", "Frames", "What came of it", "Against"], items));
+    rows("Scenarios", ["Scenario", "What it is about", "Time", "Frames", "What came of it", "Against", "Exercised"], items));
 }

@@ -147,7 +147,7 @@ fn machines() -> impl Iterator<Item = Machine> {
 
 #[test]
 fn a_step_on_what_may_be_allows_what_the_step_comes_to() {
-    let mut random = Draws(Random(20_261_123));
+    let mut random = Draws(Random::with_seed(20_261_123));
     let mut decided = 0;
     for machine in machines() {
         for _ in 0..400 {

@@ -41,7 +41,7 @@ mod with_serde {
 #[cfg(feature = "arbitrary")]
 #[test]
 fn arbitrary_messages_keep_their_ranges() {
-    let mut numbers = Random(0x5EED_0004);
+    let mut numbers = Random::with_seed(0x5EED_0004);
     let mut seen = [false; AnyMessage::IDS.len()];
     for _ in 0..5_000 {
         let bytes: Vec<u8> =

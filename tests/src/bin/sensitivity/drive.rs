@@ -84,7 +84,7 @@ pub(crate) fn missions(edition: &Edition, vcu: &World, remembers: bool) -> Vec<R
 /// A run of the specification's VCU under any readings, of which the judge knows in half of all runs. Half of the recordings begin
 /// in mid-run.
 pub(crate) fn any_run(edition: &Edition, seed: u64) -> Run {
-    let mut random = Random(!seed);
+    let mut random = Random::with_seed(!seed);
     let readings = any_readings(&mut random, edition);
     let pinned = random.one_in(2);
     let cut = if random.one_in(2) { usize::try_from(random.below(50)).unwrap_or(0) } else { 0 };
@@ -94,7 +94,7 @@ pub(crate) fn any_run(edition: &Edition, seed: u64) -> Run {
 }
 
 fn anything(mut world: World, edition: &Edition, seed: u64, cycles: u32) -> World {
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     let rate = random.pick(&[3, 20, 60, 150]);
     world.sets_out(&mut random);
     for _ in 0..cycles {

@@ -20,7 +20,7 @@ pub(crate) fn losing_frames_adds_nothing(
     seed: u64,
 ) -> Result<(), String> {
     let whole = judge(log, options);
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     let loss = random.pick(&[5, 10, 20, 100]);
     let thinned: Vec<Recorded> = log.iter().copied().filter(|_| !random.one_in(loss)).collect();
     let fewer = judge(&thinned, options);
@@ -68,7 +68,7 @@ pub(crate) fn live_is_the_same(log: &[Recorded], options: JudgeOptions) -> Resul
 
 /// The violations of the VCU in a recording that is late by up to 20 ms, and has lost some frames in every second one.
 pub(crate) fn blame_of_the_vcu(run: &Run, seed: u64) -> Vec<String> {
-    let mut random = Random(seed);
+    let mut random = Random::with_seed(seed);
     let loss = if random.one_in(2) { random.pick(&[10, 20, 50]) } else { 0 };
     let report = judge(&run.world.disturbed(seed, random.pick(&[0, 5, 10, 20]) * MS, loss), run.options);
     let blames = |f: &&Finding| f.severity == Severity::Violation && f.party == Party::Vcu;
