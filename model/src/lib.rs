@@ -38,6 +38,7 @@
 
 mod action;
 pub mod closed;
+mod cycle;
 mod document;
 mod explore;
 mod goals;

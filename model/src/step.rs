@@ -1,20 +1,10 @@
 //! One step of the VCU.
 
-use adsdv_spec::{Atoms, Control, Edition, Faults, Machine, Observation, Reaction, Taken, Timing};
+use adsdv_spec::{Atoms, Control, Faults, Machine, Observation, Reaction, Taken, Timing};
 
-use crate::document::{DEFAULT, Document};
+pub(crate) use crate::cycle::CYCLE_MS;
+use crate::document::Document;
 use crate::steps::Steps;
-
-/// The VCU's cycle, which is the model's, and the same in every edition. That steps of any length are right is for the proofs.
-pub(crate) const CYCLE_MS: u32 = {
-    let cycle_ms = DEFAULT.rules.timing.cycle_ms;
-    let mut place = 0;
-    while place < Edition::ALL.len() {
-        assert!(Edition::ALL[place].rules.timing.cycle_ms == cycle_ms, "the model steps every edition alike");
-        place += 1;
-    }
-    cycle_ms as u32
-};
 
 /// A step: what was, what was seen, and what the VCU made of it.
 ///
@@ -89,5 +79,44 @@ impl Step {
     /// The step as properties look at it: as one of many.
     pub fn steps(&self) -> Steps<'_> {
         Steps::one(self.document, &self.timing, &self.before, self.seen, &self.reaction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::{AsState, Atom};
+
+    use super::*;
+
+    #[test]
+    fn requests_reach_all_of_the_actuators_or_none() {
+        let machine = Machine::REFERENCE;
+        let seen = Observation::new(Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::GoOn]), Faults::NONE);
+        for state in AsState::ALL {
+            let control = Control { state, ..Control::INITIAL };
+            let step = Step::of(&machine, &machine.edition().rules.timing, control, seen);
+            let reach = step.steps().requests_reach(&machine, true);
+            assert_eq!(reach, [state == AsState::Driving; 4], "{state}");
+        }
+    }
+
+    /// Whoever looks at no inputs finds out what holds of all.
+    #[test]
+    fn who_looks_at_the_inputs_is_noticed() {
+        let machine = Machine::REFERENCE;
+        let timing = &machine.edition().rules.timing;
+        let step = Step::of(&machine, timing, Control::INITIAL, Observation::default());
+        let steps = step.steps();
+        let _ = (steps.have_lasted(), steps.next_have_lasted(), steps.comms_lost(), steps.drive(&machine));
+        assert!(!steps.were_looked_at());
+        let looks: [fn(&Steps) -> u64; 3] = [
+            |steps| steps.see(Atom::Asms),
+            |steps| steps.show(Atoms::NONE, Atoms::of(&[Atom::Asms])),
+            |steps| steps.have_reason_to_brake(),
+        ];
+        for look in looks {
+            look(&steps);
+            assert!(steps.were_looked_at() && !steps.were_looked_at());
+        }
     }
 }

@@ -11,8 +11,8 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{Actuation, Atom, Atoms, Choice, Control, Inputs, Machine, Outputs, Reaction, Timing};
 
+use crate::cycle::CYCLE_MS;
 use crate::document::Document;
-use crate::step::CYCLE_MS;
 
 /// Up to 64 steps of a machine from one control state to another.
 #[derive(Clone, Debug)]
@@ -210,7 +210,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Whether what the AI Computer could request of torque, speed, direction and steering reaches the actuators.
-    fn requests_reach(&self, machine: &Machine, go: bool) -> [bool; 4] {
+    pub(crate) fn requests_reach(&self, machine: &Machine, go: bool) -> [bool; 4] {
         let Actuation {
             front_axle_trq,
             front_motor_speed_max,
@@ -246,44 +246,4 @@ fn full_requests() -> Inputs {
     ai.drive_r.rear_motor_speed_max = MotorSpeedMax::MAX;
     ai.steer.steer_request = SteerAngle::MAX;
     inputs
-}
-
-#[cfg(test)]
-mod tests {
-    use adsdv_spec::{Faults, Observation};
-
-    use super::*;
-    use crate::step::Step;
-
-    #[test]
-    fn requests_reach_all_of_the_actuators_or_none() {
-        let machine = Machine::REFERENCE;
-        let seen = Observation::new(Atoms::of(&[Atom::Asms, Atom::Tsms, Atom::GoOn]), Faults::NONE);
-        for state in AsState::ALL {
-            let control = Control { state, ..Control::INITIAL };
-            let step = Step::of(&machine, &machine.edition().rules.timing, control, seen);
-            let reach = step.steps().requests_reach(&machine, true);
-            assert_eq!(reach, [state == AsState::Driving; 4], "{state}");
-        }
-    }
-
-    /// Whoever looks at no inputs finds out what holds of all.
-    #[test]
-    fn who_looks_at_the_inputs_is_noticed() {
-        let machine = Machine::REFERENCE;
-        let timing = &machine.edition().rules.timing;
-        let step = Step::of(&machine, timing, Control::INITIAL, Observation::default());
-        let steps = step.steps();
-        let _ = (steps.have_lasted(), steps.next_have_lasted(), steps.comms_lost(), steps.drive(&machine));
-        assert!(!steps.were_looked_at());
-        let looks: [fn(&Steps) -> u64; 3] = [
-            |steps| steps.see(Atom::Asms),
-            |steps| steps.show(Atoms::NONE, Atoms::of(&[Atom::Asms])),
-            |steps| steps.have_reason_to_brake(),
-        ];
-        for look in looks {
-            look(&steps);
-            assert!(steps.were_looked_at() && !steps.were_looked_at());
-        }
-    }
 }

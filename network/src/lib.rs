@@ -37,7 +37,7 @@
 //! });
 //! ```
 //!
-//! That the network is `react` is proven in `proofs/src/network.rs`, lane by lane, and tried in `tests/` for every edition, its
+//! That the network is `react` is a theorem of `proofs/src/network.rs`, lane by lane, and tried in `tests/` for every edition, its
 //! readings and the mutants of its table.
 
 #![no_std]

@@ -147,7 +147,7 @@ pub(crate) enum Tried {
 /// How steps are made.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum Steps {
-    /// For 64 inputs at once, by a network over machine words that is proven to be the step.
+    /// For 64 inputs at once, by a network over machine words: theorems say that it is the step.
     Words,
     /// One by one, by the step itself: slower, and the reference.
     Single,

@@ -18,7 +18,7 @@ use crate::property::Property;
 /// How the steps out of a control state are made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Engine {
-    /// 64 at a time, by a network over machine words, which is proven to be the step: `adsdv-network`.
+    /// 64 at a time, by a network over machine words (`adsdv-network`): theorems say that it is the step.
     #[default]
     Words,
     /// One by one, by [`Machine::react`]: slower, and the reference.
