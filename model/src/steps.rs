@@ -26,14 +26,14 @@ pub struct Steps<'a> {
     /// What the VCU did in one of them.
     reaction: &'a Reaction,
     /// What it saw in each.
-    seen: Seen<'a>,
+    seen: Sight<'a>,
     lanes: u64,
     /// Whether anybody has looked at what was seen.
     looked: Cell<bool>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Seen<'a> {
+enum Sight<'a> {
     One(Atoms),
     Word(&'a Planes),
 }
@@ -52,7 +52,7 @@ impl<'a> Steps<'a> {
         seen: Atoms,
         reaction: &'a Reaction,
     ) -> Self {
-        let seen = Seen::One(seen);
+        let seen = Sight::One(seen);
         Self { document, timing, before, reaction, seen, lanes: 1, looked: Cell::new(false) }
     }
 
@@ -66,7 +66,7 @@ impl<'a> Steps<'a> {
         lanes: u64,
         reaction: &'a Reaction,
     ) -> Self {
-        let seen = Seen::Word(seen);
+        let seen = Sight::Word(seen);
         Self { document, timing, before, reaction, seen, lanes, looked: Cell::new(false) }
     }
 
@@ -95,8 +95,8 @@ impl<'a> Steps<'a> {
     pub fn see(&self, atom: Atom) -> u64 {
         self.looked.set(true);
         match self.seen {
-            Seen::One(atoms) => every_one(atoms.has(atom)),
-            Seen::Word(planes) => planes.atom(atom),
+            Sight::One(atoms) => every_one(atoms.has(atom)),
+            Sight::Word(planes) => planes.atom(atom),
         }
     }
 
@@ -104,8 +104,8 @@ impl<'a> Steps<'a> {
     pub fn show(&self, on: Atoms, off: Atoms) -> u64 {
         self.looked.set(true);
         match self.seen {
-            Seen::One(atoms) => every_one(on.is_subset(atoms) && off.intersection(atoms).is_empty()),
-            Seen::Word(planes) => planes.show(on, off),
+            Sight::One(atoms) => every_one(on.is_subset(atoms) && off.intersection(atoms).is_empty()),
+            Sight::Word(planes) => planes.show(on, off),
         }
     }
 

@@ -83,7 +83,7 @@ impl Looker {
 
 /// What steps break, a bit for each place in the list of properties, and each control state that comes next, with the
 /// first step that leads there.
-type Found = (u64, Vec<(Control, Action)>);
+type Shown = (u64, Vec<(Control, Action)>);
 
 #[cfg(test)]
 mod tests {

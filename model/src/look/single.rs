@@ -2,13 +2,13 @@
 
 use adsdv_spec::Control;
 
-use super::{Found, Looker};
+use super::{Looker, Shown};
 use crate::action::Action;
 use crate::planes::Words;
 use crate::step::{CYCLE_MS, Step};
 
 impl Looker {
-    pub(super) fn one_by_one(&self, control: &Control, vectors: &Words) -> Found {
+    pub(super) fn one_by_one(&self, control: &Control, vectors: &Words) -> Shown {
         let properties = self.properties(control);
         let (mut broken, mut next) = (0, Vec::new());
         let mut last: Option<Step> = None;

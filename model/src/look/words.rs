@@ -6,7 +6,7 @@
 use adsdv_network::{Key, Network};
 use adsdv_spec::{Control, Faults, Reaction};
 
-use super::{Found, Looker};
+use super::{Looker, Shown};
 use crate::action::Action;
 use crate::planes::Words;
 use crate::property::Property;
@@ -23,7 +23,7 @@ struct Group {
 }
 
 impl Looker {
-    pub(super) fn in_words(&self, network: &Network, control: &Control, vectors: &Words) -> Found {
+    pub(super) fn in_words(&self, network: &Network, control: &Control, vectors: &Words) -> Shown {
         let wired = network.at(control, CYCLE_MS);
         let properties = self.properties(control);
         let mut groups: Vec<Group> = Vec::new();

@@ -15,7 +15,7 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         let theorem = leak(format!("lanes_of_a_group_come_to_the_same_from_{from}"));
         Mutant::new(theorem, &format!("{change:?}"), change)
     };
-    let (table, answer) = (Otherwise::Table, Otherwise::Answer);
+    let (table, answer) = (OtherNetwork::Table, OtherNetwork::Answer);
     let mut mutants = Vec::new();
     for suffix in ["", "_in_4_0"] {
         let of = |from: &str| format!("{from}{suffix}");
@@ -53,14 +53,14 @@ fn leak(text: String) -> &'static str {
 
 /// A network of a machine that has something otherwise.
 #[derive(Clone, Copy, Debug)]
-enum Otherwise {
+enum OtherNetwork {
     /// The mutation of this name.
     Table(&'static str),
     /// Another answer.
     Answer(Choice),
 }
 
-impl Subject for Otherwise {
+impl Subject for OtherNetwork {
     fn network(&self, machine: &Machine) -> Network {
         let (edition, readings) = (machine.edition(), machine.readings());
         Network::new(&match *self {
