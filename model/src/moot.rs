@@ -5,6 +5,7 @@
 
 use adsdv_spec::{Choice, Machine};
 
+use crate::look::Engine;
 use crate::parts::Part;
 use crate::sweep::short_timers;
 use crate::vectors::Vectors;
@@ -14,10 +15,10 @@ use crate::verify::{Options, explore};
 /// answer under which it does.
 ///
 /// Timers are short, by the lemma `short-timers`.
-pub(crate) fn moot(machine: &Machine, dead: &[Part], threads: usize) -> Vec<(Part, Choice)> {
+pub(crate) fn moot(machine: &Machine, dead: &[Part], threads: usize, engine: Engine) -> Vec<(Part, Choice)> {
     let edition = machine.edition();
     let document = short_timers(edition);
-    let options = Options { vectors: Vectors::Few, threads, document };
+    let options = Options { vectors: Vectors::Few, threads, document, engine };
     let mut moot: Vec<(Part, Choice)> = Vec::new();
     for choice in edition.choices.difference(machine.readings().choices()).iter() {
         let mut left = dead.iter().filter(|part| moot.iter().all(|(other, _)| !other.is(part))).peekable();
@@ -44,11 +45,12 @@ mod tests {
         let short = edition.with_timing(short_timers(edition));
         let readings = choices.iter().fold(edition.readings, |readings, &choice| readings.with(choice));
         let machine = Machine::new(short, readings);
-        let options = Options { vectors: Vectors::Few, threads: 1, document: short.rules.timing };
+        let options =
+            Options { vectors: Vectors::Few, threads: 1, document: short.rules.timing, ..Options::default() };
         let parts = explore(machine, options, |_| {}).parts;
         let dead: Vec<Part> =
             parts.into_iter().filter(|(_, decides)| !decides).map(|(part, _)| part).collect();
-        let moot = moot(&machine, &dead, 1);
+        let moot = moot(&machine, &dead, 1, Engine::default());
         let listed = moot.iter().map(|(part, choice)| format!("{part}, but for {choice}"));
         (dead.iter().map(Part::to_string).collect(), listed.collect())
     }

@@ -13,7 +13,7 @@ use stateright::Model;
 use crate::action::Action;
 use crate::document::Document;
 use crate::goals::{questions, to_the_end};
-use crate::look::{Look, look};
+use crate::look::{Engine, Look, Looker};
 use crate::parts::Parts;
 use crate::planes::Words;
 use crate::vectors::{Cache, Vectors, varied};
@@ -72,6 +72,7 @@ pub struct Open {
     machine: Machine,
     document: Timing,
     vectors: Vectors,
+    looker: Looker,
     cache: Cache,
     parts: Option<Parts>,
     seen: Arc<Seen>,
@@ -101,11 +102,18 @@ impl Open {
             machine,
             document,
             vectors,
+            looker: Looker::new(&machine, &document, Engine::default()),
             cache: Cache::default(),
             parts: None,
             seen: Arc::default(),
             unasked: false,
         }
+    }
+
+    /// With the steps made by this engine.
+    #[must_use]
+    pub fn with_engine(self, engine: Engine) -> Self {
+        Self { looker: Looker::new(&self.machine, &self.document, engine), ..self }
     }
 
     /// With a look at the parts of the table: which of them decide a step.
@@ -145,7 +153,7 @@ impl Open {
     /// What the steps out of a state show.
     pub(crate) fn look<'a>(&self, state: &'a State) -> &'a Look {
         state.look.get_or_init(|| {
-            let look = look(&self.machine, &self.document, &state.control, &self.steps(&state.control));
+            let look = self.looker.look(&state.control, &self.steps(&state.control));
             if let Some(parts) = &self.parts {
                 parts.look(&self.machine, &state.control, &self.cache);
             }

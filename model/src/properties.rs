@@ -1,5 +1,8 @@
 //! The properties of the open model, as data: each with its name, what it says, and the requirements that it covers.
 //!
+//! They are stated of many steps at once, that lead from one control state to another: what the steps have in common is a `bool`, what
+//! their inputs show a bit for each of them.
+//!
 //! They are stated in the document's words, over conditions and states, and never look at the table of the machine that
 //! is checked: a table with a mistake in it must not be able to excuse itself. Times are those of the document's version; what
 //! stands in braces is one of them. A property covers the requirements of every edition that has it, each where it is asked for.
@@ -8,7 +11,7 @@ use adsdv_spec::messages::{AsState, ShutdownCause};
 use adsdv_spec::{Atom, Atoms, Choice, Control, Edition, Timing};
 
 use crate::property::{Claim, Harm, Property, When};
-use crate::step::Step;
+use crate::steps::every_one;
 
 use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
 
@@ -17,7 +20,7 @@ const STANDING: &[AsState] = &[Ready, Finished];
 const STOPPED: &[AsState] = &[EmergencyBrake];
 
 /// "AI_COMMS_LOST": the VCU's edge has been unanswered, or a message that is watched has been missing, for too long.
-const COMMS_LOST: When = When::Step { holds: Step::comms_lost, reads: Atoms::NONE };
+const COMMS_LOST: When = When::Step { holds: |steps| steps.comms_lost(), reads: Atoms::NONE };
 
 /// For what does not look at the inputs, or only where the machine does anyway.
 fn nothing(_: &Control, _: &Timing) -> Atoms {
@@ -66,10 +69,10 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::SetsOff,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                let (from, to) = (step.before.state, step.after().state);
-                let rows = step.document.edition.rules.table.rows();
-                from == to || rows.iter().any(|row| (row.from, row.to) == (from, to))
+            holds: |_, steps| {
+                let (from, to) = (steps.before.state, steps.after().state);
+                let rows = steps.document.edition.rules.table.rows();
+                every_one(from == to || rows.iter().any(|row| (row.from, row.to) == (from, to)))
             },
             reads: nothing,
         },
@@ -111,9 +114,12 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Leads {
             from: &[Off],
             when: When::Step {
-                holds: |step| {
-                    step.before.shutdown_cause == ShutdownCause::NoShutdown
-                        && step.shows(READY_CONDITIONS, Atoms::NONE)
+                holds: |steps| {
+                    if steps.before.shutdown_cause == ShutdownCause::NoShutdown {
+                        steps.show(READY_CONDITIONS, Atoms::NONE)
+                    } else {
+                        0
+                    }
                 },
                 reads: READY_CONDITIONS,
             },
@@ -129,7 +135,7 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Only {
             from: Ready,
             to: Driving,
-            when: When::Step { holds: Step::has_lasted, reads: Atoms::NONE },
+            when: When::Step { holds: |steps| every_one(steps.have_lasted()), reads: Atoms::NONE },
         },
     },
     Property {
@@ -151,16 +157,20 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::SetsOff,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| match (step.before.state, step.after().state) {
-                (Ready, Driving) => step.before.go_seen_low && step.sees(Atom::GoOn),
+            holds: |_, steps| match (steps.before.state, steps.after().state) {
+                (Ready, Driving) if steps.before.go_seen_low => steps.see(Atom::GoOn),
+                (Ready, Driving) => 0,
                 (before, Ready) => {
-                    let lawful = before == Ready
-                        && step.has_lasted()
-                        && step.shows(DRIVING_CONDITIONS, Atoms::of(&[Atom::GoOn]));
+                    let lawful = if before == Ready && steps.have_lasted() {
+                        steps.show(DRIVING_CONDITIONS, Atoms::of(&[Atom::GoOn]))
+                    } else {
+                        0
+                    };
                     // What is seen of "Go" matters to the next step, if that can set off.
-                    step.after().go_seen_low == lawful || !lawful && !step.next_has_lasted()
+                    let is_lawful = if steps.after().go_seen_low { lawful } else { !lawful };
+                    is_lawful | !lawful & every_one(!steps.next_have_lasted())
                 }
-                _ => !step.after().go_seen_low,
+                _ => every_one(!steps.after().go_seen_low),
             },
             reads: |before, document| {
                 let next_ms =
@@ -179,11 +189,12 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Leads {
             from: &[Ready],
             when: When::Step {
-                holds: |step| {
-                    step.has_lasted()
-                        && step.before.go_seen_low
-                        && step.shows(DRIVING_CONDITIONS.with(Atom::GoOn).with(Atom::Asms), Atoms::NONE)
-                        && !step.has_reason_to_brake()
+                holds: |steps| {
+                    if !steps.have_lasted() || !steps.before.go_seen_low {
+                        return 0;
+                    }
+                    let due = DRIVING_CONDITIONS.with(Atom::GoOn).with(Atom::Asms);
+                    steps.show(due, Atoms::NONE) & !steps.have_reason_to_brake()
                 },
                 reads: Atoms::NONE,
             },
@@ -365,10 +376,12 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::RunLost,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                step.sees(Atom::Tsms)
-                    || step.after().shutdown_cause == step.before.shutdown_cause
-                    || step.after().shutdown_cause != ShutdownCause::AiCommsFault
+            holds: |_, steps| {
+                let (before, after) = (steps.before.shutdown_cause, steps.after().shutdown_cause);
+                if after == before || after != ShutdownCause::AiCommsFault {
+                    return every_one(true);
+                }
+                steps.see(Atom::Tsms)
             },
             reads: |_, _| Atoms::of(&[Atom::Tsms]),
         },
@@ -394,9 +407,9 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Leads {
             from: &[Driving],
             when: When::Step {
-                holds: |step| {
-                    step.shows(Atoms::of(&[Atom::MissionFinished, Atom::AtRest]), Atoms::NONE)
-                        && !step.has_reason_to_brake()
+                holds: |steps| {
+                    steps.show(Atoms::of(&[Atom::MissionFinished, Atom::AtRest]), Atoms::NONE)
+                        & !steps.have_reason_to_brake()
                 },
                 reads: Atoms::of(&[Atom::MissionFinished, Atom::AtRest]),
             },
@@ -410,10 +423,11 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::RunLost,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                step.before.state == EmergencyBrake
-                    || step.after().state != EmergencyBrake
-                    || step.has_reason_to_brake()
+            holds: |_, steps| {
+                if steps.before.state == EmergencyBrake || steps.after().state != EmergencyBrake {
+                    return every_one(true);
+                }
+                steps.have_reason_to_brake()
             },
             reads: nothing,
         },
@@ -425,8 +439,11 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::NotBraked,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                !STANDING.contains(&step.before.state) || step.after().state != Off || !step.sees(Atom::Asms)
+            holds: |_, steps| {
+                if !STANDING.contains(&steps.before.state) || steps.after().state != Off {
+                    return every_one(true);
+                }
+                !steps.see(Atom::Asms)
             },
             reads: nothing,
         },
@@ -438,10 +455,15 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::DrivesOn,
         holds_in: every,
         claim: Claim::Each {
-            holds: |machine, step| {
-                !step.drives(machine)
-                    || step.after().state == Driving
-                        && step.shows(Atoms::of(&[Atom::Asms, Atom::GoOn]), Atoms::of(&[Atom::SdcOpen]))
+            holds: |machine, steps| {
+                let mut may_drive = 0;
+                if steps.after().state == Driving {
+                    may_drive = steps.show(Atoms::of(&[Atom::Asms, Atom::GoOn]), Atoms::of(&[Atom::SdcOpen]));
+                    if steps.all_among(may_drive) {
+                        return every_one(true);
+                    }
+                }
+                may_drive | !steps.drive(machine)
             },
             reads: nothing,
         },
@@ -453,10 +475,11 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::Misled,
         holds_in: every,
         claim: Claim::Each {
-            holds: |machine, step| {
-                let shown = step.go_signal(machine);
-                let accepted = step.before.state == Driving || step.before.go_seen_low;
-                shown == (step.after().state == Driving && step.sees(Atom::GoOn)) && (!shown || accepted)
+            holds: |machine, steps| {
+                let shown = steps.go_signal(machine);
+                let accepted = steps.before.state == Driving || steps.before.go_seen_low;
+                let due = if steps.after().state == Driving { steps.see(Atom::GoOn) } else { 0 };
+                !(shown ^ due) & (!shown | every_one(accepted))
             },
             reads: |_, _| Atoms::of(&[Atom::GoOn]),
         },
@@ -468,10 +491,12 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::SetsOff,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                step.before.state != EmergencyBrake
-                    || step.after().state == EmergencyBrake
-                    || step.has_lasted()
+            holds: |_, steps| {
+                every_one(
+                    steps.before.state != EmergencyBrake
+                        || steps.after().state == EmergencyBrake
+                        || steps.have_lasted(),
+                )
             },
             reads: nothing,
         },
@@ -493,7 +518,7 @@ pub const PROPERTIES: &[Property] = &[
         claim: Claim::Leads {
             from: STOPPED,
             when: When::Step {
-                holds: |step| step.has_lasted() && !step.sees(Atom::Asms),
+                holds: |steps| if steps.have_lasted() { !steps.see(Atom::Asms) } else { 0 },
                 reads: Atoms::NONE,
             },
             to: &[Off],
@@ -506,9 +531,11 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::SetsOff,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                step.before.shutdown_cause == ShutdownCause::NoShutdown
-                    || matches!(step.after().state, Off | EmergencyBrake)
+            holds: |_, steps| {
+                every_one(
+                    steps.before.shutdown_cause == ShutdownCause::NoShutdown
+                        || matches!(steps.after().state, Off | EmergencyBrake),
+                )
             },
             reads: nothing,
         },
@@ -520,13 +547,13 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::Misled,
         holds_in: every,
         claim: Claim::Each {
-            holds: |_, step| {
-                let (before, after) = (step.before.shutdown_cause, step.after().shutdown_cause);
-                if before == ShutdownCause::NoShutdown {
-                    (after != before) == (step.after().state == EmergencyBrake)
+            holds: |_, steps| {
+                let (before, after) = (steps.before.shutdown_cause, steps.after().shutdown_cause);
+                every_one(if before == ShutdownCause::NoShutdown {
+                    (after != before) == (steps.after().state == EmergencyBrake)
                 } else {
                     after == before
-                }
+                })
             },
             reads: nothing,
         },
@@ -538,14 +565,17 @@ pub const PROPERTIES: &[Property] = &[
         harm: Harm::Misled,
         holds_in: every,
         claim: Claim::Each {
-            holds: |machine, step| {
+            holds: |machine, steps| {
                 let timing = &machine.edition().rules.timing;
-                let limit = u32::from(timing.in_state_limit(step.before.state));
-                let stays = step.before.state == step.after().state;
-                step.after().is_consistent(timing, machine.readings())
-                    && u32::from(step.after().in_state_ms)
-                        == if stays { step.lasted_ms().min(limit) } else { 0 }
-                    && step.handshake_is_counted(timing)
+                let limit = u32::from(timing.in_state_limit(steps.before.state));
+                let stays = steps.before.state == steps.after().state;
+                let counted = if stays { steps.lasted_ms().min(limit) } else { 0 };
+                if !steps.after().is_consistent(timing, machine.readings())
+                    || u32::from(steps.after().in_state_ms) != counted
+                {
+                    return 0;
+                }
+                steps.handshake_is_counted(timing)
             },
             reads: nothing,
         },

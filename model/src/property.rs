@@ -6,9 +6,9 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Control, Edition, Machine, Timing};
 
 use crate::document::Document;
-use crate::planes::Planes;
 use crate::properties::PROPERTIES;
 use crate::step::Step;
+use crate::steps::Steps;
 
 /// A property that every step keeps.
 #[derive(Clone, Copy, Debug)]
@@ -83,8 +83,8 @@ pub enum Claim {
     },
     /// Something else.
     Each {
-        /// Whether a step keeps it.
-        holds: fn(&Machine, &Step) -> bool,
+        /// The steps that keep it, a bit each.
+        holds: fn(&Machine, &Steps) -> u64,
         /// The inputs that it looks at in steps from a control state, with these times of the document.
         reads: fn(&Control, &Timing) -> Atoms,
     },
@@ -102,8 +102,8 @@ pub enum When {
     },
     /// Something else.
     Step {
-        /// Whether it holds.
-        holds: fn(&Step) -> bool,
+        /// The steps of which it holds, a bit each.
+        holds: fn(&Steps) -> u64,
         /// The inputs that it looks at.
         reads: Atoms,
     },
@@ -118,10 +118,10 @@ impl When {
         Self::Inputs { on: Atoms::NONE, off: Atoms::of(atoms) }
     }
 
-    fn holds(self, step: &Step) -> bool {
+    fn holds(self, steps: &Steps) -> u64 {
         match self {
-            Self::Inputs { on, off } => step.shows(on, off),
-            Self::Step { holds, .. } => holds(step),
+            Self::Inputs { on, off } => steps.show(on, off),
+            Self::Step { holds, .. } => holds(steps),
         }
     }
 
@@ -146,34 +146,21 @@ impl Property {
 
     /// Whether a step keeps the property.
     pub fn holds(&self, machine: &Machine, step: &Step) -> bool {
-        let (before, after) = (step.before.state, step.after().state);
-        match self.claim {
-            Claim::Leads { from, when, to } => {
-                !from.contains(&before) || to.contains(&after) || !when.holds(step)
-            }
-            Claim::Only { from, to, when } => before != from || after != to || when.holds(step),
-            Claim::Each { holds, .. } => holds(machine, step),
-        }
+        self.broken_in(machine, &step.steps()) == 0
     }
 
-    /// Whether none but a look at each step tells whether it is kept, and no [word](Self::is_broken_in) of them.
-    pub(crate) const fn needs_each_step(&self) -> bool {
-        let (Claim::Leads { when, .. } | Claim::Only { when, .. }) = self.claim else { return true };
-        !matches!(when, When::Inputs { .. })
-    }
-
-    /// Whether any step of a word breaks it, all of them out of a state that it concerns: of what is seen in them there are the
-    /// planes, and `lead` has those that lead to a state.
-    pub(crate) fn is_broken_in(&self, planes: &Planes, lead: &Led) -> bool {
-        match self.claim {
-            Claim::Leads { when: When::Inputs { on, off }, to, .. } => {
-                planes.show(on, off) & !to.iter().fold(0, |there, &to| there | lead.to(to)) & lead.all() != 0
+    /// The steps that break the property, a bit each.
+    pub fn broken_in(&self, machine: &Machine, steps: &Steps) -> u64 {
+        let (before, after) = (steps.before.state, steps.after().state);
+        steps.lanes()
+            & match self.claim {
+                Claim::Leads { from, when, to } if from.contains(&before) && !to.contains(&after) => {
+                    when.holds(steps)
+                }
+                Claim::Only { from, to, when } if (before, after) == (from, to) => !when.holds(steps),
+                Claim::Leads { .. } | Claim::Only { .. } => 0,
+                Claim::Each { holds, .. } => !holds(machine, steps),
             }
-            Claim::Only { when: When::Inputs { on, off }, to, .. } => {
-                lead.to(to) & !planes.show(on, off) != 0
-            }
-            _ => false,
-        }
     }
 
     /// The properties that an edition has, with their places in [`PROPERTIES`].
@@ -214,29 +201,6 @@ impl Property {
             Claim::Only { .. } => Atoms::NONE,
             Claim::Each { reads, .. } => reads(from, document),
         }
-    }
-}
-
-/// Which steps of a word lead where: a bit each.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Led([u64; 8]);
-
-impl Led {
-    /// The step at this place of the word leads to a state.
-    pub(crate) fn leads(&mut self, place: usize, to: AsState) {
-        if let Some(there) = self.0.get_mut(to as usize) {
-            *there |= 1 << place;
-        }
-    }
-
-    /// Those that lead to a state.
-    fn to(&self, to: AsState) -> u64 {
-        self.0.get(to as usize).copied().unwrap_or_default()
-    }
-
-    /// All that there are.
-    fn all(&self) -> u64 {
-        self.0.iter().fold(0, |all, there| all | there)
     }
 }
 

@@ -1,25 +1,10 @@
-//! One step of the VCU, as properties look at it.
+//! One step of the VCU.
 
-use adsdv_spec::messages::{
-    AsState, AxleTorqueRequest, BrakePressure, DirectionRequest, MotorSpeedMax, SteerAngle,
-};
-use adsdv_spec::{
-    Actuation, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Observation, Outputs,
-    Reaction, Taken, Timing,
-};
+use adsdv_spec::{Atoms, Control, Faults, Machine, Observation, Reaction, Taken, Timing};
 
-use crate::document::{DEFAULT, Document};
-
-/// The VCU's cycle, which is the model's, and the same in every edition. That steps of any length are right is for the proofs.
-pub(crate) const CYCLE_MS: u32 = {
-    let cycle_ms = DEFAULT.rules.timing.cycle_ms;
-    let mut place = 0;
-    while place < Edition::ALL.len() {
-        assert!(Edition::ALL[place].rules.timing.cycle_ms == cycle_ms, "the model steps every edition alike");
-        place += 1;
-    }
-    cycle_ms as u32
-};
+pub(crate) use crate::cycle::CYCLE_MS;
+use crate::document::Document;
+use crate::steps::Steps;
 
 /// A step: what was, what was seen, and what the VCU made of it.
 ///
@@ -86,134 +71,20 @@ impl Step {
         &self.reaction.control
     }
 
-    /// Whether the inputs show this condition.
-    pub fn sees(&self, atom: Atom) -> bool {
-        self.seen.has(atom)
-    }
-
-    /// Whether the inputs show all of these conditions, and none of those.
-    pub fn shows(&self, on: Atoms, off: Atoms) -> bool {
-        on.is_subset(self.seen) && off.intersection(self.seen).is_empty()
-    }
-
-    /// How long the state before the step has lasted when the step is made, in milliseconds, as far as it was counted.
-    pub fn lasted_ms(&self) -> u32 {
-        u32::from(self.before.in_state_ms) + CYCLE_MS
-    }
-
-    /// Whether the state before the step has lasted for the time that the document gives it.
-    pub fn has_lasted(&self) -> bool {
-        self.lasted_ms() >= u32::from(self.timing.in_state_limit(self.before.state))
-    }
-
-    /// Whether the state after the step will have lasted for its time at the next step.
-    pub fn next_has_lasted(&self) -> bool {
-        let next_ms = u32::from(self.after().in_state_ms) + CYCLE_MS;
-        next_ms >= u32::from(self.timing.in_state_limit(self.after().state))
-    }
-
-    /// Whether the handshake has been unanswered for as long as the document allows, or, while it is performed, a message
-    /// has been missing for as long (section 2.4).
+    /// Whether communication is lost: as [`Steps::comms_lost`] has it.
     pub fn comms_lost(&self) -> bool {
-        let handshake = self.after().handshake;
-        handshake.is_lost(self.timing.handshake_ms)
-            || handshake.active && self.has(Atom::AiMessagesMissed) && self.sees(Atom::AiMessagesMissed)
+        self.steps().comms_lost() & self.steps().lanes() != 0
     }
 
-    /// Whether the document knows a condition at all.
-    fn has(&self, atom: Atom) -> bool {
-        self.document.scope.has(atom)
+    /// The step as properties look at it: as one of many.
+    pub fn steps(&self) -> Steps<'_> {
+        Steps::one(self.document, &self.timing, &self.before, self.seen, &self.reaction)
     }
-
-    /// Whether the handshake went on as section 2.4 has it: an answer turns the bit round, and without one it stays, and
-    /// the time is counted from the first active step on.
-    pub fn handshake_is_counted(&self, timing: &Timing) -> bool {
-        let (before, after) = (self.before.handshake, self.after().handshake);
-        if !after.active {
-            !self.sees(Atom::Tsms)
-        } else if self.sees(Atom::AiHandshake) == before.bit {
-            after.bit != before.bit && after.unanswered_ms == 0
-        } else {
-            let counted = if before.active { u32::from(before.unanswered_ms) + CYCLE_MS } else { 0 };
-            after.bit == before.bit
-                && u32::from(after.unanswered_ms) == counted.min(timing.handshake_ms.into())
-        }
-    }
-
-    /// Whether the document names a reason for `EMERGENCY_BRAKE` in what is seen (sections 2.1, 2.4, 3.5, 3.7, 3.8, 4).
-    pub fn has_reason_to_brake(&self) -> bool {
-        let driving = self.before.state == AsState::Driving;
-        let estop = driving || self.document.edition.readings.is(Choice::EstopEveryState);
-        self.sees(Atom::SdcOpen)
-            || estop && self.sees(Atom::AiEstop)
-            || self.comms_lost()
-            || driving && self.has_reason_to_stop_driving()
-    }
-
-    /// Whether the document names a reason of `AS_DRIVING` alone (sections 3.7, 4).
-    fn has_reason_to_stop_driving(&self) -> bool {
-        let fast = self.sees(Atom::MissionFinished) || self.sees(Atom::DirectionNeutral);
-        let torque = !self.sees(Atom::FrontTorqueZero) || !self.sees(Atom::RearTorqueZero);
-        !self.sees(Atom::Asms)
-            || !self.sees(Atom::GoOn)
-            || fast && self.sees(Atom::Moving)
-            || self.has(Atom::BrakeRequestZero) && torque && !self.sees(Atom::BrakeRequestZero)
-            || self.has(Atom::EbsUnavailable) && self.sees(Atom::EbsUnavailable)
-            || self.has(Atom::BmsFault) && self.sees(Atom::BmsFault)
-    }
-
-    /// Whether drive or steering requests reach the actuators, were the AI Computer to request all it can.
-    pub fn drives(&self, machine: &Machine) -> bool {
-        self.requests_reach(machine).contains(&true)
-    }
-
-    /// Whether what the AI Computer could request of torque, speed, direction and steering reaches the actuators.
-    fn requests_reach(&self, machine: &Machine) -> [bool; 4] {
-        let Actuation {
-            front_axle_trq,
-            front_motor_speed_max,
-            rear_axle_trq,
-            rear_motor_speed_max,
-            direction,
-            steer,
-            hyd_press_f: BrakePressure { .. },
-            hyd_press_r: BrakePressure { .. },
-            ebs_triggered: _,
-        } = self.outputs(machine).actuation(&full_requests());
-        [
-            [front_axle_trq, rear_axle_trq] != [AxleTorqueRequest::default(); 2],
-            [front_motor_speed_max, rear_motor_speed_max] != [MotorSpeedMax::default(); 2],
-            direction != DirectionRequest::Neutral,
-            steer.is_some(),
-        ]
-    }
-
-    /// Whether 520h carries `GO_SIGNAL` 1.
-    pub fn go_signal(&self, machine: &Machine) -> bool {
-        self.outputs(machine).go_signal
-    }
-
-    fn outputs(&self, machine: &Machine) -> Outputs {
-        machine.outputs(self.before.state, &self.reaction, self.sees(Atom::GoOn))
-    }
-}
-
-/// An AI Computer that requests all it can.
-fn full_requests() -> Inputs {
-    let mut inputs = Inputs::default();
-    let ai = &mut inputs.ai;
-    ai.status.direction_request = DirectionRequest::Forward;
-    ai.drive_f.front_axle_trq_request = AxleTorqueRequest::MAX;
-    ai.drive_f.front_motor_speed_max = MotorSpeedMax::MAX;
-    ai.drive_r.rear_axle_trq_request = AxleTorqueRequest::MAX;
-    ai.drive_r.rear_motor_speed_max = MotorSpeedMax::MAX;
-    ai.steer.steer_request = SteerAngle::MAX;
-    inputs
 }
 
 #[cfg(test)]
 mod tests {
-    use adsdv_spec::Faults;
+    use adsdv_spec::{AsState, Atom};
 
     use super::*;
 
@@ -224,7 +95,28 @@ mod tests {
         for state in AsState::ALL {
             let control = Control { state, ..Control::INITIAL };
             let step = Step::of(&machine, &machine.edition().rules.timing, control, seen);
-            assert_eq!(step.requests_reach(&machine), [state == AsState::Driving; 4], "{state}");
+            let reach = step.steps().requests_reach(&machine, true);
+            assert_eq!(reach, [state == AsState::Driving; 4], "{state}");
+        }
+    }
+
+    /// Whoever looks at no inputs finds out what holds of all.
+    #[test]
+    fn who_looks_at_the_inputs_is_noticed() {
+        let machine = Machine::REFERENCE;
+        let timing = &machine.edition().rules.timing;
+        let step = Step::of(&machine, timing, Control::INITIAL, Observation::default());
+        let steps = step.steps();
+        let _ = (steps.have_lasted(), steps.next_have_lasted(), steps.comms_lost(), steps.drive(&machine));
+        assert!(!steps.were_looked_at());
+        let looks: [fn(&Steps) -> u64; 3] = [
+            |steps| steps.see(Atom::Asms),
+            |steps| steps.show(Atoms::NONE, Atoms::of(&[Atom::Asms])),
+            |steps| steps.have_reason_to_brake(),
+        ];
+        for look in looks {
+            look(&steps);
+            assert!(steps.were_looked_at() && !steps.were_looked_at());
         }
     }
 }

@@ -10,6 +10,7 @@ use adsdv_spec::{AsState, Choice, Choices, Control, Edition, Machine, Reading, R
 use crate::action::Action;
 use crate::closed::{Closed, ClosedProperty, Operator};
 use crate::document::{DEFAULT, is_default};
+use crate::look::Engine;
 use crate::property::{Harm, Property};
 use crate::run::Run;
 use crate::vectors::Vectors;
@@ -109,12 +110,13 @@ pub fn together(edition: &Edition) -> usize {
 }
 
 /// Checks an edition of the interface under every combination of readings in which at most so many are not the default,
-/// and in these closed models. `progress` gets how much is done, and of how much.
+/// and in these closed models; `engine` makes the steps of the open ones. `progress` gets how much is done, and of how much.
 pub fn sweep(
     edition: &'static Edition,
     together: usize,
     models: &[(Choice, Operator)],
     threads: usize,
+    engine: Engine,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Sweep {
     let mut all = combinations(edition);
@@ -124,7 +126,7 @@ pub fn sweep(
         let (done, all) = work.add(by);
         progress(done, all);
     };
-    let mut explored = explored(edition, &all, threads, || done(1));
+    let mut explored = explored(edition, &all, threads, engine, || done(1));
     for &(choice, operator) in models {
         explored.add_closed(edition, choice, operator, threads);
         done(work.closed_each());
@@ -132,7 +134,7 @@ pub fn sweep(
     let Explored { transitions, complete, failing, closed } = explored;
     let combinations: BTreeSet<Choices> = all.iter().map(|readings| others(edition, *readings)).collect();
     let mut costs = minimal(edition, failing, &combinations);
-    add_runs(&mut costs, edition);
+    add_runs(&mut costs, edition, engine);
     Sweep { edition, combinations: all.len(), transitions, complete, costs, closed }
 }
 
@@ -199,7 +201,13 @@ impl Explored {
 }
 
 /// Explores the open model under these combinations, with the short timers.
-fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn() + Sync) -> Explored {
+fn explored(
+    edition: &Edition,
+    all: &[Readings],
+    threads: usize,
+    engine: Engine,
+    done: impl Fn() + Sync,
+) -> Explored {
     let short = edition.with_timing(short_timers(edition));
     let next = AtomicUsize::new(0);
     let explored = Mutex::new(Explored::NOTHING);
@@ -207,7 +215,7 @@ fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn()
         for _ in 0..threads.max(1) {
             scope.spawn(|| {
                 while let Some(readings) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let report = explore_quietly(&Machine::new(short, *readings), &options(edition));
+                    let report = explore_quietly(&Machine::new(short, *readings), &options(edition, engine));
                     let mut explored = explored.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
                     explored.add(others(edition, *readings), &report);
                     drop(explored);
@@ -220,14 +228,14 @@ fn explored(edition: &Edition, all: &[Readings], threads: usize, done: impl Fn()
 }
 
 /// Adds the shortest runs to the properties that fail. What is shown comes from the real timers.
-fn add_runs(costs: &mut [Cost], edition: &Edition) {
+fn add_runs(costs: &mut [Cost], edition: &Edition, engine: Engine) {
     // A goal that is missed has no run.
     let mut broken: BTreeMap<Choices, BTreeSet<&'static str>> = BTreeMap::new();
     for cost in costs.iter().filter(|cost| Property::find(cost.name).is_some()) {
         broken.entry(cost.choices).or_default().insert(cost.name);
     }
     for (choices, names) in broken {
-        let runs = runs_for(&machine_with(edition, choices), edition.rules.timing, names.clone());
+        let runs = runs_for(&machine_with(edition, choices), edition.rules.timing, engine, names.clone());
         for cost in costs.iter_mut().filter(|cost| cost.choices == choices && names.contains(cost.name)) {
             cost.run = runs.get(cost.name).cloned();
         }
@@ -247,8 +255,8 @@ fn combinations(edition: &Edition) -> Vec<Readings> {
 }
 
 /// Each exploration has one thread: there are enough explorations for all.
-const fn options(edition: &Edition) -> Options {
-    Options { vectors: Vectors::Few, threads: 1, document: short_timers(edition) }
+const fn options(edition: &Edition, engine: Engine) -> Options {
+    Options { vectors: Vectors::Few, threads: 1, document: short_timers(edition), engine }
 }
 
 /// Of all combinations under which something fails, those that fail it with fewest choices.
@@ -375,14 +383,15 @@ mod tests {
             .filter(|readings| others(EDITION, *readings).iter().count() < 2)
             .collect();
         let (times, short) = (AtomicUsize::new(0), EDITION.with_timing(SHORT_TIMERS));
-        let found = explored(EDITION, &few, 2, || {
+        let found = explored(EDITION, &few, 2, Engine::default(), || {
             times.fetch_add(1, Ordering::Relaxed);
         });
         assert_eq!(times.into_inner(), few.len());
         let mut failing = BTreeMap::<_, BTreeSet<Choices>>::new();
         let (mut steps, mut complete) = (0, Vec::new());
         for readings in few {
-            let report = explore_quietly(&Machine::new(short, readings), &options(EDITION));
+            let report =
+                explore_quietly(&Machine::new(short, readings), &options(EDITION, Engine::default()));
             for name in failed(&report) {
                 failing.entry(name).or_default().insert(others(EDITION, readings));
             }
@@ -450,9 +459,10 @@ mod tests {
             cost("driving-estop", Choice::EstopEveryState),
             cost("ready-estop", Choice::EstopDriving),
         ];
-        add_runs(&mut costs, &short);
+        add_runs(&mut costs, &short, Engine::default());
         for cost in costs {
-            let found = runs(&machine_with(&short, cost.choices), short.rules.timing).remove(cost.name);
+            let found = runs(&machine_with(&short, cost.choices), short.rules.timing, Engine::default())
+                .remove(cost.name);
             assert_eq!(found.is_none(), cost.name == "driving-estop", "{}", cost.name);
             assert_eq!(cost.run, found.filter(|_| cost.name != "whole-mission"), "{}", cost.name);
         }
@@ -460,7 +470,8 @@ mod tests {
 
     #[test]
     fn what_fails_is_broken_or_missed() {
-        let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
+        let options =
+            Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS, ..Options::default() };
         let without_rows = EDITION.with_timing(SHORT_TIMERS).with_table(adsdv_spec::table::Table::new(&[]));
         let found = explore_quietly(&Machine::new(without_rows, Readings::DEFAULT), &options);
         let names: Vec<&str> = failed(&found).collect();

@@ -88,6 +88,9 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
     }
 }
 
+/// The conditions that the faults decide.
+const BY_FAULTS: Atoms = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
+
 /// The inputs of the handshake.
 const HANDSHAKE: Atoms = Atoms::of(&[Atom::Tsms, Atom::AiHandshake]);
 
@@ -100,9 +103,7 @@ fn mentioned(rows: &[Row], from: AsState) -> Atoms {
 
 /// Every observation that inputs can show and that differs in what is read; what is not read is off.
 fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
-    // The faults decide these three.
-    let by_faults = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
-    let atoms: Vec<Atom> = reads.atoms.difference(by_faults).iter().collect();
+    let atoms: Vec<Atom> = reads.atoms.difference(BY_FAULTS).iter().collect();
     // A fault of the battery is a condition of its own where it is read, beside what opens the shutdown circuit.
     let battery = reads.atoms.has(Atom::BmsFault);
     let mut faults: Vec<Faults> = subsets(&reads.faults.iter().collect::<Vec<_>>())
@@ -119,16 +120,25 @@ fn combinations(reads: Reads, vectors: Vectors) -> Vec<Observation> {
         .collect();
     if vectors == Vectors::Every {
         // Those that decide the same conditions, and have the same cause, come one after the other.
-        faults.sort_by_key(|&faults| {
-            let seen = Observation::new(Atoms::NONE, faults);
-            (u32::from(seen.atoms()), faults.intersection(Faults::OPENING).cause() as u8)
-        });
+        faults.sort_by_key(|&faults| class(Observation::new(Atoms::NONE, faults)));
     }
-    subsets(&atoms)
+    let seen = subsets(&atoms)
         .map(|atoms| atoms.into_iter().fold(Atoms::NONE, Atoms::with))
         .flat_map(|atoms| faults.iter().map(move |&faults| Observation::new(atoms, faults)))
-        .filter(|seen| seen.is_possible())
-        .collect()
+        .filter(|seen| seen.is_possible());
+    let mut seen: Vec<Observation> = seen.collect();
+    if vectors == Vectors::Every {
+        // So that those of a word come to little that differs.
+        seen.sort_by_cached_key(|&seen| class(seen));
+    }
+    seen
+}
+
+/// What the faults of an observation decide, their cause, and what is heard of the AI Computer.
+fn class(seen: Observation) -> (Atoms, u8, [bool; 3]) {
+    let cause = seen.faults().intersection(Faults::OPENING).cause();
+    let heard = Machine::HEARD.map(|atom| seen.atoms().has(atom));
+    (seen.atoms().intersection(BY_FAULTS), cause as u8, heard)
 }
 
 /// Every subset.

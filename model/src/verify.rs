@@ -15,6 +15,7 @@ use stateright::{Checker, HasDiscoveries, Model, Path};
 use crate::action::Action;
 use crate::document::{DEFAULT, Document};
 use crate::goals::{Goal, goals};
+use crate::look::Engine;
 use crate::moot::moot;
 use crate::open::{Open, Seen, State};
 use crate::parts::Part;
@@ -32,6 +33,8 @@ pub struct Options {
     pub threads: usize,
     /// The times that the properties speak of: the document's, but for a model with other timers.
     pub document: Timing,
+    /// How steps are made: both engines find the same.
+    pub engine: Engine,
 }
 
 impl Default for Options {
@@ -40,6 +43,7 @@ impl Default for Options {
             vectors: Vectors::Every,
             threads: thread::available_parallelism().map_or(1, usize::from),
             document: DEFAULT.rules.timing,
+            engine: Engine::default(),
         }
     }
 }
@@ -106,8 +110,8 @@ pub fn verify(machine: Machine, options: Options, progress: impl FnMut(Progress)
     let exploration = explore(machine, options, progress);
     let dead = exploration.parts.iter().filter(|(_, decides)| !decides);
     let dead: Vec<Part> = dead.map(|(part, _)| part.clone()).collect();
-    let moot = moot(&machine, &dead, options.threads);
-    Report { exploration, runs: runs(&machine, options.document), moot }
+    let moot = moot(&machine, &dead, options.threads, options.engine);
+    Report { exploration, runs: runs(&machine, options.document, options.engine), moot }
 }
 
 /// Explores the open model of a machine to its end.
@@ -115,7 +119,7 @@ pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Prog
     /// Between two looks at how far it has come: short beside the shortest exploration.
     const PACE: Duration = Duration::from_millis(2);
     let expected_depth = expected_depth(&machine.edition().rules.timing);
-    let model = Open::new(machine, options.document, options.vectors).with_parts();
+    let model = Open::of(&machine, &options).with_parts();
     to_the_end(model, options.threads, |depth, seen| {
         while let Some(depth) = depth() {
             progress(Progress {
@@ -136,7 +140,7 @@ fn expected_depth(timing: &Timing) -> usize {
 
 /// The same without progress, and without a look at the parts of the table: it reports none.
 pub fn explore_quietly(machine: &Machine, options: &Options) -> Exploration {
-    to_the_end(Open::new(*machine, options.document, options.vectors), options.threads, |_, _| {})
+    to_the_end(Open::of(machine, options), options.threads, |_, _| {})
 }
 
 /// Explores to the end; `wait` may ask, meanwhile, how deep it is, which is `None` once it is done.
@@ -181,24 +185,34 @@ fn checker(model: Open, threads: usize, until: BTreeSet<&'static str>) -> impl C
 const NOTHING: &str = "no property";
 
 /// The shortest run that breaks each property that is broken, and that reaches each goal that is reached.
-pub(crate) fn runs(machine: &Machine, document: Timing) -> HashMap<&'static str, Vec<Action>> {
-    runs_for(machine, document, [NOTHING].into())
+pub(crate) fn runs(
+    machine: &Machine,
+    document: Timing,
+    engine: Engine,
+) -> HashMap<&'static str, Vec<Action>> {
+    runs_for(machine, document, engine, [NOTHING].into())
 }
 
 /// The same, of a search that ends when it has those for all of these names.
 pub(crate) fn runs_for(
     machine: &Machine,
     document: Timing,
+    engine: Engine,
     names: BTreeSet<&'static str>,
 ) -> HashMap<&'static str, Vec<Action>> {
     // With one thread, the first path to a state is a shortest one.
-    let checker = checker(Open::new(*machine, document, Vectors::Read), 1, names).join();
+    let model = Open::new(*machine, document, Vectors::Read).with_engine(engine);
+    let checker = checker(model, 1, names).join();
     let model = checker.model();
     let found = checker.discoveries().into_iter();
     found.map(|(name, path)| (name, model.run(path, name))).collect()
 }
 
 impl Open {
+    fn of(machine: &Machine, options: &Options) -> Self {
+        Self::new(*machine, options.document, options.vectors).with_engine(options.engine)
+    }
+
     /// The way to a state, and a step out of it that breaks the property or reaches the goal of this name.
     fn run(&self, path: Path<State, Action>, name: &str) -> Vec<Action> {
         if let Some(property) = Property::find(name) {
@@ -263,7 +277,8 @@ mod tests {
 
     fn explored() -> Exploration {
         let machine = Machine::new(Edition::DEFAULT.with_timing(SHORT_TIMERS), Readings::DEFAULT);
-        let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS };
+        let options =
+            Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS, ..Options::default() };
         explore(machine, options, |progress| assert_eq!(progress.expected_depth, 16))
     }
 

@@ -27,7 +27,7 @@ const UNSEEN: &[(&str, &str)] = &[
 
 /// With a look at the parts of the table.
 fn explore(edition: &Edition, readings: Readings) -> Exploration {
-    let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT };
+    let options = Options { vectors: Vectors::Read, threads: 1, document: SHORT, ..Options::default() };
     let exploration = adsdv_model::explore(Machine::new(*edition, readings), options, |_| {});
     assert!(exploration.complete);
     exploration
@@ -36,7 +36,7 @@ fn explore(edition: &Edition, readings: Readings) -> Exploration {
 /// The names of what does not hold or is not reached.
 fn failed(edition: &Edition, readings: Readings) -> BTreeSet<&'static str> {
     let document = short_timers(Edition::find(edition.version).unwrap_or(Edition::DEFAULT));
-    let options = Options { vectors: Vectors::Read, threads: 1, document };
+    let options = Options { vectors: Vectors::Read, threads: 1, document, ..Options::default() };
     let exploration = explore_quietly(&Machine::new(*edition, readings), &options);
     assert!(exploration.complete);
     let broken = exploration.broken.iter().map(|property| property.name);

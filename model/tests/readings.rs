@@ -8,7 +8,7 @@
 use std::thread;
 
 use adsdv_model::closed::Operator;
-use adsdv_model::{READINGS_HEAD, Sweep, closed_models, properties, state_machines, sweep};
+use adsdv_model::{Engine, READINGS_HEAD, Sweep, closed_models, properties, state_machines, sweep};
 use adsdv_spec::{Choices, Edition};
 
 const WRITTEN: &str = include_str!("../READINGS.md");
@@ -49,7 +49,7 @@ fn swept(edition: &'static Edition, together: usize) -> Sweep {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let follows = |(_, operator): &(_, Operator)| *operator == Operator::WellBehaved;
     let models: Vec<_> = closed_models(edition).filter(follows).collect();
-    let swept = sweep(edition, together, &models, threads, |_, _| {});
+    let swept = sweep(edition, together, &models, threads, Engine::default(), |_, _| {});
     assert!(swept.complete);
     assert!(swept.closed.is_empty(), "an operator who follows the procedure is never let down");
     // What is broken is shown: a run for each property, and the properties hold under the defaults.

@@ -212,7 +212,8 @@ impl Subject {
     }
 
     fn stateright(&self) -> Found {
-        let options = Options { vectors: self.vectors, threads: 1, document: self.document };
+        let options =
+            Options { vectors: self.vectors, threads: 1, document: self.document, ..Options::default() };
         let exploration = explore_quietly(&self.machine, &options);
         assert!(exploration.complete, "{}", self.name);
         let violated = exploration.broken.iter().map(|property| format!("violated: {}", property.name));

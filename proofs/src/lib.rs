@@ -18,6 +18,7 @@
 //! | the whole step under each choice of a reading | [`readings`] |
 //! | how time counts | [`time`] |
 //! | what a step can depend on | [`factoring`], [`independence`] |
+//! | 64 steps at once are the steps one by one | [`network`] |
 //! | the handshake | [`handshake`] |
 //! | messages: each byte by byte, the whole table, reserved identifiers | [`codec`] |
 //! | what the VCU sends and what reaches the actuators | [`outputs`], [`outputs_of_4_0`], [`outputs_of_2026`] |
@@ -43,6 +44,7 @@ pub mod independence;
 pub mod invariant;
 #[cfg(not(kani))]
 pub mod kani;
+pub mod network;
 pub mod outputs;
 pub mod outputs_of_2026;
 pub mod outputs_of_4_0;

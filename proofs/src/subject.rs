@@ -2,6 +2,7 @@
 //!
 //! Kani proves them of [`Specification`]. Tests put something else in its place, a mutant, to see that a theorem can fail.
 
+use adsdv_network::Network;
 use adsdv_spec::belief::{
     Belief, Causes, Glimpse, Handshakes, KnownFaults, Look, Memory, Now, Possible, Span,
 };
@@ -61,6 +62,16 @@ pub trait Subject {
     /// [`Machine::react`].
     fn react(&self, before: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         state_by_state(before, |before| self.machine().react(before, seen, dt_ms))
+    }
+
+    /// [`Machine::react`] of this machine.
+    fn react_of(&self, machine: &Machine, before: &Control, seen: Observation, dt_ms: u32) -> Reaction {
+        state_by_state(before, |before| machine.react(before, seen, dt_ms))
+    }
+
+    /// [`Network::new`].
+    fn network(&self, machine: &Machine) -> Network {
+        Network::new(machine)
     }
 
     /// [`Machine::reads`].

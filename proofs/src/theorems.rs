@@ -46,6 +46,7 @@ pub fn all() -> impl Iterator<Item = &'static Theorem> {
         crate::readings::THEOREMS,
         crate::time::THEOREMS,
         crate::factoring::THEOREMS,
+        crate::network::THEOREMS,
         crate::independence::THEOREMS,
         crate::handshake::THEOREMS,
         crate::codec::ai::THEOREMS,

@@ -17,6 +17,7 @@ use crate::edition::{Edition, Rules};
 use crate::faults::{Fault, Faults};
 use crate::handshake::{Handshake, count_up};
 use crate::inputs::Inputs;
+use crate::kept::{Kept, Literals};
 use crate::masks::TermMasks;
 use crate::messages::{AsState, ShutdownCause};
 use crate::observation::Observation;
@@ -41,6 +42,8 @@ pub struct Machine {
     begins: [u8; STATES + 2],
     /// What must hold before the "Go" edge counts: the guard of AS_READY to AS_DRIVING without "Go".
     go_conditions: Option<TermMasks>,
+    /// What must hold for a step to arm the "Go" edge; `None` where none does.
+    go_low: Option<Literals>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -119,6 +122,7 @@ impl Machine {
             arrows: [nowhere; MAX_ROWS * MAX_TERMS],
             begins: [0; STATES + 2],
             go_conditions: None,
+            go_low: None,
         };
         let rows = edition.rules.table.rows();
         let mut filled = 0;
@@ -143,6 +147,16 @@ impl Machine {
             state += 1;
         }
         machine.begins[STATES + 1] = filled as u8;
+        machine.go_low = match machine.go_conditions {
+            //= SM-2, DRV-11, D-6
+            Some(_) if readings.is(Choice::GoEdgeEnough) => Some(Literals::EVER.and_off(Atom::GoOn)),
+            // Conditions that ask for "Go" are never seen while it is off.
+            Some(conditions) if !conditions.on().has(Atom::GoOn) => {
+                let off = conditions.care().difference(conditions.on());
+                Some(Literals { on: conditions.on(), off }.and_off(Atom::GoOn))
+            }
+            _ => None,
+        };
         machine
     }
 
@@ -206,22 +220,32 @@ impl Machine {
     /// The part of a step behind [`Inputs::observe`]: the same for all inputs with the same observation.
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
-        let timing = &self.edition.rules.timing;
         let inputs = self.atoms_of(seen);
-        //= HS-1, D-8
-        let active = self.readings.is(Choice::HandshakeAlways) || inputs.has(Atom::Tsms);
-        let answer = inputs.has(Atom::AiHandshake);
-        let handshake = control.handshake.step(active, answer, dt_ms, timing.handshake_ms);
-        let in_state_ms = count_up(control.in_state_ms, dt_ms, timing.in_state_limit(control.state));
-        //= HS-18
-        let missed = inputs.has(Atom::AiMessagesMissed) && self.watches_messages(active);
-        let comms_lost = handshake.is_lost(timing.handshake_ms) || missed;
+        let (handshake, comms_lost) = self.hear(control.handshake, inputs, dt_ms);
+        let limit = self.edition.rules.timing.in_state_limit(control.state);
+        let in_state_ms = count_up(control.in_state_ms, dt_ms, limit);
 
         let atoms = inputs.union(self.control_atoms(control, in_state_ms, comms_lost, inputs));
         let taken = self.first_arrow(control.state, atoms);
         let noticed = Noticed { atoms, faults: seen.faults(), in_state_ms, handshake, comms_lost };
         self.remember(control, &noticed, taken)
     }
+
+    /// What a step hears of the AI Computer, whose signals are among these atoms: the handshake after it, and whether
+    /// communication is lost. It goes by the atoms of [`HEARD`](Self::HEARD) alone.
+    #[inline(always)]
+    pub const fn hear(&self, before: Handshake, inputs: Atoms, dt_ms: u32) -> (Handshake, bool) {
+        let limit_ms = self.edition.rules.timing.handshake_ms;
+        //= HS-1, D-8
+        let active = self.readings.is(Choice::HandshakeAlways) || inputs.has(Atom::Tsms);
+        let handshake = before.step(active, inputs.has(Atom::AiHandshake), dt_ms, limit_ms);
+        //= HS-18
+        let missed = inputs.has(Atom::AiMessagesMissed) && self.watches_messages(active);
+        (handshake, handshake.is_lost(limit_ms) || missed)
+    }
+
+    /// The atoms by which [`hear`](Self::hear) goes.
+    pub const HEARD: [Atom; 3] = [Atom::Tsms, Atom::AiHandshake, Atom::AiMessagesMissed];
 
     /// The last part of a step: what is remembered, and what 520h shows of the faults, when this was noticed and `taken` is the
     /// arrow that was taken, with the state that it leads to.
@@ -254,13 +278,13 @@ impl Machine {
         }
 
         let stays = state as u8 == control.state as u8;
-        let edges = matches!(state, AsState::Driving) && self.readings.is(Choice::FaultEdge);
+        let kept = self.kept(state);
         let control = Control {
             state,
             in_state_ms: if stays { in_state_ms } else { 0 },
-            go_seen_low: matches!(state, AsState::Ready) && self.sees_go_low(atoms),
-            was_running: edges && atoms.has(Atom::MissionRunning),
-            was_forward: edges && !atoms.has(Atom::DirectionNeutral),
+            go_seen_low: Literals::some_hold(kept.go_seen_low, atoms),
+            was_running: Literals::some_hold(kept.was_running, atoms),
+            was_forward: Literals::some_hold(kept.was_forward, atoms),
             handshake,
             power_cycle_needed,
             shutdown_cause,
@@ -280,10 +304,19 @@ impl Machine {
     #[inline(always)]
     pub const fn atoms_of(&self, seen: Observation) -> Atoms {
         let atoms = seen.atoms().intersection(self.scope);
-        let opening = seen.faults().intersection(Faults::OPENING).without(Fault::BmsFault);
-        //= D-54
-        let closed = self.readings.is(Choice::BmsDriving) && opening.is_empty();
+        let closed = seen.faults().intersection(self.opening()).is_empty();
         atoms.difference(Atoms::when(Atom::SdcOpen, closed))
+    }
+
+    /// The faults that open the shutdown circuit, as the guards see it.
+    #[inline(always)]
+    pub const fn opening(&self) -> Faults {
+        //= D-54
+        if self.readings.is(Choice::BmsDriving) {
+            Faults::OPENING.without(Fault::BmsFault)
+        } else {
+            Faults::OPENING
+        }
     }
 
     /// Whether a message of the AI Computer that is missed is a fault, while the handshake is performed or is not.
@@ -376,7 +409,7 @@ impl Machine {
     }
 
     /// The atoms that the control state decides at a step, were these all that is seen.
-    pub(crate) const fn memory_atoms(&self, control: &Control, dt_ms: u32, seen: Atoms) -> Atoms {
+    pub const fn memory_atoms(&self, control: &Control, dt_ms: u32, seen: Atoms) -> Atoms {
         let limit = self.edition.rules.timing.in_state_limit(control.state);
         self.control_atoms(control, count_up(control.in_state_ms, dt_ms, limit), false, seen)
     }
@@ -394,16 +427,22 @@ impl Machine {
         }
     }
 
-    /// Whether this step arms the "Go" edge (section 3.2, item 3): the switch is off, and, where it must be seen
-    /// so while the conditions hold, they do.
-    const fn sees_go_low(&self, atoms: Atoms) -> bool {
-        if atoms.has(Atom::GoOn) {
-            return false;
-        }
-        match self.go_conditions {
-            //= SM-2, DRV-11, D-6
-            Some(conditions) => self.readings.is(Choice::GoEdgeEnough) || conditions.holds(atoms),
-            None => false,
+    /// What a step that leads to this state keeps of what its guards see, until the next one.
+    ///
+    /// ```
+    /// use adsdv_spec::{AsState, Atom, Machine};
+    ///
+    /// // AS_READY remembers that "Go" was off while all else was in order (section 3.2, item 3).
+    /// let armed = Machine::REFERENCE.kept(AsState::Ready).go_seen_low.unwrap();
+    /// assert!(armed.off.has(Atom::GoOn) && armed.on.has(Atom::DirectionNeutral));
+    /// assert_eq!(Machine::REFERENCE.kept(AsState::Off).go_seen_low, None);
+    /// ```
+    #[inline(always)]
+    pub const fn kept(&self, to: AsState) -> Kept {
+        match to {
+            AsState::Ready => Kept { go_seen_low: self.go_low, ..Kept::NOTHING },
+            AsState::Driving if self.readings.is(Choice::FaultEdge) => Kept::OF_EDGES,
+            _ => Kept::NOTHING,
         }
     }
 

@@ -23,6 +23,11 @@ impl TermMasks {
         Self { on: self.on.without(atom), care: self.care.without(atom) }
     }
 
+    /// The atoms that must hold.
+    pub(crate) const fn on(self) -> Atoms {
+        self.on
+    }
+
     /// The atoms that count.
     pub(crate) const fn care(self) -> Atoms {
         self.care

@@ -28,7 +28,7 @@ const KNOWN: [&[&str]; 16] = [
     &["ffi/src/border.rs", "ffi/src/edition.rs", "ffi/src/error.rs", "ffi/src/plain.rs"],
     &["ffi/src/judge.rs", "ffi/src/rules.rs"],
     &["model/src/closed/operator.rs", "model/src/closed/state.rs"],
-    &["model/src/goals.rs", "model/src/look.rs", "model/src/open.rs"],
+    &["model/src/goals.rs", "model/src/look/mod.rs", "model/src/open.rs"],
     &["model/src/moot.rs", "model/src/sweep.rs", "model/src/verify.rs"],
     &["model/src/properties.rs", "model/src/property.rs"],
     &["oracle/src/conform/failures.rs", "oracle/src/conform/run.rs", "oracle/src/conform/suite.rs"],

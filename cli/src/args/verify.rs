@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use adsdv_model::Vectors;
+use adsdv_model::{Engine, Vectors};
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice, ValueEnum};
 
@@ -38,6 +38,9 @@ EXAMPLES
 
   Quickly, with only those inputs that can matter at each state:
       adsdv verify --vectors read
+
+  Step by step, as a check of the engine that makes 64 steps at once:
+      adsdv verify --engine single
 
 OUTPUT
   For each model how many states and steps were explored, and whether that is
@@ -83,6 +86,12 @@ pub(crate) struct VerifyArgs {
     /// Which inputs the open model tries at a state.
     #[arg(long, value_name = "WHICH", default_value_t = Tried::Every, value_enum)]
     pub(crate) vectors: Tried,
+
+    /// How the steps of the open model are made.
+    ///
+    /// Both find the same states, steps, verdicts and shortest runs.
+    #[arg(long, value_name = "HOW", default_value_t = Steps::Words, value_enum)]
+    pub(crate) engine: Steps,
 
     /// How many threads explore [default: one for each core].
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
@@ -133,6 +142,24 @@ pub(crate) enum Tried {
     Every,
     /// Those that can still matter, by the lemmas of model/README.md.
     Read,
+}
+
+/// How steps are made.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Steps {
+    /// For 64 inputs at once, by a network over machine words: theorems say that it is the step.
+    Words,
+    /// One by one, by the step itself: slower, and the reference.
+    Single,
+}
+
+impl From<Steps> for Engine {
+    fn from(steps: Steps) -> Self {
+        match steps {
+            Steps::Words => Self::Words,
+            Steps::Single => Self::Single,
+        }
+    }
 }
 
 impl From<Tried> for Vectors {

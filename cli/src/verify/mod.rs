@@ -16,7 +16,7 @@ mod table;
 
 use std::thread;
 
-use adsdv_model::{Options, READINGS_HEAD, Sweep, closed_models, state_machines, sweep, together};
+use adsdv_model::{Engine, Options, READINGS_HEAD, Sweep, closed_models, state_machines, sweep, together};
 use adsdv_spec::Edition;
 
 use crate::args::VerifyArgs;
@@ -37,7 +37,11 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     }
     let machine = pins::machine(chosen.edition(), &args.readings)?;
     counterexample::expect_directory(&args.logs)?;
-    let outcome = outcome::explore(&machine, args.model, args.vectors.into(), threads);
+    let outcome = {
+        let document = machine.edition().rules.timing;
+        let options = Options { vectors: args.vectors.into(), threads, document, engine: args.engine.into() };
+        outcome::explore(&machine, args.model, options)
+    };
     let (failures, unwritten) = counterexample::write(chosen.edition(), &outcome, &args.logs)?;
     if args.json {
         output::plain(&json::text(&outcome, &failures))?;
@@ -60,7 +64,7 @@ fn readings(args: &VerifyArgs, editions: &[&'static Edition], threads: usize) ->
     }
     let (mut lines, mut holds) = (Vec::new(), true);
     for edition in editions {
-        let swept = explored(edition, threads);
+        let swept = explored(edition, threads, args.engine.into());
         holds &= costs::holds(&swept);
         let line = costs::json(&swept);
         if is_text {
@@ -77,7 +81,7 @@ fn readings(args: &VerifyArgs, editions: &[&'static Edition], threads: usize) ->
 }
 
 /// What each reading of an edition costs, with a line that tells how far it is.
-fn explored(edition: &'static Edition, threads: usize) -> Sweep {
+fn explored(edition: &'static Edition, threads: usize, engine: Engine) -> Sweep {
     let (sender, receiver) = std::sync::mpsc::channel();
     thread::scope(|scope| {
         // The explorations tell how far they are from their own threads; this one looks after the line.
@@ -88,7 +92,7 @@ fn explored(edition: &'static Edition, threads: usize) -> Sweep {
             }
         });
         let models: Vec<_> = closed_models(edition).collect();
-        sweep(edition, together(edition), &models, threads, move |done, all| {
+        sweep(edition, together(edition), &models, threads, engine, move |done, all| {
             let _ = sender.send((done, all));
         })
     })

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use adsdv_model::closed::{Closed, Expectation, Operator};
-use adsdv_model::{Goal, Options, Part, Property, Report, Run, Vectors, goals, properties, verify};
+use adsdv_model::{Goal, Options, Part, Property, Report, Run, goals, properties, verify};
 use adsdv_spec::{Choice, Machine};
 
 use crate::args::Models;
@@ -106,12 +106,11 @@ impl Outcome {
     }
 }
 
-/// Explores the models.
-pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, threads: usize) -> Outcome {
+/// Explores the models: the open one as the options say, the closed ones with as many threads.
+pub(super) fn explore(machine: &Machine, which: Models, options: Options) -> Outcome {
     let mut line = ProgressLine::new();
     let mut outcome = Outcome { machine: *machine, models: Vec::new(), parts: Vec::new() };
     if which != Models::Closed {
-        let options = Options { vectors, threads, document: machine.edition().rules.timing };
         let report = verify(*machine, options, |progress| {
             let states = counted(progress.states, "state");
             let text = format!("open model: {states}, {}", counted(progress.steps, "step"));
@@ -122,9 +121,9 @@ pub(super) fn explore(machine: &Machine, which: Models, vectors: Vectors, thread
     }
     if which != Models::Open {
         line.show("closed model, with a well-behaved operator");
-        outcome.models.push(well_behaved(machine, threads));
+        outcome.models.push(well_behaved(machine, options.threads));
         line.show("closed model, with any operator and a fault");
-        outcome.models.push(any_operator(machine, threads));
+        outcome.models.push(any_operator(machine, options.threads));
     }
     outcome
 }

@@ -220,7 +220,7 @@ impl fmt::Display for Elapsed {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_model::{Vectors, short_timers};
+    use adsdv_model::{Options, Vectors, short_timers};
     use adsdv_spec::{Choice, Edition, Machine};
 
     use super::super::{json, outcome};
@@ -234,7 +234,11 @@ mod tests {
         let short = edition.with_timing(short_timers(edition));
         let printed = |readings| {
             let machine = Machine::new(short, readings);
-            let outcome = outcome::explore(&machine, Models::Open, Vectors::Few, 1);
+            let outcome = {
+                let document = machine.edition().rules.timing;
+                let options = Options { vectors: Vectors::Few, threads: 1, document, ..Options::default() };
+                outcome::explore(&machine, Models::Open, options)
+            };
             assert!(outcome.dead().next().is_none());
             let mut text = String::new();
             parts(&mut text, &outcome).expect("a string");

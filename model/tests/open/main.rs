@@ -24,7 +24,7 @@ fn machine(timing: Timing, readings: Readings) -> Machine {
 }
 
 fn options(vectors: Vectors, document: Timing) -> Options {
-    Options { vectors, threads: 1, document }
+    Options { vectors, threads: 1, document, ..Options::default() }
 }
 
 /// Every control state that can be reached.

@@ -25,7 +25,11 @@ const SHORTENED: Edition = Edition::DEFAULT.with_timing(SHORT_TIMERS);
 const SHORT: Machine = Machine::new(SHORTENED, Readings::DEFAULT);
 
 fn verified(machine: &Machine) -> Report {
-    verify(*machine, Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS }, |_| {})
+    verify(
+        *machine,
+        Options { vectors: Vectors::Read, threads: 1, document: SHORT_TIMERS, ..Options::default() },
+        |_| {},
+    )
 }
 
 /// The lines of a story, indented.

@@ -30,7 +30,8 @@ fn machines(every: usize) -> impl Iterator<Item = (String, Machine)> {
 fn the_whole_of_it() {
     let mut text = String::new();
     for (name, machine) in machines(17) {
-        let options = Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS };
+        let options =
+            Options { vectors: Vectors::Few, threads: 1, document: SHORT_TIMERS, ..Options::default() };
         let found = explore(machine, options, |_| {});
         let holds = if found.holds() { "everything holds" } else { "something fails" };
         let Exploration { states, transitions, depth, broken, missed, parts, .. } = found;

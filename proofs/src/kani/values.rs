@@ -206,6 +206,12 @@ impl Arbitrary for Observation {
     }
 }
 
+impl Arbitrary for adsdv_network::Planes {
+    fn any(source: &mut Source) -> Self {
+        source.arbitrary()
+    }
+}
+
 impl Arbitrary for Knowledge {
     fn any(source: &mut Source) -> Self {
         Self::exact(Atoms::any(source)).forget(Atoms::any(source))

@@ -9,6 +9,7 @@ mod factoring;
 mod figure2;
 mod handshake;
 mod invariant;
+mod network;
 mod otherwise;
 mod outputs;
 mod readings;
@@ -130,6 +131,7 @@ fn mutants() -> impl Iterator<Item = Mutant> {
         readings::mutants(),
         time::mutants(),
         factoring::mutants(),
+        network::mutants(),
         handshake::mutants(),
         codec::mutants(),
         outputs::mutants(),
