@@ -6,6 +6,7 @@ mod codec;
 mod consistent;
 mod drawing;
 mod edition;
+mod factors;
 mod faults;
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
 mod generators;

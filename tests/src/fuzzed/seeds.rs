@@ -33,8 +33,8 @@ const LOGS: [(&str, &str); 2] = [
 const LINES: usize = 60;
 /// A word of a dictionary has at most so many bytes: libFuzzer takes no longer ones.
 const WORD: usize = 64;
-/// A body has at most so many inputs to begin with: one for each theorem, which a byte picks.
-pub const MOST: usize = 256;
+/// A body has at most so many inputs to begin with: one for each theorem, which two bytes pick.
+pub const MOST: usize = 512;
 
 /// By the name of a body, the inputs that it begins with, each with its name.
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
@@ -127,7 +127,7 @@ pub fn corpus() -> Corpus {
     }
     for (place, theorem) in theorems::all().enumerate() {
         let values = any_bytes(place as u64 + 1, 64);
-        add("theorems", theorem.name, with(&[u8::try_from(place).unwrap_or_default()], &values));
+        add("theorems", theorem.name, with(&u16::try_from(place).unwrap_or_default().to_le_bytes(), &values));
     }
     for target in ["c_border", "codec", "conform", "judge_any", "judge_reference", "protocol"] {
         for (place, len) in [16_u16, 48, 64, 96, 128, 192, 256, 400].into_iter().enumerate() {
