@@ -9,9 +9,8 @@ static THEOREMS: LazyLock<Vec<&Theorem>> = LazyLock::new(|| theorems::all().coll
 
 /// The body.
 pub fn body(bytes: &[u8]) {
-    if let Some((&place, values)) = bytes.split_first_chunk() {
-        if let Some(theorem) = THEOREMS.get(usize::from(u16::from_le_bytes(place)) % THEOREMS.len()) {
-            kani::replay(theorem.harness, values);
-        }
+    let Some((&place, values)) = bytes.split_first_chunk() else { return };
+    if let Some(theorem) = THEOREMS.get(usize::from(u16::from_le_bytes(place)) % THEOREMS.len()) {
+        kani::replay(theorem.harness, values);
     }
 }

@@ -10,12 +10,13 @@
 //!   several, or 0 where the emergency has no number of its own (D-13 to D-16);
 //! - an open shutdown circuit that no flag shows (D-12 to D-14);
 //! - whatever the handshake is while TSMS is off, and a step that is not counted when it begins (D-8, D-26, D-44);
-//! - steps that see what was so up to the deadline and a cycle before, switches and EBS by themselves, flags that are so late, and a state that began a step before it shows.
+//! - steps that see what was so up to the deadline and a cycle before, each switch and the EBS by
+//!   themselves, flags that are so late, and a state that began a step before it shows.
 
 use std::collections::HashSet;
 
 use adsdv_oracle::judge::JudgeOptions;
-use adsdv_spec::messages::{Frame, ShutdownCause, Vcu2AiBrake, Vcu2AiStatus};
+use adsdv_spec::messages::{EbsState, Frame, ShutdownCause, Vcu2AiBrake, Vcu2AiStatus};
 use adsdv_spec::{AsState, Control, Edition, Fault, Faults, Handshake, Inputs, Machine};
 use adsdv_tests::world::World;
 
@@ -75,15 +76,21 @@ pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
     false
 }
 
-/// What a step may have seen where switches and EBS are late by themselves, and all else is.
+/// What a step may have seen where each switch and the EBS is late by itself, and all else is.
 fn late_by_itself(seen: &[Vec<Inputs>]) -> Vec<Inputs> {
-    let switches: HashSet<_> =
-        seen.iter().flatten().map(|inputs| (inputs.asms, inputs.tsms, inputs.ebs)).collect();
-    let with = |inputs: &Inputs| {
-        let inputs = *inputs;
-        switches.iter().map(move |&(asms, tsms, ebs)| Inputs { asms, tsms, ebs, ..inputs })
-    };
-    seen.iter().flatten().flat_map(with).collect()
+    let any = || seen.iter().flatten();
+    let asms: HashSet<bool> = any().map(|inputs| inputs.asms).collect();
+    let tsms: HashSet<bool> = any().map(|inputs| inputs.tsms).collect();
+    let ebs: HashSet<EbsState> = any().map(|inputs| inputs.ebs).collect();
+    let mut all = Vec::new();
+    for inputs in any() {
+        for &asms in &asms {
+            for &tsms in &tsms {
+                all.extend(ebs.iter().map(|&ebs| Inputs { asms, tsms, ebs, ..*inputs }));
+            }
+        }
+    }
+    all
 }
 
 /// A VCU whose power has come on, with either bit of the handshake.
