@@ -60,6 +60,8 @@ mod derives;
 mod edition;
 pub mod editions;
 pub mod export;
+#[cfg(test)]
+mod factors;
 mod faults;
 mod handshake;
 mod inputs;

@@ -6,7 +6,6 @@ mod codec;
 mod consistent;
 mod drawing;
 mod edition;
-mod factors;
 mod faults;
 #[cfg(any(feature = "arbitrary", feature = "proptest"))]
 mod generators;

@@ -1,23 +1,23 @@
-//! The factors of a step that others take it apart by: what opens the shutdown circuit, what is heard, what is kept.
+//! Tests of the factors of a step that others take it apart by: what opens the shutdown circuit, what is heard, what is kept.
 
-use adsdv_spec::messages::AsState;
-use adsdv_spec::{
-    Atom, Atoms, Choice, Control, Edition, Fault, Faults, Handshake, Machine, Observation, Readings,
+use crate::messages::AsState;
+use crate::{
+    Atom, Atoms, Choice, Control, Edition, Fault, Faults, Handshake, Inputs, Machine, Observation, Readings,
 };
 
-fn machine(edition: Edition, choice: Choice) -> Machine {
-    Machine::new(edition, edition.readings.with(choice))
+fn machine(edition: &Edition, choice: Choice) -> Machine {
+    Machine::new(*edition, edition.readings.with(choice))
 }
 
 //= D-54
 #[test]
 fn a_fault_of_the_bms_opens_the_shutdown_circuit_unless_it_acts_in_as_driving_only() {
     assert_eq!(Machine::REFERENCE.opening(), Faults::OPENING);
-    let driving = machine(Edition::V4_0, Choice::BmsDriving).opening();
+    let driving = machine(&Edition::V4_0, Choice::BmsDriving).opening();
     assert_eq!(driving, Faults::OPENING.without(Fault::BmsFault));
     let seen = Observation::new(Atoms::of(&[Atom::SdcOpen]), Faults::NONE.with(Fault::BmsFault));
     for (choice, opens) in [(Choice::BmsDriving, false), (Choice::BmsSdc, true)] {
-        assert_eq!(machine(Edition::V4_0, choice).atoms_of(seen).has(Atom::SdcOpen), opens, "{choice:?}");
+        assert_eq!(machine(&Edition::V4_0, choice).atoms_of(seen).has(Atom::SdcOpen), opens, "{choice:?}");
     }
 }
 
@@ -30,7 +30,8 @@ fn what_is_heard_is_the_handshake_of_the_step() {
     let (handshake, lost) = vcu.hear(waiting, inputs, 10);
     assert_eq!((handshake, lost), (Handshake { unanswered_ms: 50, ..waiting }, true));
     let before = Control { handshake: waiting, ..Control::INITIAL };
-    assert_eq!(vcu.react(&before, Observation::new(inputs, Faults::NONE), 10).control.handshake, handshake);
+    let (after, outputs) = vcu.step(&before, &Inputs { tsms: true, ..Inputs::default() }, 10);
+    assert_eq!((after.handshake, outputs.faults.has(Fault::AiCommsFault)), (handshake, lost));
 }
 
 #[test]
@@ -47,6 +48,6 @@ fn what_is_kept_goes_by_the_state_that_a_step_leads_to() {
         assert_eq!(kept(&edges, to), [ready, driving, driving], "{to}");
     }
     // Where an edge is enough, nothing but the switch is asked.
-    let enough = machine(Edition::V3_0, Choice::GoEdgeEnough).kept(AsState::Ready).go_seen_low;
+    let enough = machine(&Edition::V3_0, Choice::GoEdgeEnough).kept(AsState::Ready).go_seen_low;
     assert!(enough.is_some_and(|low| low.on.is_empty() && low.off == Atoms::of(&[Atom::GoOn])));
 }
