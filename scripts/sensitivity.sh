@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # How much the judge sees, and that it blames nobody who is right: every mutation of an edition's table, times and thresholds, and
-# every VCU that remembers something otherwise or whose flag in 520h is stuck, drives missions on a simulated bus, whose recordings are late or lose frames; the judge says of each what it can. Behind that, the VCU of
+# every VCU that remembers something otherwise or whose flag in 520h is stuck, drives missions on a simulated bus, whose recordings are late or lose frames; the judge says of each what it can, and two observers what could be told: by all that was decided, and by the documents' words alone. Behind that, the VCU of
 # the specification does anything at all, and the judge must not blame it.
 #
 # usage: scripts/sensitivity.sh [-s | -k KIND] [-e EDITION] [-n RUNS]

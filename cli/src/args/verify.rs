@@ -55,8 +55,8 @@ OUTPUT
   A log is sampled, so that check may call certain less than verify does: what fails
   for a cycle only, or behind a hidden shutdown circuit, is no violation in a log.
 
-  It takes some 20 seconds, of version 4.0 a minute or two, and --readings several
-  minutes.
+  It takes some ten seconds, of the later versions half a minute, and --readings
+  several minutes.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none
@@ -90,8 +90,8 @@ pub(crate) struct VerifyArgs {
     /// How the steps of the open model are made.
     ///
     /// Both find the same states, steps, verdicts and shortest runs.
-    #[arg(long, value_name = "HOW", default_value_t = Steps::Words, value_enum)]
-    pub(crate) engine: Steps,
+    #[arg(long, value_name = "HOW", default_value_t = EngineArg::Words, value_enum)]
+    pub(crate) engine: EngineArg,
 
     /// How many threads explore [default: one for each core].
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
@@ -146,18 +146,18 @@ pub(crate) enum Tried {
 
 /// How steps are made.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub(crate) enum Steps {
+pub(crate) enum EngineArg {
     /// For 64 inputs at once, by a network over machine words: theorems say that it is the step.
     Words,
     /// One by one, by the step itself: slower, and the reference.
     Single,
 }
 
-impl From<Steps> for Engine {
-    fn from(steps: Steps) -> Self {
-        match steps {
-            Steps::Words => Self::Words,
-            Steps::Single => Self::Single,
+impl From<EngineArg> for Engine {
+    fn from(engine: EngineArg) -> Self {
+        match engine {
+            EngineArg::Words => Self::Words,
+            EngineArg::Single => Self::Single,
         }
     }
 }
