@@ -7,7 +7,7 @@ use adsdv_spec::{Choice, Machine};
 
 use crate::look::Engine;
 use crate::parts::Part;
-use crate::sweep::short_timers;
+use crate::short_timers::short_timers;
 use crate::vectors::Vectors;
 use crate::verify::{Options, explore};
 

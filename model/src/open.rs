@@ -204,7 +204,7 @@ mod tests {
 
     use super::*;
     use crate::reachable::reachable;
-    use crate::sweep::SHORT_TIMERS;
+    use crate::short_timers::SHORT_TIMERS;
 
     /// Stateright tells states apart by their hashes alone.
     #[test]

@@ -273,7 +273,7 @@ mod tests {
     use adsdv_spec::{Atom, Atoms, Edition, Fault, Faults, Readings};
 
     use super::*;
-    use crate::sweep::SHORT_TIMERS;
+    use crate::short_timers::SHORT_TIMERS;
 
     fn explored() -> Exploration {
         let machine = Machine::new(Edition::DEFAULT.with_timing(SHORT_TIMERS), Readings::DEFAULT);

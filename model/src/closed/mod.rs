@@ -62,6 +62,7 @@
 pub mod action;
 pub mod ai;
 pub mod bus;
+mod family;
 mod figure;
 mod meaning;
 pub mod operator;
@@ -89,6 +90,7 @@ pub use action::{Act, ClosedAction};
 pub use adsdv_ai::{AiComputer, Stage};
 pub use ai::Conduct;
 pub use bus::{Bus, WaitingFrames};
+pub use family::{FamilyExploration, MEMBERS, explore_family};
 pub use operator::{Operator, Switches};
 pub use properties::{CLOSED_PROPERTIES, ClosedExploration, ClosedProperty, EXHAUSTIVE, Found};
 pub use state::{ClosedState, Mission, Motion, Rank, Wheels};

@@ -28,6 +28,13 @@ pub struct ClosedProperty {
     condition: fn(&Closed, &ClosedState) -> bool,
 }
 
+impl ClosedProperty {
+    /// Whether its condition holds in a state.
+    pub(super) fn holds_in(&self, model: &Closed, state: &ClosedState) -> bool {
+        (self.condition)(model, state)
+    }
+}
+
 const BOTH: &[Operator] = &[Operator::WellBehaved, Operator::Any];
 const WELL_BEHAVED: &[Operator] = &[Operator::WellBehaved];
 const ANY: &[Operator] = &[Operator::Any];
@@ -141,7 +148,7 @@ pub const EXHAUSTIVE: &str = "exploration-is-exhaustive";
 /// No property: waiting for it, the checker never finishes early.
 const NEVER: &str = "no such property";
 
-fn properties_of(operator: Operator) -> impl Iterator<Item = &'static ClosedProperty> {
+pub(super) fn properties_of(operator: Operator) -> impl Iterator<Item = &'static ClosedProperty> {
     CLOSED_PROPERTIES.iter().filter(move |property| property.operators.contains(&operator))
 }
 

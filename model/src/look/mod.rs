@@ -91,8 +91,8 @@ mod tests {
 
     use super::*;
     use crate::reachable::reachable;
+    use crate::short_timers::short_timers;
     use crate::step::Step;
-    use crate::sweep::short_timers;
     use crate::vectors::{Cache, Vectors, varied};
 
     /// What both engines see at every so many-th of the control states that are given: how many steps, and what they break.
