@@ -5,11 +5,11 @@
 
 use adsdv_spec::{Choice, Machine};
 
+use crate::exploration::{Options, explore};
 use crate::look::Engine;
 use crate::parts::Part;
 use crate::short_timers::short_timers;
 use crate::vectors::Vectors;
-use crate::verify::{Options, explore};
 
 /// Of these parts, those that decide a step of the machine when one question is answered otherwise, each with the first
 /// answer under which it does.

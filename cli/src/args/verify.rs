@@ -55,8 +55,8 @@ OUTPUT
   A log is sampled, so that check may call certain less than verify does: what fails
   for a cycle only, or behind a hidden shutdown circuit, is no violation in a log.
 
-  It takes some ten seconds, of the later versions half a minute, and --readings
-  several minutes.
+  It takes some ten seconds, of the later versions half a minute, and so does
+  --readings of each.
 
 ENVIRONMENT
   ADSDV_EDITION  the edition where --edition names none

@@ -2,24 +2,17 @@
 //!
 //! Under most answers to a question the VCU does most things as under the others, so that an exploration of each answer looks at
 //! the same states again and again. Here a state is looked at once for all members of the family that come to it: with it
-//! goes which they are, a bit each, and only where the VCU's cycle comes to different things do they part. A state is looked at
-//! again for those members alone that had not been there.
+//! goes which they are, a bit each ([`search`]), and only where the VCU's cycle comes to different things do they part.
 //!
 //! It finds what [`Closed::explore`] finds of each member, which is the reference.
 
-use std::collections::HashMap;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
+use std::sync::atomic::{AtomicU64, Ordering};
 
-use ahash::RandomState;
 use stateright::{Expectation, Model as _};
 
 use super::properties::{self, ClosedProperty};
 use super::{Closed, ClosedAction, ClosedState};
-
-/// How many members a family has at most: a bit for each.
-pub const MEMBERS: usize = u64::BITS as usize;
+use crate::search::{Arrivals, MEMBERS, search};
 
 /// What the exploration of a family found.
 #[derive(Clone, Debug)]
@@ -43,125 +36,65 @@ pub struct FamilyExploration {
 ///
 /// let edition = Edition::DEFAULT;
 /// let with = |choice| Closed::scaled(*edition, edition.readings.with(choice), Operator::WellBehaved);
-/// let found = explore_family(&[Choice::FaultEdge, Choice::GoLevel].map(with), 2);
+/// let found = explore_family(&[Choice::FaultEdge, Choice::GoRaw].map(with), 2);
 /// assert!(found.complete && found.failed.is_empty());
 /// ```
 pub fn explore_family(members: &[Closed], threads: usize) -> FamilyExploration {
     let members = members.get(..MEMBERS).unwrap_or(members);
-    let everyone = u64::MAX.checked_shr((MEMBERS - members.len()) as u32).unwrap_or(0);
-    let family = Family {
-        members,
-        seen: Seen::default(),
-        properties: members
-            .first()
-            .map_or_else(Vec::new, |one| properties::properties_of(one.operator).collect()),
-        looked_at: AtomicU64::new(0),
-        reached: AtomicU64::new(0),
-    };
-    let mut level = Vec::new();
-    let mut begin = Arrivals::default();
-    for state in members.first().map_or_else(Vec::new, Closed::init_states) {
-        begin.add(state, everyone);
-    }
-    family.reached.fetch_add(begin.count(), Ordering::Relaxed);
-    family.seen.take_in(&mut begin, &mut level);
-    // What was found of each property, a bit for each member.
-    let mut found = vec![0; family.properties.len()];
-    while !level.is_empty() {
-        level = family.next_level(&level, threads.max(1), &mut found);
-    }
-    let failed = family.properties.iter().zip(found).flat_map(|(&property, found)| {
+    let everyone = (0..members.len()).fold(0, |all, member| all | 1 << member);
+    let properties: Vec<_> =
+        members.first().map_or_else(Vec::new, |one| properties::properties_of(one.operator).collect());
+    let family =
+        Family { members, found: properties.iter().map(|_| AtomicU64::new(0)).collect(), properties };
+    let begin = members.first().map_or_else(Vec::new, Closed::init_states);
+    let begin = begin.into_iter().map(|state| (state, everyone));
+    let searched = search(begin, threads, |state: &ClosedState, members, arrivals| {
+        family.look(state, members, arrivals);
+    });
+    let failed = family.properties.iter().zip(&family.found).flat_map(|(&property, found)| {
+        let found = found.load(Ordering::Relaxed);
         let failing = if property.expectation == Expectation::Sometimes { everyone & !found } else { found };
         bits(failing).map(move |member| (property, member))
     });
-    let states = family.seen.states();
     FamilyExploration {
         failed: failed.collect(),
-        states,
-        transitions: family.reached.into_inner(),
-        complete: family.looked_at.into_inner() == states,
+        states: searched.states,
+        transitions: searched.reached,
+        complete: searched.complete,
     }
 }
-
-/// A state, and the members that have come to it and had not been there before.
-type Visit = (ClosedState, u64);
 
 struct Family<'a> {
     members: &'a [Closed],
     properties: Vec<&'static ClosedProperty>,
-    seen: Seen,
-    /// In how many states members were looked at.
-    looked_at: AtomicU64,
-    /// How many times members came to a state.
-    reached: AtomicU64,
+    /// For each property, the members that have shown it: that it can fail, or that it can happen.
+    found: Vec<AtomicU64>,
 }
 
 impl Family<'_> {
-    /// All that comes next, and what of the properties is seen on the way.
-    fn next_level(&self, level: &[Visit], threads: usize, found: &mut [u64]) -> Vec<Visit> {
-        /// Visits that a thread takes at once.
-        const AT_ONCE: usize = 1024;
-        let taken = AtomicUsize::new(0);
-        let work = || {
-            let (mut next, mut found) = (Vec::new(), vec![0; self.properties.len()]);
-            let mut arrivals = Arrivals::default();
-            loop {
-                let begin = taken.fetch_add(AT_ONCE, Ordering::Relaxed);
-                let Some(rest) = level.get(begin..).filter(|rest| !rest.is_empty()) else { break };
-                for (state, members) in rest.iter().take(AT_ONCE) {
-                    self.look(state, *members, &mut arrivals, &mut found);
-                }
-                self.reached.fetch_add(arrivals.count(), Ordering::Relaxed);
-                self.seen.take_in(&mut arrivals, &mut next);
-            }
-            (next, found)
-        };
-        let threads = threads.min(level.len().div_ceil(AT_ONCE));
-        let done: Vec<_> = if threads < 2 {
-            vec![work()]
-        } else {
-            thread::scope(|scope| {
-                let running: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-                running.into_iter().filter_map(|one| one.join().ok()).collect()
-            })
-        };
-        let mut all = Vec::new();
-        for (next, by_thread) in done {
-            all.extend(next);
-            for (all, one) in found.iter_mut().zip(by_thread) {
-                *all |= one;
-            }
-        }
-        all
-    }
-
     /// Looks at a state for these members.
-    fn look(&self, state: &ClosedState, members: u64, arrivals: &mut Arrivals, found: &mut [u64]) {
-        self.looked_at.fetch_add(u64::from(members.count_ones()), Ordering::Relaxed);
+    fn look(&self, state: &ClosedState, members: u64, arrivals: &mut Arrivals<ClosedState>) {
         // What can happen goes by the state alone, and so does what comes of it but for the VCU's cycle.
         let mut actions = Vec::new();
-        let Some((_, first)) = self.any_of(members) else { return };
+        let Some(first) = self.any_of(members) else { return };
         first.actions(state, &mut actions);
-        let groups = if actions.contains(&ClosedAction::VcuCycle) {
-            self.groups(state, members)
-        } else {
-            vec![members]
-        };
-        for &group in &groups {
-            let Some((_, model)) = self.any_of(group) else { continue };
-            if actions.contains(&ClosedAction::VcuCycle)
-                && let Some(after) = model.next_state(state, ClosedAction::VcuCycle)
-            {
+        let cycle = actions.contains(&ClosedAction::VcuCycle);
+        let groups = if cycle { self.groups(state, members) } else { vec![members] };
+        for group in groups {
+            let Some(model) = self.any_of(group) else { continue };
+            if cycle && let Some(after) = model.next_state(state, ClosedAction::VcuCycle) {
                 arrivals.add(after, group);
             }
-            for (property, found) in self.properties.iter().zip(&mut *found) {
-                let shows = match property.expectation {
+            for (property, found) in self.properties.iter().zip(&self.found) {
+                let shown = match property.expectation {
                     Expectation::Always => !property.holds_in(model, state),
                     // The condition is latched: the end of a path says whether it held on it.
                     Expectation::Eventually => actions.is_empty() && !property.holds_in(model, state),
                     Expectation::Sometimes => property.holds_in(model, state),
                 };
-                *found |= if shows { group } else { 0 };
+                if shown && found.load(Ordering::Relaxed) & group != group {
+                    found.fetch_or(group, Ordering::Relaxed);
+                }
             }
         }
         let others = actions.into_iter().filter(|action| *action != ClosedAction::VcuCycle);
@@ -185,83 +118,8 @@ impl Family<'_> {
     }
 
     /// One of these members.
-    fn any_of(&self, members: u64) -> Option<(usize, &Closed)> {
-        let member = bits(members).next()?;
-        Some((member, self.members.get(member)?))
-    }
-}
-
-/// Members that come to states, which nobody has looked up yet.
-struct Arrivals {
-    visits: Vec<Visit>,
-    /// By the shard that knows them, their hashes and their places among the visits.
-    by_shard: Vec<Vec<(u64, usize)>>,
-    hasher: RandomState,
-}
-
-/// So many that threads seldom wait for one another.
-const SHARDS: usize = 64;
-
-impl Default for Arrivals {
-    fn default() -> Self {
-        // The same in every run, and in every thread.
-        let hasher = RandomState::with_seeds(1, 2, 3, 4);
-        Self { visits: Vec::new(), by_shard: vec![Vec::new(); SHARDS], hasher }
-    }
-}
-
-impl Arrivals {
-    fn add(&mut self, state: ClosedState, members: u64) {
-        let hash = self.hasher.hash_one(&state);
-        if let Some(shard) = self.by_shard.get_mut(hash as usize % SHARDS) {
-            shard.push((hash, self.visits.len()));
-            self.visits.push((state, members));
-        }
-    }
-
-    /// How many members come to a state, all together.
-    fn count(&self) -> u64 {
-        self.visits.iter().map(|(_, members)| u64::from(members.count_ones())).sum()
-    }
-}
-
-/// Which members have come to which state. States are told apart by their hashes alone, as stateright does.
-struct Seen {
-    shards: Vec<Mutex<HashMap<u64, u64, RandomState>>>,
-}
-
-impl Default for Seen {
-    fn default() -> Self {
-        Self { shards: (0..SHARDS).map(|_| Mutex::default()).collect() }
-    }
-}
-
-impl Seen {
-    /// Takes in who has arrived: a state is next for those members that had not come to it.
-    fn take_in(&self, arrivals: &mut Arrivals, next: &mut Vec<Visit>) {
-        let Arrivals { visits, by_shard, .. } = arrivals;
-        for (shard, arrived) in self.shards.iter().zip(by_shard) {
-            // What a panic elsewhere left behind is whole: members are only ever added.
-            let mut shard = shard.lock().unwrap_or_else(PoisonError::into_inner);
-            // One shard after the other, and little else between two questions: the memory answers several at once.
-            for (hash, place) in arrived.drain(..) {
-                let Some((_, members)) = visits.get_mut(place) else { continue };
-                let before = shard.entry(hash).or_insert(0);
-                let new = *members & !*before;
-                *before |= new;
-                *members = new;
-            }
-        }
-        next.extend(visits.drain(..).filter(|(_, new)| *new != 0));
-    }
-
-    /// In how many states members have been.
-    fn states(&self) -> u64 {
-        let of_shard = |shard: &Mutex<HashMap<u64, u64, RandomState>>| {
-            let shard = shard.lock().unwrap_or_else(PoisonError::into_inner);
-            shard.values().map(|members| u64::from(members.count_ones())).sum::<u64>()
-        };
-        self.shards.iter().map(of_shard).sum()
+    fn any_of(&self, members: u64) -> Option<&Closed> {
+        self.members.get(bits(members).next()?)
     }
 }
 

@@ -86,11 +86,12 @@ use crate::document::Document;
 /// Whether a property is to hold always, in the end, or once.
 pub use stateright::Expectation;
 
+pub use crate::search::MEMBERS;
 pub use action::{Act, ClosedAction};
 pub use adsdv_ai::{AiComputer, Stage};
 pub use ai::Conduct;
 pub use bus::{Bus, WaitingFrames};
-pub use family::{FamilyExploration, MEMBERS, explore_family};
+pub use family::{FamilyExploration, explore_family};
 pub use operator::{Operator, Switches};
 pub use properties::{CLOSED_PROPERTIES, ClosedExploration, ClosedProperty, EXHAUSTIVE, Found};
 pub use state::{ClosedState, Mission, Motion, Rank, Wheels};

@@ -10,11 +10,11 @@ use adsdv_spec::{Choice, Choices, Edition, Machine, Readings};
 use super::combinations::others;
 use super::costs::ClosedCost;
 use crate::closed::{Closed, Operator, explore_family};
+use crate::exploration::{Exploration, Options, explore_quietly};
 use crate::look::Engine;
 use crate::run::Run;
 use crate::short_timers::short_timers;
 use crate::vectors::Vectors;
-use crate::verify::{Exploration, Options, explore_quietly};
 
 /// How much there is to do, as explorations of the open model.
 pub(super) struct Work {

@@ -9,10 +9,11 @@ use super::fewest::undone_by;
 use super::*;
 use crate::action::Action;
 use crate::closed::Closed;
+use crate::exploration::{Options, explore_quietly};
 use crate::property::Harm;
 use crate::short_timers::SHORT_TIMERS;
 use crate::vectors::Vectors;
-use crate::verify::{Options, explore_quietly, runs};
+use crate::verify::runs;
 
 const EDITION: &Edition = Edition::DEFAULT;
 
