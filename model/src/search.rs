@@ -40,7 +40,7 @@ pub(crate) fn search<S: Hash + Send>(
     look: impl Fn(&S, u64, &mut Arrivals<S>) + Sync,
 ) -> Searched {
     let search = Search {
-        seen: Seen::default(),
+        visited: Visited::default(),
         queue: Mutex::new(Queue { batches: VecDeque::new(), working: 0 }),
         changed: Condvar::new(),
         looked_at: AtomicU64::new(0),
@@ -63,7 +63,7 @@ pub(crate) fn search<S: Hash + Send>(
             }
         });
     }
-    let states = search.seen.states();
+    let states = search.visited.states();
     Searched {
         states,
         reached: search.reached.into_inner(),
@@ -72,7 +72,7 @@ pub(crate) fn search<S: Hash + Send>(
 }
 
 struct Search<S, L> {
-    seen: Seen,
+    visited: Visited,
     queue: Mutex<Queue<S>>,
     /// There is more to do, or nothing more to come.
     changed: Condvar,
@@ -119,7 +119,7 @@ impl<S: Hash, L: Fn(&S, u64, &mut Arrivals<S>)> Search<S, L> {
 
     fn take_in(&self, arrivals: &mut Arrivals<S>) -> Vec<Visit<S>> {
         self.reached.fetch_add(count(&arrivals.visits), Ordering::Relaxed);
-        self.seen.take_in(arrivals)
+        self.visited.take_in(arrivals)
     }
 
     /// Puts visits at the end, in batches: where threads have nothing to do, in smaller ones.
@@ -198,17 +198,17 @@ impl<S: Hash> Arrivals<S> {
 const SHARDS: usize = 64;
 
 /// Which members have come to which state. States are told apart by their hashes alone, as stateright does.
-struct Seen {
+struct Visited {
     shards: Vec<Mutex<HashMap<u64, u64, RandomState>>>,
 }
 
-impl Default for Seen {
+impl Default for Visited {
     fn default() -> Self {
         Self { shards: (0..SHARDS).map(|_| Mutex::default()).collect() }
     }
 }
 
-impl Seen {
+impl Visited {
     /// Takes in who has arrived, and has the visits of those that had not been there.
     fn take_in<S>(&self, arrivals: &mut Arrivals<S>) -> Vec<Visit<S>> {
         let Arrivals { visits, by_shard, .. } = arrivals;
