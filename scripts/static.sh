@@ -35,8 +35,8 @@ elif [ -e /usr/lib/rustlib/src/rust/library/std/Cargo.toml ] && [ -x /usr/bin/ru
       missing "cargo-zigbuild and ziglang cannot be installed (python3 with venv, and PyPI)"
     PATH=$PWD/$tools/bin:$PATH
   fi
-  # The standard library is built as well, with the compiler that it belongs to.
-  RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 cargo zigbuild "${what[@]}" -Z build-std=std,panic_unwind
+  # The standard library is built as well, with the compiler that it belongs to; what a C program begins with is Zig's.
+  RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 cargo-zigbuild rustc "${what[@]}" --bin adsdv -Z build-std=std,panic_unwind -- -C link-self-contained=no
 else
   missing "Rust's target $target is not there (rustup target add $target, or Debian's rustc-web and rust-web-src)"
 fi
