@@ -4,8 +4,8 @@
 #   scripts/static.sh              builds it for this machine, runs it in an empty root, and makes an archive of it (scripts/release.sh)
 #   scripts/static.sh --build      builds and runs it, without the archive
 #
-# Needs Rust's target x86_64-unknown-linux-musl, or aarch64, and musl-gcc (Debian's musl-tools): of rustup; or it is built from the sources
-# that Debian has (rustc-web, rust-web-src) and linked by Zig (PyPI's cargo-zigbuild and ziglang). Ends with 77 where neither is there.
+# Needs Rust's target x86_64-unknown-linux-musl, or aarch64, of rustup; where that is not there it is built from the sources that Debian has
+# (rustc-web, rust-web-src) and linked by Zig (PyPI's cargo-zigbuild and ziglang). Ends with 77 where neither is there.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -25,7 +25,6 @@ export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}
 target=$(uname -m)-unknown-linux-musl
 what=(--release --locked -p adsdv --features mcap,parquet --target "$target")
 if rustup target list --installed 2>/dev/null | grep -qx "$target"; then
-  command -v musl-gcc >/dev/null || missing "there is no musl-gcc (Debian's musl-tools)"
   cargo build "${what[@]}"
 elif [ -e /usr/lib/rustlib/src/rust/library/std/Cargo.toml ] && [ -x /usr/bin/rustc ]; then
   tools=$CARGO_TARGET_DIR/static-tools
