@@ -26,7 +26,11 @@ cargo about --version >/dev/null 2>&1 || {
 rm -rf "$folder"
 mkdir -p "$folder"
 [ "${1-}" != --python ] || cp LICENSE-MIT LICENSE-APACHE "$folder/"
-cargo about generate --locked --all-features --fail --config about.toml --manifest-path "$manifest" --output-file "$folder/crates.html" scripts/licences.hbs
+# Those that may come are those of deny.toml.
+config=$(mktemp)
+trap 'rm -f "$config"' EXIT
+{ sed -n 's/^allow = /accepted = /; /^accepted/,/^\]/p' deny.toml && cat about.toml; } >"$config"
+cargo about generate --locked --all-features --fail --config "$config" --manifest-path "$manifest" --output-file "$folder/crates.html" scripts/licences.hbs
 
 # Each by the first of the places where those who hand it on put it.
 first() {
