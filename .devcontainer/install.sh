@@ -3,9 +3,11 @@
 set -euo pipefail
 
 sudo apt-get update
-sudo apt-get install -y --no-install-recommends can-utils chromium gcc g++ iproute2 lld musl-tools qemu-system-x86 spin valgrind
+sudo apt-get install -y --no-install-recommends busybox-static can-utils chromium cpio gcc g++ iproute2 kmod lld musl-tools \
+  qemu-system-arm qemu-system-x86 spin xz-utils
 rustup component add clippy rustfmt
-rustup target add wasm32-unknown-unknown
+rustup target add wasm32-unknown-unknown thumbv7em-none-eabi "$(uname -m)-unknown-linux-musl"
 rustup toolchain install 1.85 nightly --profile minimal
 cargo install --locked cargo-deny cargo-fuzz cargo-mutants cargo-tarpaulin duvet kani-verifier mdbook
+cargo install --locked cargo-about@0.9.3 --features cli
 cargo kani setup

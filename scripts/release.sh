@@ -4,7 +4,8 @@
 #   scripts/release.sh             of target/release/adsdv, for this machine
 #   scripts/release.sh TARGET      of target/TARGET/release/adsdv, such as x86_64-unknown-linux-musl
 #
-# The program has to be built. The archive is target/release-files/adsdv-VERSION-TARGET.tar.gz, or .zip for Windows.
+# The program has to be built. The archive is target/release-files/adsdv-VERSION-TARGET.tar.gz, or .zip for Windows. The licences of what it
+# is made of are those of scripts/licences.sh, which is run where it was not; this ends with 77 where that cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,18 +16,22 @@ case ${1-} in
   ;;
 esac
 target=${1-$(rustc -vV | sed -n 's/^host: //p')}
-folder=target/${1:+$1/}release
+built=${CARGO_TARGET_DIR:-target}
+folder=$built/${1:+$1/}release
 program=$folder/adsdv
 [ ! -e "$program.exe" ] || program=$program.exe
 [ -x "$program" ] || { echo "scripts/release.sh: $program is not built (cargo build --release -p adsdv --features mcap,parquet)" >&2; exit 2; }
 
+[ -e "$built/licences/crates.html" ] || scripts/licences.sh
 # `adsdv 0.1.0`
 version=$("$program" --version)
 name=adsdv-${version#adsdv }-$target
-files=target/release-files
+files=$built/release-files
 rm -rf "$files/$name"
 mkdir -p "$files/$name/completions" "$files/$name/man"
 cp "$program" README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE "$files/$name/"
+cp -r "$built/licences" "$files/$name/licences"
+[[ $target == *musl ]] || rm -f "$files/$name/licences/musl.txt"
 for shell in bash elvish fish powershell zsh; do
   "$program" completions "$shell" >"$files/$name/completions/adsdv.$shell"
 done
@@ -36,9 +41,12 @@ done
     "$program" man "$command" >"$files/$name/man/adsdv-$command.1"
   done
 cd "$files"
+# GNU's and BSD's say it differently.
+owner=(--owner=0 --group=0)
+[[ $(tar --version) == *GNU* ]] || owner=(--uid 0 --gid 0)
 case $target in
 *windows*) 7z a -bso0 "$name.zip" "$name" && archive=$name.zip ;;
-*) tar --owner=0 --group=0 --numeric-owner -czf "$name.tar.gz" "$name" && archive=$name.tar.gz ;;
+*) tar "${owner[@]}" --numeric-owner -czf "$name.tar.gz" "$name" && archive=$name.tar.gz ;;
 esac
 rm -r "$name"
 echo "$files/$archive"

@@ -56,7 +56,7 @@ impl Error {
             RecordingError::NotBuilt { format, feature } => Self {
                 what: name.to_owned(),
                 why: format!("it is {format}, which this build does not read"),
-                hint: format!("cargo install adsdv --features {feature}, or take a release binary"),
+                hint: format!("cargo install --path cli --features {feature}, or take a release binary"),
             },
         }
     }

@@ -32,7 +32,7 @@ impl fmt::Display for OpenError {
                     f,
                     "it is {format}, which this build does not read: it was built without the feature {feature}"
                 )?;
-                write!(f, " (cargo install adsdv --features {feature}, or a release binary, has it)")
+                write!(f, " (cargo install --path cli --features {feature}, or a release binary, has it)")
             }
         }
     }

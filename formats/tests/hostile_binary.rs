@@ -126,6 +126,6 @@ fn mcap_is_refused_with_the_name_of_its_feature() {
     use adsdv_formats::{Format, OpenError};
 
     let error = open(Cursor::new(b"\x89MCAP0\r\n")).err().expect("it was not built in");
-    assert!(error.to_string().contains("cargo install adsdv --features mcap"), "{error}");
+    assert!(error.to_string().contains("cargo install --path cli --features mcap"), "{error}");
     assert!(matches!(error, OpenError::NotBuilt { format: Format::Mcap, feature: "mcap" }));
 }

@@ -71,7 +71,7 @@ OUTPUT
                    AS_STATE is a number, AS_STATE_name a text. Frames that nothing knows
                    are in unknown_frames.parquet.
          What --output names is there when all is written, and not before. A feature of
-         the build: cargo install adsdv --features parquet
+         the build: cargo install --path cli --features parquet
   mcap   a channel for each message, as JSON with its JSON Schema, under /adsdv; the same
          of other interfaces under their names, and a team's own messages under /dbc.
          /adsdv/as_state has the AS state, /adsdv/blocked what blocks each arrow of

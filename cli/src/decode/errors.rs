@@ -51,7 +51,7 @@ pub(super) fn not_built(error: NotBuilt) -> Error {
     Error {
         what: format!("--format {}", error.feature),
         why: error.to_string(),
-        hint: format!("cargo install adsdv --features {}, or take a release binary", error.feature),
+        hint: format!("cargo install --path cli --features {}, or take a release binary", error.feature),
     }
 }
 
@@ -116,7 +116,7 @@ mod tests {
         let error = begin(None, &BeginError::NotBuilt(NotBuilt { format: "Parquet", feature: "parquet" }));
         assert_eq!(
             error.to_string(),
-            "--format parquet: this build does not write Parquet: it was built without the feature parquet\nhint: cargo install adsdv --features parquet, or take a release binary"
+            "--format parquet: this build does not write Parquet: it was built without the feature parquet\nhint: cargo install --path cli --features parquet, or take a release binary"
         );
     }
 }
