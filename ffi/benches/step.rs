@@ -197,6 +197,9 @@ impl InC {
     }
 }
 
+/// What the steps of a state are made with: its name, how often it is called, and a call.
+type Way = (&'static str, u32, fn(&mut InC));
+
 /// All states together: the fastest of a few runs of each.
 fn summary() {
     const ROUNDS: u32 = 40_000;
@@ -207,7 +210,7 @@ fn summary() {
     let steps =
         f64::from(sample::COUNT) * f64::from(ROUNDS) * f64::from(u32::try_from(rust.len()).expect("few"));
     let calls = ROUNDS / u32::from(TURNS);
-    let ways: [(&str, u32, fn(&mut InC)); 5] = [
+    let ways: [Way; 5] = [
         ("adsdv_step", ROUNDS, |c| c.round(null_mut())),
         ("adsdv_step_n", calls, |c| c.round_at_once(Wanted::LAST)),
         ("adsdv_step_n with controls", calls, |c| c.round_at_once(Wanted::REMEMBERED)),

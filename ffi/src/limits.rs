@@ -159,7 +159,7 @@ pub(crate) struct Range {
 /// The values that the edition at this place leaves to what a function reads, which is a field of this name on the bus.
 pub(crate) const fn range<S, T: SignalValue>(_: fn(&S) -> T, rows: Rows, place: usize) -> Range {
     // An enumeration leaves none out, or its numbers cannot be compared.
-    assert!(T::VALUES.is_empty() || T::VALUES.len() as i32 == T::MAX - T::MIN + 1);
+    assert!(T::VALUES.is_empty() || T::VALUES.len() == T::MAX.abs_diff(T::MIN) as usize + 1);
     match rows.get(place) {
         Some(SignalDef { min, max, .. }) => Range {
             min: if *min > T::MIN { *min } else { T::MIN },

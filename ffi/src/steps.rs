@@ -109,7 +109,7 @@ struct Steps<'a> {
     done: Option<Array<usize>>,
 }
 
-impl<'a> Steps<'a> {
+impl Steps<'_> {
     /// The caller promises for the pointers what it promises for all of them.
     unsafe fn of(
         machine: *const adsdv_machine,
@@ -144,17 +144,17 @@ impl<'a> Steps<'a> {
         mut make: impl FnMut(usize, &adsdv_inputs, u32) -> Result<(), Refusal<'static>>,
     ) -> Result<(), Refusal<'static>> {
         let cycle_ms = u32::from(machine.edition().rules.timing.cycle_ms);
-        let (mut made, mut ended) = (0, Ok(()));
+        let (mut done, mut ended) = (0, Ok(()));
         for (place, inputs) in self.inputs.iter().enumerate() {
             let dt_ms = self.dt_ms.and_then(|dt_ms| dt_ms.get(place)).copied().unwrap_or(cycle_ms);
             if let Err(refusal) = make(place, inputs, dt_ms) {
                 ended = Err(refusal.at(place));
                 break;
             }
-            made += 1;
+            done += 1;
         }
-        if let Some(done) = &self.done {
-            done.set(0, made);
+        if let Some(place) = &self.done {
+            place.set(0, done);
         }
         ended
     }

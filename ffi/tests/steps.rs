@@ -207,7 +207,7 @@ fn what_is_not_wanted_may_be_null() {
         let status = unsafe {
             let control = &raw mut control;
             adsdv_step_n(
-                &machine,
+                &raw const machine,
                 control,
                 inputs,
                 null(),
@@ -223,7 +223,16 @@ fn what_is_not_wanted_may_be_null() {
         // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed.
         let status = unsafe {
             let each = each.as_mut_ptr();
-            adsdv_step_each(&machine, each, inputs, null(), count, null_mut(), null_mut(), null_mut())
+            adsdv_step_each(
+                &raw const machine,
+                each,
+                inputs,
+                null(),
+                count,
+                null_mut(),
+                null_mut(),
+                null_mut(),
+            )
         };
         assert_eq!(status, adsdv_status::ADSDV_OK);
         assert_eq!(each[0], made.controls[0]);
