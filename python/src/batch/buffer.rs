@@ -60,8 +60,8 @@ impl<'a, 'py> Buffer<'a, 'py> {
         self.view.call_method0(intern!(self.given.py(), "tobytes"))?.extract().map_err(PyErr::from)
     }
 
-    /// The same to be written: it has a row for each of `inputs`.
-    pub(super) fn to_fill(self, inputs: usize) -> PyResult<Self> {
+    /// The same, if it can be filled: it has a row for each of `inputs`.
+    pub(super) fn fillable(self, inputs: usize) -> PyResult<Self> {
         let (name, count) = (self.name, self.count);
         let is = |what: &str| self.view.getattr(what)?.extract::<bool>();
         if count != inputs {

@@ -288,18 +288,18 @@ impl std::fmt::Display for Expected {
 }
 
 /// Writes what VCUs remember.
-pub(super) struct Remembered(Vec<(Type, fn(&Control) -> i32)>);
+pub(super) struct Remembered(Vec<(Type, &'static control::Field)>);
 
 impl Remembered {
     pub(super) fn new() -> Self {
-        Self(control::FIELDS.iter().map(|field| (Type::of(field.domain), field.get)).collect())
+        Self(control::FIELDS.iter().map(|field| (Type::of(field.domain), field)).collect())
     }
 
     /// Fills a row.
     pub(super) fn write(&self, row: &mut [u8], control: &Control) {
         let mut begin = 0;
-        for (r#type, get) in &self.0 {
-            begin = r#type.write(row, begin, get(control));
+        for (r#type, field) in &self.0 {
+            begin = r#type.write(row, begin, (field.get)(control));
         }
     }
 }

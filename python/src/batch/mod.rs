@@ -63,10 +63,10 @@ fn numbers<'py>(
     key: &Bound<'_, PyAny>,
     edition: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let named = Of::named(of)?.names(edition::or_default(edition)?);
-    let known = value::text(key).and_then(|key| named.iter().find(|(known, _)| *known == key));
+    let fields = Of::named(of)?.names(edition::or_default(edition)?);
+    let known = value::text(key).and_then(|key| fields.iter().find(|(known, _)| *known == key));
     let Some((_, names)) = known else {
-        let keys: Vec<&str> = named.iter().map(|&(key, _)| key).collect();
+        let keys: Vec<&str> = fields.iter().map(|&(key, _)| key).collect();
         return Err(value::refused("key", key, format_args!("one of {}", keys.join(", "))));
     };
     let dict = PyDict::new(py);
@@ -95,8 +95,9 @@ fn rows<'py>(
 ) -> PyResult<Bound<'py, PyByteArray>> {
     let edition = edition::or_default(edition)?;
     let (of, count) = (Of::named(of)?, value::whole("count", count, 0, u32::MAX)?);
-    let count = usize::try_from(count).map_err(PyErr::from)?;
-    Ok(PyByteArray::new(py, &of.usual(edition).repeat(count)))
+    // Python says where there is no room for them.
+    let rows = PyByteArray::new(py, &of.usual(edition)).as_any().mul(count)?;
+    rows.cast_into().map_err(PyErr::from)
 }
 
 /// Many steps: where they take their inputs from, and where what they show goes.
@@ -109,6 +110,7 @@ pub(crate) struct Batch<'a, 'py> {
 }
 
 /// Where steps begin.
+#[derive(Clone, Copy)]
 enum Start<'a> {
     /// Each where the one before has ended.
     One(Control),
@@ -116,21 +118,21 @@ enum Start<'a> {
     Each(&'a [u8]),
 }
 
-impl<'a, 'py> Batch<'a, 'py> {
+impl<'py> Batch<'_, 'py> {
     /// The steps of one VCU, one after the other, and what it remembers after the last; what it remembers after each of them goes to
     /// `controls`. Nothing is written where a step is refused.
     pub(crate) fn one(&self, control: &Control, controls: Option<&Bound<'_, PyAny>>) -> PyResult<Control> {
         edition::check_control(self.edition, control)?;
         let inputs = self.rows("inputs", Of::Inputs, self.inputs)?;
-        let to_fill = |given| self.rows("controls", Of::Control, given)?.to_fill(inputs.count);
-        let controls = controls.map(to_fill).transpose()?;
+        let fillable = |given| self.rows("controls", Of::Control, given)?.fillable(inputs.count);
+        let controls = controls.map(fillable).transpose()?;
         self.make(&inputs, Start::One(*control), controls)
     }
 
     /// A step of each of many VCUs; what they remember is in `controls`, before and then after it.
     pub(crate) fn each(&self, controls: &Bound<'_, PyAny>) -> PyResult<()> {
         let inputs = self.rows("inputs", Of::Inputs, self.inputs)?;
-        let controls = self.rows("controls", Of::Control, controls)?.to_fill(inputs.count)?;
+        let controls = self.rows("controls", Of::Control, controls)?.fillable(inputs.count)?;
         let before = controls.bytes()?;
         self.make(&inputs, Start::Each(&before), Some(controls)).map(drop)
     }
@@ -151,7 +153,7 @@ impl<'a, 'py> Batch<'a, 'py> {
         controls: Option<Buffer<'_, '_>>,
     ) -> PyResult<Control> {
         let outputs =
-            self.outputs.map(|given| self.rows("outputs", Of::Outputs, given)?.to_fill(inputs.count));
+            self.outputs.map(|given| self.rows("outputs", Of::Outputs, given)?.fillable(inputs.count));
         let outputs = outputs.transpose()?;
         let dt_ms = match self.dt_ms {
             Some(given) => buffer::times(given, inputs.count)?,
