@@ -190,10 +190,10 @@ pub(super) struct Reader<T> {
     name: &'static str,
     /// What the last row said.
     read: T,
-    fields: Vec<Field<T>>,
+    fields: Vec<Column<T>>,
 }
 
-struct Field<T> {
+struct Column<T> {
     key: &'static str,
     domain: Domain,
     r#type: Type,
@@ -241,7 +241,7 @@ impl<T> Reader<T> {
         let (mut fields, mut begin) = (Vec::new(), 0);
         for (key, domain, set, last) in given {
             let r#type = Type::of(domain);
-            fields.push(Field { key, domain, r#type, begin, set, last });
+            fields.push(Column { key, domain, r#type, begin, set, last });
             begin += r#type.size();
         }
         Self { name, read: usual, fields }
@@ -256,7 +256,7 @@ impl<T> Reader<T> {
                 continue;
             }
             if !(field.domain.has(raw) && (field.set)(&mut self.read, raw)) {
-                let Field { key, domain, .. } = field;
+                let Column { key, domain, .. } = field;
                 return Err(InputError::new_err(format!(
                     "{}[{number}]: {key:?} is {raw}; expected {}",
                     self.name,
