@@ -12,7 +12,7 @@ python=$scratch/venv/bin/python
 pip() { "$python" -m pip --disable-pip-version-check --quiet "$@"; }
 
 pip install maturin pytest
-for optional in mypy pandas polars pyarrow 'dask[distributed]'; do
+for optional in mypy numpy pandas polars pyarrow 'dask[distributed]'; do
   pip install "$optional" || echo "$optional cannot be installed: what needs it is skipped"
 done
 

@@ -240,8 +240,6 @@ typedef struct adsdv_control {
     uint8_t state;
     // AS_READY only: the "Go" switch was seen off, so that a rising edge is accepted.
     uint8_t go_seen_low;
-    // How long the state has lasted, in ms, as far as that matters.
-    uint16_t in_state_ms;
     // AS_DRIVING only, where changes count (fault-trigger=edge): MISSION_STATUS was RUNNING.
     uint8_t was_running;
     // AS_DRIVING only, where changes count (fault-trigger=edge): DIRECTION_REQUEST was FORWARD.
@@ -250,12 +248,14 @@ typedef struct adsdv_control {
     uint8_t handshake_active;
     // The HANDSHAKE bit that the VCU sends.
     uint8_t handshake_bit;
-    // For how long that bit has been unanswered, in ms; it stops counting at the limit.
-    uint16_t handshake_unanswered_ms;
     // The vehicle must be power-cycled before it can drive again.
     uint8_t power_cycle_needed;
     // The fault that shut the vehicle down first: an adsdv_shutdown_cause.
     uint8_t shutdown_cause;
+    // How long the state has lasted, in ms, as far as that matters.
+    uint16_t in_state_ms;
+    // For how long the HANDSHAKE bit has been unanswered, in ms; it stops counting at the limit.
+    uint16_t handshake_unanswered_ms;
 } adsdv_control;
 
 // Everything that the VCU sees at one step. Flags are 0 or 1; numbers are raw, in steps of their signal, as on the bus.
@@ -311,12 +311,22 @@ typedef struct adsdv_inputs {
     uint8_t lap_counter;
     // AI Computer, 510h: cones detected now; for the data logger.
     uint8_t cones_count_actual;
-    // AI Computer, 510h: cones detected in all; for the data logger.
-    uint16_t cones_count_all;
     // AI Computer, 510h: actual speed in km/h; for the data logger.
     uint8_t veh_speed_actual;
     // AI Computer, 510h: demanded speed in km/h; for the data logger.
     uint8_t veh_speed_demand;
+    // AI Computer, 514h: requested front brake pressure, in 0.5 %.
+    uint8_t hyd_press_f_req;
+    // AI Computer, 514h: requested rear brake pressure, in 0.5 %.
+    uint8_t hyd_press_r_req;
+    // Measured: the hydraulic pressure of the front brakes, in 0.5 %.
+    uint8_t hyd_press_f;
+    // Measured: the hydraulic pressure of the rear brakes, in 0.5 %.
+    uint8_t hyd_press_r;
+    // Measured: the speed of the vehicle, in km/h.
+    uint8_t speed;
+    // AI Computer, 510h: cones detected in all; for the data logger.
+    uint16_t cones_count_all;
     // AI Computer, 511h: requested front axle torque, in 0.1 Nm.
     uint16_t front_axle_trq_request;
     // AI Computer, 511h: front motor speed limit, in rpm.
@@ -327,10 +337,6 @@ typedef struct adsdv_inputs {
     uint16_t rear_motor_speed_max;
     // AI Computer, 513h: requested steer angle, positive to the left, in 0.1 degrees.
     int16_t steer_request;
-    // AI Computer, 514h: requested front brake pressure, in 0.5 %.
-    uint8_t hyd_press_f_req;
-    // AI Computer, 514h: requested rear brake pressure, in 0.5 %.
-    uint8_t hyd_press_r_req;
     // For how long there has been no valid 510h, in milliseconds; version 3.0 does not look at it.
     uint16_t status_silence_ms;
     // For how long there has been no valid 511h, in milliseconds; version 3.0 does not look at it.
@@ -369,12 +375,6 @@ typedef struct adsdv_inputs {
     uint16_t front_axle_trq_max;
     // The largest drive torque that is allowed at the rear axle, in 0.1 Nm.
     uint16_t rear_axle_trq_max;
-    // Measured: the hydraulic pressure of the front brakes, in 0.5 %.
-    uint8_t hyd_press_f;
-    // Measured: the hydraulic pressure of the rear brakes, in 0.5 %.
-    uint8_t hyd_press_r;
-    // Measured: the speed of the vehicle, in km/h.
-    uint8_t speed;
 } adsdv_inputs;
 
 // A classic CAN data frame with an 11-bit identifier.
@@ -776,6 +776,43 @@ enum adsdv_status adsdv_step_frames(const struct adsdv_machine *machine,
                                     size_t room,
                                     size_t *count,
                                     struct adsdv_error *error);
+
+// `count` steps of one VCU, one after the other: what `count` calls of adsdv_step do, in a fraction of the time.
+//
+// `machine` is that of adsdv_step. `control` is what the VCU remembers, before the first step and then after the last. Each step has
+// a place of `inputs` and one of `dt_ms`, the milliseconds since the step before; if `dt_ms` is NULL each takes a cycle of the
+// edition, 10 ms. What the VCU remembers after each step goes to `controls`, and what each step shows to `outputs`. They have
+// `count` places each, or are NULL: what is not wanted takes no time. No array may overlap another.
+//
+// An error in the inputs of a step names the place and the field, such as "inputs[3].asms is 7; expected 0 or 1", and ends the call
+// there: the steps before it are made, `control` is what the VCU remembers after them, and the places from there on stay as they
+// are. `done`, which may be NULL, is set to how many steps were made.
+enum adsdv_status adsdv_step_n(const struct adsdv_machine *machine,
+                               struct adsdv_control *control,
+                               const struct adsdv_inputs *inputs,
+                               const uint32_t *dt_ms,
+                               size_t count,
+                               struct adsdv_control *controls,
+                               struct adsdv_outputs *outputs,
+                               size_t *done,
+                               struct adsdv_error *error);
+
+// A step of each of `count` VCUs, as adsdv_step makes it: for many runs at once, or, where all remember the same, for all that one
+// VCU might see next.
+//
+// `machine` is that of adsdv_step, for all of them. Each VCU has a place of `control`, before and then after the step, one of
+// `inputs`, and one of `dt_ms` and `outputs`, which are those of adsdv_step_n. No array may overlap another.
+//
+// An error in what a VCU remembers or sees names its place and the field, such as "control[3].state is 0", and ends the call there:
+// the VCUs before it have made their step. `done`, which may be NULL, is set to how many they are.
+enum adsdv_status adsdv_step_each(const struct adsdv_machine *machine,
+                                  struct adsdv_control *control,
+                                  const struct adsdv_inputs *inputs,
+                                  const uint32_t *dt_ms,
+                                  size_t count,
+                                  struct adsdv_outputs *outputs,
+                                  size_t *done,
+                                  struct adsdv_error *error);
 
 // The messages of the default edition, by ascending identifier: `index` is less than ADSDV_MESSAGES.
 enum adsdv_status adsdv_message_at(size_t index, struct adsdv_message *message, struct adsdv_error *error);

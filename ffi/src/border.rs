@@ -6,6 +6,7 @@
 //! is an error.
 
 use core::ffi::{CStr, c_char};
+use core::ptr::NonNull;
 
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 
@@ -26,6 +27,36 @@ unsafe impl Plain for u32 {}
 unsafe impl Plain for usize {}
 // SAFETY: `repr(C)`; an integer and an array of `char`.
 unsafe impl Plain for adsdv_error {}
+
+/// A struct of numbers and nothing else: first `BYTES` of a byte, then `WORDS` of two bytes.
+///
+/// # Safety
+///
+/// Only for structs that are `repr(C)` and hold just that: without anything between or behind them.
+pub(crate) unsafe trait Packed<const BYTES: usize, const WORDS: usize>: Plain {
+    /// Its numbers as they lie in memory; those with a sign as two's complement.
+    #[inline(always)]
+    fn numbers(&self) -> &Numbers<BYTES, WORDS> {
+        const {
+            assert!(
+                size_of::<Self>() == BYTES + 2 * WORDS
+                    && size_of::<Numbers<BYTES, WORDS>>() == size_of::<Self>()
+            );
+            assert!(align_of::<Self>() == align_of::<Numbers<BYTES, WORDS>>());
+        }
+        // SAFETY: they have the same size and alignment, and the struct is nothing but these numbers, all of whose bits are
+        // values.
+        unsafe { &*core::ptr::from_ref(self).cast() }
+    }
+}
+
+/// The numbers of a [`Packed`] struct.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub(crate) struct Numbers<const BYTES: usize, const WORDS: usize> {
+    pub(crate) bytes: [u8; BYTES],
+    pub(crate) words: [u16; WORDS],
+}
 
 /// Does the work of a function: no panic leaves it, and an error is written where the caller wants it.
 #[inline(always)]
@@ -83,14 +114,14 @@ pub(crate) unsafe fn get<'a, T: Plain>(
 }
 
 /// A place that a function fills.
-pub(crate) struct Out<T>(*mut T);
+pub(crate) struct Out<T>(NonNull<T>);
 
 /// The place behind a pointer. The caller promises that it is NULL or points to a `T` that is its own for as long as the
 /// place is used.
 #[inline(always)]
 pub(crate) unsafe fn out<T: Plain>(pointer: *mut T, name: &'static str) -> Result<Out<T>, Refusal<'static>> {
     check(pointer, name)?;
-    Ok(Out(pointer))
+    NonNull::new(pointer).map(Out).ok_or(Refusal::Null(name))
 }
 
 impl<T: Plain> Out<T> {
@@ -99,6 +130,67 @@ impl<T: Plain> Out<T> {
         // SAFETY: `out` is the only way to a place: the pointer is not NULL, it is aligned, and its caller promised the
         // rest.
         unsafe { self.0.write(value) }
+    }
+}
+
+/// An array of the caller's that a function reads and fills, place by place.
+pub(crate) struct Array<T> {
+    first: *mut T,
+    count: usize,
+}
+
+/// The array behind a pointer; one without a place for a count of 0, whatever the pointer is. The caller promises that a
+/// pointer that is not NULL points to `count` places that are its own for as long as the array is used.
+#[inline(always)]
+pub(crate) unsafe fn array<T: Plain>(
+    pointer: *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<Array<T>, Refusal<'static>> {
+    if count > 0 {
+        check(pointer, name)?;
+        at_most::<T>(count, name)?;
+    }
+    Ok(Array { first: pointer, count })
+}
+
+/// The same where there may be none: NULL.
+#[inline(always)]
+pub(crate) unsafe fn some_array<T: Plain>(
+    pointer: *mut T,
+    count: usize,
+    name: &'static str,
+) -> Result<Option<Array<T>>, Refusal<'static>> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the caller promises the same.
+    unsafe { array(pointer, count, name) }.map(Some)
+}
+
+impl<T: Plain> Array<T> {
+    /// What is at a place, which the caller of the function has filled; `None` behind the last.
+    #[inline(always)]
+    pub(crate) fn get(&self, place: usize) -> Option<T> {
+        // SAFETY: `array` is the only way to one: the pointer is not NULL, it is aligned, the place is less than `count`, every
+        // pattern of bits is a `T`, and its caller promised the rest.
+        (place < self.count).then(|| unsafe { self.first.add(place).read() })
+    }
+
+    /// A place to fill; `None` behind the last.
+    #[inline(always)]
+    pub(crate) fn at(&self, place: usize) -> Option<Out<T>> {
+        // SAFETY: `array` is the only way to one: the pointer is not NULL, it is aligned, the place is less than `count`, and its
+        // caller promised the rest.
+        if place < self.count { NonNull::new(unsafe { self.first.add(place) }).map(Out) } else { None }
+    }
+
+    /// Fills a place; none behind the last.
+    #[inline(always)]
+    pub(crate) fn set(&self, place: usize, value: T) {
+        if let Some(place) = self.at(place) {
+            place.set(value);
+        }
     }
 }
 
@@ -114,13 +206,16 @@ pub(crate) unsafe fn slice<'a, T: Plain>(
         return Ok(&[]);
     }
     check(pointer, name)?;
-    // No object is larger; a count beyond it would be undefined behaviour rather than wrong.
-    let most = isize::MAX.cast_unsigned() / size_of::<T>().max(1);
-    if count > most {
-        return Err(Refusal::TooMany { what: name, given: count, most });
-    }
+    at_most::<T>(count, name)?;
     // SAFETY: it is not NULL, it is aligned, every pattern of bits is a `T`, and the caller promises the rest.
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+}
+
+/// No object is larger; a count beyond it would be undefined behaviour rather than wrong.
+#[inline(always)]
+fn at_most<T>(count: usize, name: &'static str) -> Result<(), Refusal<'static>> {
+    let most = isize::MAX.cast_unsigned() / size_of::<T>().max(1);
+    if count > most { Err(Refusal::TooMany { what: name, given: count, most }) } else { Ok(()) }
 }
 
 /// Fills the first places of an array that has room for them. The caller promises that a pointer that is not NULL points

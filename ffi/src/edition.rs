@@ -96,12 +96,13 @@ impl Rows {
         if alike { Self::Same(rows[0]) } else { Self::Other(rows) }
     }
 
-    /// That of an edition.
+    /// That of the edition at this place.
     #[inline(always)]
-    pub(crate) fn get(self, number: adsdv_edition) -> Option<&'static SignalDef> {
+    pub(crate) const fn get(self, place: usize) -> Option<&'static SignalDef> {
         match self {
             Self::Same(row) => row,
-            Self::Other(rows) => rows.get(place(number)).copied().flatten(),
+            Self::Other(rows) if place < COUNT => rows[place],
+            Self::Other(_) => None,
         }
     }
 }

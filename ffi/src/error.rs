@@ -69,9 +69,10 @@ impl adsdv_error {
 pub(crate) enum Refusal<'a> {
     Null(&'static str),
     Misaligned(&'static str),
-    /// A field of a struct, or an argument.
+    /// A field of a struct; of one of many, with its place.
     Value {
         of: &'static str,
+        place: Option<usize>,
         field: &'static str,
         given: i64,
         allowed: Allowed,
@@ -131,6 +132,17 @@ pub(crate) enum Refusal<'a> {
 }
 
 impl Refusal<'_> {
+    /// The same of a struct that is at a place of an array.
+    #[cold]
+    pub(crate) fn at(self, number: usize) -> Self {
+        match self {
+            Self::Value { of, field, given, allowed, .. } => {
+                Self::Value { of, place: Some(number), field, given, allowed }
+            }
+            other => other,
+        }
+    }
+
     pub(crate) const fn status(&self) -> adsdv_status {
         match self {
             Self::Null(_) | Self::Misaligned(_) => adsdv_status::ADSDV_BAD_POINTER,
@@ -166,8 +178,11 @@ impl fmt::Display for Refusal<'_> {
         match self {
             Self::Null(name) => write!(f, "{name} is NULL; expected a pointer"),
             Self::Misaligned(name) => write!(f, "{name} is not aligned; expected a pointer to its type"),
-            Self::Value { of, field, given, allowed } => {
-                write!(f, "{of}{field} is {given}; expected {allowed}")
+            Self::Value { of, place: None, field, given, allowed } => {
+                write!(f, "{of}.{field} is {given}; expected {allowed}")
+            }
+            Self::Value { of, place: Some(place), field, given, allowed } => {
+                write!(f, "{of}[{place}].{field} is {given}; expected {allowed}")
             }
             Self::Machine { readings } => write!(
                 f,

@@ -5,7 +5,7 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{AiMessages, AiSilence, Inputs, Reports, ShutdownCircuit, Vehicle};
 
-use crate::border::{Plain, answer, load, out};
+use crate::border::{Packed, Plain, answer, load, out};
 use crate::edition::{self, adsdv_edition};
 use crate::error::{adsdv_error, adsdv_status};
 use crate::frame::adsdv_frame;
@@ -13,6 +13,7 @@ use crate::plain;
 
 /// Everything that the VCU sees at one step. Flags are 0 or 1; numbers are raw, in steps of their signal, as on the bus.
 /// adsdv_inputs_init sets it to a vehicle with everything off, at rest, without a fault; not all of that is 0.
+// Bytes first, without a gap: see limits.rs.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct adsdv_inputs {
@@ -69,12 +70,24 @@ pub struct adsdv_inputs {
     pub lap_counter: u8,
     /// AI Computer, 510h: cones detected now; for the data logger.
     pub cones_count_actual: u8,
-    /// AI Computer, 510h: cones detected in all; for the data logger.
-    pub cones_count_all: u16,
     /// AI Computer, 510h: actual speed in km/h; for the data logger.
     pub veh_speed_actual: u8,
     /// AI Computer, 510h: demanded speed in km/h; for the data logger.
     pub veh_speed_demand: u8,
+    /// AI Computer, 514h: requested front brake pressure, in 0.5 %.
+    pub hyd_press_f_req: u8,
+    /// AI Computer, 514h: requested rear brake pressure, in 0.5 %.
+    pub hyd_press_r_req: u8,
+
+    /// Measured: the hydraulic pressure of the front brakes, in 0.5 %.
+    pub hyd_press_f: u8,
+    /// Measured: the hydraulic pressure of the rear brakes, in 0.5 %.
+    pub hyd_press_r: u8,
+    /// Measured: the speed of the vehicle, in km/h.
+    pub speed: u8,
+
+    /// AI Computer, 510h: cones detected in all; for the data logger.
+    pub cones_count_all: u16,
     /// AI Computer, 511h: requested front axle torque, in 0.1 Nm.
     pub front_axle_trq_request: u16,
     /// AI Computer, 511h: front motor speed limit, in rpm.
@@ -85,10 +98,6 @@ pub struct adsdv_inputs {
     pub rear_motor_speed_max: u16,
     /// AI Computer, 513h: requested steer angle, positive to the left, in 0.1 degrees.
     pub steer_request: i16,
-    /// AI Computer, 514h: requested front brake pressure, in 0.5 %.
-    pub hyd_press_f_req: u8,
-    /// AI Computer, 514h: requested rear brake pressure, in 0.5 %.
-    pub hyd_press_r_req: u8,
     /// For how long there has been no valid 510h, in milliseconds; version 3.0 does not look at it.
     pub status_silence_ms: u16,
     /// For how long there has been no valid 511h, in milliseconds; version 3.0 does not look at it.
@@ -128,18 +137,14 @@ pub struct adsdv_inputs {
     pub front_axle_trq_max: u16,
     /// The largest drive torque that is allowed at the rear axle, in 0.1 Nm.
     pub rear_axle_trq_max: u16,
-    /// Measured: the hydraulic pressure of the front brakes, in 0.5 %.
-    pub hyd_press_f: u8,
-    /// Measured: the hydraulic pressure of the rear brakes, in 0.5 %.
-    pub hyd_press_r: u8,
-    /// Measured: the speed of the vehicle, in km/h.
-    pub speed: u8,
 }
 
 // SAFETY: `repr(C)`, integers only.
 unsafe impl Plain for adsdv_inputs {}
+// SAFETY: `repr(C)`; 32 numbers of a byte, then 25 of two, and nothing else.
+unsafe impl Packed<32, 25> for adsdv_inputs {}
 
-plain::conversions!("inputs." adsdv_inputs: Inputs {
+plain::conversions!("inputs" adsdv_inputs[32, 25]: Inputs {
     asms,
     tsms,
     ami,

@@ -35,6 +35,7 @@ mod frame;
 mod inputs;
 #[cfg(feature = "judge")]
 mod judge;
+mod limits;
 mod machine;
 mod names;
 mod outputs;
@@ -45,6 +46,7 @@ mod recognise;
 mod rules;
 mod signal;
 mod step;
+mod steps;
 mod text;
 mod version;
 
@@ -65,6 +67,7 @@ pub use recognise::*;
 pub use rules::*;
 pub use signal::*;
 pub use step::*;
+pub use steps::*;
 pub use version::*;
 
 /// A program without the standard library and without a handler of its own stops where a panic would be. No code of

@@ -3,9 +3,11 @@
 use core::ffi::c_char;
 
 use adsdv_spec::messages::Vcu2AiStatus;
-use adsdv_spec::{Actuation, Inputs, Machine, Outputs};
+use adsdv_spec::{Actuation, Machine, Outputs};
 
 use crate::border::Plain;
+use crate::inputs::adsdv_inputs;
+use crate::limits::Checked;
 use crate::plain::raw;
 use crate::text::short;
 
@@ -117,10 +119,12 @@ macro_rules! show {
 }
 
 impl adsdv_outputs {
-    #[inline(always)]
-    pub(crate) fn of(machine: &Machine, inputs: &Inputs, outputs: &Outputs, status: Vcu2AiStatus) -> Self {
+    // A call, with the inputs as C has them: a step that shows nothing then makes nothing of what is only shown.
+    #[inline(never)]
+    pub(crate) fn of(machine: &Machine, inputs: Checked<'_, adsdv_inputs>, outputs: Outputs) -> Self {
+        let inputs = &inputs.read();
         let mut shown = Self { from: raw(outputs.from), ..Self::default() };
-        show!(shown, status => Vcu2AiStatus {
+        show!(shown, outputs.status(inputs) => Vcu2AiStatus {
             as_state, handshake, go_signal, steering_status, shutdown_request, as_switch_status, ts_switch_status,
             ami_state, shutdown_cause, fault_status, warning_status, warn_batt_temp_high, warn_batt_soc_low,
             ai_estop_request, hvil_open_fault, hvil_short_fault, ebs_fault, offboard_charger_fault, ai_comms_lost,

@@ -1,14 +1,15 @@
 //! One step of the VCU.
 
 use adsdv_spec::messages::Node;
-use adsdv_spec::{Bus, Edition, VcuMessages};
+use adsdv_spec::{Bus, Control, Edition, Machine, Outputs, VcuMessages};
 
-use crate::border::{answer, check, fill, get, load, out};
+use crate::border::{Out, answer, check, fill, get, load, out};
 use crate::control::adsdv_control;
 use crate::edition::{self, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::frame::adsdv_frame;
 use crate::inputs::adsdv_inputs;
+use crate::limits::Checked;
 use crate::machine::adsdv_machine;
 use crate::outputs::adsdv_outputs;
 
@@ -137,12 +138,8 @@ unsafe fn step(
     outputs: *mut adsdv_outputs,
     places: Option<Places>,
 ) -> Result<usize, Refusal<'static>> {
-    let machine = if machine.is_null() {
-        adsdv_machine::REFERENCE
-    } else {
-        // SAFETY: the caller promises it for the machine.
-        unsafe { load(machine, "machine")? }
-    };
+    // SAFETY: the caller promises it for the machine.
+    let machine = unsafe { which(machine)? };
     // SAFETY: the caller promises it for the control state and the inputs.
     let (before, after, inputs) =
         unsafe { (load(control, "control")?, out(control, "control")?, get(inputs, "inputs")?) };
@@ -157,22 +154,74 @@ unsafe fn step(
         check(places.frames, "frames")?;
     }
     let edition = machine.edition;
-    let (before, inputs) = (before.read(edition)?, inputs.read(edition)?);
     let mut room = None;
     let machine = machine.find(&mut room)?;
+    let mut control = before.read(edition)?;
     if let Some(places) = &places {
         places.check(edition)?;
     }
 
-    let (next, stepped) = machine.step(&before, &inputs, dt_ms);
-    let messages = stepped.messages(&inputs);
-    after.set(adsdv_control::from(&next));
-    if let Some(shown) = shown {
-        shown.set(adsdv_outputs::of(machine, &inputs, &stepped, messages.status));
-    }
-    match places {
+    let Some(places) = places else {
+        if !one(machine, edition, &mut control, inputs, dt_ms, shown) {
+            return Err(inputs.refusal(edition));
+        }
+        after.set(adsdv_control::from(&control));
+        return Ok(0);
+    };
+    let made = make(machine, edition, &mut control, inputs, dt_ms, |inputs, stepped| {
+        if let Some(shown) = shown {
+            shown.set(adsdv_outputs::of(machine, inputs, stepped));
+        }
         // SAFETY: the caller promises it for the frames.
-        Some(places) => unsafe { places.write(&messages, &machine.edition().bus) },
-        None => Ok(0),
+        unsafe { places.write(&stepped.messages(&inputs.read()), &machine.edition().bus) }
+    });
+    let count = made.ok_or_else(|| inputs.refusal(edition))??;
+    after.set(adsdv_control::from(&control));
+    Ok(count)
+}
+
+/// Makes a step, if the edition allows its inputs: from what the VCU remembers to what it remembers then. What it shows goes where
+/// that is wanted. Whether it was made.
+// A call: where it is a part of a loop, what it remembers is packed into registers and out of them again.
+#[inline(never)]
+pub(crate) fn one(
+    machine: &Machine,
+    edition: adsdv_edition,
+    control: &mut Control,
+    inputs: &adsdv_inputs,
+    dt_ms: u32,
+    shown: Option<Out<adsdv_outputs>>,
+) -> bool {
+    let show = |inputs: Checked<'_, _>, stepped| {
+        if let Some(shown) = shown {
+            shown.set(adsdv_outputs::of(machine, inputs, stepped));
+        }
+    };
+    make(machine, edition, control, inputs, dt_ms, show).is_some()
+}
+
+/// The same, with what is done with its inputs and with what it shows.
+#[inline(always)]
+fn make<T>(
+    machine: &Machine,
+    edition: adsdv_edition,
+    control: &mut Control,
+    inputs: &adsdv_inputs,
+    dt_ms: u32,
+    show: impl FnOnce(Checked<'_, adsdv_inputs>, Outputs) -> T,
+) -> Option<T> {
+    let inputs = inputs.check(edition)?;
+    let (next, stepped) = machine.step(control, &inputs.read(), dt_ms);
+    *control = next;
+    Some(show(inputs, stepped))
+}
+
+/// The machine that is asked for. The caller promises for the pointer what it promises for all of them.
+#[inline(always)]
+pub(crate) unsafe fn which(machine: *const adsdv_machine) -> Result<adsdv_machine, Refusal<'static>> {
+    if machine.is_null() {
+        return Ok(adsdv_machine::REFERENCE);
     }
+    // SAFETY: the caller promises it.
+    unsafe { load(machine, "machine") }
 }

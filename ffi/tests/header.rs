@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use expect_test::expect_file;
 
 /// The sources in the order in which a reader wants to meet what is in them.
-const SOURCES: [&str; 12] = [
+const SOURCES: [&str; 13] = [
     "version",
     "error",
     "edition",
@@ -19,6 +19,7 @@ const SOURCES: [&str; 12] = [
     "outputs",
     "frame",
     "step",
+    "steps",
     "signal",
 ];
 /// And the recogniser and the judge, which are a feature.

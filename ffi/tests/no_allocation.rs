@@ -117,6 +117,10 @@ fn nothing_allocates_but_the_judge() {
                         adsdv_step_frames(vcu, control, inputs, 10, shown, places, room, count, error);
                     assert_eq!(status, ADSDV_OK);
                 }
+                let (shown, done) = (&raw mut outputs, null_mut());
+                let status = adsdv_step_n(vcu, control, inputs, null(), 1, null_mut(), shown, done, error);
+                assert_eq!(status, ADSDV_OK);
+                assert_eq!(adsdv_step_each(vcu, control, inputs, null(), 1, shown, done, error), ADSDV_OK);
                 assert!(!adsdv_edition_version(edition).is_null());
                 assert_eq!(adsdv_frame_init_in(edition, places, 0x513, error), ADSDV_OK);
             }

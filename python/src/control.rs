@@ -10,11 +10,11 @@ use pyo3::types::{PyDict, PyType};
 use crate::value;
 
 /// One thing that a VCU remembers.
-struct Field {
-    key: &'static str,
-    domain: Domain,
-    get: fn(&adsdv_spec::Control) -> i32,
-    set: fn(&mut adsdv_spec::Control, i32) -> bool,
+pub(crate) struct Field {
+    pub(crate) key: &'static str,
+    pub(crate) domain: Domain,
+    pub(crate) get: fn(&adsdv_spec::Control) -> i32,
+    pub(crate) set: fn(&mut adsdv_spec::Control, i32) -> bool,
 }
 
 const fn domain_of<T: SignalValue>(_: fn(&adsdv_spec::Control) -> T) -> Domain {
@@ -23,7 +23,7 @@ const fn domain_of<T: SignalValue>(_: fn(&adsdv_spec::Control) -> T) -> Domain {
 
 macro_rules! fields {
     ($($key:ident = $($place:ident).+;)+) => {
-        const FIELDS: &[Field] = &[$(
+        pub(crate) const FIELDS: &[Field] = &[$(
             Field {
                 key: stringify!($key),
                 domain: domain_of(|control| control.$($place).+),

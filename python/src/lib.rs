@@ -3,6 +3,7 @@
 //! ```text
 //! edition.rs   editions, and what an edition lets say
 //! machine.rs   Machine, Vcu: steps        control.rs   Control: what a VCU remembers
+//! batch/       many steps in one call, on rows in buffers: dtype, rows, Machine.step_n, Machine.step_each
 //! step.rs      Step: what a step did      codec.rs     decode, encode, frames, is_reserved
 //! check.rs     check: judges a log        source.rs    what a log can be read from
 //! many/        check_many: judges many logs  (reports.rs Reports, table.rs Table)
@@ -17,6 +18,7 @@
 //! Nothing is decided here: each function takes Python's values apart, asks the specification or the oracle, and makes
 //! Python's values of the answer. The documentation of what Python sees is Python's: its examples are doctests.
 
+mod batch;
 mod check;
 mod codec;
 mod control;
@@ -73,6 +75,7 @@ fn adsdv(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<judge::Judge>()?;
     module.add_class::<report::Report>()?;
     module.add_function(wrap_pyfunction!(check::check, module)?)?;
+    batch::add(module)?;
     many::add(module)?;
     exam::add(module)?;
     codec::add(module)?;

@@ -46,6 +46,15 @@ def codec() -> tuple[int, bytes]:
     return adsdv.encode(0x513, STEER_REQUEST_deg=angle)
 
 
+def many(machine: adsdv.Machine) -> adsdv.Control:
+    inputs, controls = adsdv.rows("inputs", 100, machine.edition), adsdv.rows("control", 100, machine.edition)
+    machine.step_each(controls, memoryview(inputs), dt_ms=10, outputs=adsdv.rows("outputs", 100, machine.edition))
+    armed: int = adsdv.numbers("inputs", "ebs")["ARMED"]
+    first: tuple[str, str] = adsdv.dtype("inputs")[0]
+    assert armed and first
+    return machine.step_n(adsdv.Control(), inputs, controls=controls)
+
+
 def editions() -> list[bool]:
     newer = adsdv.Vcu(edition="4.0").step(ami="TRACK DRIVE", brake_silence_ms=100).outputs
     fault: bool = newer.get("brake_plausibility_fault", False)
@@ -83,5 +92,7 @@ adsdv.check_many("logs", progress=lambda done: None)  # type: ignore[arg-type,mi
 adsdv.check(5)  # type: ignore[arg-type]
 adsdv.Vcu(edition=4.0)  # type: ignore[arg-type]
 adsdv.encode(1.5)  # type: ignore[arg-type]
+adsdv.rows("input", 1)  # type: ignore[arg-type]
+vcu.machine.step_n(adsdv.Control(), 5)  # type: ignore[arg-type]
 adsdv.exam(Stack())  # type: ignore[arg-type]
 adsdv.exam(lambda: 5)  # type: ignore[arg-type]

@@ -17,7 +17,7 @@ use adsdv_spec::messages::{
     Layout, Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts,
     Vcu2AiWheelSpeeds, Vcu2LogDynamics1, Vcu2LogStatus,
 };
-use adsdv_spec::{AsState, Bus, Control, Edition, Inputs, Machine, Outputs};
+use adsdv_spec::{AsState, Bus, Control, Edition, Inputs, Machine, Observation, Outputs};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -79,6 +79,39 @@ fn react(bencher: Bencher, state: AsState) {
         control = reaction.control;
         black_box(&reaction);
     });
+}
+
+/// The observing alone.
+#[divan::bench(args = AsState::ALL)]
+fn observe(bencher: Bencher, state: AsState) {
+    let inputs = Stay::in_state(state).inputs.into_items();
+    bencher.counter(ItemsCount::new(inputs.len())).bench_local(|| {
+        for inputs in black_box(&inputs) {
+            black_box(observed(inputs));
+        }
+    });
+}
+
+#[inline(never)]
+fn observed(inputs: &Inputs) -> Observation {
+    inputs.observe(&MACHINE.edition().rules.thresholds)
+}
+
+/// What the VCU remembers alone, from what it has observed: as a search steps, which asks for nothing that is shown.
+#[divan::bench(args = AsState::ALL)]
+fn react_without_showing(bencher: Bencher, state: AsState) {
+    let Stay { mut control, inputs } = Stay::in_state(state);
+    let seen: Vec<Observation> = inputs.into_items().iter().map(observed).collect();
+    bencher.counter(ItemsCount::new(seen.len())).bench_local(|| {
+        for seen in black_box(&seen) {
+            remembered(&mut control, *seen);
+        }
+    });
+}
+
+#[inline(never)]
+fn remembered(control: &mut Control, seen: Observation) {
+    *control = MACHINE.react(control, seen, CYCLE_MS).control;
 }
 
 /// The longest step: AS_DRIVING ends in EMERGENCY_BRAKE, for the last reason of the row, and the causes are found.

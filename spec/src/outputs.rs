@@ -131,6 +131,7 @@ impl Outputs {
     }
 
     /// What reaches the actuators of what the AI Computer requests.
+    #[inline]
     pub fn actuation(&self, inputs: &Inputs) -> Actuation {
         let ai = &inputs.ai;
         let brakes = Actuation {
@@ -206,7 +207,9 @@ impl Outputs {
         }
     }
 
-    fn status(&self, inputs: &Inputs) -> Vcu2AiStatus {
+    /// 520h alone, the first of the [`messages`](Self::messages).
+    #[inline]
+    pub fn status(&self, inputs: &Inputs) -> Vcu2AiStatus {
         let mut status = Vcu2AiStatus {
             handshake: self.handshake,
             as_switch_status: inputs.asms, //= MSG-44

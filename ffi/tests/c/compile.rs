@@ -68,7 +68,12 @@ pub(crate) fn built(compiler: &str, language: Language, source: &Path, linked: L
     let program = scratch().join(format!("{}-{number}", source.file_stem().unwrap().display()));
     let mut command = Command::new(compiler);
     command.args(WARNINGS).arg(language.standard).arg("-O2");
-    command.arg("-I").arg(folder().join("include")).arg(source);
+    command
+        .arg("-I")
+        .arg(folder().join("include"))
+        .args(["-x", language.name])
+        .arg(source)
+        .args(["-x", "none"]);
     match linked {
         Linked::Statically => command.arg(&libraries.fixed).args(["-lpthread", "-ldl", "-lm"]),
         Linked::Dynamically => {

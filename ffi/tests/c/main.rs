@@ -86,6 +86,21 @@ fn the_editions_are_those_of_the_readme() {
     assert!(printed.starts_with(shown), "the README does not have what it prints: {printed}");
 }
 
+/// What it says of many steps is what their example prints, which is C++ as well.
+#[test]
+fn the_steps_are_those_of_the_readme() {
+    let readme = std::fs::read_to_string(folder().join("README.md")).unwrap();
+    let (_, shown) = readme.split_once("$ ./steps\n").unwrap();
+    let (shown, _) = shown.split_once("```").unwrap();
+    for language in [C, CPP] {
+        let Some(compiler) = compiler(language) else { continue };
+        let program = built(&compiler, language, &folder().join("examples/steps.c"), Linked::Statically);
+        let Output { status, stdout, stderr } = Command::new(&program).output().unwrap();
+        assert!(status.success() && stderr.is_empty(), "{}", String::from_utf8_lossy(&stderr));
+        assert_eq!(String::from_utf8(stdout).unwrap(), shown);
+    }
+}
+
 #[test]
 fn the_adapters_are_short() {
     for adapter in [adapter(), adapter_in_cpp()] {

@@ -111,6 +111,7 @@ pub(crate) fn body(bytes: &[u8]) {
             5 => names(&mut bytes),
             6 if bytes.one_in(4) => judge(&mut bytes),
             6 if bytes.one_in(4) => recognise(&mut bytes),
+            7 => steps(&mut bytes, &machine, &mut control, &inputs),
             8 => {
                 let (edition, readings) =
                     (edition(&mut bytes), text(&mut bytes, &["", "fault-trigger=edge", "go-edge=edge"]));
@@ -153,6 +154,31 @@ fn step_frames(
             call(|error| unsafe { adsdv_decode_in(machine.edition, frame, places, room, count, error) });
         assert_eq!(status, ADSDV_OK, "what the VCU sends can be read");
     }
+}
+
+/// Many steps in one call: of one VCU, and of as many.
+fn steps(bytes: &mut Bytes<'_>, machine: &adsdv_machine, control: &mut adsdv_control, inputs: &adsdv_inputs) {
+    const COUNT: usize = 4;
+    let mut inputs = [*inputs; COUNT];
+    if bytes.one_in(2) {
+        spoil(&mut inputs[usize::from(bytes.any::<u8>()) % COUNT], bytes.any::<u16>().into(), bytes.any());
+    }
+    let (mut controls, mut outputs) = ([*control; COUNT], [zero::<adsdv_outputs>(); COUNT]);
+    let (inputs, times, mut done) = (inputs.as_ptr(), [bytes.any(); COUNT], COUNT + 1);
+    let dt_ms = if bytes.one_in(2) { null() } else { times.as_ptr() };
+    let shown = if bytes.one_in(2) { null_mut() } else { outputs.as_mut_ptr() };
+    let kept = controls.as_mut_ptr();
+    // SAFETY: the pointers are to what they are said to be, or NULL where that is allowed.
+    let status = call(|error| unsafe {
+        adsdv_step_each(machine, kept, inputs, dt_ms, COUNT, shown, &raw mut done, error)
+    });
+    assert_eq!(status == ADSDV_OK, done == COUNT);
+    // SAFETY: as above.
+    let status = call(|error| unsafe {
+        adsdv_step_n(machine, control, inputs, dt_ms, COUNT, kept, shown, &raw mut done, error)
+    });
+    assert_eq!(status == ADSDV_OK, done == COUNT);
+    assert!(status != ADSDV_OK || *control == controls[COUNT - 1]);
 }
 
 /// Steps: a control state that came out of one goes into the next.

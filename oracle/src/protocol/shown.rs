@@ -32,8 +32,6 @@ pub struct ShownField {
     pub requirements: &'static [&'static str],
     /// Whether it is a signal of 520h, and not something of the actuators.
     pub(crate) is_signal: bool,
-    /// Its raw value.
-    get: fn(&Vcu2AiStatus, &Actuation) -> Option<i32>,
 }
 
 impl ShownField {
@@ -137,7 +135,6 @@ macro_rules! shown {
                         &ALL
                     },
                     is_signal: is_signal!($source),
-                    get: |status, actuation| Some(SignalValue::to_raw(from!($source status actuation).$field)),
                 },
             )+
             $(
@@ -151,12 +148,17 @@ macro_rules! shown {
                     fault: None,
                     requirements: [$($null_id),+].as_slice(),
                     is_signal: is_signal!($source),
-                    get: |status, actuation| {
-                        from!($source status actuation).$nullable.map(SignalValue::to_raw)
-                    },
                 },
             )?
         )+];
+
+        /// The raw value of each, whether an edition has it or not.
+        fn raw_of_all(status: &Vcu2AiStatus, actuation: &Actuation) -> [Option<i32>; SHOWN.len()] {
+            [$(
+                $(Some(SignalValue::to_raw(from!($source status actuation).$field)),)+
+                $(from!($source status actuation).$nullable.map(SignalValue::to_raw),)?
+            )+]
+        }
     };
 }
 
@@ -249,10 +251,9 @@ impl Showing {
 
     /// What a step shows.
     pub fn shown(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
-        let (status, actuation) = (outputs.messages(inputs).status, outputs.actuation(inputs));
-        let mut raw = [None; SHOWN.len()];
-        for (slot, (field, has)) in raw.iter_mut().zip(FIELDS.iter().zip(self.has)) {
-            *slot = if has { (field.get)(&status, &actuation) } else { None };
+        let mut raw = raw_of_all(&outputs.status(inputs), &outputs.actuation(inputs));
+        for (raw, has) in raw.iter_mut().zip(self.has) {
+            *raw = raw.filter(|_| has);
         }
         Shown { raw, words: self.words }
     }

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, Protocol, TypedDict, final, overload
 
-from typing_extensions import Unpack
+from typing_extensions import Buffer, Unpack
 
 __version__: str
 INTERFACE_VERSION: str
@@ -29,6 +29,10 @@ class _RuleMistake(TypedDict):
 class CodecError(AdsdvError): ...
 class StackError(AdsdvError): ...
 class LogError(AdsdvError): ...
+
+# What has a buffer: a structured array of NumPy, bytearray, memoryview, array.array, and more.
+_Rows = Buffer
+_Of = Literal["inputs", "outputs", "control"]
 
 _Ami = Literal[
     "NOT_SELECTED",
@@ -431,6 +435,23 @@ class Machine:
         dt_ms: int | None = None,
         **keywords: Unpack[_Inputs],
     ) -> Step: ...
+    def step_n(
+        self,
+        control: Control,
+        inputs: _Rows,
+        dt_ms: int | _Rows | None = None,
+        *,
+        controls: _Rows | None = None,
+        outputs: _Rows | None = None,
+    ) -> Control: ...
+    def step_each(
+        self,
+        controls: _Rows,
+        inputs: _Rows,
+        dt_ms: int | _Rows | None = None,
+        *,
+        outputs: _Rows | None = None,
+    ) -> None: ...
     def __hash__(self) -> int: ...
     def __eq__(self, other: object) -> bool: ...
 
@@ -612,6 +633,9 @@ def check_many(
     threads: int | None = None,
 ) -> Reports: ...
 def editions() -> list[str]: ...
+def dtype(of: _Of, edition: str | None = None) -> list[tuple[str, str]]: ...
+def numbers(of: _Of, key: str, edition: str | None = None) -> dict[str, int]: ...
+def rows(of: _Of, count: int, edition: str | None = None) -> bytearray: ...
 def decode(id: int, data: _Data, edition: str | None = None) -> _Message: ...
 def encode(
     message: str | int, /, *, edition: str | None = None, **signals: float | str
