@@ -40,8 +40,6 @@ pub struct Machine {
     arrows: [Arrow; MAX_ROWS * MAX_TERMS],
     /// Where the arrows of each state begin; those of state `n` end where those of `n + 1` begin.
     begins: [u8; STATES + 2],
-    /// What each state waits for.
-    waits: [Wait; STATES + 1],
     /// What must hold before the "Go" edge counts: the guard of AS_READY to AS_DRIVING without "Go".
     go_conditions: Option<TermMasks>,
     /// What must hold for a step to arm the "Go" edge; `None` where none does.
@@ -53,13 +51,6 @@ struct Arrow {
     masks: TermMasks,
     to: AsState,
     taken: Taken,
-}
-
-/// What a state waits for: how long that takes, and what holds then.
-#[derive(Clone, Copy, Debug)]
-struct Wait {
-    limit_ms: u16,
-    elapsed: Atoms,
 }
 
 data!(
@@ -130,7 +121,6 @@ impl Machine {
             scope: edition.scope(),
             arrows: [nowhere; MAX_ROWS * MAX_TERMS],
             begins: [0; STATES + 2],
-            waits: [Wait { limit_ms: 0, elapsed: Atoms::NONE }; STATES + 1],
             go_conditions: None,
             go_low: None,
         };
@@ -140,13 +130,6 @@ impl Machine {
         while state < STATES {
             let from = AsState::ALL[state];
             machine.begins[from as usize] = filled as u8;
-            machine.waits[from as usize] = Wait {
-                limit_ms: edition.rules.timing.in_state_limit(from),
-                elapsed: match Atom::of_timer(from) {
-                    Some(atom) => Atoms::NONE.with(atom),
-                    None => Atoms::NONE,
-                },
-            };
             // The row that a reading lets overtake comes first; then the others in the table's order.
             //= D-3 to D-5
             let first = overtaking(&edition.rules, from, readings);
@@ -239,7 +222,8 @@ impl Machine {
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let inputs = self.atoms_of(seen);
         let (handshake, comms_lost) = self.hear(control.handshake, inputs, dt_ms);
-        let in_state_ms = self.count_in_state(control, dt_ms);
+        let limit = self.edition.rules.timing.in_state_limit(control.state);
+        let in_state_ms = count_up(control.in_state_ms, dt_ms, limit);
 
         let atoms = inputs.union(self.control_atoms(control, in_state_ms, comms_lost, inputs));
         let taken = self.first_arrow(control.state, atoms);
@@ -351,8 +335,12 @@ impl Machine {
         comms_lost: bool,
         seen: Atoms,
     ) -> Atoms {
-        let Wait { limit_ms, elapsed } = self.waits[control.state as usize];
-        let elapsed = if in_state_ms >= limit_ms { elapsed } else { Atoms::NONE };
+        let elapsed = match Atom::of_timer(control.state) {
+            Some(atom) => {
+                Atoms::when(atom, in_state_ms >= self.edition.rules.timing.in_state_limit(control.state))
+            }
+            None => Atoms::NONE,
+        };
         let mission_edge = control.was_running && seen.has(Atom::MissionFinished);
         let direction_edge = control.was_forward && seen.has(Atom::DirectionNeutral);
         elapsed
@@ -365,33 +353,33 @@ impl Machine {
 
     /// The alternatives that lead out of a state under these readings, in the order of evaluation.
     pub fn arrows(&self, from: AsState) -> impl Iterator<Item = Taken> + '_ {
-        self.arrows_from(from).iter().map(|arrow| arrow.taken)
+        let range = usize::from(self.begins[from as usize])..usize::from(self.begins[from as usize + 1]);
+        self.arrows.get(range).unwrap_or_default().iter().map(|arrow| arrow.taken)
     }
 
     /// The first arrow of a state whose guard holds, and where it leads; `None` if none does, so that the state stays.
     //= SM-1
     #[inline(always)]
     pub const fn first_arrow(&self, state: AsState, atoms: Atoms) -> Option<(Taken, AsState)> {
-        let mut arrows = self.arrows_from(state);
-        while let [arrow, others @ ..] = arrows {
+        let end = self.begins[state as usize + 1];
+        let mut i = self.begins[state as usize];
+        while i < end {
+            let arrow = &self.arrows[i as usize];
             if arrow.masks.holds(atoms) {
                 return Some((arrow.taken, arrow.to));
             }
-            arrows = others;
+            i += 1;
         }
         None
     }
 
-    /// The arrows of a state, in the order of evaluation.
-    #[inline(always)]
-    const fn arrows_from(&self, state: AsState) -> &[Arrow] {
-        let (begin, end) = (self.begins[state as usize] as usize, self.begins[state as usize + 1] as usize);
-        self.arrows.split_at(end).0.split_at(begin).1
-    }
-
     /// The arrow at a place in the order of evaluation of a state, and where it leads.
     pub(crate) fn arrow_at(&self, from: AsState, place: usize) -> Option<(TermMasks, (Taken, AsState))> {
-        self.arrows_from(from).get(place).map(|arrow| (arrow.masks, (arrow.taken, arrow.to)))
+        let place = usize::from(self.begins[from as usize]) + place;
+        if place >= usize::from(self.begins[from as usize + 1]) {
+            return None;
+        }
+        self.arrows.get(place).map(|arrow| (arrow.masks, (arrow.taken, arrow.to)))
     }
 
     /// What must hold before the "Go" edge counts.
@@ -403,8 +391,10 @@ impl Machine {
     #[cold]
     const fn reasons(&self, from: AsState, taken: Taken, atoms: Atoms, seen: Faults) -> Faults {
         let mut faults = Faults::NONE;
-        let mut arrows = self.arrows_from(from);
-        while let [arrow, others @ ..] = arrows {
+        let end = self.begins[from as usize + 1];
+        let mut i = self.begins[from as usize];
+        while i < end {
+            let arrow = &self.arrows[i as usize];
             if arrow.taken.row == taken.row && arrow.masks.holds(atoms) {
                 let term = &self.edition.rules.table.rows()[arrow.taken.row as usize].terms()
                     [arrow.taken.term as usize];
@@ -413,20 +403,15 @@ impl Machine {
                     None => seen.intersection(Faults::OPENING),
                 });
             }
-            arrows = others;
+            i += 1;
         }
         faults
     }
 
     /// The atoms that the control state decides at a step, were these all that is seen.
     pub const fn memory_atoms(&self, control: &Control, dt_ms: u32, seen: Atoms) -> Atoms {
-        self.control_atoms(control, self.count_in_state(control, dt_ms), false, seen)
-    }
-
-    /// For how long the state has lasted now, as far as that matters.
-    #[inline(always)]
-    const fn count_in_state(&self, control: &Control, dt_ms: u32) -> u16 {
-        count_up(control.in_state_ms, dt_ms, self.waits[control.state as usize].limit_ms)
+        let limit = self.edition.rules.timing.in_state_limit(control.state);
+        self.control_atoms(control, count_up(control.in_state_ms, dt_ms, limit), false, seen)
     }
 
     /// What decides whether a step arms the "Go" edge, as far as is known: the switch, and the conditions that must
