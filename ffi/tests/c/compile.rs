@@ -58,14 +58,16 @@ pub(crate) fn syntax(compiler: &str, language: Language, standard: &str, text: &
     succeeds(&mut command);
 }
 
-/// Tests run at the same time, and may build the same program.
+/// A test may build the same program twice.
 static COUNT: AtomicU32 = AtomicU32::new(0);
 
 /// The program of one source, compiled without a warning and linked to the library.
 pub(crate) fn built(compiler: &str, language: Language, source: &Path, linked: Linked) -> PathBuf {
     let libraries = libraries();
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
-    let program = scratch().join(format!("{}-{number}", source.file_stem().unwrap().display()));
+    // Tests run at the same time, in one process or each in its own.
+    let test = std::thread::current().name().unwrap_or_default().replace("::", "-");
+    let program = scratch().join(format!("{}-{test}-{number}", source.file_stem().unwrap().display()));
     let mut command = Command::new(compiler);
     command.args(WARNINGS).arg(language.standard).arg("-O2");
     command
