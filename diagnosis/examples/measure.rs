@@ -29,7 +29,8 @@ const WALKS: [usize; 2] = [1500, 150];
 /// No diagnosis takes longer.
 const LONGEST: Duration = Duration::from_mins(10);
 
-/// The next of a row of numbers that look random.
+/// The next of a row of numbers that look random: that of the library, which keeps it to itself, so that the figures of TESTING.md can be
+/// measured again.
 struct Random(u64);
 
 impl Random {
