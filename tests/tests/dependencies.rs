@@ -1,4 +1,5 @@
-//! Every crate that the project stands on has its reason in `docs/dependencies.md`, and nothing else stands there.
+//! Every crate that the project stands on has its reason in `docs/dependencies.md`, and nothing else stands there; and the Rust that it takes is
+//! the one that its documents name.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -37,4 +38,21 @@ fn each_crate_that_is_used_has_its_reason() {
     let without_reason: Vec<_> = used.difference(&named).collect();
     let without_use: Vec<_> = named.difference(&used).collect();
     assert!(without_reason.is_empty() && without_use.is_empty(), "{without_reason:?} {without_use:?}");
+}
+
+/// The Rust that a manifest says it takes.
+fn rust_of(manifest: &str) -> Option<&str> {
+    manifest.lines().find_map(|line| line.strip_prefix("rust-version = \"")?.strip_suffix('"'))
+}
+
+#[test]
+fn the_documents_name_the_rust_that_the_manifests_take() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project");
+    let read = |name: &str| fs::read_to_string(root.join(name)).expect("a file of the project");
+    let (all, spec) = (read("Cargo.toml"), read("spec/Cargo.toml"));
+    let [all, spec] = [&all, &spec].map(|manifest| rust_of(manifest).expect("a version"));
+    let readme = read("README.md");
+    assert!(readme.contains(&format!("With a Rust toolchain ({all} or later)")), "{all}");
+    assert!(readme.contains(&format!("(Rust {spec} or later, `no_std`")), "{spec}");
+    assert!(read("docs/packaging.md").contains(&format!("Rust {all} or later")), "{all}");
 }
