@@ -24,7 +24,7 @@ pub(super) struct Work {
 }
 
 impl Work {
-    /// An exploration of a closed model takes about a tenth of the time of all those of the open one.
+    /// What one closed model counts for: a guess, for it hangs on the engine, the operator and the edition how long it takes.
     pub(super) const fn closed_each(&self) -> usize {
         self.open / 10
     }

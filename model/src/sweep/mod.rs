@@ -63,7 +63,8 @@ pub fn together(edition: &Edition) -> usize {
 }
 
 /// Checks an edition of the interface under every combination of readings in which at most so many are not the default,
-/// and in these closed models; `engine` makes the steps of the open ones. `progress` gets how much is done, and of how much.
+/// and in these closed models. `engine` makes the steps of the open ones; by [`Engine::Words`] the closed ones of an operator are explored
+/// together, by [`Engine::Single`] one after the other. `progress` gets how much is done, and of how much.
 pub fn sweep(
     edition: &'static Edition,
     together: usize,
