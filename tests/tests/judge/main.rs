@@ -24,6 +24,7 @@ mod exercised;
 mod flags;
 mod go;
 mod handshake;
+mod likely;
 mod limits;
 mod logs;
 mod margins;

@@ -205,6 +205,15 @@ impl Estimator {
         known
     }
 
+    /// What all that was recorded says of the time from `start` to `end`: what was shown `before`, is shown now, and nothing in between
+    /// contradicts.
+    pub(crate) fn shown_throughout(&self, start: i64, end: i64, before: Knowledge) -> Knowledge {
+        let both = before.meet(self.why.shown());
+        self.moments(start, end).fold(both, |both, Moment { known, .. }| {
+            both.forget(both.on().intersection(known.off()).union(both.off().intersection(known.on())))
+        })
+    }
+
     /// The moments from `start` on, up to `end`, with what was known at each.
     pub(crate) fn moments(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
         self.history.between(start, end)

@@ -124,6 +124,15 @@ impl Silences {
         sampler.last(*WATCHED.get(place)?)
     }
 
+    /// Whether each message has come so lately, by what was recorded, that none can have been silent for too long.
+    pub(crate) fn seem_present(&self, t: i64, sampler: &Sampler) -> bool {
+        let within = |limit: i64| {
+            let lately = |last| t - last < limit - self.window;
+            (0..WATCHED.len()).all(|place| Self::heard_at(place, sampler).is_some_and(lately))
+        };
+        self.limit.is_none_or(within)
+    }
+
     /// Whether another message of the AI Computer comes, so that it is not the recorder that hears nothing.
     pub(crate) fn others_come(&self, place: usize, t: i64, sampler: &Sampler) -> bool {
         let within = self.limit.unwrap_or_default() - self.window;

@@ -26,11 +26,20 @@ pub(crate) struct StatusChange {
     pub(crate) answered: bool,
     pub(crate) suspect: Option<Suspect>,
     /// What was known before.
-    pub(crate) before: Knowledge,
+    pub(crate) before: Before,
     /// The state before, and the one now if that is another or known anew.
     pub(crate) old: Option<AsState>,
     pub(crate) entered: Option<AsState>,
     pub(crate) change: Option<SeenChange>,
+}
+
+/// What was known before a 520h came: for certain, and by all that was recorded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Before {
+    pub(crate) known: Knowledge,
+    pub(crate) shown: Knowledge,
+    /// When the last 520h came, if one may be missing since.
+    pub(crate) missing_since: Option<i64>,
 }
 
 /// A change of state that was seen.
@@ -45,8 +54,6 @@ pub(crate) struct SeenChange {
     /// What was known in the step that led there, and what was shown last when it was seen.
     pub(crate) at_step: Knowledge,
     pub(crate) shown: Knowledge,
-    /// For how long the state had lasted.
-    pub(crate) lasted: i64,
 }
 
 impl Estimator {
@@ -77,7 +84,8 @@ impl Estimator {
             self.handshake.restart();
         }
         let suspect = self.handshake.vcu(t, status.handshake).filter(|_| status.ts_switch_status);
-        let before = self.known;
+        let missing_since = came.before.filter(|_| gap);
+        let before = self.before(t, missing_since);
         self.learn_status(t, status, readable, previous, new, gap);
         let last = came.before.unwrap_or(t);
         let mut shown = StatusChange {
@@ -114,6 +122,13 @@ impl Estimator {
         shown
     }
 
+    fn before(&self, t: i64, missing_since: Option<i64>) -> Before {
+        let answered = self.handshake.seems_answered(t, self.handshake_limit(), self.window);
+        let comes = answered && self.silences.seem_present(t, &self.sampler);
+        let lost = if comes { Truth::False } else { Truth::Unknown };
+        Before { known: self.known, shown: self.why.shown().set(Atom::AiCommsLost, lost), missing_since }
+    }
+
     /// The VCU was silent: what it is, and what it remembers, is unknown.
     fn vcu_was_silent(&mut self, t: i64) {
         self.vcu = ObservedVcu::default();
@@ -126,8 +141,7 @@ impl Estimator {
         let usual = self.sampler.slot(STATUS).map_or(0, |slot| slot.period);
         let gap = gap || !self.options.complete && t - before > usual + usual / 5;
         self.vcu.left = Some(Left { before, at: t, gap });
-        let lasted = self.why.now().map_or(0, |stay| t - stay.since_ns);
-        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown(), lasted }
+        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown() }
     }
 
     /// Learns what 520h shows of the conditions.

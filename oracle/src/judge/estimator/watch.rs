@@ -21,6 +21,8 @@ pub(crate) struct Watch {
     ai_run: u32,
     /// How many of them in a row the VCU's bit was the same as theirs.
     agreed: u32,
+    /// The last edges of both, by what was recorded.
+    edges: Edges,
     /// Whether the last edge was answered.
     answered: bool,
     /// How long the answer before took.
@@ -30,6 +32,31 @@ pub(crate) struct Watch {
     /// Whether the AI Computer's fault at this edge was reported, and the VCU's.
     pub(crate) reported_ai: bool,
     pub(crate) reported_vcu: bool,
+}
+
+/// The edges of both bits by what was recorded, however much may be missing: nothing certain.
+#[derive(Clone, Copy, Debug, Default)]
+struct Edges {
+    /// The bits of the last frames, and when the VCU's changed to that.
+    vcu: Option<(bool, i64)>,
+    ai: Option<bool>,
+    /// The last edge that was answered, and when it was.
+    answer: Option<(i64, i64)>,
+}
+
+impl Edges {
+    fn vcu(&mut self, now: i64, bit: bool) {
+        if self.vcu.is_none_or(|(before, _)| before != bit) {
+            self.vcu = Some((bit, now));
+        }
+    }
+
+    fn ai(&mut self, now: i64, bit: bool) {
+        let changed = self.ai.replace(bit) == Some(!bit);
+        if let Some((_, edge)) = self.vcu.filter(|&(vcu, _)| changed && vcu == bit) {
+            self.answer = Some((edge, now));
+        }
+    }
 }
 
 /// An edge of the VCU's bit that came, as far as is seen yet, without an answer to the one before.
@@ -45,6 +72,7 @@ impl Watch {
     /// The VCU's bit was seen.
     pub(crate) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
         let before = self.vcu.replace(bit);
+        self.edges.vcu(now, bit);
         if before == Some(bit) {
             return None;
         }
@@ -65,6 +93,7 @@ impl Watch {
     pub(crate) fn ai(&mut self, now: i64, bit: bool) -> bool {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
+        self.edges.ai(now, bit);
         self.agreed = match self.vcu {
             Some(vcu) if vcu == bit => self.agreed.saturating_add(1),
             // Meanwhile the VCU's bit cannot have gone to and fro: the AI Computer has answered nothing else.
@@ -82,6 +111,13 @@ impl Watch {
         self.answered = true;
         self.last_response = self.edge_at.map_or(self.last_response, |edge| now - edge);
         true
+    }
+
+    /// Whether the AI Computer has answered in time by what was recorded, though frames may be missing: its last answer came so
+    /// soon, and so lately, that communication cannot be lost.
+    pub(crate) fn seems_answered(&self, now: i64, limit: i64, window: i64) -> bool {
+        let soon = limit - window;
+        self.edges.answer.is_some_and(|(edge, at)| at - edge < soon && now - at < soon)
     }
 
     /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so

@@ -1,14 +1,11 @@
 //! Fault flags, `FAULT_STATUS` and `SHUTDOWN_CAUSE`: whether 520h tells the truth (section 2.2).
 
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
-use adsdv_spec::{AsState, Atom, Choice, Fault, Faults, Knowledge, Reading, Truth};
+use adsdv_spec::{AsState, Atom, Fault, Faults, Truth};
 
-use super::conduct::deciding;
-use super::pending::{Pending, Persisting};
-use super::texts::conditions;
+use super::pending::Persisting;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::{Estimator, is_active};
-use crate::judge::estimator::readings::of_terms;
 use crate::judge::estimator::status::StatusChange;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::sampler::places::STATUS;
@@ -68,7 +65,6 @@ fn shows_wrongly(
 pub(super) fn risen(shown: &StatusChange) -> impl Iterator<Item = Fault> {
     let new = shown
         .previous
-        .filter(|_| !shown.gap)
         .map(|previous| Faults::shown_by(&shown.status).difference(Faults::shown_by(&previous)));
     VISIBLE.into_iter().filter(move |&fault| new.is_some_and(|new| new.has(fault)))
 }
@@ -186,63 +182,4 @@ impl Flags {
             book.found(shows_wrongly(est, what, since, seen, AsState::EmergencyBrake.name()));
         }
     }
-}
-
-/// A flag was raised, and its window has passed: could its condition have held?
-pub(super) fn judge_flag(
-    est: &Estimator,
-    book: &mut Book,
-    pending: &Pending,
-    fault: Fault,
-    before: Knowledge,
-) {
-    let t = pending.t;
-    let start = t - est.window - est.cycle();
-    // What the flag itself says counts only from the flag on; it may be recorded behind what ended its reason.
-    let lost = est.history.throughout(start, t - 1).meet(before).of(Atom::AiCommsLost);
-    let window = est.throughout(start, t + est.window).set(Atom::AiCommsLost, lost);
-    // Section 2.4 asks for this flag whether an arrow follows from it or not.
-    if fault == Fault::AiCommsFault && lost != Truth::False {
-        return book.exercise_flag(fault, lost);
-    }
-    // An edge may lie before the window; what it needs besides does not.
-    let edges = [Atom::MissionFinishedEdge, Atom::DirectionNeutralEdge];
-    let known = edges.into_iter().fold(window, |known, edge| {
-        let excluded = edge.input().is_some_and(|level| window.of(level) == Truth::False);
-        known.set(edge, if excluded { Truth::False } else { Truth::Unknown })
-    });
-    let terms = || est.readings.terms_of(fault);
-    let reason = terms().map(|term| term.truth(known)).find(|&reason| reason != Truth::False);
-    if let Some(reason) = reason {
-        return book.exercise_flag(fault, reason);
-    }
-    // Reported in the words of the first alternative, by the section of the last: those of section 3.7, and section 4 where the
-    // reading that it stands for is possible.
-    let section = terms().last().map_or("2.2", |term| term.section);
-    let off = window.of(Atom::Tsms) == Truth::False
-        && est.pinned(Reading::HandshakeActive) == Some(Choice::HandshakeTsms);
-    let rules = &est.edition.rules;
-    let (section, why) = match (fault, terms().next()) {
-        (Fault::AiCommsFault, _) if off => ("2.4", rules.text(Atom::Tsms, false).to_string()),
-        (Fault::AiCommsFault, _) => {
-            let missed = rules.thresholds.missed_ms.map_or("", |_| ", and none of its messages is missed");
-            ("2.4", format!("the AI Computer answers the handshake in time{missed}"))
-        }
-        (Fault::AiComputerRequest, _) => {
-            ("2.2", format!("{} all the time", rules.text(Atom::AiEstop, false)))
-        }
-        (_, Some(term)) => (section, format!("never {}", conditions(rules, term, Knowledge::exact(term.on)))),
-        (_, None) => (section, "nothing can be its reason".to_owned()),
-    };
-    let finding = Finding::violation(Party::Vcu, section, Rule::FlagUnfounded, t)
-        .against(&[fault.requirement()])
-        .seen(format!("{fault} was raised, but {why}"))
-        .expected("0")
-        .shown_by(est.sampler.deciding_frames(&pending.frames, of_terms(terms())));
-    book.found(finding);
-}
-
-/// How long to wait until it is known whether a flag was raised rightly.
-pub(super) fn wait_for(est: &Estimator, fault: Fault) -> i64 {
-    est.sampler.wait_for(deciding(fault))
 }

@@ -5,8 +5,10 @@
 //! VCU is known to show the switch. That it is 1 before `AS_DRIVING` while the switch is off fits neither answer; but recordings keep
 //! it at 1 behind a run, so that nobody is accused of it.
 
+use adsdv_spec::messages::Vcu2AiStatus;
 use adsdv_spec::{AsState, Atom, Choice, Reading};
 
+use super::likely::no_frame;
 use super::pending::Persisting;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::status::{SeenChange, StatusChange};
@@ -44,16 +46,24 @@ const fn weighs(state: AsState, signal: bool, raw: bool) -> Option<Severity> {
 /// tells.
 pub(super) fn entered(est: &Estimator, t: i64, shown: &StatusChange) -> Option<Finding> {
     //= DRV-14, D-7
-    let SeenChange { from, to, .. } = shown.change.filter(|change| !change.gap)?;
+    let SeenChange { from, to, before, gap, .. } = shown.change?;
     let switch = est.remote.shown.is_some() || est.pinned(Reading::GoSignal) == Some(Choice::GoRaw);
     let needs_go = est.readings.terms(from, to).any(|term| term.on.has(Atom::GoEdge));
     if shown.status.go_signal || switch || !needs_go {
         return None;
     }
-    let finding = Finding::violation(Party::Vcu, "3.2", Rule::GoDiffers, t).against(&[DETECTED]);
+    let (severity, excuse) = if gap {
+        (
+            Severity::Warning,
+            format!("it was 1 in a frame that was lost ({})", no_frame(Vcu2AiStatus::ID, before, t)),
+        )
+    } else {
+        (Severity::Violation, String::new())
+    };
+    let finding = Finding::new(severity, Party::Vcu, "3.2", Rule::GoDiffers, t).against(&[DETECTED]);
     let finding =
         finding.seen(format!("{from} -> {to} with GO_SIGNAL 0")).expected("1, for \"Go\" leads there");
-    Some(finding.shown_by(est.sampler.last_frames(&[STATUS])))
+    Some(finding.unless(excuse).shown_by(est.sampler.last_frames(&[STATUS])))
 }
 
 impl GoSignal {

@@ -1,4 +1,4 @@
-//! What only an unseen frame could excuse: a transition that every recorded frame says was due.
+//! What only an unseen frame could excuse: a transition that every recorded frame says was due, or says had no reason.
 //!
 //! A violation is what is one whatever the unknown is, and a frame that may be missing makes a condition unknown. But where all that
 //! was shown says that a guard held, and the VCU stayed, only such a frame can have shown it otherwise. That is a warning, and it
@@ -67,21 +67,19 @@ pub(super) fn go_shown_on(likely: &mut Likely, est: &Estimator, t: i64) {
 }
 
 /// Whether a transition that was seen, and may be justified, could be so by an unseen frame only: then what is to be said of
-/// it, and what would excuse it. `before` is what was shown when it was seen, and `lasted` for how long the state had lasted.
+/// it, and what would excuse it. `before` is what was shown when it was seen.
 pub(super) fn likely_unjustified(
     est: &Estimator,
     t: i64,
     (from, to): (AsState, AsState),
     before: Knowledge,
-    lasted: i64,
 ) -> Option<(Mismatch, String)> {
-    // Before a state that has only just been seen there may have been anything.
-    if est.options.complete || lasted < 3 * est.window {
+    if est.options.complete {
         return None;
     }
     // Memory is that of the state before; what else counts is what was shown before it and is shown behind it. A change may be
     // recorded late.
-    let both = before.meet(est.why.shown()).forget(MEMORY);
+    let both = est.shown_throughout(t - est.window, t + est.window, before).forget(MEMORY);
     let remembered = MEMORY.difference(EDGES).intersection(before.on().union(before.off()));
     let shown = both.learn(remembered, before.on());
     if est.readings.terms(from, to).any(|term| term.truth(shown) != Truth::False) {
@@ -95,7 +93,7 @@ pub(super) fn likely_unjustified(
 }
 
 /// What could excuse the VCU: the frames of these conditions that may have been lost between these times.
-fn excuse(est: &Estimator, atoms: Atoms, start: i64, end: i64) -> String {
+pub(super) fn excuse(est: &Estimator, atoms: Atoms, start: i64, end: i64) -> String {
     let gap = |(index, slot): (usize, &Slot)| {
         let (since, until) = slot.longest_gap(end).filter(|(_, until)| *until >= start)?;
         Some(no_frame(est.sampler.id(index)?, since, until))

@@ -14,6 +14,7 @@ mod pending;
 mod rise;
 mod silence;
 mod texts;
+mod unfounded;
 pub(super) mod values;
 mod vcu_status;
 
@@ -100,8 +101,8 @@ impl Rules {
             self.due = None;
         }
         for fault in flags::risen(shown) {
-            self.wait(est, book, t, flags::wait_for(est, fault), Awaited::Flag(fault, shown.before));
-            if fault == Fault::AiCommsFault {
+            self.wait(est, book, t, unfounded::wait_for(est, fault), Awaited::Flag(fault, shown.before));
+            if fault == Fault::AiCommsFault && !shown.gap {
                 self.comms.may_be_lost(est, book, t);
                 book.exercise_lost(est, t, self.comms.any_missed());
             }
@@ -267,7 +268,7 @@ impl Rules {
                 let certain = changes::judge_seen(est, book, pending, &seen);
                 self.flags.brake = self.flags.brake.map(|(since, was)| (since, was || certain && since == t));
             }
-            Awaited::Flag(fault, before) => flags::judge_flag(est, book, pending, fault, before),
+            Awaited::Flag(fault, before) => unfounded::judge_flag(est, book, pending, fault, before),
             Awaited::Edge(suspect) => {
                 book.found(comms::judge_edge(est, t, suspect));
             }

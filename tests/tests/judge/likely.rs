@@ -1,0 +1,160 @@
+//! What only an unseen frame could excuse: a flag, "Go" that is not shown, and a state that lasts for a step only.
+//!
+//! That a transition was due is in [`not_taken`](super::not_taken).
+
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Rule, Severity};
+use adsdv_spec::messages::{AnyMessage, Vcu2AiStatus};
+use adsdv_spec::{AsState, Atom, Edition, Machine, Mutation};
+use adsdv_tests::world::{MS, Recorded, World, judge};
+
+/// The log without the first 520h from `from` on for which `is` holds; `None` if it holds for none.
+fn without(world: &World, from: usize, is: impl Fn(&Vcu2AiStatus) -> bool) -> Option<Vec<Recorded>> {
+    let bus = world.vcu.edition().bus;
+    let is_wanted = |recorded: &Recorded| match bus.decode(recorded.frame.id, recorded.frame.data()) {
+        Ok(AnyMessage::Vcu2AiStatus(status)) => is(&status),
+        _ => false,
+    };
+    let first = world.log.iter().skip(from).position(is_wanted)?;
+    let mut log = world.log.clone();
+    log.remove(from + first);
+    Some(log)
+}
+
+/// What is said of the VCU.
+fn said(log: &[Recorded], options: JudgeOptions) -> Vec<Finding> {
+    let findings = judge(log, options).findings;
+    findings.into_iter().filter(|finding| finding.party == Party::Vcu).collect()
+}
+
+/// One warning by a rule, which names the frame that is missing; and where none is, a violation.
+fn is_warned_of(log: Option<Vec<Recorded>>, edition: &'static Edition, rule: Rule, name: &str) {
+    let log = log.expect(name);
+    let options = JudgeOptions::of(edition);
+    let of_rule = |options| {
+        let found: Vec<Finding> =
+            said(&log, options).into_iter().filter(|finding| finding.rule == rule).collect();
+        let [finding] = &found[..] else { panic!("{name}: {found:#?}") };
+        finding.clone()
+    };
+    let warning = of_rule(options);
+    assert_eq!(warning.severity, Severity::Warning, "{name}");
+    assert!(warning.unless.contains("lost (520h: no frame from "), "{name}: {}", warning.unless);
+    let complete = of_rule(JudgeOptions { complete: true, ..options });
+    assert_eq!((complete.severity, complete.unless.as_str()), (Severity::Violation, ""), "{name}");
+}
+
+type Shows = fn(&mut Vcu2AiStatus);
+
+#[test]
+fn a_flag_without_a_reason_is_a_warning_where_the_frame_that_raised_it_may_be_lost() {
+    let flags: [(&str, Shows); 3] = [
+        ("AI_ESTOP_REQUEST", |status| status.ai_estop_request = true),
+        ("MISSION_STATUS_FAULT", |status| {
+            (status.mission_status_fault, status.fault_status) = (true, true);
+        }),
+        ("AUTONOMOUS_BRAKING_FAULT", |status| {
+            (status.autonomous_braking_fault, status.fault_status) = (true, true);
+        }),
+    ];
+    for edition in Edition::ALL {
+        for (name, shows) in flags {
+            let mut world = World::of(edition);
+            world.stopped();
+            let from = world.log.len();
+            world.shows = shows;
+            world.wait(300);
+            let name = format!("{}: {name}", edition.version);
+            is_warned_of(without(&world, from, |_| true), edition, Rule::FlagUnfounded, &name);
+        }
+    }
+}
+
+/// Of lost communication the last answer tells, if it is recent: how recent it is seen to be is a matter of chance.
+#[test]
+fn communication_that_is_there_by_all_that_was_recorded_and_is_shown_as_lost_is_mostly_a_warning() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.stopped();
+        world.shows = |status| status.ai_comms_lost = true;
+        world.wait(300);
+        let is_said = |seed: &u64| {
+            let said = said(&world.disturbed(*seed, 20 * MS, 0), JudgeOptions::of(edition));
+            said.iter().any(|finding| finding.rule == Rule::FlagUnfounded)
+        };
+        let reported = (1..=40).filter(is_said).count();
+        assert!(reported > 20, "{}: {reported} of 40", edition.version);
+    }
+}
+
+#[test]
+fn a_flag_with_a_reason_is_no_warning_where_the_frame_that_raised_it_is_lost() {
+    for edition in Edition::ALL {
+        let begins: [(&str, fn(&mut World)); 2] = [
+            ("AI_ESTOP_REQUEST", |world| world.set(Atom::AiEstop, true)),
+            ("AI_COMMS_LOST", |world| world.ai_answers = false),
+        ];
+        for (name, begins) in begins {
+            let mut world = World::of(edition);
+            world.stopped();
+            let from = world.log.len();
+            begins(&mut world);
+            world.wait(500);
+            let log = without(&world, from, |status| status.ai_estop_request || status.ai_comms_lost);
+            let said = said(&log.expect(name), JudgeOptions::of(edition));
+            assert!(said.is_empty(), "{}: {name}: {said:#?}", edition.version);
+        }
+    }
+}
+
+/// An answer that comes as late as the flag is no sign that communication was there.
+#[test]
+fn an_answer_that_comes_with_the_flag_is_no_reason_for_a_warning() {
+    for edition in Edition::ALL {
+        let mut lost = 0;
+        for silent in (40..=300).step_by(10) {
+            let mut world = World::of(edition);
+            world.stopped();
+            let from = world.log.len();
+            world.ai_answers = false;
+            world.wait(silent);
+            world.ai_answers = true;
+            world.wait(300);
+            let Some(log) = without(&world, from, |status| status.ai_comms_lost) else { continue };
+            let said = said(&log, JudgeOptions::of(edition));
+            lost += 1;
+            assert!(said.is_empty(), "{}: silent for {silent} ms: {said:#?}", edition.version);
+        }
+        assert!(lost > 0, "{}: communication is lost in some of them", edition.version);
+    }
+}
+
+#[test]
+fn go_that_is_not_shown_is_a_warning_where_a_frame_may_be_lost_that_shows_it() {
+    for edition in Edition::ALL.iter().filter(|edition| edition.version != "2026") {
+        let mut world = World::of(edition);
+        world.dwelt();
+        let from = world.log.len();
+        world.inputs.go = true;
+        world.shows = |status| status.go_signal = false;
+        world.wait(100);
+        let driving = |status: &Vcu2AiStatus| status.as_state == AsState::Driving;
+        is_warned_of(without(&world, from, driving), edition, Rule::GoDiffers, edition.version);
+    }
+}
+
+/// However short a state lasts: what counts is what was shown before it.
+#[test]
+fn a_state_that_is_left_in_the_next_step_without_a_reason_is_a_warning_in_a_recording_that_is_late() {
+    for edition in Edition::ALL {
+        let leaves =
+            Mutation::all(edition).find(|mutation| mutation.to_string() == "3.6 term 0: asms dropped");
+        let leaves = leaves.expect("AS_READY is left for AS_OFF where ASMS is off");
+        let mut world = World::new(Machine::new(leaves.apply(edition), edition.readings));
+        world.ready();
+        for seed in 1..=5 {
+            let said = said(&world.disturbed(seed, 20 * MS, 0), JudgeOptions::of(edition));
+            let rules: Vec<Rule> = said.iter().map(|finding| finding.rule).collect();
+            assert!(rules.contains(&Rule::Unjustified), "{}, seed {seed}: {rules:?}", edition.version);
+        }
+    }
+}
