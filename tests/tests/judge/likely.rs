@@ -3,7 +3,7 @@
 //! That a transition was due is in [`not_taken`](super::not_taken).
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{AnyMessage, Vcu2AiStatus};
+use adsdv_spec::messages::{AnyMessage, ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Edition, Machine, Mutation};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
@@ -38,7 +38,7 @@ fn is_warned_of(log: Option<Vec<Recorded>>, edition: &'static Edition, rule: Rul
     };
     let warning = of_rule(options);
     assert_eq!(warning.severity, Severity::Warning, "{name}");
-    assert!(warning.unless.contains("lost (520h: no frame from "), "{name}: {}", warning.unless);
+    assert!(warning.unless.contains("(520h: no frame from "), "{name}: {}", warning.unless);
     let complete = of_rule(JudgeOptions { complete: true, ..options });
     assert_eq!((complete.severity, complete.unless.as_str()), (Severity::Violation, ""), "{name}");
 }
@@ -125,6 +125,20 @@ fn an_answer_that_comes_with_the_flag_is_no_reason_for_a_warning() {
             assert!(said.is_empty(), "{}: silent for {silent} ms: {said:#?}", edition.version);
         }
         assert!(lost > 0, "{}: communication is lost in some of them", edition.version);
+    }
+}
+
+#[test]
+fn a_cause_that_changes_is_a_warning_where_a_frame_may_be_lost_in_between() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.stopped();
+        world.set(Atom::AiEstop, true);
+        world.wait(300);
+        let from = world.log.len();
+        world.shows = |status| status.shutdown_cause = ShutdownCause::AiCommsFault;
+        world.wait(300);
+        is_warned_of(without(&world, from, |_| true), edition, Rule::CauseChanged, edition.version);
     }
 }
 

@@ -3,6 +3,7 @@
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Fault, Faults, Truth};
 
+use super::likely::no_frame;
 use super::pending::Persisting;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::{Estimator, is_active};
@@ -69,6 +70,29 @@ pub(super) fn risen(shown: &StatusChange) -> impl Iterator<Item = Fault> {
     VISIBLE.into_iter().filter(move |&fault| new.is_some_and(|new| new.has(fault)))
 }
 
+/// The cause is another than the one that was shown.
+fn cause_changed(est: &Estimator, t: i64, shown: &StatusChange) -> Option<Finding> {
+    let (old, new) = (shown.previous?.shutdown_cause, shown.status.shutdown_cause);
+    if old == ShutdownCause::NoShutdown || old == new {
+        return None;
+    }
+    let seen = format!(
+        "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown",
+        old as u8, new as u8
+    );
+    // That a cause goes when EMERGENCY_BRAKE is left is not excluded by the document's words.
+    let braking = shown.old == Some(AsState::EmergencyBrake) && est.vcu.state == shown.old;
+    let missing_since = shown.before.missing_since;
+    let certain = braking && missing_since.is_none();
+    let severity = if certain { Severity::Violation } else { Severity::Warning };
+    let expected = "the first cause to stay until a power cycle";
+    let finding = shows_wrongly(est, (severity, Rule::CauseChanged, CAUSE), t, seen, expected);
+    let excuse = missing_since.map(|since| {
+        format!("the vehicle was power-cycled meanwhile ({})", no_frame(Vcu2AiStatus::ID, since, t))
+    });
+    Some(finding.unless(excuse.unwrap_or_default()))
+}
+
 impl Flags {
     /// 520h shows something else.
     pub(super) fn shown(&mut self, est: &Estimator, book: &mut Book, t: i64, shown: &StatusChange) {
@@ -80,44 +104,25 @@ impl Flags {
         let flags = Faults::shown_by(&status);
         if let Some(previous) = shown.previous.filter(|_| !gap) {
             book.exercise_flags(flags.difference(Faults::shown_by(&previous)));
-            if status.shutdown_cause != previous.shutdown_cause {
-                self.cause_changed(est, book, t, &previous, shown);
+            if previous.shutdown_cause == ShutdownCause::NoShutdown
+                && status.shutdown_cause != previous.shutdown_cause
+            {
+                let flag_seen =
+                    Faults::of_cause(status.shutdown_cause).is_subset(Faults::shown_by(&previous));
+                let stop_seen = !is_active(shown.old);
+                self.cause =
+                    Some(CauseWatch { since: t, cause: status.shutdown_cause, flag_seen, stop_seen });
             }
             if let Some(watch) = &mut self.cause {
                 watch.flag_seen |= Faults::of_cause(watch.cause).is_subset(flags);
                 watch.stop_seen |= !is_active(Some(status.as_state));
             }
         }
+        book.found(cause_changed(est, t, shown));
         let faults = !flags.without(Fault::AiComputerRequest).is_empty();
         let warnings = status.warn_batt_temp_high || status.warn_batt_soc_low;
         self.fault_sum.is(t, faults && !status.fault_status, gap);
         self.warning_sum.is(t, warnings && !status.warning_status, gap);
-    }
-
-    fn cause_changed(
-        &mut self,
-        est: &Estimator,
-        book: &mut Book,
-        t: i64,
-        previous: &Vcu2AiStatus,
-        shown: &StatusChange,
-    ) {
-        let (old, new) = (previous.shutdown_cause, shown.status.shutdown_cause);
-        if old == ShutdownCause::NoShutdown {
-            let flag_seen = Faults::of_cause(new).is_subset(Faults::shown_by(previous));
-            let stop_seen = !is_active(shown.old);
-            self.cause = Some(CauseWatch { since: t, cause: new, flag_seen, stop_seen });
-            return;
-        }
-        let seen = format!(
-            "SHUTDOWN_CAUSE changed from {} ({old}) to {} ({new}) after the shutdown",
-            old as u8, new as u8
-        );
-        // That a cause goes when EMERGENCY_BRAKE is left is not excluded by the document's words.
-        let braking = shown.old == Some(AsState::EmergencyBrake) && est.vcu.state == shown.old;
-        let severity = if braking { Severity::Violation } else { Severity::Warning };
-        let expected = "the first cause to stay until a power cycle";
-        book.found(shows_wrongly(est, (severity, Rule::CauseChanged, CAUSE), t, seen, expected));
     }
 
     /// What 520h should have shown by now.
