@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Proves every theorem with Kani: cargo kani -p adsdv-proofs.
 #
-# usage: scripts/kani.sh [ARGUMENT ...]
-#        scripts/kani.sh --since REV
+# usage: scripts/kani.sh [--limits] [ARGUMENT ...]
+#        scripts/kani.sh [--limits] --since REV
+#   --limits     a theorem that takes longer than 30 s is a failure, and an edition whose theorems take longer than 10 minutes; without
+#                it the script only says so, for it depends on the machine and the solver
 #   ARGUMENT     for cargo kani, such as --harness time:: ; then only what they choose has to be verified
 #   --since REV  only the theorems of the files of proofs/src that differ from REV, for daily work; where what all stand on differs,
 #                spec or the words, it says so and proves all
@@ -36,6 +38,11 @@ since() {
   done < <(git diff --name-only "$1" -- spec/src proofs/src && git ls-files --others --exclude-standard -- proofs/src)
   [ -z "$shared" ] || echo "all: $shared"
 }
+limits=()
+if [ "${1-}" = --limits ]; then
+  limits=(--limits)
+  shift
+fi
 if [ "${1-}" = --since ]; then
   [ $# = 2 ] && git rev-parse --quiet --verify "$2^{commit}" >/dev/null || { echo "kani.sh: --since takes a revision of this repository" >&2; exit 2; }
   modules=$(since "$2")
@@ -63,7 +70,7 @@ cargo kani -p adsdv-proofs "$@" 2>&1 | tee "$log" \
   || kani=${PIPESTATUS[0]}
 
 read=0
-cargo run --quiet --locked -p adsdv-tests --bin kani_output -- "${some[@]}" "$log" || read=$?
+cargo run --quiet --locked -p adsdv-tests --bin kani_output -- "${some[@]}" "${limits[@]}" "$log" || read=$?
 if [ "$kani" != 0 ] && [ "$read" = 0 ]; then
   tail -n 20 "$log" >&2
   echo "kani.sh: cargo kani ended with $kani; all that it wrote is in $log" >&2

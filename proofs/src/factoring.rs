@@ -25,13 +25,8 @@ fn any_inputs_seen_as(seen: Observation) -> Inputs {
     inputs
 }
 
-/// **Inputs matter only through their observation** (lemma `observation`). Two steps from the same control state, after the
-/// same time, with inputs that are observed alike, come to the same control state, arrow, conditions, faults and signals.
-///
-/// Requirements: SM-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
-pub fn inputs_matter_through_their_observation() {
-    let one = any_step();
+fn inputs_matter_through_their_observation(state: AsState) {
+    let one = any_step_from(state);
     let inputs = any_inputs_seen_as(subject().observe(&one.inputs));
     let other = Step::of(one.before, inputs, one.dt_ms);
     kani::cover!(inputs != one.inputs && one.outputs.taken.is_some(), "other inputs, and an arrow is taken");
@@ -41,6 +36,19 @@ pub fn inputs_matter_through_their_observation() {
     );
     assert!(one.after == other.after, "the same control state");
     assert!(one.outputs == other.outputs, "the same arrow, conditions, faults and signals");
+}
+
+harnesses! {
+    /// **Inputs matter only through their observation** (lemma `observation`). Two steps from the same control state, after the
+    /// same time, with inputs that are observed alike, come to the same control state, arrow, conditions, faults and signals.
+    ///
+    /// Requirements: SM-1.
+    unwind 13;
+    inputs_matter_in_off_through_their_observation = inputs_matter_through_their_observation(AsState::Off);
+    inputs_matter_in_ready_through_their_observation = inputs_matter_through_their_observation(AsState::Ready);
+    inputs_matter_in_driving_through_their_observation = inputs_matter_through_their_observation(AsState::Driving);
+    inputs_matter_in_finished_through_their_observation = inputs_matter_through_their_observation(AsState::Finished);
+    inputs_matter_in_emergency_brake_through_their_observation = inputs_matter_through_their_observation(AsState::EmergencyBrake);
 }
 
 /// **A step is its reaction to the observation**: `react`, which models and tests use, is what `step` does.
@@ -107,13 +115,10 @@ fn any_read_as(reads: Reads, seen: Observation) -> Observation {
     other
 }
 
-/// **What is not read does not matter** (lemmas `state-reads`, `unread`, `first-fault`). Observations of which
-/// [`Machine::reads`] leaves the same lead to the same control state along the same arrow.
-///
-/// Requirements: SM-1, D-16.
-#[cfg_attr(kani, kani::proof, kani::unwind(31))]
-pub fn what_is_not_read_does_not_matter() {
-    let (before, seen, dt_ms): (Control, Observation, u32) = (any_control(), kani::any(), kani::any());
+/// Claims it of a state; whether a fault may be otherwise that comes behind one that counts.
+fn what_is_not_read_does_not_matter(state: AsState) -> bool {
+    let (before, seen, dt_ms): (Control, Observation, u32) =
+        (any_control_in(state), kani::any(), kani::any());
     let reads = subject().reads(&before, dt_ms);
     let other = any_read_as(reads, seen);
     let one = subject().react(&before, seen, dt_ms);
@@ -122,11 +127,27 @@ pub fn what_is_not_read_does_not_matter() {
         one.taken.is_some() && seen != other,
         "an arrow is taken, and something unread is otherwise"
     );
-    kani::cover!(
-        seen.faults() != other.faults() && reads.faults.has(Fault::BmsFault),
-        "another fault comes later"
-    );
     assert!(one.control == two.control && one.taken == two.taken, "the same control state and arrow");
+    seen.faults() != other.faults() && reads.faults.has(Fault::BmsFault)
+}
+
+/// The same of a state in which the order of the faults matters.
+fn of_which_the_first_fault_counts(state: AsState) {
+    let later = what_is_not_read_does_not_matter(state);
+    kani::cover!(later, "another fault comes later");
+}
+
+harnesses! {
+    /// **What is not read does not matter** (lemmas `state-reads`, `unread`, `first-fault`). Observations of which
+    /// [`Machine::reads`] leaves the same lead to the same control state along the same arrow.
+    ///
+    /// Requirements: SM-1, D-16.
+    unwind 31;
+    what_is_not_read_in_off_does_not_matter = what_is_not_read_does_not_matter(AsState::Off);
+    what_is_not_read_in_ready_does_not_matter = of_which_the_first_fault_counts(AsState::Ready);
+    what_is_not_read_in_driving_does_not_matter = of_which_the_first_fault_counts(AsState::Driving);
+    what_is_not_read_in_finished_does_not_matter = of_which_the_first_fault_counts(AsState::Finished);
+    what_is_not_read_in_emergency_brake_does_not_matter = what_is_not_read_does_not_matter(AsState::EmergencyBrake);
 }
 
 /// **A running timer matters only through whether it is full** (lemma `short-timers`). From two control states that differ
@@ -173,10 +194,18 @@ pub fn the_go_signal_changes_no_control_state() {
 }
 
 theorems![
-    inputs_matter_through_their_observation,
+    inputs_matter_in_off_through_their_observation,
+    inputs_matter_in_ready_through_their_observation,
+    inputs_matter_in_driving_through_their_observation,
+    inputs_matter_in_finished_through_their_observation,
+    inputs_matter_in_emergency_brake_through_their_observation,
     a_step_is_the_reaction_to_its_observation,
     the_next_state_depends_on_the_atoms_alone,
-    what_is_not_read_does_not_matter,
+    what_is_not_read_in_off_does_not_matter,
+    what_is_not_read_in_ready_does_not_matter,
+    what_is_not_read_in_driving_does_not_matter,
+    what_is_not_read_in_finished_does_not_matter,
+    what_is_not_read_in_emergency_brake_does_not_matter,
     a_running_timer_matters_only_when_it_is_full,
     the_go_signal_changes_no_control_state,
 ];

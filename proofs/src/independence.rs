@@ -1,6 +1,6 @@
 //! What exists only for the data logger, or only to be reported, changes nothing: two runs that differ only there are one.
 
-use adsdv_spec::messages::{Ai2VcuBrake, Ai2VcuStatus};
+use adsdv_spec::messages::{Ai2VcuBrake, Ai2VcuStatus, AsState};
 use adsdv_spec::{AiMessages, Inputs, Reports, Vehicle};
 
 use crate::prelude::*;
@@ -45,14 +45,8 @@ fn otherwise_logged(inputs: &Inputs) -> Inputs {
     }
 }
 
-/// **What is only logged decides nothing.** Two steps whose inputs differ only in laps, cones, speeds, motor speed limits,
-/// brake requests, measured torques, pressures, counts and limits, and warnings, come to the same control state, arrow,
-/// faults and outputs.
-///
-/// Requirements: SM-1, SM-18.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
-pub fn what_is_only_logged_decides_nothing() {
-    let one = any_step();
+fn what_is_only_logged_decides_nothing(state: AsState) {
+    let one = any_step_from(state);
     let inputs = otherwise_logged(&one.inputs);
     let other = Step::of(one.before, inputs, one.dt_ms);
     kani::cover!(
@@ -62,6 +56,20 @@ pub fn what_is_only_logged_decides_nothing() {
     );
     assert!(one.after == other.after, "the same control state");
     assert!(one.outputs == other.outputs, "the same arrow, faults and outputs");
+}
+
+harnesses! {
+    /// **What is only logged decides nothing.** Two steps whose inputs differ only in laps, cones, speeds, motor speed limits,
+    /// brake requests, measured torques, pressures, counts and limits, and warnings, come to the same control state, arrow,
+    /// faults and outputs.
+    ///
+    /// Requirements: SM-1, SM-18.
+    unwind 13;
+    what_is_only_logged_decides_nothing_in_off = what_is_only_logged_decides_nothing(AsState::Off);
+    what_is_only_logged_decides_nothing_in_ready = what_is_only_logged_decides_nothing(AsState::Ready);
+    what_is_only_logged_decides_nothing_in_driving = what_is_only_logged_decides_nothing(AsState::Driving);
+    what_is_only_logged_decides_nothing_in_finished = what_is_only_logged_decides_nothing(AsState::Finished);
+    what_is_only_logged_decides_nothing_in_emergency_brake = what_is_only_logged_decides_nothing(AsState::EmergencyBrake);
 }
 
 /// **The messages of the data logger reach nobody.** Whatever is received under an identifier that is not one of the AI
@@ -79,4 +87,11 @@ pub fn messages_for_the_logger_reach_nobody() {
     assert!(!taken && after == before, "nothing is taken over");
 }
 
-theorems![what_is_only_logged_decides_nothing, messages_for_the_logger_reach_nobody];
+theorems![
+    what_is_only_logged_decides_nothing_in_off,
+    what_is_only_logged_decides_nothing_in_ready,
+    what_is_only_logged_decides_nothing_in_driving,
+    what_is_only_logged_decides_nothing_in_finished,
+    what_is_only_logged_decides_nothing_in_emergency_brake,
+    messages_for_the_logger_reach_nobody
+];

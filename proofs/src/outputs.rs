@@ -80,13 +80,9 @@ pub fn status_520h_shows_the_switches_and_the_states() {
     assert!(status.warn_batt_soc_low == low, "WARN_BATT_SOC_LOW");
 }
 
-/// **520h shows the faults.** Each flag is the fault as the document's words have it, live or kept with its cause;
-/// `FAULT_STATUS` is on with any of them; and `SHUTDOWN_CAUSE` is the first cause.
-///
-/// Requirements: MSG-50, MSG-54 to MSG-64, HS-9, D-12 to D-18, D-27, D-40.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
-pub fn status_520h_shows_the_faults() {
-    let step = any_step();
+/// Claims it of steps from a state; whether a fault is shown.
+fn status_520h_shows_the_faults(state: AsState) -> bool {
+    let step = any_step_from(state);
     let status = messages(&step).status;
     let said = words::step(&step.before, &step.inputs, step.dt_ms, Readings::DEFAULT);
     let flags = said.flags;
@@ -115,10 +111,29 @@ pub fn status_520h_shows_the_faults() {
         || status.charge_procedure_fault
         || status.bms_fault
         || status.brake_plausibility_fault;
-    kani::cover!(!any && step.after.state == AsState::Driving, "no fault");
-    kani::cover!(status.mission_status_fault && !status.hvil_open_fault, "one that the vehicle stopped for");
+    kani::cover!(any, "a fault");
     assert!(status.fault_status == any, "FAULT_STATUS");
     assert!(status.shutdown_cause == said.shutdown_cause, "SHUTDOWN_CAUSE");
+    any
+}
+
+/// The same of a state that is none of the faults' doing.
+fn status_520h_shows_the_faults_or_none(state: AsState) {
+    let any = status_520h_shows_the_faults(state);
+    kani::cover!(!any, "no fault");
+}
+
+harnesses! {
+    /// **520h shows the faults.** Each flag is the fault as the document's words have it, live or kept with its cause;
+    /// `FAULT_STATUS` is on with any of them; and `SHUTDOWN_CAUSE` is the first cause.
+    ///
+    /// Requirements: MSG-50, MSG-54 to MSG-64, HS-9, D-12 to D-18, D-27, D-40.
+    unwind 13;
+    status_520h_shows_the_faults_of_off = status_520h_shows_the_faults_or_none(AsState::Off);
+    status_520h_shows_the_faults_of_ready = status_520h_shows_the_faults_or_none(AsState::Ready);
+    status_520h_shows_the_faults_of_driving = status_520h_shows_the_faults_or_none(AsState::Driving);
+    status_520h_shows_the_faults_of_finished = status_520h_shows_the_faults_or_none(AsState::Finished);
+    status_520h_shows_the_faults_of_emergency_brake = status_520h_shows_the_faults(AsState::EmergencyBrake);
 }
 
 /// **GO_SIGNAL is on while the vehicle may drive.** In AS_DRIVING while "Go" is on, from the step that detects its rising
@@ -378,7 +393,11 @@ pub fn the_assi_shows_the_state() {
 theorems![
     each_message_goes_out_in_its_frame,
     status_520h_shows_the_switches_and_the_states,
-    status_520h_shows_the_faults,
+    status_520h_shows_the_faults_of_off,
+    status_520h_shows_the_faults_of_ready,
+    status_520h_shows_the_faults_of_driving,
+    status_520h_shows_the_faults_of_finished,
+    status_520h_shows_the_faults_of_emergency_brake,
     go_signal_is_on_while_the_vehicle_may_drive,
     feedback_of_drive_and_steering,
     feedback_of_brakes_and_wheels,

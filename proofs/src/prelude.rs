@@ -6,7 +6,7 @@ pub(crate) use crate::document::{EDITION, Layouts};
 pub(crate) use crate::kani;
 pub(crate) use crate::steps::{
     Step, any_control, any_control_in, any_end, any_outputs, any_step, any_step_from, any_step_of_4_0,
-    any_step_of_4_0_from, any_step_of_2026,
+    any_step_of_4_0_from, any_step_of_2026, any_step_that_may_stay,
 };
 #[cfg(kani)]
 pub(crate) use crate::subject::Subject;
@@ -35,3 +35,23 @@ macro_rules! theorems {
     };
 }
 pub(crate) use theorems;
+
+/// Harnesses of one claim, one for each of several states or messages: so a proof knows each as a constant, and none takes long.
+///
+/// Each line is `name = claim;`.
+macro_rules! harnesses {
+    ($(#[$doc:meta])* unwind $unwind:literal; $($name:ident = $claim:expr;)+) => {
+        harnesses! { @ [$(#[$doc])*] $unwind $($name = $claim;)+ }
+    };
+    (@ $docs:tt $unwind:literal $($name:ident = $claim:expr;)+) => {
+        $(harnesses! { @one $docs $unwind $name $claim })+
+    };
+    (@one [$(#[$doc:meta])*] $unwind:literal $name:ident $claim:expr) => {
+        $(#[$doc])*
+        #[cfg_attr(kani, kani::proof, kani::unwind($unwind))]
+        pub fn $name() {
+            $claim;
+        }
+    };
+}
+pub(crate) use harnesses;

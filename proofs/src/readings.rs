@@ -35,10 +35,12 @@ fn step_by_the_words(machine: &Machine) {
     let before = kani::any_where(|control: &Control| control.is_consistent(&timing, readings));
     let (inputs, dt_ms) = (kani::any(), kani::any());
     let (after, outputs) = subject().step_of(machine, &before, &inputs, dt_ms);
-    let as_default = subject().step(&before, &inputs, dt_ms);
+    let said = words::step(&before, &inputs, dt_ms, readings);
+    // Of the words: they are what the step is, and cost a proof less than one more step.
+    let as_default = words::step(&before, &inputs, dt_ms, machine.edition().readings);
     kani::cover!(outputs.taken.is_some(), "an arrow is taken");
-    kani::cover!((after, outputs) != as_default, "the choice makes a difference");
-    assert!(Verdict::of(after, &outputs) == words::step(&before, &inputs, dt_ms, readings), "the words");
+    kani::cover!(said != as_default, "the choice makes a difference");
+    assert!(Verdict::of(after, &outputs) == said, "the words");
     assert!(after.is_consistent(&timing, readings), "the invariant of this reading is kept");
 }
 
@@ -49,10 +51,10 @@ fn step_of_4_0_by_the_words(machine: &Machine) {
     #[cfg(not(kani))]
     let (before, inputs, dt_ms) = crate::steps::in_time(before, inputs, dt_ms);
     let (after, outputs) = subject().step_of(machine, &before, &inputs, dt_ms);
-    let as_default = Step::of_4_0(before, inputs, dt_ms);
-    kani::cover!(outputs.taken.is_some(), "an arrow is taken");
-    kani::cover!((after, outputs) != (as_default.after, as_default.outputs), "the choice makes a difference");
     let said = words::step_of_4_0(&before, &inputs, dt_ms, readings);
+    let as_default = words::step_of_4_0(&before, &inputs, dt_ms, machine.edition().readings);
+    kani::cover!(outputs.taken.is_some(), "an arrow is taken");
+    kani::cover!(said != as_default, "the choice makes a difference");
     assert!(Verdict::of(after, &outputs) == said, "the words");
     assert!(after.is_consistent(&timing, readings), "the invariant of this reading is kept");
 }

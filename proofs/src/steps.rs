@@ -1,8 +1,8 @@
 //! Steps as theorems draw them: any control state that keeps the invariant, any inputs, any time.
 
-#[cfg(not(kani))]
-use adsdv_spec::AiSilence;
 use adsdv_spec::messages::AsState;
+#[cfg(not(kani))]
+use adsdv_spec::{AiSilence, Atom, Atoms, Faults, Observation, Reads};
 use adsdv_spec::{Control, Edition, Inputs, Machine, Outputs, Readings, Taken};
 
 use crate::prelude::*;
@@ -75,6 +75,23 @@ pub fn any_step() -> Step {
 /// Any step from an AS state.
 pub fn any_step_from(state: AsState) -> Step {
     Step::of(any_control_in(state), kani::any(), kani::any())
+}
+
+/// Any step from an AS state, of which many stay there: by chance hardly any input leaves no reason to leave it.
+pub fn any_step_that_may_stay(state: AsState) -> Step {
+    let (before, inputs): (Control, Inputs) = (any_control_in(state), kani::any());
+    #[cfg(not(kani))]
+    let inputs = if kani::any() { without_a_reason(inputs) } else { inputs };
+    Step::of(before, inputs, kani::any())
+}
+
+/// These inputs without what leads out of AS_READY, AS_DRIVING and AS_FINISHED.
+#[cfg(not(kani))]
+fn without_a_reason(inputs: Inputs) -> Inputs {
+    let all = Reads { atoms: Observation::SCOPE, faults: Observation::FAULTS };
+    let reasons = Atoms::of(&[Atom::AiEstop, Atom::MissionFinished, Atom::DirectionNeutral]);
+    let atoms = subject().observe(&inputs).atoms().difference(reasons).with(Atom::Asms).with(Atom::GoOn);
+    inputs.showing(Observation::new(atoms, Faults::NONE), &all, &EDITION.rules.thresholds)
 }
 
 /// Any outputs, also those that no step has.

@@ -21,27 +21,42 @@ fn shown(outputs: &Outputs) -> Outputs {
     Outputs { atoms: Atoms::NONE, ..*outputs }
 }
 
-/// **`a` and then `b` is `a + b`.** A step after `a` that takes no arrow and finds the handshake as it was, and another
-/// after `b` with the same inputs, come to the same control state, arrow, faults and signals as one step after `a + b`.
-///
-/// So it is under the default readings; [`two_steps_are_one_where_an_edge_is_enough`] has the one reading under which it takes
-/// more.
-///
-/// Requirements: DRV-4, ETO-1, HS-9, HS-15.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
-pub fn two_steps_are_one() {
-    let Step { before, inputs, dt_ms: a, after: between, outputs: first } = any_step();
+/// Claims it of a state; whether the second step takes an arrow.
+fn two_steps_are_one(state: AsState) -> bool {
+    let Step { before, inputs, dt_ms: a, after: between, outputs: first } = any_step_that_may_stay(state);
     let b: u32 = kani::any();
     kani::assume(first.taken.is_none() && handshake_goes_on(&before, &between) && a.checked_add(b).is_some());
     let two = Step::of(between, inputs, b);
     let one = Step::of(before, inputs, a + b);
-    kani::cover!(two.outputs.taken.is_some() && a > 0 && b > 0, "the second step takes an arrow");
     kani::cover!(
         two.after.handshake.unanswered_ms == 50 && between.handshake.unanswered_ms > 0,
         "lost meanwhile"
     );
     assert!(two.after == one.after, "the same control state");
     assert!(shown(&two.outputs) == shown(&one.outputs), "the same arrow, faults and signals");
+    two.outputs.taken.is_some() && a > 0 && b > 0
+}
+
+/// The same of a state that time alone may end.
+fn two_steps_lead_where_one_does(state: AsState) {
+    let leads = two_steps_are_one(state);
+    kani::cover!(leads, "the second step takes an arrow");
+}
+
+harnesses! {
+    /// **`a` and then `b` is `a + b`.** A step after `a` that takes no arrow and finds the handshake as it was, and another
+    /// after `b` with the same inputs, come to the same control state, arrow, faults and signals as one step after `a + b`.
+    ///
+    /// So it is under the default readings; [`two_steps_are_one_where_an_edge_is_enough`] has the one reading under which it takes
+    /// more.
+    ///
+    /// Requirements: DRV-4, ETO-1, HS-9, HS-15.
+    unwind 13;
+    two_steps_in_off_are_one = two_steps_are_one(AsState::Off);
+    two_steps_in_ready_are_one = two_steps_lead_where_one_does(AsState::Ready);
+    two_steps_in_driving_are_one = two_steps_lead_where_one_does(AsState::Driving);
+    two_steps_in_finished_are_one = two_steps_lead_where_one_does(AsState::Finished);
+    two_steps_in_emergency_brake_are_one = two_steps_lead_where_one_does(AsState::EmergencyBrake);
 }
 
 /// **`a` and then `b` is `a + b`, where any edge of "Go" counts** (`go-edge=edge`), in AS_READY, the one state in which that
@@ -143,19 +158,13 @@ pub fn timers_are_the_time_that_has_passed() {
     }
 }
 
-/// **Looking more often takes nothing that looking less often forbids.** If a VCU that looks after `a` and again after `b`
-/// leaves the state along an arrow that waits for a timer, then one that looks only after `a + b` sees the timer full as
-/// well: it takes the same arrow, unless the handshake is lost by then.
-///
-/// Requirements: DRV-4, ETO-1, SM-11, SM-17.
-#[cfg_attr(kani, kani::proof, kani::unwind(13))]
-pub fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids() {
-    let fast = any_step();
+/// Claims it of a state; whether the second look takes an arrow.
+fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids(state: AsState) -> bool {
+    let fast = any_step_that_may_stay(state);
     let b: u32 = kani::any();
     kani::assume(fast.dt_ms.checked_add(b).is_some());
     let slow = Step::of(fast.before, fast.inputs, fast.dt_ms + b);
-    kani::cover!(fast.leads(AsState::Ready, AsState::Driving) && b > 0, "AS_DRIVING, seen at once");
-    kani::cover!(fast.leads(AsState::EmergencyBrake, AsState::Off) && b > 0, "AS_OFF, seen at once");
+    kani::cover!(fast.outputs.taken.is_some() && b > 0, "an arrow, seen at once");
     let lost = slow.after.handshake.is_lost(TIMING.handshake_ms);
     assert!(
         fast.outputs.taken.is_none() || slow.outputs.taken == fast.outputs.taken || lost,
@@ -167,14 +176,42 @@ pub fn a_faster_cycle_takes_nothing_that_a_slower_one_forbids() {
     // The second look of the faster one.
     kani::assume(fast.outputs.taken.is_none() && handshake_goes_on(&fast.before, &fast.after));
     let again = Step::of(fast.after, fast.inputs, b);
-    kani::cover!(again.leads(AsState::EmergencyBrake, AsState::Off), "AS_OFF, seen at the second look");
     assert!(again.outputs.taken == slow.outputs.taken, "the second look takes what the only look takes");
+    again.outputs.taken.is_some()
+}
+
+/// The same of a state that time alone may end.
+fn a_second_look_takes_what_the_only_one_does(state: AsState) {
+    let again = a_faster_cycle_takes_nothing_that_a_slower_one_forbids(state);
+    kani::cover!(again, "an arrow, seen at the second look");
+}
+
+harnesses! {
+    /// **Looking more often takes nothing that looking less often forbids.** If a VCU that looks after `a` and again after `b`
+    /// leaves the state along an arrow that waits for a timer, then one that looks only after `a + b` sees the timer full as
+    /// well: it takes the same arrow, unless the handshake is lost by then.
+    ///
+    /// Requirements: DRV-4, ETO-1, SM-11, SM-17.
+    unwind 13;
+    a_faster_cycle_in_off_takes_nothing_that_a_slower_one_forbids = a_faster_cycle_takes_nothing_that_a_slower_one_forbids(AsState::Off);
+    a_faster_cycle_in_ready_takes_nothing_that_a_slower_one_forbids = a_second_look_takes_what_the_only_one_does(AsState::Ready);
+    a_faster_cycle_in_driving_takes_nothing_that_a_slower_one_forbids = a_second_look_takes_what_the_only_one_does(AsState::Driving);
+    a_faster_cycle_in_finished_takes_nothing_that_a_slower_one_forbids = a_second_look_takes_what_the_only_one_does(AsState::Finished);
+    a_faster_cycle_in_emergency_brake_takes_nothing_that_a_slower_one_forbids = a_second_look_takes_what_the_only_one_does(AsState::EmergencyBrake);
 }
 
 theorems![
-    two_steps_are_one,
+    two_steps_in_off_are_one,
+    two_steps_in_ready_are_one,
+    two_steps_in_driving_are_one,
+    two_steps_in_finished_are_one,
+    two_steps_in_emergency_brake_are_one,
     two_steps_are_one_where_an_edge_is_enough,
     saturated_timers_change_nothing,
     timers_are_the_time_that_has_passed,
-    a_faster_cycle_takes_nothing_that_a_slower_one_forbids,
+    a_faster_cycle_in_off_takes_nothing_that_a_slower_one_forbids,
+    a_faster_cycle_in_ready_takes_nothing_that_a_slower_one_forbids,
+    a_faster_cycle_in_driving_takes_nothing_that_a_slower_one_forbids,
+    a_faster_cycle_in_finished_takes_nothing_that_a_slower_one_forbids,
+    a_faster_cycle_in_emergency_brake_takes_nothing_that_a_slower_one_forbids,
 ];

@@ -59,35 +59,28 @@ pub fn an_observation_is_total() {
     assert!(seen.is_possible(), "inputs can look like this");
 }
 
-/// Claims something of any control state, state by state, so that the proof knows the arrows of each as constants.
-fn of_each_state(claims: impl Fn(Control)) {
-    let before: Control = kani::any();
-    match before.state {
-        Off => claims(Control { state: Off, ..before }),
-        Ready => claims(Control { state: Ready, ..before }),
-        Driving => claims(Control { state: Driving, ..before }),
-        Finished => claims(Control { state: Finished, ..before }),
-        EmergencyBrake => claims(Control { state: EmergencyBrake, ..before }),
-    }
+/// Claims it of any control state of an AS state.
+fn what_is_read_is_total(state: AsState) {
+    let (before, dt_ms) = (Control { state, ..kani::any() }, kani::any());
+    let (subject, reads) = (subject(), subject().reads(&before, dt_ms));
+    kani::cover!(dt_ms == u32::MAX, "the longest time");
+    kani::cover!(before.in_state_ms > counts_to_ms(before.state), "a timer beyond its limit");
+    assert!(reads.atoms.is_subset(Observation::SCOPE), "conditions that inputs decide");
+    assert!(reads.atoms.is_subset(subject.machine().edition().scope()), "conditions that the edition has");
+    assert!(reads.faults.is_subset(Observation::FAULTS), "faults that inputs decide");
 }
 
-/// **The machine says of every control state what a step can depend on**, and it is what inputs can show, and what the edition has.
-/// As nothing else decides a step ([`factoring`](crate::factoring)), what an edition lacks can never matter in it.
-///
-/// Requirements: SM-1.
-#[cfg_attr(kani, kani::proof, kani::unwind(31))]
-pub fn what_is_read_is_total() {
-    of_each_state(|before| {
-        let dt_ms = kani::any();
-        let (subject, reads) = (subject(), subject().reads(&before, dt_ms));
-        cover_extremes(&before, dt_ms);
-        assert!(reads.atoms.is_subset(Observation::SCOPE), "conditions that inputs decide");
-        assert!(
-            reads.atoms.is_subset(subject.machine().edition().scope()),
-            "conditions that the edition has"
-        );
-        assert!(reads.faults.is_subset(Observation::FAULTS), "faults that inputs decide");
-    });
+harnesses! {
+    /// **The machine says of every control state what a step can depend on**, and it is what inputs can show, and what the edition has.
+    /// As nothing else decides a step ([`factoring`](crate::factoring)), what an edition lacks can never matter in it.
+    ///
+    /// Requirements: SM-1.
+    unwind 31;
+    what_is_read_in_off_is_total = what_is_read_is_total(Off);
+    what_is_read_in_ready_is_total = what_is_read_is_total(Ready);
+    what_is_read_in_driving_is_total = what_is_read_is_total(Driving);
+    what_is_read_in_finished_is_total = what_is_read_is_total(Finished);
+    what_is_read_in_emergency_brake_is_total = what_is_read_is_total(EmergencyBrake);
 }
 
 /// Claims that what a step from this state takes was possible; whether anything was.
@@ -294,7 +287,11 @@ theorems![
     a_step_is_total,
     a_reaction_is_total,
     an_observation_is_total,
-    what_is_read_is_total,
+    what_is_read_in_off_is_total,
+    what_is_read_in_ready_is_total,
+    what_is_read_in_driving_is_total,
+    what_is_read_in_finished_is_total,
+    what_is_read_in_emergency_brake_is_total,
     what_is_taken_in_off_is_possible,
     what_is_taken_in_ready_is_possible,
     what_is_taken_in_driving_is_possible,

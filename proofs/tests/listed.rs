@@ -8,10 +8,14 @@ use adsdv_proofs::{readings, theorems};
 use adsdv_spec::{Choice, Edition};
 use sources::sources;
 
-/// The names of the functions that Kani proves: written down, or made by the macro of `readings.rs`.
+/// The names of the functions that Kani proves: written down, or made by a macro, that of `readings.rs` or `harnesses!`.
 fn harnesses() -> Vec<String> {
     let mut names = Vec::new();
     for (_, text) in sources() {
+        for lines in text.split("\nharnesses! {").skip(1).filter_map(|rest| rest.split("\n}").next()) {
+            let made = lines.lines().filter(|line| !line.trim_start().starts_with("//"));
+            names.extend(made.filter_map(|line| Some(line.split_once(" = ")?.0.trim().to_owned())));
+        }
         let mut lines = text.lines();
         while let Some(line) = lines.next() {
             if line.trim_start().starts_with("#[cfg_attr(kani, kani::proof") {

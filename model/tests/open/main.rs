@@ -12,7 +12,7 @@ use adsdv_model::{Options, SHORT_TIMERS as SHORT, Vectors};
 use adsdv_spec::{Control, Edition, Machine, Readings, Timing};
 
 /// The default readings, and some other choices, each alone. That no choice makes anything matter that is not read is a theorem
-/// (`what_is_not_read_does_not_matter` in `proofs`); every fourth one is enough to see that the explorations go by it.
+/// (`what_is_not_read_in_off_does_not_matter` and its like in `proofs`); every fourth one is enough to see that the explorations go by it.
 fn some_choices_alone() -> impl Iterator<Item = Readings> {
     let alone =
         Edition::DEFAULT.alternatives().iter().step_by(4).map(|choice| Readings::DEFAULT.with(choice));

@@ -27,72 +27,88 @@ fn read_as<M: Coded + Into<AnyMessage>>(read: Result<AnyMessage, DecodeError>, d
     }
 }
 
-/// **A frame is read as the message of its identifier.** With any identifier and any data it is read, or refused, as that
-/// message by itself is; and where no message has the identifier, it is refused for that. Nothing panics, overflows or
-/// reads out of bounds, whatever the identifier, the length and the bytes are.
+/// Claims it of frames with the identifier of a message.
+fn is_read_as<M: Coded + Into<AnyMessage> + kani::Arbitrary>(id: u16) {
+    let data = Data::any::<M>();
+    let read = Layouts::read(id, data.received(id).given());
+    kani::cover!(read.is_ok(), "it is a message");
+    kani::cover!(read.is_err(), "it is refused");
+    assert!(read_as::<M>(read, &data), "as the message of the identifier by itself");
+}
+
+harnesses! {
+    /// **A frame is read as the message of its identifier.** With the identifier of a message and any data it is read, or refused, as
+    /// that message by itself is. Nothing panics, overflows or reads out of bounds, whatever the length and the bytes are.
+    ///
+    /// Requirements: D-19, D-33.
+    unwind 24;
+    a_frame_of_500h_is_read_as_its_message = is_read_as::<Vcu2LogDynamics1>(0x500);
+    a_frame_of_501h_is_read_as_its_message = is_read_as::<Ai2LogDynamics2>(0x501);
+    a_frame_of_502h_is_read_as_its_message = is_read_as::<Vcu2LogStatus>(0x502);
+    a_frame_of_510h_is_read_as_its_message = is_read_as::<Ai2VcuStatus>(0x510);
+    a_frame_of_511h_is_read_as_its_message = is_read_as::<Ai2VcuDriveF>(0x511);
+    a_frame_of_512h_is_read_as_its_message = is_read_as::<Ai2VcuDriveR>(0x512);
+    a_frame_of_513h_is_read_as_its_message = is_read_as::<Ai2VcuSteer>(0x513);
+    a_frame_of_514h_is_read_as_its_message = is_read_as::<Ai2VcuBrake>(0x514);
+    a_frame_of_520h_is_read_as_its_message = is_read_as::<Vcu2AiStatus>(0x520);
+    a_frame_of_521h_is_read_as_its_message = is_read_as::<Vcu2AiDriveF>(0x521);
+    a_frame_of_522h_is_read_as_its_message = is_read_as::<Vcu2AiDriveR>(0x522);
+    a_frame_of_523h_is_read_as_its_message = is_read_as::<Vcu2AiSteer>(0x523);
+    a_frame_of_524h_is_read_as_its_message = is_read_as::<Vcu2AiBrake>(0x524);
+    a_frame_of_525h_is_read_as_its_message = is_read_as::<Vcu2AiWheelSpeeds>(0x525);
+    a_frame_of_526h_is_read_as_its_message = is_read_as::<Vcu2AiWheelCounts>(0x526);
+}
+
+/// **A frame of no message is refused for its identifier**, whatever its data are, and the VCU takes nothing of it.
 ///
 /// Requirements: D-19, D-33.
 #[cfg_attr(kani, kani::proof, kani::unwind(24))]
-pub fn a_frame_is_read_as_the_message_of_its_identifier() {
+pub fn a_frame_of_no_message_is_refused_for_its_identifier() {
     let (id, data) = Data::any_with_id();
+    kani::assume(!matches!(id, 0x500..=0x502 | 0x510..=0x514 | 0x520..=0x526));
+    kani::cover!(id == 0x527, "next to one");
     let read = Layouts::read(id, data.received(id).given());
-    kani::cover!(read.is_ok(), "it is a message");
-    kani::cover!(matches!(read, Err(DecodeError::Value(_))), "a value is refused");
-    kani::cover!(matches!(read, Err(DecodeError::UnknownId { .. })), "no message has the identifier");
-    let as_it_should_be = match id {
-        0x500 => read_as::<Vcu2LogDynamics1>(read, &data),
-        0x501 => read_as::<Ai2LogDynamics2>(read, &data),
-        0x502 => read_as::<Vcu2LogStatus>(read, &data),
-        0x510 => read_as::<Ai2VcuStatus>(read, &data),
-        0x511 => read_as::<Ai2VcuDriveF>(read, &data),
-        0x512 => read_as::<Ai2VcuDriveR>(read, &data),
-        0x513 => read_as::<Ai2VcuSteer>(read, &data),
-        0x514 => read_as::<Ai2VcuBrake>(read, &data),
-        0x520 => read_as::<Vcu2AiStatus>(read, &data),
-        0x521 => read_as::<Vcu2AiDriveF>(read, &data),
-        0x522 => read_as::<Vcu2AiDriveR>(read, &data),
-        0x523 => read_as::<Vcu2AiSteer>(read, &data),
-        0x524 => read_as::<Vcu2AiBrake>(read, &data),
-        0x525 => read_as::<Vcu2AiWheelSpeeds>(read, &data),
-        0x526 => read_as::<Vcu2AiWheelCounts>(read, &data),
-        _ => matches!(read, Err(DecodeError::UnknownId { id: unknown }) if unknown == id),
-    };
-    assert!(as_it_should_be, "as the message of the identifier by itself");
+    assert!(matches!(read, Err(DecodeError::UnknownId { id: unknown }) if unknown == id), "no such message");
+    let before: AiMessages = kani::any();
+    let mut after = before;
+    let taken = subject().receive(&mut after, id, data.given());
+    assert!(!taken && after == before, "nothing is taken of it");
 }
 
-/// **A message is sent under its identifier.** Whatever message it is that the edition can say, its frame has the identifier of that message, and
-/// is read as the same message where it is not known what it is.
-///
-/// Requirements: MSG-1, MSG-5, MSG-16, MSG-20, MSG-23, MSG-26, MSG-29, MSG-34, MSG-41, MSG-65, MSG-69, MSG-73, MSG-77,
-/// MSG-80, MSG-82.
-#[cfg_attr(kani, kani::proof, kani::unwind(24))]
-pub fn a_message_is_sent_under_its_identifier() {
-    let message: AnyMessage = kani::any();
-    kani::assume(Layouts::holds(&message));
-    let frame = subject().sent(Layouts::write(&message).unwrap_or_default());
-    let id = match message {
-        // Version 3.0 cannot say it.
-        AnyMessage::VcuStatus(_) => 0x120,
-        AnyMessage::Vcu2LogDynamics1(_) => 0x500,
-        AnyMessage::Ai2LogDynamics2(_) => 0x501,
-        AnyMessage::Vcu2LogStatus(_) => 0x502,
-        AnyMessage::Ai2VcuStatus(_) => 0x510,
-        AnyMessage::Ai2VcuDriveF(_) => 0x511,
-        AnyMessage::Ai2VcuDriveR(_) => 0x512,
-        AnyMessage::Ai2VcuSteer(_) => 0x513,
-        AnyMessage::Ai2VcuBrake(_) => 0x514,
-        AnyMessage::Vcu2AiStatus(_) => 0x520,
-        AnyMessage::Vcu2AiDriveF(_) => 0x521,
-        AnyMessage::Vcu2AiDriveR(_) => 0x522,
-        AnyMessage::Vcu2AiSteer(_) => 0x523,
-        AnyMessage::Vcu2AiBrake(_) => 0x524,
-        AnyMessage::Vcu2AiWheelSpeeds(_) => 0x525,
-        AnyMessage::Vcu2AiWheelCounts(_) => 0x526,
-    };
-    kani::cover!(id == 0x526, "the last of them");
+/// Claims it of a message.
+fn is_sent_under<M: Coded + Into<AnyMessage> + kani::Arbitrary>(id: u16) {
+    let message: M = kani::any_where(Coded::is_held);
+    let any: AnyMessage = message.into();
+    let frame = subject().sent(Layouts::write(&any).unwrap_or_default());
+    let data = Data::of(&frame);
+    kani::cover!(data.word() != 0, "something is in it");
     assert!(frame.id == id, "the identifier");
-    let data = Data::of(&frame).received(frame.id);
-    assert!(Layouts::read(frame.id, data.given()).ok() == Some(message), "read as the same message");
+    let data = data.received(id);
+    assert!(Layouts::read(id, data.given()).ok() == Some(any), "read as the same message");
+}
+
+harnesses! {
+    /// **A message is sent under its identifier.** Whatever the edition can say with it, its frame has the identifier of that message,
+    /// and is read as the same message where it is not known what it is.
+    ///
+    /// Requirements: MSG-1, MSG-5, MSG-16, MSG-20, MSG-23, MSG-26, MSG-29, MSG-34, MSG-41, MSG-65, MSG-69, MSG-73, MSG-77,
+    /// MSG-80, MSG-82.
+    unwind 24;
+    a_message_is_sent_as_500h = is_sent_under::<Vcu2LogDynamics1>(0x500);
+    a_message_is_sent_as_501h = is_sent_under::<Ai2LogDynamics2>(0x501);
+    a_message_is_sent_as_502h = is_sent_under::<Vcu2LogStatus>(0x502);
+    a_message_is_sent_as_510h = is_sent_under::<Ai2VcuStatus>(0x510);
+    a_message_is_sent_as_511h = is_sent_under::<Ai2VcuDriveF>(0x511);
+    a_message_is_sent_as_512h = is_sent_under::<Ai2VcuDriveR>(0x512);
+    a_message_is_sent_as_513h = is_sent_under::<Ai2VcuSteer>(0x513);
+    a_message_is_sent_as_514h = is_sent_under::<Ai2VcuBrake>(0x514);
+    a_message_is_sent_as_520h = is_sent_under::<Vcu2AiStatus>(0x520);
+    a_message_is_sent_as_521h = is_sent_under::<Vcu2AiDriveF>(0x521);
+    a_message_is_sent_as_522h = is_sent_under::<Vcu2AiDriveR>(0x522);
+    a_message_is_sent_as_523h = is_sent_under::<Vcu2AiSteer>(0x523);
+    a_message_is_sent_as_524h = is_sent_under::<Vcu2AiBrake>(0x524);
+    a_message_is_sent_as_525h = is_sent_under::<Vcu2AiWheelSpeeds>(0x525);
+    a_message_is_sent_as_526h = is_sent_under::<Vcu2AiWheelCounts>(0x526);
 }
 
 /// **The VCU takes what it can read of the AI Computer, and nothing else.** A frame of 510h to 514h that is a message
@@ -130,7 +146,36 @@ fn last<M: Coded>(of: u16, id: u16, data: &Data, before: M, read: &mut bool) -> 
 }
 
 theorems![
-    a_frame_is_read_as_the_message_of_its_identifier,
-    a_message_is_sent_under_its_identifier,
+    a_frame_of_500h_is_read_as_its_message,
+    a_frame_of_501h_is_read_as_its_message,
+    a_frame_of_502h_is_read_as_its_message,
+    a_frame_of_510h_is_read_as_its_message,
+    a_frame_of_511h_is_read_as_its_message,
+    a_frame_of_512h_is_read_as_its_message,
+    a_frame_of_513h_is_read_as_its_message,
+    a_frame_of_514h_is_read_as_its_message,
+    a_frame_of_520h_is_read_as_its_message,
+    a_frame_of_521h_is_read_as_its_message,
+    a_frame_of_522h_is_read_as_its_message,
+    a_frame_of_523h_is_read_as_its_message,
+    a_frame_of_524h_is_read_as_its_message,
+    a_frame_of_525h_is_read_as_its_message,
+    a_frame_of_526h_is_read_as_its_message,
+    a_frame_of_no_message_is_refused_for_its_identifier,
+    a_message_is_sent_as_500h,
+    a_message_is_sent_as_501h,
+    a_message_is_sent_as_502h,
+    a_message_is_sent_as_510h,
+    a_message_is_sent_as_511h,
+    a_message_is_sent_as_512h,
+    a_message_is_sent_as_513h,
+    a_message_is_sent_as_514h,
+    a_message_is_sent_as_520h,
+    a_message_is_sent_as_521h,
+    a_message_is_sent_as_522h,
+    a_message_is_sent_as_523h,
+    a_message_is_sent_as_524h,
+    a_message_is_sent_as_525h,
+    a_message_is_sent_as_526h,
     the_vcu_takes_what_it_can_read_of_the_ai_computer,
 ];

@@ -61,6 +61,12 @@ fn head(mut data: [u8; 9], change: impl FnOnce([u8; 8]) -> [u8; 8]) -> [u8; 9] {
     data
 }
 
+/// The theorem of this name with an identifier in it.
+fn named(before: &str, id: u16, behind: &str) -> &'static str {
+    let name = format!("{before}{id:03x}h{behind}");
+    Theorem::find(&name).unwrap_or_else(|| panic!("there is no theorem {name}")).name
+}
+
 /// The theorem of a message: `ai2vcu_steer_513h`, and what is added for an edition.
 fn theorem(message: &MessageDef, of_edition: &str) -> &'static str {
     let name = format!("{}_{:x}h{of_edition}", message.name.to_lowercase(), message.id);
@@ -142,7 +148,7 @@ impl Subject for Receiving {
 fn of_any() -> Vec<Mutant> {
     let takes = "the_vcu_takes_what_it_can_read_of_the_ai_computer";
     let of = |what, change| Mutant::new(takes, what, Receiving(change));
-    vec![
+    let mut mutants = vec![
         of("what does not decode is the default", |ai, id, data| {
             let done = ai.receive(BUS, id, data);
             if done.is_err() && id == 0x510 {
@@ -161,13 +167,11 @@ fn of_any() -> Vec<Mutant> {
             ai.receive(BUS, if id == 0x514 { 0x513 } else { id }, data) == Ok(true)
         }),
         of("500h is taken too", |ai, id, data| ai.receive(BUS, id, data) == Ok(true) || id == 0x500),
-        received("a_frame_is_read_as_the_message_of_its_identifier", "the first byte is lost", |_, data| {
-            head(data, |bytes| (u64::from_le_bytes(bytes) & !0xFF).to_le_bytes())
-        }),
-        sent("a_message_is_sent_under_its_identifier", "526h is sent as 525h", |frame| match frame.id {
-            0x526 => Frame { id: 0x525, ..frame },
-            _ => frame,
-        }),
+        Mutant::new(
+            "a_frame_of_no_message_is_refused_for_its_identifier",
+            "527h is taken for a status",
+            Receiving(|ai, id, data| ai.receive(BUS, if id == 0x527 { 0x510 } else { id }, data) == Ok(true)),
+        ),
         sent("a_quantity_stays_in_its_range", "a limit of 4000 rpm is sent as 3999", |frame| {
             match (frame.id, frame.data) {
                 (0x511, [a, b, 0xA0, 0x0F, ..]) => Frame { data: [a, b, 0x9F, 0x0F, 0, 0, 0, 0], ..frame },
@@ -179,7 +183,20 @@ fn of_any() -> Vec<Mutant> {
             let [low, high] = angle.wrapping_add(240).to_le_bytes();
             if id == 0x513 { [low, high, 0, 0, 0, 0, 0, 0, 0] } else { data }
         }),
-    ]
+    ];
+    for message in BUS.messages {
+        let id = message.id;
+        let lost = received(
+            named("a_frame_of_", id, "_is_read_as_its_message"),
+            "the first byte is lost",
+            |_, data| head(data, |bytes| (u64::from_le_bytes(bytes) & !0xFF).to_le_bytes()),
+        );
+        let next = sent(named("a_message_is_sent_as_", id, ""), "it is sent as the next one", move |frame| {
+            Frame { id: frame.id + 1, ..frame }
+        });
+        mutants.extend([lost, next]);
+    }
+    mutants
 }
 
 fn of_the_table() -> Vec<Mutant> {
@@ -236,26 +253,25 @@ fn of_the_table() -> Vec<Mutant> {
             _ => frame,
         }),
     ];
-    for (theorem, ids) in [
-        ("the_table_agrees_with_the_decoder_on_the_ai_computer", 0x510..=0x514),
-        ("the_table_agrees_with_the_decoder_on_the_vcu_status", 0x520..=0x520),
-        ("the_table_agrees_with_the_decoder_on_the_vcu_feedback", 0x521..=0x526),
-        ("the_table_agrees_with_the_decoder_on_the_log", 0x500..=0x502),
-    ] {
-        let messages = BUS.messages.iter().filter(|message| ids.contains(&message.id));
-        mutants.extend(messages.flat_map(|message| {
-            let id = message.id;
-            message.signals.iter().map(move |signal| {
-                let what = format!("{id:03X}h, {}: one less is read", signal.name);
-                received(theorem, &what, move |of, data| {
-                    let less = |bytes: [u8; 8]| {
-                        signal.put(bytes, signal.raw(&bytes).map_or(0, |raw| raw.wrapping_sub(1)))
-                    };
-                    if of == id { head(data, less) } else { data }
-                })
+    for message in BUS.messages {
+        let id = message.id;
+        let theorem = match id {
+            0x520 => "what_is_read_of_520h_is_written_with_its_values",
+            _ => named("the_table_agrees_with_the_decoder_on_", id, ""),
+        };
+        mutants.extend(message.signals.iter().map(move |signal| {
+            let what = format!("{id:03X}h, {}: one less is read", signal.name);
+            received(theorem, &what, move |of, data| {
+                let less = |bytes: [u8; 8]| {
+                    signal.put(bytes, signal.raw(&bytes).map_or(0, |raw| raw.wrapping_sub(1)))
+                };
+                if of == id { head(data, less) } else { data }
             })
         }));
     }
+    mutants.push(received("the_table_allows_what_is_read_of_520h", "each number is one more", |_, data| {
+        head(data, |bytes| bytes.map(|byte| byte.wrapping_add(1)))
+    }));
     mutants
 }
 

@@ -9,21 +9,84 @@ use crate::Mutant;
 pub(crate) fn mutants() -> Vec<Mutant> {
     vec![
         Mutant::new(
-            "inputs_matter_through_their_observation",
-            "a wheel of exactly 77 rpm brakes",
+            "inputs_matter_in_off_through_their_observation",
+            "a wheel of exactly 77 rpm is remembered",
+            LooksAtWheel(77),
+        ),
+        Mutant::new(
+            "inputs_matter_in_ready_through_their_observation",
+            "a wheel of exactly 77 rpm is remembered",
+            LooksAtWheel(77),
+        ),
+        Mutant::new(
+            "inputs_matter_in_driving_through_their_observation",
+            "a wheel of exactly 77 rpm is remembered",
+            LooksAtWheel(77),
+        ),
+        Mutant::new(
+            "inputs_matter_in_finished_through_their_observation",
+            "a wheel of exactly 77 rpm is remembered",
+            LooksAtWheel(77),
+        ),
+        Mutant::new(
+            "inputs_matter_in_emergency_brake_through_their_observation",
+            "a wheel of exactly 77 rpm is remembered",
             LooksAtWheel(77),
         ),
         Mutant::new("a_step_is_the_reaction_to_its_observation", "react knows no E-stop", NoEstop),
         Mutant::new("the_next_state_depends_on_the_atoms_alone", "a fault of the BMS is overlooked", NoBms),
-        Mutant::new("what_is_not_read_does_not_matter", "reads forgets the EBS", ReadsLess(Atom::EbsArmed)),
-        Mutant::new("what_is_not_read_does_not_matter", "reads forgets \"Go\"", ReadsLess(Atom::GoOn)),
+        Mutant::new(
+            "what_is_not_read_in_off_does_not_matter",
+            "reads forgets EbsArmed",
+            ReadsLess(Atom::EbsArmed),
+        ),
+        Mutant::new("what_is_not_read_in_ready_does_not_matter", "reads forgets Asms", ReadsLess(Atom::Asms)),
+        Mutant::new(
+            "what_is_not_read_in_driving_does_not_matter",
+            "reads forgets GoOn",
+            ReadsLess(Atom::GoOn),
+        ),
+        Mutant::new(
+            "what_is_not_read_in_finished_does_not_matter",
+            "reads forgets Asms",
+            ReadsLess(Atom::Asms),
+        ),
+        Mutant::new(
+            "what_is_not_read_in_emergency_brake_does_not_matter",
+            "reads forgets Asms",
+            ReadsLess(Atom::Asms),
+        ),
         Mutant::new(
             "a_running_timer_matters_only_when_it_is_full",
             "\"Go\" counts after half the time",
             Half,
         ),
         Mutant::new("the_go_signal_changes_no_control_state", "the raw switch sets off by itself", RawSwitch),
-        Mutant::new("what_is_only_logged_decides_nothing", "a sixteenth lap is an emergency", CountsLaps),
+        Mutant::new(
+            "what_is_only_logged_decides_nothing_in_off",
+            "a sixteenth lap is remembered",
+            CountsLaps,
+        ),
+        Mutant::new(
+            "what_is_only_logged_decides_nothing_in_ready",
+            "a sixteenth lap is remembered",
+            CountsLaps,
+        ),
+        Mutant::new(
+            "what_is_only_logged_decides_nothing_in_driving",
+            "a sixteenth lap is remembered",
+            CountsLaps,
+        ),
+        Mutant::new(
+            "what_is_only_logged_decides_nothing_in_finished",
+            "a sixteenth lap is remembered",
+            CountsLaps,
+        ),
+        Mutant::new(
+            "what_is_only_logged_decides_nothing_in_emergency_brake",
+            "a sixteenth lap is remembered",
+            CountsLaps,
+        ),
         Mutant::new("messages_for_the_logger_reach_nobody", "501h steers", LoggerSteers),
     ]
 }
@@ -106,9 +169,9 @@ struct CountsLaps;
 
 impl Subject for CountsLaps {
     fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
-        let mut inputs = *inputs;
-        inputs.sdc.critical_fault |= inputs.ai.status.lap_counter.raw() == 15;
-        Machine::REFERENCE.step(before, &inputs, dt_ms)
+        let (mut after, outputs) = Machine::REFERENCE.step(before, inputs, dt_ms);
+        after.go_seen_low ^= inputs.ai.status.lap_counter.raw() == 15;
+        (after, outputs)
     }
 }
 

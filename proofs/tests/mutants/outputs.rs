@@ -5,8 +5,8 @@ use adsdv_proofs::subject::Subject;
 use adsdv_spec::editions::{V3_0, V4_0};
 use adsdv_spec::messages::{
     BrakePressure, ConesCountAll, DirectionRequest, EbsState, Frame, Layout, LogBrake, LogDriveTorque,
-    LogSteerAngle, Message, MessageDef, MotorSpeedMax, SignalDef, SmAs, StatusBrk, SteerAngle, Vcu2AiBrake,
-    Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    LogSteerAngle, Message, MessageDef, MotorSpeedMax, ShutdownCause, SignalDef, SmAs, StatusBrk, SteerAngle,
+    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 use adsdv_spec::{Actuation, AsState, Control, Inputs, Machine, Outputs, VcuMessages};
@@ -28,9 +28,9 @@ pub(crate) fn mutants() -> Vec<Mutant> {
 fn theorem(id: u16, signal: &str) -> &'static str {
     match (id, signal) {
         (0x520, "FAULT_STATUS" | "SHUTDOWN_CAUSE" | "AI_ESTOP_REQUEST" | "AI_COMMS_LOST") => {
-            "status_520h_shows_the_faults"
+            "status_520h_shows_the_faults_of_driving"
         }
-        (0x520, fault) if fault.ends_with("_FAULT") => "status_520h_shows_the_faults",
+        (0x520, fault) if fault.ends_with("_FAULT") => "status_520h_shows_the_faults_of_driving",
         (0x520, "GO_SIGNAL") => "go_signal_is_on_while_the_vehicle_may_drive",
         (0x520, _) => "status_520h_shows_the_switches_and_the_states",
         (0x521..=0x523, _) => "feedback_of_drive_and_steering",
@@ -107,12 +107,21 @@ fn of_messages() -> Vec<Mutant> {
                 messages.status.warn_batt_temp_high && messages.status.warn_batt_soc_low;
         }),
         of(
-            "status_520h_shows_the_faults",
+            "status_520h_shows_the_faults_of_off",
             "a fault once the vehicle has stopped for it",
             |messages, _, _| {
                 messages.status.fault_status = messages.status.shutdown_cause.raw() != 0;
             },
         ),
+        of("status_520h_shows_the_faults_of_ready", "no cause", |messages, _, _| {
+            messages.status.shutdown_cause = ShutdownCause::NoShutdown;
+        }),
+        of("status_520h_shows_the_faults_of_finished", "no cause", |messages, _, _| {
+            messages.status.shutdown_cause = ShutdownCause::NoShutdown;
+        }),
+        of("status_520h_shows_the_faults_of_emergency_brake", "no cause", |messages, _, _| {
+            messages.status.shutdown_cause = ShutdownCause::NoShutdown;
+        }),
         of("go_signal_is_on_while_the_vehicle_may_drive", "the raw switch", |messages, _, inputs| {
             messages.status.go_signal = inputs.go;
         }),

@@ -7,7 +7,11 @@ use crate::Mutant;
 
 pub(crate) fn mutants() -> Vec<Mutant> {
     vec![
-        Mutant::new("two_steps_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new("two_steps_in_off_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new("two_steps_in_ready_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new("two_steps_in_driving_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new("two_steps_in_finished_are_one", "each step counts one millisecond more", OneMore),
+        Mutant::new("two_steps_in_emergency_brake_are_one", "each step counts one millisecond more", OneMore),
         Mutant::new(
             "two_steps_are_one_where_an_edge_is_enough",
             "each step counts one millisecond more",
@@ -17,7 +21,27 @@ pub(crate) fn mutants() -> Vec<Mutant> {
         Mutant::new("timers_are_the_time_that_has_passed", "each step counts one millisecond more", OneMore),
         Mutant::new("timers_are_the_time_that_has_passed", "the timer goes on in the next state", GoesOn),
         Mutant::new(
-            "a_faster_cycle_takes_nothing_that_a_slower_one_forbids",
+            "a_faster_cycle_in_off_takes_nothing_that_a_slower_one_forbids",
+            "a long step forgets the time before it",
+            LongStepForgets,
+        ),
+        Mutant::new(
+            "a_faster_cycle_in_ready_takes_nothing_that_a_slower_one_forbids",
+            "a long step forgets the time before it",
+            LongStepForgets,
+        ),
+        Mutant::new(
+            "a_faster_cycle_in_driving_takes_nothing_that_a_slower_one_forbids",
+            "a long step forgets the time before it",
+            LongStepForgets,
+        ),
+        Mutant::new(
+            "a_faster_cycle_in_finished_takes_nothing_that_a_slower_one_forbids",
+            "a long step forgets the time before it",
+            LongStepForgets,
+        ),
+        Mutant::new(
+            "a_faster_cycle_in_emergency_brake_takes_nothing_that_a_slower_one_forbids",
             "a long step forgets the time before it",
             LongStepForgets,
         ),
@@ -65,14 +89,17 @@ impl Subject for GoesOn {
     }
 }
 
-/// A step of more than a second counts from zero.
+/// A step of more than a second counts from zero, and no time.
 #[derive(Clone)]
 struct LongStepForgets;
 
 impl Subject for LongStepForgets {
     fn step(&self, before: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
-        let forgets = (1001..5000).contains(&dt_ms);
-        let in_state_ms = if forgets { 0 } else { before.in_state_ms };
-        Machine::REFERENCE.step(&Control { in_state_ms, ..*before }, inputs, dt_ms)
+        if !(1001..5000).contains(&dt_ms) {
+            return Machine::REFERENCE.step(before, inputs, dt_ms);
+        }
+        let mut before = Control { in_state_ms: 0, ..*before };
+        before.handshake.unanswered_ms = 0;
+        Machine::REFERENCE.step(&before, inputs, 0)
     }
 }

@@ -44,6 +44,7 @@ fn is_warned_of(log: Option<Vec<Recorded>>, edition: &'static Edition, rule: Rul
 }
 
 type Shows = fn(&mut Vcu2AiStatus);
+type Begins = fn(&mut World);
 
 #[test]
 fn a_flag_without_a_reason_is_a_warning_where_the_frame_that_raised_it_may_be_lost() {
@@ -89,7 +90,7 @@ fn communication_that_is_there_by_all_that_was_recorded_and_is_shown_as_lost_is_
 #[test]
 fn a_flag_with_a_reason_is_no_warning_where_the_frame_that_raised_it_is_lost() {
     for edition in Edition::ALL {
-        let begins: [(&str, fn(&mut World)); 2] = [
+        let begins: [(&str, Begins); 2] = [
             ("AI_ESTOP_REQUEST", |world| world.set(Atom::AiEstop, true)),
             ("AI_COMMS_LOST", |world| world.ai_answers = false),
         ];

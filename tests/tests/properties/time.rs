@@ -8,9 +8,9 @@
 //! AS_READY are not over: who looks at it then has seen it, and who looks next when they are over sees it only then, and
 //! drives. Where "Go" has to be seen off while the conditions hold, there is no such edge.
 //!
-//! The theorems `two_steps_are_one` and `two_steps_are_one_where_an_edge_is_enough` of `adsdv-proofs` prove the same of one look
-//! that is left out, under the default readings and under `go-edge=edge`. This tries whole runs, under any readings of
-//! any edition.
+//! The theorems `two_steps_in_off_are_one` to `two_steps_in_emergency_brake_are_one` and `two_steps_are_one_where_an_edge_is_enough`
+//! of `adsdv-proofs` prove the same of one look that is left out, under the default readings and under `go-edge=edge`. This tries
+//! whole runs, under any readings of any edition.
 
 use std::convert::Infallible;
 

@@ -13,7 +13,7 @@ use std::{env, fs};
 use findings::{Findings, expected};
 
 const USAGE: &str = "\
-Usage: kani_output [--some] LOG
+Usage: kani_output [--some] [--limits] LOG
 
 Reads LOG, the output of `cargo kani -p adsdv-proofs` in its regular format (the default).
 
@@ -22,24 +22,25 @@ same function, description and place has to be SATISFIED. The sums that Kani pri
 satisfied\") count more: a condition of several parts, and one in a function that is inlined at several places, become
 several checks, and some of these cannot be satisfied.
 
-  --some  only some of the theorems were asked for; without it all of them have to be there
+  --some    only some of the theorems were asked for; without it all of them have to be there
+  --limits  a theorem that takes longer than 30 s is wrong, and an edition whose theorems take longer than 10 minutes;
+            without it that is only said
 
 Exit status: 0 all is verified and reached, 1 something is not, 2 wrong usage, or LOG cannot be read.
 ";
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
-    let (some, path) = match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["-h" | "--help"] => {
-            print!("{USAGE}");
-            return ExitCode::SUCCESS;
-        }
-        ["--some", path] => (true, path),
-        [path] if !path.starts_with('-') => (false, path),
-        _ => {
-            eprint!("{USAGE}");
-            return ExitCode::from(2);
-        }
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    if let ["-h" | "--help"] = args[..] {
+        print!("{USAGE}");
+        return ExitCode::SUCCESS;
+    }
+    let (options, paths): (Vec<&str>, Vec<&str>) = args.iter().partition(|arg| arg.starts_with('-'));
+    let (&[path], true) = (&paths[..], options.iter().all(|option| ["--some", "--limits"].contains(option)))
+    else {
+        eprint!("{USAGE}");
+        return ExitCode::from(2);
     };
     let text = match fs::read(path) {
         Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -48,8 +49,9 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let expected = if some { Vec::new() } else { expected() };
+    let expected = if options.contains(&"--some") { Vec::new() } else { expected() };
     let findings = Findings::of(&read::harnesses(&text), &expected);
+    let findings = if options.contains(&"--limits") { findings.within_limits() } else { findings };
     print!("{findings}");
     if findings.holds() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
