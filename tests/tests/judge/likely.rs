@@ -144,6 +144,37 @@ fn a_cause_that_changes_is_a_warning_where_a_frame_may_be_lost_in_between() {
 }
 
 #[test]
+fn a_cause_without_its_flag_is_a_warning_where_the_frame_that_named_it_may_be_lost() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.stopped();
+        let from = world.log.len();
+        world.set(Atom::AiEstop, true);
+        world.shows = |status| status.ai_estop_request = false;
+        world.wait(300);
+        let log = without(&world, from, |status| status.shutdown_cause != ShutdownCause::NoShutdown);
+        is_warned_of(log, edition, Rule::CauseWithoutFlag, edition.version);
+    }
+}
+
+/// In a recording that is late no frame is certain to be the next one, so that nothing lasts for certain.
+#[test]
+fn a_sum_that_is_0_in_every_frame_of_a_late_recording_is_at_least_a_warning() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.stopped();
+        world.inputs.reports.batt_soc_low = true;
+        world.shows = |status| status.warning_status = false;
+        world.wait(500);
+        for seed in 1..=10 {
+            let said = said(&world.disturbed(seed, 20 * MS, 0), JudgeOptions::of(edition));
+            let sums = said.iter().filter(|finding| finding.rule == Rule::StatusSum).count();
+            assert!((1..=2).contains(&sums), "{}, seed {seed}: {sums}", edition.version);
+        }
+    }
+}
+
+#[test]
 fn go_that_is_not_shown_is_a_warning_where_a_frame_may_be_lost_that_shows_it() {
     for edition in Edition::ALL.iter().filter(|edition| edition.version != "2026") {
         let mut world = World::of(edition);

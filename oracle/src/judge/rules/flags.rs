@@ -48,6 +48,8 @@ struct CauseWatch {
     cause: ShutdownCause,
     flag_seen: bool,
     stop_seen: bool,
+    /// Whether a frame of the VCU may be missing that showed either.
+    gap: bool,
 }
 
 /// The VCU shows something wrong in 520h.
@@ -60,6 +62,25 @@ fn shows_wrongly(
 ) -> Finding {
     let finding = Finding::new(severity, Party::Vcu, "2.2", rule, t_ns).against(&[requirement]);
     finding.seen(seen).expected(expected).shown_by(est.sampler.last_frames(&[STATUS]))
+}
+
+/// Since when it has been so for too long, and how much that weighs: by the frames that came, a frame that may be missing in between
+/// makes it a warning.
+fn overdue(sum: &mut Persisting, est: &Estimator, t: i64) -> Option<(i64, Severity)> {
+    let certain = sum.overdue(t - est.deadline).map(|since| (since, Severity::Violation));
+    certain.or_else(|| Some((sum.likely_overdue(t - 2 * est.patience())?, Severity::Warning)))
+}
+
+/// What could excuse it: that a frame was lost which showed it otherwise.
+fn excuse(est: &Estimator, severity: Severity, name: &str, since: i64, t: i64) -> String {
+    let gap = est.sampler.slot(STATUS).and_then(|slot| slot.longest_gap(t)).unwrap_or((since, t));
+    let lost = || {
+        format!(
+            "{name} was otherwise in a frame that was lost ({})",
+            no_frame(Vcu2AiStatus::ID, gap.0, gap.1)
+        )
+    };
+    if severity == Severity::Warning { lost() } else { String::new() }
 }
 
 /// The faults whose flags have been raised, and whose conditions the bus shows.
@@ -102,16 +123,16 @@ impl Flags {
             self.brake = (state == AsState::EmergencyBrake && from_another).then_some((t, false));
         }
         let flags = Faults::shown_by(&status);
-        if let Some(previous) = shown.previous.filter(|_| !gap) {
-            book.exercise_flags(flags.difference(Faults::shown_by(&previous)));
-            if previous.shutdown_cause == ShutdownCause::NoShutdown
-                && status.shutdown_cause != previous.shutdown_cause
-            {
-                let flag_seen =
-                    Faults::of_cause(status.shutdown_cause).is_subset(Faults::shown_by(&previous));
+        if let Some(previous) = shown.previous {
+            let flags_before = Faults::shown_by(&previous);
+            if !gap {
+                book.exercise_flags(flags.difference(flags_before));
+            }
+            let cause = status.shutdown_cause;
+            if previous.shutdown_cause == ShutdownCause::NoShutdown && cause != previous.shutdown_cause {
+                let flag_seen = Faults::of_cause(cause).is_subset(flags_before);
                 let stop_seen = !is_active(shown.old);
-                self.cause =
-                    Some(CauseWatch { since: t, cause: status.shutdown_cause, flag_seen, stop_seen });
+                self.cause = Some(CauseWatch { since: t, cause, flag_seen, stop_seen, gap });
             }
             if let Some(watch) = &mut self.cause {
                 watch.flag_seen |= Faults::of_cause(watch.cause).is_subset(flags);
@@ -129,18 +150,23 @@ impl Flags {
     pub(super) fn over_time(&mut self, est: &Estimator, book: &mut Book, t: i64) {
         let late = t - est.deadline;
         let Some(status) = est.vcu.status else { return };
-        let sum = |requirement| (Severity::Violation, Rule::StatusSum, requirement);
         if self.cause.is_some_and(|watch| watch.since < late) {
-            self.judge_cause(est, book);
+            self.judge_cause(est, book, t);
         }
-        if let Some(since) = self.fault_sum.overdue(late) {
+        for (sum, requirement, name) in [
+            (&mut self.fault_sum, FAULT_SUM, "FAULT_STATUS"),
+            (&mut self.warning_sum, WARNING_SUM, "WARNING_STATUS"),
+        ] {
+            let Some((since, severity)) = overdue(sum, est, t) else { continue };
             let flags: Vec<&str> = Faults::shown_by(&status).iter().map(Fault::flag).collect();
-            let seen = format!("FAULT_STATUS is 0, but {} is set", flags.join(", "));
-            book.found(shows_wrongly(est, sum(FAULT_SUM), since, seen, "1"));
-        }
-        if let Some(since) = self.warning_sum.overdue(late) {
-            let seen = "WARNING_STATUS is 0, but a battery warning is set";
-            book.found(shows_wrongly(est, sum(WARNING_SUM), since, seen, "1"));
+            let summed = if requirement == FAULT_SUM {
+                format!("{} is set", flags.join(", "))
+            } else {
+                "a battery warning is set".to_owned()
+            };
+            let seen = format!("{name} is 0, but {summed}");
+            let finding = shows_wrongly(est, (severity, Rule::StatusSum, requirement), since, seen, "1");
+            book.found(finding.unless(excuse(est, severity, name, since, t)));
         }
         if let Some((since, certain)) = self.brake.take_if(|(since, _)| *since < late) {
             let readable = est.sampler.slot(STATUS).is_some_and(|slot| slot.bad == 0);
@@ -172,19 +198,22 @@ impl Flags {
         }
     }
 
-    fn judge_cause(&mut self, est: &Estimator, book: &mut Book) {
-        let Some(CauseWatch { since, cause, flag_seen, stop_seen }) = self.cause.take() else { return };
+    fn judge_cause(&mut self, est: &Estimator, book: &mut Book, t: i64) {
+        let Some(CauseWatch { since, cause, flag_seen, stop_seen, gap }) = self.cause.take() else { return };
         let number = cause as u8;
+        let severity = if gap { Severity::Warning } else { Severity::Violation };
         if let Some(fault) = Fault::of_cause(cause).filter(|_| !flag_seen) {
             let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but {} is 0", fault.flag());
-            let what = (Severity::Violation, Rule::CauseWithoutFlag, CAUSE);
-            book.found(shows_wrongly(est, what, since, seen, "it to be 1"));
+            let what = (severity, Rule::CauseWithoutFlag, CAUSE);
+            let finding = shows_wrongly(est, what, since, seen, "it to be 1");
+            book.found(finding.unless(excuse(est, severity, fault.flag(), since, t)));
         }
         if !stop_seen {
             let state = est.vcu.state.map_or("its state", AsState::name);
             let seen = format!("SHUTDOWN_CAUSE is {number} ({cause}), but the VCU stays in {state}");
-            let what = (Severity::Violation, Rule::CauseWithoutShutdown, CAUSE);
-            book.found(shows_wrongly(est, what, since, seen, AsState::EmergencyBrake.name()));
+            let what = (severity, Rule::CauseWithoutShutdown, CAUSE);
+            let finding = shows_wrongly(est, what, since, seen, AsState::EmergencyBrake.name());
+            book.found(finding.unless(excuse(est, severity, "AS_STATE", since, t)));
         }
     }
 }

@@ -74,6 +74,9 @@ impl Queue {
 pub(super) struct Persisting {
     pub(super) since: Option<i64>,
     reported: bool,
+    /// Since when it was so in every frame that was recorded, if a frame may be missing in between.
+    seen_since: Option<i64>,
+    warned: bool,
 }
 
 impl Persisting {
@@ -82,6 +85,7 @@ impl Persisting {
         if !so {
             *self = Self::default();
         } else if self.since.is_none() || gap && !self.reported {
+            self.seen_since = self.seen_since.or(self.since);
             self.since = Some(t);
         }
     }
@@ -95,6 +99,13 @@ impl Persisting {
     pub(super) fn overdue(&mut self, late: i64) -> Option<i64> {
         let since = self.since.filter(|&since| since < late && !self.reported)?;
         self.reported = true;
+        Some(since)
+    }
+
+    /// Since when it has been so in every frame that was recorded, if that is before `late`; once only, and not if it is certain.
+    pub(super) fn likely_overdue(&mut self, late: i64) -> Option<i64> {
+        let since = self.seen_since.filter(|&since| since < late && !self.reported && !self.warned)?;
+        self.warned = true;
         Some(since)
     }
 }
