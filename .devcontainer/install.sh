@@ -10,4 +10,5 @@ rustup target add wasm32-unknown-unknown thumbv7em-none-eabi "$(uname -m)-unknow
 rustup toolchain install 1.85 nightly --profile minimal
 cargo install --locked cargo-deny cargo-fuzz cargo-mutants cargo-tarpaulin duvet kani-verifier mdbook
 cargo install --locked cargo-about@0.9.3 --features cli
+cargo install --locked cargo-public-api@0.52.0
 cargo kani setup

@@ -54,5 +54,15 @@ fn the_documents_name_the_rust_that_the_manifests_take() {
     let readme = read("README.md");
     assert!(readme.contains(&format!("With a Rust toolchain ({all} or later)")), "{all}");
     assert!(readme.contains(&format!("(Rust {spec} or later, `no_std`")), "{spec}");
-    assert!(read("docs/packaging.md").contains(&format!("Rust {all} or later")), "{all}");
+    for document in ["CONTRIBUTING.md", "docs/packaging.md"] {
+        assert!(
+            read(document).contains(&format!("Rust {all} or later")),
+            "{document} does not say Rust {all} or later"
+        );
+    }
+    let contributing = read("CONTRIBUTING.md");
+    assert!(
+        contributing.contains(&format!("stays on Rust {spec}")),
+        "CONTRIBUTING.md does not say that spec stays on Rust {spec}"
+    );
 }

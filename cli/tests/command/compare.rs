@@ -213,9 +213,14 @@ fn the_schema_refuses_what_is_not_a_comparison() {
 fn the_schema_names_every_rule_and_state() {
     let schema: Value = serde_json::from_str(&run(&["schema", "compare"]).stdout).expect("JSON");
     let ids: Vec<_> = Rule::ALL.iter().map(|rule| rule.id()).collect();
-    assert_eq!(schema["$defs"]["finding"]["properties"]["rule"]["enum"], json!(ids));
+    let named = &schema["$defs"]["finding"]["properties"]["rule"]["enum"];
+    assert_eq!(*named, json!(ids), "the `rule`s of cli/schema/compare.schema.json, and those of Rule::ALL");
     let states: Vec<_> = AsState::ALL.iter().map(|state| state.name()).collect();
-    assert_eq!(schema["$defs"]["state"]["enum"], json!(states));
+    assert_eq!(
+        schema["$defs"]["state"]["enum"],
+        json!(states),
+        "the `state`s of cli/schema/compare.schema.json"
+    );
 }
 
 #[test]

@@ -156,12 +156,24 @@ fn times_are_in_order_and_rounded_to_microseconds() {
 }
 
 #[test]
-fn the_schema_names_every_rule_and_state() {
-    let schema = schema("check");
-    let ids: Vec<_> = Rule::ALL.iter().map(|rule| rule.id()).collect();
-    assert_eq!(schema["$defs"]["finding"]["properties"]["rule"]["enum"], json!(ids));
+fn the_schemas_name_every_rule_and_state() {
+    let rules: Vec<_> = Rule::ALL.iter().map(|rule| rule.id()).collect();
     let states: Vec<_> = AsState::ALL.iter().map(|state| state.name()).collect();
-    assert_eq!(schema["$defs"]["state"]["enum"], json!(states));
+    for name in ["check", "watch"] {
+        let all = &schema(name)["$defs"];
+        let named = &all["finding"]["properties"]["rule"]["enum"];
+        assert_eq!(
+            *named,
+            json!(rules),
+            "left: the rules in cli/schema/{name}.schema.json; right: Rule::ALL"
+        );
+        let named = &all["state"]["enum"];
+        assert_eq!(
+            *named,
+            json!(states),
+            "left: the states in cli/schema/{name}.schema.json; right: AsState::ALL"
+        );
+    }
 }
 
 #[test]

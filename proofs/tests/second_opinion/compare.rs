@@ -55,7 +55,11 @@ pub(crate) fn step(
 impl fmt::Display for Disagreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { before, inputs, dt_ms, machine, transcription } = self;
-        writeln!(f, "the machine and the transcription disagree on a step of {dt_ms} ms")?;
+        writeln!(
+            f,
+            "the machine (spec/src/editions) and the transcription (proofs/src/words.rs) disagree on a step of {dt_ms} ms: \
+             one of them is not what the document says"
+        )?;
         writeln!(f, "from {before:#?}")?;
         writeln!(f, "with {inputs:#?}")?;
         writeln!(f, "the machine says: {machine:#?}")?;

@@ -104,7 +104,12 @@ fn all_inputs(atoms: Atoms) -> Vec<Inputs> {
             // What the edition does not have may be as it will.
             let seen = inputs.observe(&Edition::DEFAULT.rules.thresholds).atoms();
             let seen = seen.intersection(Edition::DEFAULT.scope());
-            assert_eq!(seen, atoms, "inputs meant to show {atoms:?} show {seen:?}: {inputs:#?}");
+            let [too_many, too_few] = [seen.difference(atoms), atoms.difference(seen)];
+            assert_eq!(
+                seen, atoms,
+                "these inputs show [{too_many}] and should not, and not [{too_few}] and should: `inputs_with` and `set_wheel_speeds` \
+                 here have the numbers of the document once more\n{inputs:#?}"
+            );
             inputs
         })
         .collect()
