@@ -25,7 +25,7 @@ pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
 pub(crate) use decode::{DecodeArgs, Decoded, DecodedTable};
 pub(crate) use diff::DiffArgs;
-pub(crate) use edition::{ChosenEdition, EditionArgs};
+pub(crate) use edition::{ChosenEdition, EditionArgs, RecognisedArgs};
 pub(crate) use exam::ExamArgs;
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
@@ -372,7 +372,7 @@ pub(crate) struct CheckArgs {
     pub(crate) interface: Option<String>,
 
     #[command(flatten)]
-    pub(crate) edition: EditionArgs,
+    pub(crate) edition: RecognisedArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]
