@@ -80,9 +80,9 @@ EXAMPLES
       adsdv dbc > adsdv.dbc
       adsdv diagram --format dot | dot -Tsvg > figure2.svg
 
-  By another edition of the interface, for one command or for all:
-      adsdv dbc --edition 3.0
-      export ADSDV_EDITION=3.0
+  By the edition of today's car, for one command or for all:
+      adsdv dbc --edition 2026
+      export ADSDV_EDITION=2026
 
   What another edition changes:
       adsdv diff 3.0 4.0
