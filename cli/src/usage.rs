@@ -18,6 +18,11 @@ pub(crate) fn usage(mut text: clap::Error, words: &[OsString]) -> Result<Status,
         if hint.is_some() {
             // The nearest name of an option is no help then.
             text.remove(ContextKind::SuggestedArg);
+            if words.first().is_some_and(|word| word.as_encoded_bytes().starts_with(b"-")) {
+                // Nor is a line that has this option in it.
+                let line = "Usage: adsdv <COMMAND> [OPTIONS]";
+                text.insert(ContextKind::Usage, ContextValue::StyledStr(line.into()));
+            }
         }
         // If standard error cannot be written there is nobody left to tell; the status still tells.
         let _ = text.print();

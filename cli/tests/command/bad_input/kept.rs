@@ -31,7 +31,7 @@ pub(super) fn an_answer_in_the_place_of_the_recording() {
 /// A team's own database is read as well.
 #[test]
 pub(super) fn an_answer_in_the_place_of_a_database() {
-    let folder = folder_with("bad-input-kept-dbc", "team.dbc", run(&["dbc"]).stdout.as_bytes());
+    let folder = folder_with("bad-input-kept-dbc", "team.dbc", crate::run::run(&["dbc"]).stdout.as_bytes());
     let database = folder.join("team.dbc");
     let before = fs::read(&database).expect("it is there");
     let outcome = run(&["decode", "--dbc", text(&database), "-o", text(&database), MISSION]);
