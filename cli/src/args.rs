@@ -25,7 +25,7 @@ pub(crate) use compare::CompareArgs;
 pub(crate) use conform::{ConformArgs, SuiteArgs};
 pub(crate) use decode::{DecodeArgs, Decoded, DecodedTable};
 pub(crate) use diff::DiffArgs;
-pub(crate) use edition::{ChosenEdition, EditionArgs};
+pub(crate) use edition::{ChosenEdition, EditionArgs, RecognisedArgs};
 pub(crate) use exam::ExamArgs;
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 pub(crate) use verify::{ExploreArgs, ExportArgs, Exported, Models, VerifyArgs};
@@ -80,9 +80,9 @@ EXAMPLES
       adsdv dbc > adsdv.dbc
       adsdv diagram --format dot | dot -Tsvg > figure2.svg
 
-  By another edition of the interface, for one command or for all:
-      adsdv dbc --edition 3.0
-      export ADSDV_EDITION=3.0
+  By the edition of today's car, for one command or for all:
+      adsdv dbc --edition 2026
+      export ADSDV_EDITION=2026
 
   What another edition changes:
       adsdv diff 3.0 4.0
@@ -372,7 +372,7 @@ pub(crate) struct CheckArgs {
     pub(crate) interface: Option<String>,
 
     #[command(flatten)]
-    pub(crate) edition: EditionArgs,
+    pub(crate) edition: RecognisedArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]

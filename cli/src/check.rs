@@ -1,15 +1,21 @@
 //! `adsdv check`: reads a log, has it judged, and prints the report; of several logs `many` does that.
 
+use std::path::PathBuf;
+
 use adsdv_oracle::log::{LogError, LogProgress};
 
 use crate::args::CheckArgs;
 use crate::error::Error;
 use crate::judged::{Plan, judged};
+use crate::kept::keep;
 use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{excerpt, html, many, output, recording, requires};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<Status, Error> {
+    for (option, file) in [("--html", &args.html), ("--junit", &args.junit), ("--summary", &args.summary)] {
+        keep(args.logs.iter().map(PathBuf::as_path), option, file.as_deref())?;
+    }
     let plan = Plan::of(args)?;
     if many::is_asked_for(args) {
         return many::run(args, &plan);

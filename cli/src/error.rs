@@ -11,7 +11,8 @@ use adsdv_oracle::log::LogError;
 use crate::status::Status;
 
 /// How a log is made, for everybody who gave something else.
-const RECORD: &str = "record a log with: candump -L can0 > run.log";
+const RECORD: &str =
+    "adsdv check --help names the formats that are read; record a log with: candump -L can0 > run.log";
 
 /// For everybody who gave the database of the interface.
 const DATABASE: &str = "it is a CAN database and no recording; the editions' own are built in (adsdv dbc --edition 2026 prints one), and check \
@@ -56,7 +57,10 @@ impl Error {
             RecordingError::NotBuilt { format, feature } => Self {
                 what: name.to_owned(),
                 why: format!("it is {format}, which this build does not read"),
-                hint: format!("cargo install --path cli --features {feature}, or take a release binary"),
+                hint: format!(
+                    "adsdv web judges it in a browser; for the command, cargo install --path cli --features {feature}, or take a \
+                     release binary"
+                ),
             },
         }
     }
@@ -125,6 +129,18 @@ impl Error {
         };
         let why = format!("cannot record the log: {error}");
         Self { what: log.display().to_string(), why, hint: hint.to_owned() }
+    }
+
+    /// A recording was named where an interface is expected, or why that interface cannot be used.
+    pub(crate) fn interface(name: &str, error: OpenError) -> Self {
+        if Path::new(name).is_file() {
+            return Self {
+                what: name.to_owned(),
+                why: "is a file; expected a CAN interface, such as can0".to_owned(),
+                hint: format!("a recording is judged by: adsdv check {name}"),
+            };
+        }
+        error.into()
     }
 
     /// Nothing came from a live bus.

@@ -1,12 +1,16 @@
 //! `--html`: writes a report as a page to look at.
 
-use std::io::{self, Write as _};
+use std::fs::File;
+use std::io::{self, Read as _, Write as _};
 use std::path::Path;
 
 use adsdv_report::PageError;
 
 use crate::error::Error;
 use crate::{interrupt, output, recording, whole};
+
+/// How every page begins.
+const PAGE: &str = "<!doctype html>";
 
 /// Whether the page is printed, in place of the report.
 pub(crate) fn is_printed(file: Option<&Path>) -> bool {
@@ -18,6 +22,16 @@ pub(crate) fn prepare(file: Option<&Path>, json: bool) -> Result<(), Error> {
     if let Some(file) = file.filter(|file| file.is_dir()) {
         return Err(failed(file, &io::ErrorKind::IsADirectory.into()));
     }
+    if let Some(file) = file.filter(|file| is_something_else(file)) {
+        return Err(Error {
+            what: format!("--html {}", file.display()),
+            why: "would replace a file that is no page; expected the name of the page that is to be written"
+                .to_owned(),
+            hint:
+                "name the page behind --html, such as --html run.html; to replace that file, remove it first"
+                    .to_owned(),
+        });
+    }
     if is_printed(file) && json {
         return Err(Error {
             what: "--html -".to_owned(),
@@ -27,6 +41,13 @@ pub(crate) fn prepare(file: Option<&Path>, json: bool) -> Result<(), Error> {
         });
     }
     Ok(())
+}
+
+/// Whether there is a file that is no page, such as a recording that was named by mistake.
+fn is_something_else(file: &Path) -> bool {
+    let mut begin = Vec::new();
+    let read = file.is_file().then(|| File::open(file)?.take(PAGE.len() as u64).read_to_end(&mut begin));
+    matches!(read, Some(Ok(1..))) && !PAGE.as_bytes().eq_ignore_ascii_case(&begin)
 }
 
 /// The same for what takes long: a folder that is missing is told as well.

@@ -44,6 +44,7 @@ mod html;
 mod interrupt;
 mod json;
 mod judged;
+mod kept;
 mod layout;
 mod many;
 mod markdown;
@@ -61,12 +62,14 @@ mod shell;
 mod status;
 mod suite;
 mod tables;
+mod usage;
 mod vcu;
 mod verify;
 mod watch;
 mod web;
 mod whole;
 
+use std::env;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -78,7 +81,7 @@ use status::Status;
 fn main() -> ExitCode {
     let result = match Cli::try_parse() {
         Ok(cli) => run(&cli.command),
-        Err(text) => usage(&text),
+        Err(text) => usage::usage(text, &env::args_os().skip(1).collect::<Vec<_>>()),
     };
     result.unwrap_or_else(|error| error.print()).into()
 }
@@ -107,15 +110,4 @@ fn run(command: &Command) -> Result<Status, Error> {
         Command::Watch(args) => watch::run(args),
         Command::Web(args) => web::run(args),
     }
-}
-
-/// What clap has to say: help and version, which were asked for, or what is wrong with the arguments.
-fn usage(text: &clap::Error) -> Result<Status, Error> {
-    if text.use_stderr() {
-        // If standard error cannot be written there is nobody left to tell; the status still tells.
-        let _ = text.print();
-        return Ok(Status::NoAnswer);
-    }
-    output::styled(&text.render().ansi().to_string(), clap::ColorChoice::Auto)?;
-    Ok(Status::Conforms)
 }

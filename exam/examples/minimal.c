@@ -1,6 +1,6 @@
 /* An AI Computer in C, with nothing but the standard library: it drives for three seconds, and stops. For 4.0 and 2026.
  *
- *     cc -O2 -o minimal exam/examples/minimal.c && adsdv exam --stdio -- ./minimal
+ *     cc -O2 -o minimal exam/examples/minimal.c && adsdv exam --stdio --edition 4.0 -- ./minimal
  */
 #include <stdio.h>
 #include <string.h>

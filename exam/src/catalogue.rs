@@ -33,6 +33,9 @@ enum By {
     Nothing(&'static str),
 }
 
+/// Why nothing is known of how it drives.
+pub(crate) const NEVER_MOVED: &str = "the vehicle never moved in AS_DRIVING";
+
 const ANY: &str = "any value is allowed, and nobody here knows which one is true";
 
 const fn entry(id: &'static str, about: About, by: By) -> Entry {
@@ -170,7 +173,7 @@ impl Entry {
             By::Sending if !tally.ids.is_empty() => None,
             By::Sending => Some("it sent nothing".to_owned()),
             By::Moving if tally.moved => None,
-            By::Moving => Some("the vehicle never moved in AS_DRIVING".to_owned()),
+            By::Moving => Some(NEVER_MOVED.to_owned()),
             By::Nothing(why) => Some(why.to_owned()),
         }
     }
@@ -254,6 +257,18 @@ mod tests {
             let (_, places) = line.and_then(|line| line.rsplit_once('(')).expect("a line with its places");
             let mut places = places.split([',', ';', ':', ')']).map(str::trim);
             assert!(places.any(|place| place == entry.section()), "{}: {}", entry.id, entry.section());
+        }
+    }
+
+    /// Who writes a stack reads there what it is to do.
+    #[test]
+    fn the_page_about_the_interface_tells_each_thing_that_an_ai_computer_is_to_do() {
+        let page = include_str!("../../docs/interface.md");
+        let (_, told) = page.split_once("## What the AI Computer does\n").expect("that part of it");
+        let (told, _) = told.split_once("\n## ").expect("its end");
+        for entry in BEHAVIOUR.iter().filter(|entry| entry.can_be_exercised()) {
+            let mut words = told.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
+            assert!(words.any(|word| word == entry.id), "{} is not told", entry.id);
         }
     }
 

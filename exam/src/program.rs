@@ -48,7 +48,7 @@ impl StdioStack {
         self.0.write(bytes);
         let what = match self.0.line() {
             Err(what) => what.into(),
-            Ok(answer) => match parse(answer).and_then(read) {
+            Ok(answer) => match parse(answer, example(to)).and_then(read) {
                 Ok(read) => return Ok(read),
                 Err(Wrong::Says(why)) => StackErrorKind::NoAnswer { to, line: excerpt(answer), why },
                 Err(Wrong::Edition { asked, said }) => StackErrorKind::OtherEdition { asked, said },
@@ -113,11 +113,20 @@ struct Answer {
     frames: Option<Vec<String>>,
 }
 
-fn parse(line: &[u8]) -> Result<Answer, Wrong> {
+/// An answer to a line that asks for this.
+fn example(to: &str) -> &'static str {
+    match to {
+        "hello" => "{\"edition\":\"4.0\"}",
+        "reset" => "{}",
+        _ => "{\"frames\":[]}",
+    }
+}
+
+fn parse(line: &[u8], example: &str) -> Result<Answer, Wrong> {
     let text = std::str::from_utf8(line)
         .map_err(|_| Wrong::Says("it is not UTF-8; expected a JSON object".to_owned()))?;
     serde_json::from_str(text)
-        .map_err(|error| Wrong::Says(format!("{error}; expected a JSON object such as {{\"frames\":[]}}")))
+        .map_err(|error| Wrong::Says(format!("{error}; expected a JSON object such as {example}")))
 }
 
 impl Answer {
@@ -171,7 +180,7 @@ mod tests {
     use super::*;
 
     fn answer(line: &str) -> Result<Vec<String>, String> {
-        let frames = parse(line.as_bytes()).and_then(Answer::frames);
+        let frames = parse(line.as_bytes(), example("step")).and_then(Answer::frames);
         frames.map(|frames| frames.iter().map(Frame::to_string).collect()).map_err(Wrong::why)
     }
 
@@ -183,6 +192,16 @@ mod tests {
             ["510#0110", "7FF#", "000#00", "511#0102030405060708"]
         );
         assert_eq!(answer("{\"frames\":[]}"), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn what_is_no_json_says_what_an_answer_to_that_line_looks_like() {
+        for (to, looks) in [("hello", "{\"edition\":\"4.0\"}"), ("reset", "{}"), ("step", "{\"frames\":[]}")]
+        {
+            let why = parse(b"started", example(to)).err().map(Wrong::why).unwrap_or_default();
+            assert!(why.ends_with(&format!("expected a JSON object such as {looks}")), "{to}: {why}");
+            assert!(parse(looks.as_bytes(), "").is_ok(), "{looks} is one");
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use adsdv_oracle::judge::{ResponseTimes, Rule};
 
+use crate::catalogue::NEVER_MOVED;
 use crate::session::Sent;
 
 /// Where the words of a finding come from.
@@ -126,6 +127,14 @@ pub struct ExamReport {
 }
 
 impl ExamReport {
+    /// What a verdict that nothing is wrong leaves open: that the vehicle never moved, so that nothing is known of how it is driven.
+    pub fn leaves_open(&self) -> Option<&str> {
+        self.requirements.iter().find_map(|one| match &one.outcome {
+            Outcome::NotExercised(why) if why == NEVER_MOVED => Some(why.as_str()),
+            _ => None,
+        })
+    }
+
     /// Whether nothing is wrong.
     pub fn passes(&self) -> bool {
         self.findings.is_empty()

@@ -12,6 +12,7 @@ pub struct Foreign {
 }
 
 const PYTHON: &str = "read it with Python, and give the frames to adsdv.check: docs/formats.md shows how";
+const CONVERT: &str = "convert it with python-can: pip install 'python-can[mf4]' && can_logconvert run.mf4 run.log; docs/formats.md has more";
 const UNPACK: &str = "unpack it first; gzip and Zstandard are unpacked here";
 
 const KNOWN: [Foreign; 15] = [
@@ -20,11 +21,11 @@ const KNOWN: [Foreign; 15] = [
         what: "an SQLite database, such as a ROS 2 bag (.db3)",
         hint: PYTHON,
     },
-    Foreign { magic: b"MDF     ", what: "a measurement file of ASAM (MF4, MDF)", hint: PYTHON },
+    Foreign { magic: b"MDF     ", what: "a measurement file of ASAM (MF4, MDF)", hint: CONVERT },
     Foreign {
         magic: b"UnFinMF ",
         what: "a measurement file of ASAM that was not finished (MF4)",
-        hint: PYTHON,
+        hint: CONVERT,
     },
     Foreign { magic: b"#ROSBAG V", what: "a bag of ROS 1", hint: PYTHON },
     Foreign { magic: b"\x0a\x0d\x0d\x0a", what: "a capture of Wireshark (pcapng)", hint: PYTHON },

@@ -20,7 +20,7 @@ fn none(name: &str) -> OpenError {
     OpenError {
         what: name.to_owned(),
         why: "only Linux has SocketCAN, and this is another system".to_owned(),
-        hint: "try `adsdv demo`, which needs no CAN, or run this in a virtual machine with Linux".to_owned(),
+        hint: "`adsdv demo --screen` is the car without CAN, `adsdv exam --stdio` examines a stack, and `adsdv watch -` judges what another program hears; or run this in a virtual machine with Linux".to_owned(),
     }
 }
 

@@ -331,7 +331,7 @@ fn cannot(name: &str, error: &io::Error) -> OpenError {
     let (why, hint) = if is_unsupported(error) {
         (
             "the kernel of this machine has no CAN".to_owned(),
-            "load its modules: sudo modprobe -a can can-raw vcan; where there are none, `adsdv demo` works without",
+            "load its modules: sudo modprobe -a can can-raw vcan; where there are none, `adsdv demo --screen` is the car without CAN, and `adsdv exam --stdio` examines a stack",
         )
     } else if is_refused(error) {
         (

@@ -6,7 +6,7 @@ use adsdv_oracle::judge::JudgeOptions;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice};
 
-use super::EditionArgs;
+use super::{EditionArgs, RecognisedArgs};
 
 /// Drive a whole mission without any CAN, and have it judged.
 ///
@@ -279,7 +279,7 @@ pub(crate) struct WatchArgs {
     pub(crate) readings: Vec<Choice>,
 
     #[command(flatten)]
-    pub(crate) edition: EditionArgs,
+    pub(crate) edition: RecognisedArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]

@@ -6,7 +6,7 @@ use adsdv_spec::Choice;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ColorChoice};
 
-use super::EditionArgs;
+use super::RecognisedArgs;
 
 /// Say what differs between two recordings: it worked yesterday.
 ///
@@ -87,7 +87,7 @@ pub(crate) struct CompareArgs {
     pub(crate) interface: Option<String>,
 
     #[command(flatten)]
-    pub(crate) edition: EditionArgs,
+    pub(crate) edition: RecognisedArgs,
 
     /// When to color the text; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", default_value_t = ColorChoice::Auto, value_enum)]

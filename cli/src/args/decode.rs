@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
-use super::EditionArgs;
+use super::RecognisedArgs;
 
 /// Print every signal of a log, with its unit and the names of its values.
 ///
@@ -131,7 +131,7 @@ pub(crate) struct DecodeArgs {
     pub(crate) interface: Option<String>,
 
     #[command(flatten)]
-    pub(crate) edition: EditionArgs,
+    pub(crate) edition: RecognisedArgs,
 }
 
 /// What a log is decoded to.

@@ -23,8 +23,27 @@ pub(crate) struct EditionArgs {
     edition: Option<&'static Edition>,
 }
 
+/// The option, for every command that recognises the edition by the frames.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct RecognisedArgs {
+    /// The edition of the interface
+    #[arg(long, value_name = "VERSION", value_parser = known(), help = help_where_recognised())]
+    edition: Option<&'static Edition>,
+}
+
 fn help() -> String {
     format!("The edition of the interface [default: what {VARIABLE} says, or {}]", DEFAULT.version)
+}
+
+fn help_where_recognised() -> String {
+    format!("The edition of the interface [default: what {VARIABLE} says, or the one that the frames tell]")
+}
+
+impl RecognisedArgs {
+    /// The edition that was asked for, as [`EditionArgs::chosen`] has it; where nobody asked for one, the frames tell.
+    pub(crate) fn chosen(self) -> Result<ChosenEdition, Error> {
+        EditionArgs { edition: self.edition }.chosen()
+    }
 }
 
 /// Reads the version of an edition; an unknown one is refused with those that there are.

@@ -204,7 +204,9 @@ pub(super) fn write(out: &mut String, program: &DiagnosedProgram, width: usize) 
             ),
             (false, 0) => format!("none in {experiments}"),
             (false, _) => {
-                format!("{undecided} nothing that can be named explains what it does; see FAILURES")
+                format!(
+                    "{undecided} nothing that can be named explains what it does; mend the first of FAILURES, and run again"
+                )
             }
         };
         wrapped(out, text.split(' '), 2, width);

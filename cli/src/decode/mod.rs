@@ -11,7 +11,7 @@ mod notes;
 
 use std::fs::File;
 use std::io::{self, IsTerminal as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use adsdv_decode::{
     Catalog, Csv, DecodeError, JsonLines, Options, Recording, Sink, Table, Text, TextLayout, VcdFile, mcap,
@@ -21,6 +21,7 @@ use adsdv_decode::{
 use self::destination::Unfinished;
 use crate::args::{DecodeArgs, Decoded, DecodedTable};
 use crate::error::Error;
+use crate::kept::keep;
 use crate::progress::ProgressLine;
 use crate::status::Status;
 use crate::{files, recording};
@@ -36,6 +37,9 @@ pub(crate) fn run(args: &DecodeArgs) -> Result<Status, Error> {
         return Err(errors::layout());
     }
     let output = destination::output(args)?;
+    for (option, file) in [("--output", output), ("--layout", args.layout.as_deref())] {
+        keep(args.dbc.iter().chain([&args.log]).map(PathBuf::as_path), option, file)?;
+    }
     let databases = args.dbc.iter().map(|file| database::read(file)).collect::<Result<Vec<_>, _>>()?;
     let chosen = args.edition.chosen()?;
     let options = Options {

@@ -39,7 +39,10 @@ fn verdict(subject: &Examinee<'_>, report: &ExamReport) -> (Mood, String) {
         return (Mood::Unknown, format!("There is no verdict, since the exam ended early; {requirements}."));
     }
     match (report.passes(), subject.verdict.passes(report)) {
-        (true, _) => (Mood::Good, format!("It passes: {requirements}.")),
+        (true, _) => match report.leaves_open() {
+            Some(open) => (Mood::Care, format!("It passes, as far as it goes: {open}; {requirements}.")),
+            None => (Mood::Good, format!("It passes: {requirements}.")),
+        },
         (false, true) => (Mood::Care, format!("It passes but for what is accepted: {requirements}.")),
         (false, false) => (Mood::Bad, format!("It fails: {requirements}.")),
     }

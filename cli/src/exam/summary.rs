@@ -22,7 +22,9 @@ fn write(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt::
         (false, true) => "passes but for what is accepted",
         (false, false) => "fails",
     };
-    writeln!(out, "## adsdv exam: {verdict}\n")?;
+    let open = report.leaves_open().filter(|_| report.passes());
+    let open = open.map(|open| format!(", as far as it goes: {open}")).unwrap_or_default();
+    writeln!(out, "## adsdv exam: {verdict}{open}\n")?;
     let [pass, fail, not] = ["pass", "fail", "not exercised"].map(|outcome| report.count(outcome));
     writeln!(
         out,

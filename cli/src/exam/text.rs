@@ -246,7 +246,11 @@ fn verdict(out: &mut String, subject: &Examinee<'_>, report: &ExamReport) -> fmt
     if subject.early {
         writeln!(out, "{}: {}", subject.name, Styled(style::CARE, "no verdict, since the exam ended early"))
     } else if report.passes() {
-        writeln!(out, "{}: {}", subject.name, Styled(style::GOOD, "passes"))
+        let passes = Styled(style::GOOD, "passes");
+        match report.leaves_open() {
+            Some(open) => writeln!(out, "{}: {passes}, as far as it goes: {open}", subject.name),
+            None => writeln!(out, "{}: {passes}", subject.name),
+        }
     } else if subject.verdict.passes(report) {
         writeln!(out, "{}: {} but for what is accepted", subject.name, Styled(style::GOOD, "passes"))
     } else {

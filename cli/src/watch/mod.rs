@@ -62,7 +62,8 @@ pub(crate) fn run(args: &WatchArgs) -> Result<Status, Error> {
         let log = piped::open(&stop)?;
         Heard::piped(piped::watch(log, judge_of(&options, by_bus), audience, news, &stop))
     } else {
-        let listener = socket::listen(&args.interface)?;
+        let listener =
+            socket::listen(&args.interface).map_err(|error| Error::interface(&args.interface, error))?;
         let audience = audience(args, chosen, listener.name())?;
         Heard::on_bus(watch(listener, &options, audience, news, &stop)?)
     };

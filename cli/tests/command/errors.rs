@@ -22,6 +22,50 @@ fn wrong_arguments(args: &[&str], error: &str) {
     assert!(outcome.stderr.contains(error), "{}", outcome.stderr);
 }
 
+/// clap says which argument is wrong, and a hint what was meant.
+fn meant(args: &[&str], error: &str, hint: &str) {
+    let outcome = run(args);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (Some(2), ""), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains(error) && !outcome.stderr.contains("--version"), "{}", outcome.stderr);
+    let last = outcome.stderr.lines().last().unwrap_or_default();
+    assert!(last.starts_with("hint: ") && last.contains(hint), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_recording_without_a_command_is_told_which_one_judges_it() {
+    meant(&[MISSION], "unrecognized subcommand", &format!("adsdv check {MISSION}"));
+    let nothing = run(&["no-such-command"]);
+    assert!(!nothing.stderr.contains("hint:"), "{}", nothing.stderr);
+}
+
+#[test]
+fn an_option_before_the_command_is_told_where_it_stands() {
+    for option in ["--edition", "--edition=4.0", "--json"] {
+        meant(&[option, "check", MISSION], "unexpected argument", "behind the command");
+    }
+}
+
+#[test]
+fn a_page_without_a_recording_is_told_how_both_are_named() {
+    meant(&["check", "--html", MISSION], "<LOG>...", "adsdv check --html run.html run.log");
+}
+
+#[test]
+fn a_program_that_is_not_behind_two_hyphens_is_told_where_it_stands() {
+    meant(&["conform", "python3", "vcu.py"], "'python3'", "adsdv conform -- python3 vcu.py");
+    meant(&["conform"], "<PROGRAM>...", "adsdv conform -- ");
+    meant(&["exam", "--stdio", "./my_stack"], "'--stdio'", "adsdv exam --stdio -- ./my_stack");
+    meant(&["exam", "--stdio"], "<PROGRAM>...", "behind --");
+    meant(&["exam", "--", "./my_stack"], "<INTERFACE>", "--namespace");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_recording_in_the_place_of_an_interface_is_told_which_command_judges_it() {
+    let watched = run(&["watch", MISSION]);
+    refused(&watched, "is a file; expected a CAN interface", &format!("adsdv check {MISSION}"));
+}
+
 #[test]
 fn a_missing_file() {
     refused(&run(&["check", "no-such.log"]), "no-such.log: cannot open the log: ", "check the path");

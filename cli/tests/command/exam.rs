@@ -183,6 +183,18 @@ fn what_passed_is_listed_if_somebody_asks() {
     assert_eq!(outcome.status, Some(0));
 }
 
+#[test]
+fn a_verdict_without_a_vehicle_that_moved_says_so() {
+    let open = "passes, as far as it goes: the vehicle never moved in AS_DRIVING\n";
+    let ready = examined(&["--only", "ready"], &[]);
+    assert!(ready.status == Some(0) && ready.stdout.ends_with(open), "{}", ready.stdout);
+    let mission = examined(&["--only", "mission-skidpad"], &[]);
+    assert!(mission.status == Some(0) && mission.stdout.ends_with(": passes\n"), "{}", mission.stdout);
+    // What is wrong counts more.
+    let wrong = examined(&["--only", "ready"], &["never-selects"]);
+    assert!(wrong.status == Some(1) && wrong.stdout.ends_with(": fails\n"), "{}", wrong.stdout);
+}
+
 /// The examples that teams begin with.
 #[test]
 fn the_examples_pass() {
@@ -302,7 +314,7 @@ fn a_file_that_cannot_be_written_is_named() {
         {
             let outcome = examined(&["--only", "ready", option, file], &[]);
             assert_eq!(outcome.status, Some(2));
-            assert!(outcome.stdout.ends_with("passes\n"), "{}", outcome.stdout);
+            assert!(outcome.stdout.contains(": passes, as far as it goes: "), "{}", outcome.stdout);
             if option == "--write-accept" {
                 assert!(outcome.stderr.contains(file), "{}", outcome.stderr);
                 continue;

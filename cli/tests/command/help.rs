@@ -84,6 +84,24 @@ fn defaults_are_shown() {
 }
 
 #[test]
+fn the_default_of_the_edition_is_what_the_command_does() {
+    let words = |command| {
+        let help = run(&[command, "--help"]).stdout;
+        help.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    for recognises in ["check", "compare", "decode", "watch"] {
+        let help = words(recognises);
+        assert!(
+            help.contains("ADSDV_EDITION says, or the one that the frames tell]"),
+            "{recognises}: {help}"
+        );
+    }
+    for command in ["ai", "conform", "demo", "exam", "vcu"] {
+        assert!(words(command).contains("[default: what ADSDV_EDITION says, or 3.0]"), "{command}");
+    }
+}
+
+#[test]
 fn version_and_no_arguments() {
     let version = run(&["--version"]);
     assert_eq!((version.status, version.stdout.as_str()), (Some(0), "adsdv 0.1.0\n"));

@@ -2,6 +2,7 @@
 //! sentence and what to do, keeps every frame that can be read, and ends with the status that docs/bad-input.md has for it.
 //!
 //! - `given.rs`: files that are missing, directories, empty, or rubbish;
+//! - `kept.rs`: answers in the place of what is read;
 //! - `log.rs`: logs that are cut off, broken in the middle, or have odd times, and a disk that fails while one is read;
 //! - `long_line.rs`: a line of a gigabyte, in little memory;
 //! - `exam.rs`: programs that cannot be examined;
@@ -17,6 +18,7 @@ mod bus;
 mod cars;
 mod exam;
 mod given;
+mod kept;
 mod log;
 mod long_line;
 mod output;

@@ -218,7 +218,7 @@ pub(super) fn a_full_disk_for_a_page() {
     let full = run(&["check", MISSION, "--html", "/dev/full"]);
     assert_eq!((full.status, &full.stdout), (Some(2), &report));
     explained(&full.stderr, said, "free some space");
-    let folder = folder_with("bad-input-page", "run.html", b"before");
+    let folder = folder_with("bad-input-page", "run.html", b"<!doctype html>before");
     for file in [folder.join("run.html"), folder.join("new.html")] {
         let command = adsdv(&["check", MISSION, "--html", text(&file)]);
         let mut small = Command::new("sh");
@@ -228,7 +228,7 @@ pub(super) fn a_full_disk_for_a_page() {
         assert_eq!((outcome.status, &outcome.stdout), (Some(2), &report));
         explained(&outcome.stderr, said, "with --html");
     }
-    assert_eq!(fs::read(folder.join("run.html")).expect("it is there"), b"before");
+    assert_eq!(fs::read(folder.join("run.html")).expect("it is there"), b"<!doctype html>before");
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
 }
 

@@ -2,7 +2,7 @@
 
 use std::thread;
 
-use super::{bus, cars, exam, given, log, long_line, output, required, rules};
+use super::{bus, cars, exam, given, kept, log, long_line, output, required, rules};
 use crate::run::file;
 
 /// A row: the condition, the commands, the tests here with their names, and the names of those on SocketCAN, which are in
@@ -17,7 +17,7 @@ macro_rules! tests {
 }
 
 /// The conditions, in the order of the table.
-const CONDITIONS: [&str; 18] = [
+const CONDITIONS: [&str; 19] = [
     "a missing file",
     "a directory",
     "an empty file",
@@ -36,6 +36,7 @@ const CONDITIONS: [&str; 18] = [
     "a requirement that no log can show",
     "rules that are none",
     "a program that cannot be examined",
+    "an answer in the place of what is read",
 ];
 
 /// The rows, and what shows that each is as the table has it.
@@ -216,6 +217,18 @@ const ROWS: &[Row] = &[
         "a program that cannot be examined",
         "`exam`",
         tests![exam::a_program_that_cannot_be_examined, exam::logs_of_an_exam_that_cannot_be_written],
+        &[],
+    ),
+    (
+        "an answer in the place of what is read",
+        "`check --html`, `--junit` and `--summary`; `decode --output` and `--layout`",
+        tests![kept::an_answer_in_the_place_of_the_recording, kept::an_answer_in_the_place_of_a_database],
+        &[],
+    ),
+    (
+        "an answer in the place of what is read",
+        "`--html` of `check`, `conform`, `exam` and `verify`",
+        tests![kept::a_page_in_the_place_of_something_else],
         &[],
     ),
     (
