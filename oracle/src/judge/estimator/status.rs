@@ -26,7 +26,7 @@ pub(crate) struct StatusChange {
     pub(crate) answered: bool,
     pub(crate) suspect: Option<Suspect>,
     /// What was known before.
-    pub(crate) before: Before,
+    pub(crate) before: PriorKnowledge,
     /// The state before, and the one now if that is another or known anew.
     pub(crate) old: Option<AsState>,
     pub(crate) entered: Option<AsState>,
@@ -35,7 +35,7 @@ pub(crate) struct StatusChange {
 
 /// What was known before a 520h came: for certain, and by all that was recorded.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Before {
+pub(crate) struct PriorKnowledge {
     pub(crate) known: Knowledge,
     pub(crate) shown: Knowledge,
     /// When the last 520h came, if one may be missing since.
@@ -54,6 +54,8 @@ pub(crate) struct SeenChange {
     /// What was known in the step that led there, and what was shown last when it was seen.
     pub(crate) at_step: Knowledge,
     pub(crate) shown: Knowledge,
+    /// For how long the state had lasted.
+    pub(crate) lasted: i64,
 }
 
 impl Estimator {
@@ -122,11 +124,15 @@ impl Estimator {
         shown
     }
 
-    fn before(&self, t: i64, missing_since: Option<i64>) -> Before {
+    fn before(&self, t: i64, missing_since: Option<i64>) -> PriorKnowledge {
         let answered = self.handshake.seems_answered(t, self.handshake_limit(), self.window);
         let comes = answered && self.silences.seem_present(t, &self.sampler);
         let lost = if comes { Truth::False } else { Truth::Unknown };
-        Before { known: self.known, shown: self.why.shown().set(Atom::AiCommsLost, lost), missing_since }
+        PriorKnowledge {
+            known: self.known,
+            shown: self.why.shown().set(Atom::AiCommsLost, lost),
+            missing_since,
+        }
     }
 
     /// The VCU was silent: what it is, and what it remembers, is unknown.
@@ -141,7 +147,8 @@ impl Estimator {
         let usual = self.sampler.slot(STATUS).map_or(0, |slot| slot.period);
         let gap = gap || !self.options.complete && t - before > usual + usual / 5;
         self.vcu.left = Some(Left { before, at: t, gap });
-        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown() }
+        let lasted = self.why.now().map_or(0, |stay| t - stay.since_ns);
+        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown(), lasted }
     }
 
     /// Learns what 520h shows of the conditions.

@@ -3,7 +3,7 @@
 use adsdv_spec::{Atom, Fault, Knowledge, Truth};
 
 use super::rise::Rise;
-use crate::judge::estimator::status::{Before, SeenChange};
+use crate::judge::estimator::status::{PriorKnowledge, SeenChange};
 use crate::judge::estimator::watch::Suspect;
 use crate::judge::evidence::Frames;
 
@@ -24,7 +24,7 @@ pub(super) enum Awaited {
     /// A transition was seen.
     Change(SeenChange),
     /// A fault flag was raised; what was known just before.
-    Flag(Fault, Before),
+    Flag(Fault, PriorKnowledge),
     /// The VCU's handshake bit changed without an answer.
     Edge(Suspect),
     /// The AI Computer did what is a fault; what was known then.

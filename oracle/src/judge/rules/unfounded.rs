@@ -9,11 +9,17 @@ use super::texts::conditions;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::of_terms;
-use crate::judge::estimator::status::Before;
+use crate::judge::estimator::status::PriorKnowledge;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 
 /// A flag was raised, and its window has passed: could its condition have held?
-pub(super) fn judge_flag(est: &Estimator, book: &mut Book, pending: &Pending, fault: Fault, before: Before) {
+pub(super) fn judge_flag(
+    est: &Estimator,
+    book: &mut Book,
+    pending: &Pending,
+    fault: Fault,
+    before: PriorKnowledge,
+) {
     let (t, missing_since) = (pending.t, before.missing_since);
     let (start, end) = (missing_since.unwrap_or(t) - est.window - est.cycle(), t + est.window);
     // What the flag itself says counts only from the flag on; it may be recorded behind what ended its reason.
