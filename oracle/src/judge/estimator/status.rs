@@ -54,8 +54,6 @@ pub(crate) struct SeenChange {
     /// What was known in the step that led there, and what was shown last when it was seen.
     pub(crate) at_step: Knowledge,
     pub(crate) shown: Knowledge,
-    /// For how long the state had lasted.
-    pub(crate) lasted: i64,
 }
 
 impl Estimator {
@@ -147,8 +145,7 @@ impl Estimator {
         let usual = self.sampler.slot(STATUS).map_or(0, |slot| slot.period);
         let gap = gap || !self.options.complete && t - before > usual + usual / 5;
         self.vcu.left = Some(Left { before, at: t, gap });
-        let lasted = self.why.now().map_or(0, |stay| t - stay.since_ns);
-        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown(), lasted }
+        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown() }
     }
 
     /// Learns what 520h shows of the conditions.

@@ -67,16 +67,15 @@ pub(super) fn go_shown_on(likely: &mut Likely, est: &Estimator, t: i64) {
 }
 
 /// Whether a transition that was seen, and may be justified, could be so by an unseen frame only: then what is to be said of
-/// it, and what would excuse it. `before` is what was shown when it was seen, and `lasted` for how long the state had lasted.
+/// it, and what would excuse it. `before` is what was shown when it was seen.
 pub(super) fn likely_unjustified(
     est: &Estimator,
     t: i64,
     (from, to): (AsState, AsState),
     before: Knowledge,
-    lasted: i64,
 ) -> Option<(Mismatch, String)> {
-    // Where no time has passed, the recording may have none.
-    if est.options.complete || lasted == 0 {
+    // Where no time has passed, the recording has none.
+    if est.options.complete || est.now == 0 {
         return None;
     }
     // Memory is that of the state before; what else counts is what was shown before it and is shown behind it. A change may be
