@@ -3,7 +3,7 @@
 //! That a transition was due is in [`not_taken`](super::not_taken).
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::messages::{AnyMessage, ShutdownCause, Vcu2AiStatus};
+use adsdv_spec::messages::{Ai2VcuSteer, AnyMessage, ShutdownCause, Vcu2AiStatus};
 use adsdv_spec::{AsState, Atom, Edition, Machine, Mutation};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
@@ -126,6 +126,29 @@ fn an_answer_that_comes_with_the_flag_is_no_reason_for_a_warning() {
             assert!(said.is_empty(), "{}: silent for {silent} ms: {said:#?}", edition.version);
         }
         assert!(lost > 0, "{}: communication is lost in some of them", edition.version);
+    }
+}
+
+/// A silence that is over when the flag is seen was long enough all the same.
+#[test]
+fn a_message_that_comes_back_with_the_flag_is_no_reason_for_a_warning() {
+    for edition in Edition::ALL.iter().filter(|edition| edition.rules.thresholds.missed_ms.is_some()) {
+        let mut lost = 0;
+        for silent in (100..=150).step_by(10) {
+            let mut world = World::of(edition);
+            world.stopped();
+            world.mutes = vec![Ai2VcuSteer::ID];
+            world.wait(silent);
+            world.mutes.clear();
+            world.wait(300);
+            lost += usize::from(without(&world, 0, |status| status.ai_comms_lost).is_some());
+            for seed in 1..=10 {
+                let said = said(&world.disturbed(seed, 20 * MS, 0), JudgeOptions::of(edition));
+                let flags = said.iter().filter(|finding| finding.rule == Rule::FlagUnfounded).count();
+                assert_eq!(flags, 0, "{}: silent for {silent} ms, seed {seed}", edition.version);
+            }
+        }
+        assert!(lost > 0, "{}: the flag is raised in some of them", edition.version);
     }
 }
 

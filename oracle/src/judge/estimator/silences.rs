@@ -124,13 +124,9 @@ impl Silences {
         sampler.last(*WATCHED.get(place)?)
     }
 
-    /// Whether each message has come so lately, by what was recorded, that none can have been silent for too long.
-    pub(crate) fn seem_present(&self, t: i64, sampler: &Sampler) -> bool {
-        let within = |limit: i64| {
-            let lately = |last| t - last < limit - self.window;
-            (0..WATCHED.len()).all(|place| Self::heard_at(place, sampler).is_some_and(lately))
-        };
-        self.limit.is_none_or(within)
+    /// Whether each message has come for so long that none can have been silent for too long, by what was recorded.
+    pub(crate) fn seem_present(&self, t: i64) -> bool {
+        self.limit.is_none_or(|limit| (0..WATCHED.len()).all(|place| self.has_come(place, t - limit, t)))
     }
 
     /// Whether another message of the AI Computer comes, so that it is not the recorder that hears nothing.

@@ -124,7 +124,7 @@ impl Estimator {
 
     fn before(&self, t: i64, missing_since: Option<i64>) -> PriorKnowledge {
         let answered = self.handshake.seems_answered(t, self.handshake_limit(), self.window);
-        let comes = answered && self.silences.seem_present(t, &self.sampler);
+        let comes = answered && self.silences.seem_present(t);
         let lost = if comes { Truth::False } else { Truth::Unknown };
         PriorKnowledge {
             known: self.known,
