@@ -227,3 +227,21 @@ fn a_state_that_is_left_in_the_next_step_without_a_reason_is_a_warning_in_a_reco
         }
     }
 }
+
+/// The remote control shows "Go" in each of its frames, and of a late recording any two may have one between them.
+#[test]
+fn go_that_a_vcu_does_not_hear_is_at_least_a_warning_in_a_late_recording_of_the_remote_control() {
+    let edition = &Edition::V2026;
+    let deaf = Mutation::all(edition).find(|mutation| mutation.to_string() == "3.2: dropped");
+    let deaf = deaf.expect("AS_READY is never left for AS_DRIVING");
+    let mut world = World::new(Machine::new(deaf.apply(edition), edition.readings));
+    world.dwelt();
+    world.inputs.go = true;
+    world.wait(1000);
+    let is_said = |seed: &u64| {
+        let said = said(&world.disturbed(*seed, 20 * MS, 0), JudgeOptions::of(edition));
+        said.iter().any(|finding| finding.rule == Rule::Due)
+    };
+    let reported = (1..=20).filter(is_said).count();
+    assert!(reported > 10, "{reported} of 20");
+}

@@ -8,6 +8,7 @@
 
 use adsdv_spec::AsState;
 
+use crate::judge::time::SILENCE_NS;
 use crate::remote::Switches;
 
 /// What is kept of the remote control.
@@ -17,6 +18,8 @@ pub(crate) struct RemoteSide {
     pub(crate) shown: Option<Switches>,
     /// When "Go" changed last, or was first seen.
     pub(super) go_changed_at: Option<i64>,
+    /// "Go" by what was recorded, however old that is.
+    recorded: Option<RecordedGo>,
     /// When the VCU has seen the last change of "Go", or what may have been one.
     pub(crate) go_settles: Option<i64>,
     /// The level of the E-stop's bit that means that it is released, once that is known.
@@ -25,6 +28,14 @@ pub(crate) struct RemoteSide {
     pub(super) lasts_since: Option<i64>,
     /// From when to when the E-stop was pressed last; to the end of time while it is.
     pressed: Option<(i64, i64)>,
+}
+
+/// "Go" by what was recorded: what it was last, since when, and when that was last seen.
+#[derive(Clone, Copy, Debug)]
+struct RecordedGo {
+    on: bool,
+    since: i64,
+    seen_at: i64,
 }
 
 impl RemoteSide {
@@ -43,6 +54,17 @@ impl RemoteSide {
         self.go_changed_at.is_none_or(|at| at > since)
     }
 
+    /// It shows "Go" on or off. Tells whether that was switched on after it had been off for a while, by what was recorded, though
+    /// frames may be missing.
+    pub(super) fn go_goes_on(&mut self, t: i64, on: bool, window: i64) -> bool {
+        let before = self.recorded;
+        let since = before.filter(|before| before.on == on).map_or(t, |before| before.since);
+        self.recorded = Some(RecordedGo { on, since, seen_at: t });
+        let was_off =
+            |before: RecordedGo| !before.on && t - before.since > window && t - before.seen_at < SILENCE_NS;
+        on && before.is_some_and(was_off)
+    }
+
     /// It shows this.
     pub(super) fn shows(&mut self, t: i64, shown: Switches) -> Option<Switches> {
         let before = self.shown.replace(shown);
@@ -55,6 +77,9 @@ impl RemoteSide {
 
     /// It still shows the same, in a state of the VCU if that is known; after `enough` that tells when it is released.
     pub(super) fn lasts(&mut self, t: i64, state: Option<AsState>, enough: i64) {
+        if let Some(recorded) = &mut self.recorded {
+            recorded.seen_at = t;
+        }
         let Some(shown) = self.shown.filter(|_| self.released.is_none()) else { return };
         if !matches!(state, Some(AsState::Ready | AsState::Driving)) {
             self.lasts_since = None;
@@ -67,8 +92,8 @@ impl RemoteSide {
 
     /// What it shows is not known any more.
     pub(super) fn gone(&mut self, t: i64) {
-        let Self { released, pressed, .. } = std::mem::take(self);
-        *self = Self { released, pressed, ..Self::default() };
+        let Self { released, pressed, recorded, .. } = std::mem::take(self);
+        *self = Self { released, pressed, recorded, ..Self::default() };
         self.press(t);
     }
 

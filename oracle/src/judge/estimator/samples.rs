@@ -140,9 +140,9 @@ impl Estimator {
     /// A frame of the remote control came with another content than the one before, or after a silence. Tells whether it shows
     /// "Go" switched on after it was off for a while.
     pub(crate) fn remote_shows(&mut self, t: i64, shown: Switches) -> bool {
+        let goes_on = self.remote.go_goes_on(t, shown.go, self.window);
         let before = self.remote.shows(t, shown).map(|before| before.go);
         let pressed = shown.go && before == Some(false);
-        let after_a_while = self.remote.go_changed_at.is_some_and(|at| t - at > self.window);
         if pressed {
             self.why.go_pressed(t);
         }
@@ -156,7 +156,7 @@ impl Estimator {
         let known = self.known.set(Atom::GoOn, shown.go.into()).set(Atom::SdcOpen, self.sdc_open());
         self.learn(t, known.set(Atom::GoEdge, edge));
         self.remote_lasts(t);
-        pressed && after_a_while
+        goes_on
     }
 
     /// A frame of the remote control came with the same content.
