@@ -92,8 +92,8 @@ impl RemoteSide {
 
     /// What it shows is not known any more.
     pub(super) fn gone(&mut self, t: i64) {
-        let Self { released, pressed, recorded, .. } = std::mem::take(self);
-        *self = Self { released, pressed, recorded, ..Self::default() };
+        let Self { recorded, released, pressed, .. } = std::mem::take(self);
+        *self = Self { recorded, released, pressed, ..Self::default() };
         self.press(t);
     }
 
