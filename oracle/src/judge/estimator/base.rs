@@ -214,6 +214,11 @@ impl Estimator {
         })
     }
 
+    /// Whether anything has been known since `t`.
+    pub(crate) fn is_seen_since(&self, t: i64) -> bool {
+        self.moments(t, t).next().is_some_and(|moment| moment.t <= t)
+    }
+
     /// The moments from `start` on, up to `end`, with what was known at each.
     pub(crate) fn moments(&self, start: i64, end: i64) -> impl Iterator<Item = &Moment> {
         self.history.between(start, end)

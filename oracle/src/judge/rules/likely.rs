@@ -74,8 +74,8 @@ pub(super) fn likely_unjustified(
     (from, to): (AsState, AsState),
     before: Knowledge,
 ) -> Option<(Mismatch, String)> {
-    // Where no time has passed, the recording has none.
-    if est.options.complete || est.now == 0 {
+    // Before what has only just been seen there may have been anything.
+    if est.options.complete || !est.is_seen_since(t - 3 * est.window) {
         return None;
     }
     // Memory is that of the state before; what else counts is what was shown before it and is shown behind it. A change may be
