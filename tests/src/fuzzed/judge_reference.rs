@@ -117,8 +117,8 @@ fn happens(world: &mut World, bytes: &mut Bytes<'_>) -> Did {
 fn contradictions(report: &Report, did: Did, excused: bool) -> Vec<&Finding> {
     let is_so = |finding: &Finding| match (finding.party, finding.rule) {
         // What an unseen frame could excuse, an unseen frame may have done.
-        (Party::Vcu, Rule::Due | Rule::Unjustified) => excused && finding.severity == Severity::Warning,
-        (Party::Vcu | Party::Own, _) => false,
+        (Party::Vcu, _) => excused && finding.severity == Severity::Warning && !finding.unless.is_empty(),
+        (Party::Own, _) => false,
         (Party::Log, _) => finding.severity != Severity::Violation,
         (Party::Ai, Rule::HandshakeLate | Rule::AiSilent | Rule::MessageMissed) => did.silent,
         (Party::Ai, Rule::BrakeAndTorque) => did.both,
