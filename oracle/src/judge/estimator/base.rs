@@ -280,6 +280,11 @@ impl Estimator {
         self.deadline + self.window
     }
 
+    /// The same of what only a frame that was lost could excuse: as long again, for a frame that comes late is no gap.
+    pub(crate) fn long_patience(&self) -> i64 {
+        2 * self.patience().max(5 * self.cycle())
+    }
+
     /// The cycle of the reference VCU, in nanoseconds.
     pub(crate) fn cycle(&self) -> i64 {
         i64::from(self.edition.rules.timing.cycle_ms) * MS

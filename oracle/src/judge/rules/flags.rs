@@ -68,7 +68,12 @@ fn shows_wrongly(
 /// makes it a warning.
 fn overdue(sum: &mut Persisting, est: &Estimator, t: i64) -> Option<(i64, Severity)> {
     let certain = sum.overdue(t - est.deadline).map(|since| (since, Severity::Violation));
-    certain.or_else(|| Some((sum.likely_overdue(t - 2 * est.patience())?, Severity::Warning)))
+    certain.or_else(|| Some((sum.likely_overdue(t - est.long_patience())?, Severity::Warning)))
+}
+
+/// The flags that are set.
+fn set(status: &Vcu2AiStatus) -> String {
+    Faults::shown_by(status).iter().map(Fault::flag).collect::<Vec<_>>().join(", ")
 }
 
 /// What could excuse it: that a frame was lost which showed it otherwise.
@@ -153,18 +158,12 @@ impl Flags {
         if self.cause.is_some_and(|watch| watch.since < late) {
             self.judge_cause(est, book, t);
         }
-        for (sum, requirement, name) in [
-            (&mut self.fault_sum, FAULT_SUM, "FAULT_STATUS"),
-            (&mut self.warning_sum, WARNING_SUM, "WARNING_STATUS"),
+        for (sum, requirement, name, what) in [
+            (&mut self.fault_sum, FAULT_SUM, "FAULT_STATUS", set as fn(&_) -> _),
+            (&mut self.warning_sum, WARNING_SUM, "WARNING_STATUS", |_| "a battery warning".to_owned()),
         ] {
             let Some((since, severity)) = overdue(sum, est, t) else { continue };
-            let flags: Vec<&str> = Faults::shown_by(&status).iter().map(Fault::flag).collect();
-            let summed = if requirement == FAULT_SUM {
-                format!("{} is set", flags.join(", "))
-            } else {
-                "a battery warning is set".to_owned()
-            };
-            let seen = format!("{name} is 0, but {summed}");
+            let seen = format!("{name} is 0, but {} is set", what(&status));
             let finding = shows_wrongly(est, (severity, Rule::StatusSum, requirement), since, seen, "1");
             book.found(finding.unless(excuse(est, severity, name, since, t)));
         }

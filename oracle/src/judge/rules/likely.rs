@@ -111,8 +111,8 @@ pub(super) fn excuse(est: &Estimator, atoms: Atoms, start: i64, end: i64) -> Str
 pub(super) fn likely_due_at_status(likely: &mut Likely, est: &Estimator, t: i64) -> Option<Finding> {
     let due = likely.due.filter(|_| !likely.reported)?;
     let atoms = due.way.term.on.union(due.way.term.off);
-    // A frame that comes late is no gap: as long again as a transition that is certain may take, and what comes rarely tells first.
-    let patience = 2 * est.patience().max(5 * est.cycle()) + est.sampler.wait_for(atoms);
+    // What comes rarely tells first.
+    let patience = est.long_patience() + est.sampler.wait_for(atoms);
     let state = est.vcu.state.filter(|_| t > due.since + patience && est.is_confirmed(atoms, due.since))?;
     let excuse = excuse(est, atoms, due.since - est.window, t);
     likely.reported = true;
