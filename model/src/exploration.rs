@@ -29,6 +29,9 @@ pub struct Options {
     pub document: Timing,
     /// How steps are made: both engines find the same.
     pub engine: Engine,
+    /// How many more conditions are varied that no step of the state depends on, as far as there are so many: what a document
+    /// with more conditions would cost. They show nothing else, and so nothing needs them but a measurement.
+    pub further: usize,
 }
 
 impl Default for Options {
@@ -38,6 +41,7 @@ impl Default for Options {
             threads: thread::available_parallelism().map_or(1, usize::from),
             document: DEFAULT.rules.timing,
             engine: Engine::default(),
+            further: 0,
         }
     }
 }
@@ -159,7 +163,9 @@ pub(crate) const NOTHING: &str = "no property";
 
 impl Open {
     fn of(machine: &Machine, options: &Options) -> Self {
-        Self::new(*machine, options.document, options.vectors).with_engine(options.engine)
+        Self::new(*machine, options.document, options.vectors)
+            .with_engine(options.engine)
+            .with_further(options.further)
     }
 }
 

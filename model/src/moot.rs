@@ -18,7 +18,7 @@ use crate::vectors::Vectors;
 pub(crate) fn moot(machine: &Machine, dead: &[Part], threads: usize, engine: Engine) -> Vec<(Part, Choice)> {
     let edition = machine.edition();
     let document = short_timers(edition);
-    let options = Options { vectors: Vectors::Few, threads, document, engine };
+    let options = Options { vectors: Vectors::Few, threads, document, engine, further: 0 };
     let mut moot: Vec<(Part, Choice)> = Vec::new();
     for choice in edition.choices.difference(machine.readings().choices()).iter() {
         let mut left = dead.iter().filter(|part| moot.iter().all(|(other, _)| !other.is(part))).peekable();

@@ -16,7 +16,7 @@ use crate::goals::{questions, to_the_end};
 use crate::look::{Engine, Look, Looker};
 use crate::parts::Parts;
 use crate::planes::Words;
-use crate::vectors::{Cache, Vectors, varied};
+use crate::vectors::{Cache, Vectors, varied, with_further};
 
 /// A control state, and what the steps out of it show, once somebody asks.
 #[derive(Clone, Debug)]
@@ -72,6 +72,7 @@ pub struct Open {
     machine: Machine,
     document: Timing,
     vectors: Vectors,
+    further: usize,
     looker: Looker,
     cache: Cache,
     parts: Option<Parts>,
@@ -102,6 +103,7 @@ impl Open {
             machine,
             document,
             vectors,
+            further: 0,
             looker: Looker::new(&machine, &document, Engine::default()),
             cache: Cache::default(),
             parts: None,
@@ -114,6 +116,13 @@ impl Open {
     #[must_use]
     pub fn with_engine(self, engine: Engine) -> Self {
         Self { looker: Looker::new(&self.machine, &self.document, engine), ..self }
+    }
+
+    /// With so many more conditions varied that nothing depends on.
+    #[must_use]
+    pub(crate) const fn with_further(mut self, further: usize) -> Self {
+        self.further = further;
+        self
     }
 
     /// With a look at the parts of the table: which of them decide a step.
@@ -167,7 +176,8 @@ impl Open {
 
     /// The input vectors that are tried at a control state.
     pub(crate) fn steps(&self, control: &Control) -> Arc<Words> {
-        self.cache.get(varied(&self.machine, &self.document, control, self.vectors), self.vectors)
+        let reads = varied(&self.machine, &self.document, control, self.vectors);
+        self.cache.get(with_further(reads, self.further), self.vectors)
     }
 }
 

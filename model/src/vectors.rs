@@ -88,6 +88,12 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
     }
 }
 
+/// The same, and so many more of the conditions that inputs show.
+pub(crate) fn with_further(reads: Reads, count: usize) -> Reads {
+    let others = Observation::SCOPE.difference(BY_FAULTS).difference(reads.atoms);
+    Reads { atoms: others.iter().take(count).fold(reads.atoms, Atoms::with), ..reads }
+}
+
 /// The conditions that the faults decide.
 const BY_FAULTS: Atoms = Atoms::of(&[Atom::SdcOpen, Atom::AiEstop, Atom::BmsFault]);
 

@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use crate::facts::{Facts, because, blocked, number, on};
 use crate::mood::Mood;
-use crate::time::{Seconds, micros};
+use crate::next::{counted, next, whose};
+use crate::time::micros;
 
 /// So many things matter most.
 const MATTER: usize = 3;
@@ -35,7 +36,7 @@ struct MatterJson {
 
 pub(crate) fn summary(facts: &Facts<'_>) -> SummaryJson {
     let mut matters = matters(facts);
-    let next = next(facts);
+    let next = next(facts.rules(), facts.report);
     matters.truncate(MATTER);
     let report = facts.report;
     let mood = match report.verdict() {
@@ -45,11 +46,6 @@ pub(crate) fn summary(facts: &Facts<'_>) -> SummaryJson {
         Verdict::Conforms => Mood::Good,
     };
     SummaryJson { mood, verdict: verdict(facts), next, matters }
-}
-
-fn counted(count: usize, noun: &str) -> String {
-    let s = if count == 1 { "" } else { "s" };
-    format!("{count} {noun}{s}")
 }
 
 fn verdict(facts: &Facts<'_>) -> String {
@@ -79,63 +75,6 @@ fn verdict(facts: &Facts<'_>) -> String {
             format!("The recording conforms to the document{far}. No violation, {warnings}.")
         }
     }
-}
-
-const fn whose(party: Party) -> &'static str {
-    match party {
-        Party::Ai => "the AI Computer",
-        Party::Vcu => "the VCU",
-        Party::Log => "the recording itself",
-        Party::Own => "a rule of your own",
-    }
-}
-
-fn next(facts: &Facts<'_>) -> String {
-    let worst = |severity| facts.of_severity(severity).next();
-    let (report, rules) = (facts.report, facts.rules());
-    if let Some(first) = worst(Severity::Violation) {
-        let expected = match first.expected.as_str() {
-            "" => String::new(),
-            expected => format!(" Expected: {expected}."),
-        };
-        let after = if report.count(Severity::Violation) > 1 {
-            " Then judge a new recording: what follows a first violation is often its consequence."
-        } else {
-            ""
-        };
-        return format!(
-            "Fix first, in {}: {} (section {}).{expected}{after}",
-            whose(first.party),
-            first.seen,
-            first.section,
-        );
-    }
-    if let Some(lack) = report.exercised.lacks().first() {
-        return format!(
-            "Record again: {}. Check that the recorder is on the bus of the vehicle, and that both sides are on.",
-            lack.text()
-        );
-    }
-    if let Some(first) = worst(Severity::Warning) {
-        return format!("Look at the first warning, at {} s: {}.", Seconds(first.t_ns), first.seen);
-    }
-    if let Some((stay, now)) = report.stays.last().and_then(|stay| Some((stay, on(stay)?.blocked.last()?)))
-        && !report.exercised.states.contains(&AsState::Driving)
-    {
-        return format!("It never drove. What {} waits for: {}.", stay.state, blocked(rules, now));
-    }
-    if let Some(stop) = report.transitions.iter().find(|one| one.to == AsState::EmergencyBrake) {
-        return format!(
-            "Both sides kept to the document, and the car made an emergency stop at {} s. Find out who was behind it: {}.",
-            Seconds(stop.t_ns),
-            because(rules, stop),
-        );
-    }
-    let open = report.exercised.count(Standing::NotExercised);
-    format!(
-        "Nothing has to be mended. {} that a recording can show did not come up in this one.",
-        counted(open, "requirement"),
-    )
 }
 
 /// What matters, the most important first.

@@ -1,5 +1,5 @@
 //! A report as text for a person: what was judged, the timeline, the findings, the notes, the
-//! user's own rules, the margins, what was exercised, the
+//! user's own rules, the margins, what was exercised, what to do next, the
 //! verdict.
 
 mod exercised;
@@ -21,7 +21,7 @@ use adsdv_spec::{Choice, Rules};
 use style::Styled;
 pub(crate) use why::{by, waits};
 
-use crate::layout::{Seconds, counted};
+use crate::layout::{Seconds, counted, wrapped};
 use crate::output;
 
 /// Where text stands below the time of its line.
@@ -114,6 +114,8 @@ fn write(out: &mut String, subject: &JudgedLog<'_>, report: &Report, width: usiz
     margins::write(out, &report.margins)?;
     answers(out, report)?;
     exercised::write(out, &report.exercised)?;
+    let next = adsdv_report::next(&subject.options.judge.edition.rules, report);
+    wrapped(out, format!("next: {next}").split(' '), 0, width);
     verdict(out, subject, report)?;
     exercised::missing(out, subject.name, report, subject.required, width);
     Ok(())

@@ -39,7 +39,13 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<Status, Error> {
     counterexample::expect_directory(&args.logs)?;
     let outcome = {
         let document = machine.edition().rules.timing;
-        let options = Options { vectors: args.vectors.into(), threads, document, engine: args.engine.into() };
+        let options = Options {
+            vectors: args.vectors.into(),
+            threads,
+            document,
+            engine: args.engine.into(),
+            ..Options::default()
+        };
         outcome::explore(&machine, args.model, options)
     };
     let (failures, unwritten) = counterexample::write(chosen.edition(), &outcome, &args.logs)?;

@@ -144,7 +144,7 @@ fn json_keeps_to_its_schema_and_agrees_with_the_text() {
     let failures = scrambled["failures"].as_array().map(Vec::len);
     assert!(failures >= Some(20) && scrambled["more_failures"].as_u64() > Some(0), "{failures:?}");
     assert_eq!((&good["more_failures"], &bad["more_failures"]), (&json!(0), &json!(0)));
-    let more = format!("\n\n  and {} more\n\nREADINGS\n", scrambled["more_failures"]);
+    let more = format!("\n\n  and {} more\n\nREQUIREMENTS\n", scrambled["more_failures"]);
     let (_, text) = text(&tests_only, "mutant", &["--scramble"]);
     assert!(text.contains(&more), "{more}{text}");
 

@@ -128,7 +128,7 @@ pub(super) fn explored(
 
 /// Each exploration has one thread: there are enough explorations for all.
 pub(super) const fn options(edition: &Edition, engine: Engine) -> Options {
-    Options { vectors: Vectors::Few, threads: 1, document: short_timers(edition), engine }
+    Options { vectors: Vectors::Few, threads: 1, document: short_timers(edition), engine, further: 0 }
 }
 
 /// The names of what fails.

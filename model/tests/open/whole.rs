@@ -37,6 +37,22 @@ fn an_exploration_with_two_threads_finds_the_same() {
     assert_eq!((one.states, one.transitions), (two.states, two.transitions));
 }
 
+/// A condition that no row of a state mentions decides nothing there: each makes twice the steps, or fewer where two exclude one another.
+#[test]
+fn further_conditions_make_more_steps_and_show_nothing_else() {
+    let explored = |further| {
+        let options = adsdv_model::Options { further, ..options(Vectors::Every, SHORT) };
+        explore(machine(SHORT, Readings::DEFAULT), options, |_| {})
+    };
+    let [none, one, three] = [0, 1, 3].map(explored);
+    for more in [&one, &three] {
+        assert!(more.complete && more.broken.is_empty() && more.missed.is_empty());
+        assert_eq!(more.states, none.states);
+    }
+    assert!(none.transitions < one.transitions && one.transitions <= 2 * none.transitions);
+    assert!(one.transitions < three.transitions && three.transitions <= 4 * one.transitions);
+}
+
 /// What a broken table does to everything else must not end the exploration early.
 #[test]
 fn an_exploration_that_finds_much_still_goes_to_its_end() {

@@ -51,6 +51,32 @@ fn of_the_mission_that_was_finished_while_moving() {
     expect_file!["../golden/finished-while-moving.txt"].assert_eq(&said(&run(&log)));
 }
 
+/// A recording in which the VCU shows a state that there is none of, once.
+fn with_a_state_that_there_is_none_of(name: &str) -> Vec<u8> {
+    let log = String::from_utf8(recorded(name)).expect("text");
+    let at = log.match_indices("520#").nth(500).expect("so many frames").0 + "520#0001".len();
+    [&log[..at], "0F", &log[at + 2..]].concat().into_bytes()
+}
+
+/// What to do next about a log.
+fn next(log: &[u8]) -> String {
+    let run = run(log);
+    adsdv_report::next(&run.edition.rules, &run.report)
+}
+
+#[test]
+fn a_violation_by_the_ai_computer_is_to_be_fixed_first_though_the_vcu_erred_before() {
+    let next = next(&with_a_state_that_there_is_none_of("finished-while-moving"));
+    assert!(next.starts_with("Fix first, in the AI Computer: MISSION_STATUS == FINISHED"), "{next}");
+}
+
+#[test]
+fn where_only_the_vcu_erred_there_is_nothing_to_fix_in_the_ai_computer() {
+    let next = next(&with_a_state_that_there_is_none_of("mission"));
+    assert!(next.starts_with("Nothing to fix in the AI Computer"), "{next}");
+    assert!(next.contains("First, in the VCU: VCU2AI_Status (520h): AS_STATE is 15"), "{next}");
+}
+
 /// What the tour of the page shows is what it says.
 #[test]
 fn the_answers_in_the_documentation() {
