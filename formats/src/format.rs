@@ -110,4 +110,17 @@ mod tests {
         names.sort();
         assert!(names.iter().zip(names.iter().skip(1)).all(|(one, next)| one != next));
     }
+
+    #[test]
+    fn every_format_has_a_row_in_the_documents() {
+        let page = include_str!("../../docs/formats.md");
+        for format in Format::ALL {
+            let rows = page.lines().filter(|line| line.starts_with(&format!("| {format} |")));
+            assert_eq!(
+                rows.count(),
+                1,
+                "docs/formats.md has one row of {format}: who writes it, what is read, what not"
+            );
+        }
+    }
 }

@@ -2,6 +2,8 @@
 //!
 //! A file depends on another where it imports or names what that defines, through whatever it is exported again. Tests do not count,
 //! nor do macros; nor that a file names what the first file of its folder, or of one around that, defines for all of them.
+//!
+//! And each file belongs to a crate: the compiler says nothing of one that no `mod` names, and no test in it runs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -277,6 +279,44 @@ fn no_files_depend_on_each_other_in_a_circle_but_those_that_are_known() {
     assert!(new.is_empty(), "in a circle, each with the others: {new:#?}");
     let gone: Vec<_> = known.difference(&found).collect();
     assert!(gone.is_empty(), "no circle any more: {gone:#?}");
+}
+
+/// Every file of Rust in a folder and below it, by folder.
+fn by_folder(folder: &Path, all: &mut BTreeMap<PathBuf, BTreeSet<String>>) {
+    for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry")) {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            if !["target", "node_modules", ".git"].contains(&name.as_str()) {
+                by_folder(&entry.path(), all);
+            }
+        } else if let Some(stem) = name.strip_suffix(".rs") {
+            all.entry(folder.to_owned()).or_default().insert(stem.to_owned());
+        }
+    }
+}
+
+#[test]
+fn each_file_beside_the_first_of_its_folder_is_a_module_of_it() {
+    const FIRST: [&str; 3] = ["main", "lib", "mod"];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace");
+    let mut all = BTreeMap::new();
+    by_folder(root, &mut all);
+    let (mut seen, mut alone) = (0, Vec::new());
+    for (folder, stems) in &all {
+        let first = FIRST.map(|name| folder.join(name)).into_iter().chain([folder.clone()]);
+        let first: Vec<_> =
+            first.filter_map(|path| fs::read_to_string(path.with_extension("rs")).ok()).collect();
+        // Where there is none, each file is a program: a test, an example, a benchmark.
+        for stem in stems.iter().filter(|stem| !first.is_empty() && !FIRST.contains(&stem.as_str())) {
+            seen += 1;
+            let names = [format!("mod {stem};"), format!("#[path = \"{stem}.rs\"]")];
+            if !first.iter().any(|text| names.iter().any(|name| text.contains(name))) {
+                alone.push(folder.join(stem).with_extension("rs"));
+            }
+        }
+    }
+    assert!(seen > 500, "{seen}");
+    assert!(alone.is_empty(), "no `mod` names them, so that they are not compiled: {alone:#?}");
 }
 
 #[test]

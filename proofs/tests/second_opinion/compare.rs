@@ -35,7 +35,9 @@ pub(crate) fn step(
         taken[usize::from(row.row)] += 1;
     }
     let verdict = Verdict::of(control, &outputs);
-    let in_words = words::of_version(machine.edition().version).expect("every edition has its words");
+    let in_words = words::of_version(machine.edition().version).unwrap_or_else(|| {
+        panic!("proofs/src/words.rs, of_version: no words of {}", machine.edition().version)
+    });
     let transcription = in_words(before, inputs, dt_ms, machine.readings());
     let section = outputs.row(machine).map(|row| row.section);
     let same_row = section == transcription.arrow.map(Arrow::section);

@@ -16,14 +16,11 @@ fn compare(file: &str, export: &impl std::fmt::Display) {
 }
 
 #[test]
-fn dbc() {
-    compare("adsdv.dbc", &Dbc(&Edition::V3_0));
-}
-
-#[test]
-fn dbc_of_version_4_0() {
-    compare("adsdv-4.0.dbc", &Dbc(&Edition::V4_0));
-    compare("adsdv-2026.dbc", &Dbc(&Edition::V2026));
+fn dbc_of_each_edition() {
+    for edition in Edition::ALL {
+        let name = if *edition == Edition::DEFAULT { String::new() } else { format!("-{}", edition.version) };
+        compare(&format!("adsdv{name}.dbc"), &Dbc(edition));
+    }
 }
 
 #[test]
