@@ -4,7 +4,7 @@
 
 use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Rule, Severity};
 use adsdv_spec::messages::{Ai2VcuSteer, AnyMessage, ShutdownCause, Vcu2AiStatus};
-use adsdv_spec::{AsState, Atom, Edition, Machine, Mutation};
+use adsdv_spec::{AsState, Atom, Choice, Edition, Machine, Mutation};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
 /// The log without the first 520h from `from` on for which `is` holds; `None` if it holds for none.
@@ -244,4 +244,80 @@ fn go_that_a_vcu_does_not_hear_is_at_least_a_warning_in_a_late_recording_of_the_
     };
     let reported = (1..=20).filter(is_said).count();
     assert!(reported > 10, "{reported} of 20");
+}
+
+/// In how many of twenty late recordings the VCU is warned of by one of these rules.
+fn warned_when_late(options: JudgeOptions, world: &World, rules: &[Rule]) -> usize {
+    let is_warned = |seed: &u64| {
+        let said = said(&world.disturbed(*seed, 20 * MS, 0), options);
+        said.iter().any(|one| one.severity == Severity::Warning && rules.contains(&one.rule))
+    };
+    (1..=20).filter(is_warned).count()
+}
+
+/// The AI Computer answers what is shown, and the VCU waits for what is not.
+#[test]
+fn a_handshake_that_is_stuck_is_mostly_a_warning_in_a_late_recording() {
+    for edition in Edition::ALL {
+        let stuck: [Shows; 2] = [|status| status.handshake = false, |status| status.handshake = true];
+        for shows in stuck {
+            let mut world = World::of(edition);
+            world.stopped();
+            world.shows = shows;
+            world.wait(500);
+            let warned = warned_when_late(
+                JudgeOptions::of(edition),
+                &world,
+                &[Rule::FlagUnfounded, Rule::HandshakeEdge],
+            );
+            assert!(warned > 10, "{}: {warned} of 20", edition.version);
+        }
+    }
+}
+
+/// With the tractive system off the VCU rests, and shows what nobody has to answer.
+#[test]
+fn a_tsms_that_is_shown_on_where_it_is_off_is_a_warning_in_a_late_recording() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.shows = |status| status.ts_switch_status = true;
+        world.wait(1000);
+        let warned = warned_when_late(JudgeOptions::of(edition), &world, &[Rule::HandshakeEdge]);
+        assert!(warned > 10, "{}: {warned} of 20", edition.version);
+        // Once, however long it lasts.
+        let said = said(&world.disturbed(1, 20 * MS, 0), JudgeOptions::of(edition));
+        assert_eq!(said.iter().filter(|one| one.rule == Rule::HandshakeEdge).count(), 1, "{said:#?}");
+    }
+}
+
+/// Where the readings leave no handshake without it.
+#[test]
+fn communication_that_is_lost_while_tsms_is_shown_off_is_a_warning_in_a_late_recording() {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.stopped();
+        world.shows = |status| status.ts_switch_status = false;
+        world.wait(300);
+        world.ai_answers = false;
+        world.wait(300);
+        let options = JudgeOptions { readings: edition.readings.choices(), ..JudgeOptions::of(edition) };
+        let warned = warned_when_late(options, &world, &[Rule::FlagUnfounded]);
+        assert!(warned > 10, "{}: {warned} of 20", edition.version);
+    }
+}
+
+/// A VCU may watch the messages while the tractive system is off.
+#[test]
+fn messages_that_are_missed_while_tsms_is_off_are_a_reason_for_the_flag() {
+    for edition in Edition::ALL.iter().filter(|edition| edition.rules.thresholds.missed_ms.is_some()) {
+        let readings = edition.readings.with(Choice::WatchAlways);
+        let mut world = World::new(Machine::new(**edition, readings));
+        world.wait(500);
+        world.mutes = vec![Ai2VcuSteer::ID];
+        world.wait(500);
+        let lost = without(&world, 0, |status| status.ai_comms_lost && !status.ts_switch_status);
+        assert!(lost.is_some(), "{}: the flag is raised", edition.version);
+        let options = JudgeOptions { readings: readings.choices(), ..JudgeOptions::of(edition) };
+        assert_eq!(warned_when_late(options, &world, &[Rule::FlagUnfounded]), 0, "{}", edition.version);
+    }
 }

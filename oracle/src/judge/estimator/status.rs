@@ -7,7 +7,7 @@ use super::base::{Estimator, Left, ObservedVcu, is_active};
 use super::watch::Suspect;
 use crate::judge::sampler::Came;
 use crate::judge::sampler::content::FrameContent;
-use crate::judge::sampler::places::STATUS;
+use crate::judge::sampler::places::{AI_STATUS, STATUS};
 use crate::judge::time::{MS, SILENCE_NS};
 
 /// The changes that only count in `AS_DRIVING`.
@@ -81,11 +81,11 @@ impl Estimator {
         let (old, answered) = (self.vcu.state, self.handshake.is_answered());
         let new = Some(status.as_state).filter(|_| !content.is_bad("as_state"));
         if previous.is_some_and(|previous| previous.ts_switch_status != status.ts_switch_status) {
-            self.handshake.restart();
+            self.handshake.begins_anew();
         }
         let suspect = self.handshake.vcu(t, status.handshake).filter(|_| status.ts_switch_status);
         let missing_since = came.before.filter(|_| gap);
-        let before = self.before(t, missing_since);
+        let before = self.before(t, came.before.zip(previous), missing_since);
         self.learn_status(t, status, readable, previous, new, gap);
         let last = came.before.unwrap_or(t);
         let mut shown = StatusChange {
@@ -122,8 +122,25 @@ impl Estimator {
         shown
     }
 
-    fn before(&self, t: i64, missing_since: Option<i64>) -> PriorKnowledge {
-        let answered = self.handshake.seems_answered(t, self.handshake_limit(), self.window);
+    /// What was known before this frame; `previous` is the one before it, and when it came.
+    fn before(
+        &self,
+        t: i64,
+        previous: Option<(i64, Vcu2AiStatus)>,
+        missing_since: Option<i64>,
+    ) -> PriorKnowledge {
+        let limit = self.handshake_limit();
+        // What has been unanswered for the limit was there for as long: no frame a moment ago agrees with the answers, or shows the
+        // switch off without which there is no handshake.
+        let soon = |at: i64| t - at < limit - self.window;
+        let previous = previous.filter(|(at, _)| soon(*at)).map(|(_, status)| status);
+        let with_tsms = self.pinned(Reading::HandshakeActive).is_some_and(|it| it != Choice::HandshakeAlways);
+        let idle = with_tsms && previous.is_some_and(|status| !status.ts_switch_status);
+        let heard = self.sampler.last(AI_STATUS).is_some_and(soon);
+        let agreed = previous
+            .filter(|_| heard)
+            .is_some_and(|status| self.handshake.seems_agreed(t, status.handshake, self.window));
+        let answered = idle || agreed || self.handshake.seems_answered(t, limit, self.window);
         let comes = answered && self.silences.seem_present(t);
         let lost = if comes { Truth::False } else { Truth::Unknown };
         PriorKnowledge {
@@ -138,6 +155,7 @@ impl Estimator {
         self.vcu = ObservedVcu::default();
         self.timers.clear();
         self.handshake.vcu_gone();
+        self.handshake.begins_anew();
         self.learn(t, self.known.forget(Atoms::ALL.difference(Observation::SCOPE)));
     }
 

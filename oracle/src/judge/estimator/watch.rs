@@ -37,25 +37,34 @@ pub(crate) struct Watch {
 /// The edges of both bits by what was recorded, however much may be missing: nothing certain.
 #[derive(Clone, Copy, Debug, Default)]
 struct Edges {
-    /// The bits of the last frames, and when the VCU's changed to that.
+    /// The bits of the last frames, and when they changed to that.
     vcu: Option<(bool, i64)>,
-    ai: Option<bool>,
+    ai: Option<(bool, i64)>,
     /// The last edge that was answered, and when it was.
     answer: Option<(i64, i64)>,
+    /// Since when both bits have been the same, how many frames of the AI Computer have shown that, and whether it was reported.
+    still: Option<(i64, u32, bool)>,
 }
 
 impl Edges {
     fn vcu(&mut self, now: i64, bit: bool) {
         if self.vcu.is_none_or(|(before, _)| before != bit) {
             self.vcu = Some((bit, now));
+            self.still = None;
         }
     }
 
     fn ai(&mut self, now: i64, bit: bool) {
-        let changed = self.ai.replace(bit) == Some(!bit);
-        if let Some((_, edge)) = self.vcu.filter(|&(vcu, _)| changed && vcu == bit) {
+        let changed = self.ai.is_some_and(|(before, _)| before != bit);
+        if self.ai.is_none() || changed {
+            self.ai = Some((bit, now));
+        }
+        let agreed = self.vcu.filter(|&(vcu, _)| vcu == bit);
+        if let Some((_, edge)) = agreed.filter(|_| changed) {
             self.answer = Some((edge, now));
         }
+        let (since, count, reported) = self.still.unwrap_or((now, 0, false));
+        self.still = agreed.map(|_| (since, count.saturating_add(1), reported));
     }
 }
 
@@ -120,15 +129,42 @@ impl Watch {
         self.edges.answer.is_some_and(|(edge, at)| at - edge < soon && now - at < soon)
     }
 
+    /// Whether by what was recorded the AI Computer has sent for longer than a window what the VCU's last frame showed, so that there was
+    /// nothing for it to answer.
+    pub(crate) fn seems_agreed(&self, now: i64, vcu: bool, window: i64) -> bool {
+        self.edges.ai.is_some_and(|(ai, since)| ai == vcu && now - since > window)
+    }
+
+    /// Since when the VCU has not changed its bit by what was recorded, though many frames answered it; `None` also once that was
+    /// reported.
+    pub(crate) fn stands_still(&self) -> Option<i64> {
+        let still = self.edges.still.filter(|&(_, count, reported)| count >= STUCK && !reported);
+        still.map(|(since, ..)| since)
+    }
+
+    /// That the VCU does not change its bit was reported.
+    pub(crate) fn still_reported(&mut self) {
+        self.reported_vcu = true;
+        if let Some((.., reported)) = &mut self.edges.still {
+            *reported = true;
+        }
+    }
+
     /// Whether a suspect edge may have been answered after all: single answers may be missing from the log, so
     /// only a bit that has been stuck for many frames proves that there was none.
     pub(crate) fn clears(&self, suspect: Suspect) -> bool {
         self.ai != Some(!suspect.bit) || self.ai_run < STUCK
     }
 
-    /// The handshake may have begun anew, because the tractive system was switched on or off.
-    pub(crate) fn restart(&mut self) {
+    /// The handshake may have begun anew, or gone on in frames that are missing.
+    fn restart(&mut self) {
         (self.edge_at, self.answered, self.blind) = (None, false, true);
+    }
+
+    /// The tractive system was switched on or off, or the VCU was silent for so long that it may have been off itself.
+    pub(crate) fn begins_anew(&mut self) {
+        self.restart();
+        self.edges.still = None;
     }
 
     /// The AI Computer's frames stopped, or cannot be read.

@@ -1,8 +1,9 @@
 //! Communication (section 2.4): answers of the AI Computer that are late, messages of it that are missed, edges of the VCU's bit that
 //! come too early, and `AI_COMMS_LOST`.
 
-use adsdv_spec::{AsState, Atom, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Truth};
 
+use super::likely::excuse;
 use super::silence::Silence;
 use super::vcu_status::{TIMEOUTS, name_of};
 use crate::judge::book::Book;
@@ -109,6 +110,7 @@ impl Comms {
     /// 520h shows this: has it been so for too long?
     pub(super) fn due(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         book.found(edge_due(est, t));
+        book.found(edge_likely_due(est, t));
         book.found(self.missed_due(est, t));
         self.silence.judge(est, book, t);
     }
@@ -156,9 +158,10 @@ fn edge_due(est: &mut Estimator, t: i64) -> Option<Finding> {
     // In AS_OFF nothing drives yet, and where the AI Computer is still to start every VCU waits for it.
     let waits = est.sampler.last(AI_STATUS).is_none() && est.vcu.state == Some(AsState::Off);
     let tells = status.ai_comms_lost || !status.ts_switch_status || !est.vcu_is_seen();
-    if waits || tells || std::mem::replace(&mut est.handshake.reported_vcu, true) {
+    if waits || tells || est.handshake.reported_vcu {
         return None;
     }
+    est.handshake.still_reported();
     let at = edge + limit + est.deadline;
     let finding = if est.handshake.is_answered() {
         Finding::violation(Party::Vcu, "2.4", Rule::HandshakeEdge, at)
@@ -173,6 +176,32 @@ fn edge_due(est: &mut Estimator, t: i64) -> Option<Finding> {
             .expected(format!("1 after {} ms", limit / MS))
     };
     Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
+}
+
+/// Has the same handshake bit been shown for too long by what was recorded, however much of it was answered?
+///
+/// Where frames are late the bit may have gone to and fro between any two of them, but not between all of many.
+fn edge_likely_due(est: &mut Estimator, t: i64) -> Option<Finding> {
+    let (limit, status) = (est.handshake_limit(), est.vcu.status?);
+    let since = est.handshake.stands_still()?;
+    let patience = limit + est.deadline + est.long_patience();
+    let tells = status.ai_comms_lost || !status.ts_switch_status;
+    let heard = est.sampler.last(AI_STATUS).is_some_and(|at| t - at <= est.window);
+    // A recorder that keeps one frame of two may keep those of one bit.
+    let thin = est.sampler.slot(STATUS).is_none_or(|slot| slot.period >= 2 * est.cycle());
+    if t - since < patience || tells || thin || !heard || est.options.complete || est.handshake.reported_vcu {
+        return None;
+    }
+    est.handshake.still_reported();
+    let excuse = excuse(est, Atoms::of(&[Atom::Tsms, Atom::AiHandshake]), since, t);
+    let stood = milliseconds(t - since);
+    let finding = Finding::new(Severity::Warning, Party::Vcu, "2.4", Rule::HandshakeEdge, since + patience)
+        .against(&[HOLDS[usize::from(status.handshake)]])
+        .seen(format!(
+            "by all that was recorded HANDSHAKE did not change for {stood:.0} ms though the AI Computer answered it"
+        ))
+        .expected("it to change");
+    Some(finding.unless(excuse).shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
 }
 
 /// In AS_OFF nothing drives yet.

@@ -56,13 +56,13 @@ fn main() -> ExitCode {
     }
     match only.as_deref() {
         Some("soundness") => {}
-        None => sensitivity(edition, &Kind::ALL),
+        None => sensitivity(edition, &Kind::ALL, None),
         Some(name) => {
             let Some(kind) = Kind::ALL.into_iter().find(|kind| kind.id() == name) else {
                 eprintln!("sensitivity: no mutants of {name}; expected table, time, memory or flag");
                 return ExitCode::from(2);
             };
-            sensitivity(edition, &[kind]);
+            sensitivity(edition, &[kind], args.next().as_deref());
         }
     }
     if soundness(edition, runs) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -85,20 +85,27 @@ fn is_possible(edition: &'static Edition) -> bool {
     told == 0
 }
 
-/// Judges the missions of every mutant, and prints a table for each kind of them.
-fn sensitivity(edition: &'static Edition, kinds: &[Kind]) {
+/// Judges the missions of every mutant, and prints a table for each kind of them; of those alone whose names contain `part`, what is
+/// said of each as well.
+fn sensitivity(edition: &'static Edition, kinds: &[Kind], part: Option<&str>) {
     let mutants = mutants::all(edition);
     let shows_progress = std::io::stderr().is_terminal();
     let mut done = 0;
     for &kind in kinds {
         let mut tallies: Vec<Tally> = PROFILES.iter().map(|_| Tally::default()).collect();
         let (mut unseen, mut breaking, mut missed) = (Vec::new(), 0, Vec::new());
-        let of_kind: Vec<&Mutant> = mutants.iter().filter(|mutant| mutant.kind == kind).collect();
+        let of_kind: Vec<&Mutant> = mutants
+            .iter()
+            .filter(|mutant| mutant.kind == kind && part.is_none_or(|part| mutant.name.contains(part)))
+            .collect();
         for mutant in &of_kind {
             if shows_progress {
                 eprint!("\r{done} of {} mutants", mutants.len());
             }
             done += 1;
+            if part.is_some() {
+                print_said(edition, mutant);
+            }
             match drives(edition, mutant, &mut tallies) {
                 None => unseen.push(mutant.name.as_str()),
                 Some(outcome) if outcome.breaks => {
@@ -163,6 +170,19 @@ fn drives(edition: &'static Edition, mutant: &Mutant, tallies: &mut [Tally]) -> 
     }
     let breaks = |run: &Run| run.differs_at.is_some() && words::can_tell(&specification, &run.world);
     Some(Outcome { told, breaks: runs.iter().any(breaks) })
+}
+
+/// What is said of a mutant under each profile: the first of the most serious.
+fn print_said(edition: &'static Edition, mutant: &Mutant) {
+    println!("{}", mutant.name);
+    let runs: Vec<Run> = missions(edition, &mutant.world, mutant.kind == Kind::Memory);
+    for profile in &PROFILES {
+        let said = runs.iter().filter_map(|run| profile.worst(edition, run)).max_by_key(|one| one.severity);
+        let said = said.map_or("nothing".to_owned(), |one| {
+            format!("{} {}: {}", one.severity.name(), one.rule.id(), one.message())
+        });
+        println!("  {:<44} {said}", profile.to_string());
+    }
 }
 
 fn print_table(tallies: Vec<Tally>) {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{fmt, fs, io};
 
 use adsdv_oracle::candump::write_frame;
-use adsdv_oracle::judge::{JudgeOptions, Party, Report, Rule, Severity};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Report, Rule, Severity};
 use adsdv_spec::Edition;
 use adsdv_tests::world::{MS, Recorded, judge, violations};
 
@@ -87,6 +87,14 @@ impl Profile {
     pub(crate) fn blame(&self, edition: &'static Edition, run: &Run) -> Vec<String> {
         let (report, _) = self.report(edition, run);
         violations(&report).into_iter().filter(|line| line.split(' ').nth(1) == Some("VCU")).collect()
+    }
+
+    /// The first of the most serious findings about the VCU; notes do not count.
+    pub(crate) fn worst(&self, edition: &'static Edition, run: &Run) -> Option<Finding> {
+        let findings = self.report(edition, run).0.findings;
+        let about_vcu =
+            findings.into_iter().filter(|one| one.party == Party::Vcu && one.severity != Severity::Note);
+        about_vcu.rev().max_by_key(|one| one.severity)
     }
 
     /// What the judge says of the VCU; notes do not count.
