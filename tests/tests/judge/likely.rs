@@ -321,3 +321,21 @@ fn messages_that_are_missed_while_tsms_is_off_are_a_reason_for_the_flag() {
         assert_eq!(warned_when_late(options, &world, &[Rule::FlagUnfounded]), 0, "{}", edition.version);
     }
 }
+
+/// There is no edge of "Go" without a 0 before it, and of a late recording any frame may be the one that showed it.
+#[test]
+fn as_driving_behind_a_go_signal_that_was_never_0_in_as_ready_is_mostly_a_warning_in_a_late_recording() {
+    for edition in Edition::ALL.iter().filter(|edition| edition.version != "2026") {
+        let drives = |shows: Shows| {
+            let mut world = World::of(edition);
+            world.shows = shows;
+            world.dwelt();
+            world.inputs.go = true;
+            world.wait(300);
+            warned_when_late(JudgeOptions::of(edition), &world, &[Rule::Unjustified])
+        };
+        let stuck = drives(|status| status.go_signal |= status.as_state == AsState::Ready);
+        assert!(stuck > 10, "{}: {stuck} of 20", edition.version);
+        assert_eq!(drives(|_| {}), 0, "{}", edition.version);
+    }
+}

@@ -60,6 +60,8 @@ pub(crate) struct ObservedVcu {
     pub(super) opening: Faults,
     /// The last change of state.
     pub(super) left: Option<Left>,
+    /// Since when `GO_SIGNAL` has been 1 in `AS_READY`, if it was from the first frame of it on.
+    pub(super) go_never_low_since: Option<i64>,
 }
 
 /// A change of state: when the old one was last seen, when the new one first was, and whether a frame may be missing in

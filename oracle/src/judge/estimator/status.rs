@@ -54,6 +54,8 @@ pub(crate) struct SeenChange {
     /// What was known in the step that led there, and what was shown last when it was seen.
     pub(crate) at_step: Knowledge,
     pub(crate) shown: Knowledge,
+    /// Since when `GO_SIGNAL` was 1 in all frames of the old state, from the first on: there is no edge without a 0.
+    pub(crate) go_never_low_since: Option<i64>,
 }
 
 impl Estimator {
@@ -113,6 +115,9 @@ impl Estimator {
             _ => {}
         }
         shown.entered = new.filter(|_| new != old);
+        let high = status.go_signal && new == Some(AsState::Ready);
+        let since = if old == new { self.vcu.go_never_low_since } else { old.map(|_| t) };
+        self.vcu.go_never_low_since = since.filter(|_| high);
         let pressed = status.go_signal && previous.is_some_and(|previous| !previous.go_signal);
         if pressed && !gap && self.remote.shown.is_none() {
             self.why.go_pressed(t);
@@ -163,7 +168,8 @@ impl Estimator {
         let usual = self.sampler.slot(STATUS).map_or(0, |slot| slot.period);
         let gap = gap || !self.options.complete && t - before > usual + usual / 5;
         self.vcu.left = Some(Left { before, at: t, gap });
-        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown() }
+        let go_never_low_since = self.vcu.go_never_low_since.filter(|_| self.remote.shown.is_none());
+        SeenChange { from, to, before, gap, at_step: self.known, shown: self.why.shown(), go_never_low_since }
     }
 
     /// Learns what 520h shows of the conditions.

@@ -97,7 +97,7 @@ pub(super) fn due_at_status(
 /// A change of state was seen, and its window has passed: was there a reason? Tells whether an emergency is certain to have a
 /// cause that has a number.
 pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, seen: &SeenChange) -> bool {
-    let &SeenChange { from, to, before, gap, at_step, shown } = seen;
+    let &SeenChange { from, to, before, gap, at_step, shown, go_never_low_since } = seen;
     let t = pending.t;
     let start = before.min(t - est.window) - est.cycle();
     let window = est.at_step(t, start, at_step);
@@ -161,9 +161,11 @@ pub(super) fn judge_seen(est: &Estimator, book: &mut Book, pending: &Pending, se
             let broken = broken_by(est, from, to, &deciding, window);
             Some(wrong.describe(found(Severity::Violation, Rule::Unjustified)).against(&broken))
         }
-        (_, Truth::Unknown) => likely_unjustified(est, t, (from, to), shown).map(|(wrong, excuse)| {
-            wrong.describe(found(Severity::Warning, Rule::Unjustified)).unless(excuse)
-        }),
+        (_, Truth::Unknown) => {
+            likely_unjustified(est, t, (from, to), shown, go_never_low_since).map(|(wrong, excuse)| {
+                wrong.describe(found(Severity::Warning, Rule::Unjustified)).unless(excuse)
+            })
+        }
         _ => None,
     };
     book.found(finding);

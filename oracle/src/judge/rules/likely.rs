@@ -67,12 +67,14 @@ pub(super) fn go_shown_on(likely: &mut Likely, est: &Estimator, t: i64) {
 }
 
 /// Whether a transition that was seen, and may be justified, could be so by an unseen frame only: then what is to be said of
-/// it, and what would excuse it. `before` is what was shown when it was seen.
+/// it, and what would excuse it. `before` is what was shown when it was seen, and `go_never_low_since` since when `GO_SIGNAL` was never 0
+/// in the old state.
 pub(super) fn likely_unjustified(
     est: &Estimator,
     t: i64,
     (from, to): (AsState, AsState),
     before: Knowledge,
+    go_never_low_since: Option<i64>,
 ) -> Option<(Mismatch, String)> {
     // Before what has only just been seen there may have been anything.
     if est.options.complete || !est.is_seen_since(t - 3 * est.window) {
@@ -83,6 +85,8 @@ pub(super) fn likely_unjustified(
     let both = est.shown_throughout(t - est.window, t + est.window, before).forget(MEMORY);
     let remembered = MEMORY.difference(EDGES).intersection(before.on().union(before.off()));
     let shown = both.learn(remembered, before.on());
+    let no_edge = go_never_low_since.is_some_and(|since| t - since > est.long_patience());
+    let shown = if no_edge { shown.set(Atom::GoEdge, Truth::False) } else { shown };
     if est.readings.terms(from, to).any(|term| term.truth(shown) != Truth::False) {
         return None;
     }
