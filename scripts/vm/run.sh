@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs a command in a small virtual machine whose kernel has CAN and virtual buses (vcan), as the kernels of build machines
 # and containers have not. qemu emulates every instruction (TCG): that needs nothing of the processor or the kernel here, and is slow.
+# Its clock counts its instructions, so that what else runs here delays nothing in it.
 set -euo pipefail
 
 usage() {
@@ -12,12 +13,15 @@ the machine as here, so that a program finds what it was built to find, and the 
 modules can, can-raw, can-dev, vcan and dummy are loaded; there is no interface but lo. The machine has no network, no
 disk and nothing of this one but what is named, and is gone afterwards.
 
-  -t SECONDS  the command is ended after so long (default 300)
+Its time is its own: one instruction takes one nanosecond, and where it has nothing to do, its clock goes on at once. A
+second in it is as long as that work takes here, and a program in it is as late on a busy machine as on an idle one.
+
+  -t SECONDS  the command is ended after so long, by the machine's clock (default 300)
   -f FILE     a file or folder to bring; a program comes with its shared libraries. COMMAND comes too, if it is a file
   -o FOLDER   a folder that is empty in the machine, and of which the content is brought back
   -e NAME     a variable of the environment to pass on, or to set with =VALUE; those whose names begin with ADSDV_, RUST_
               or CARGO_BIN_EXE_, and CARGO_MANIFEST_DIR, are passed on anyway. ADSDV_VM is 1 in the machine
-  -c CPUS     processors of the machine (default: as many as here, at most 4)
+  -c CPUS     processors of the machine, which take turns (default 1)
   -h, --help  this text
 
 There are busybox, candump, cangen, canplayer, cansend, and ip and tc of iproute2. busybox's shell has an ip and tc of its
@@ -40,8 +44,7 @@ fail() {
 here=$(cd "$(dirname "$0")" && pwd)
 seconds=300
 out=
-cpus=$(nproc)
-[ "$cpus" -le 4 ] || cpus=4
+cpus=1
 files=()
 environment=(ADSDV_VM=1)
 for name in $(compgen -e); do
@@ -161,7 +164,7 @@ running+=($!)
 # shellcheck disable=SC2054 # The commas are qemu's.
 qemu=(
   qemu-system-x86_64 -nodefaults -no-user-config -display none -monitor none -no-reboot
-  -accel tcg,thread=multi -cpu max -smp "$cpus" -m "$memory"
+  -accel tcg,thread=single -icount shift=0,sleep=off -cpu max -smp "$cpus" -m "$memory"
   -kernel "$vm/vmlinuz" -initrd "$dir/initramfs" -append "console=ttyS0 quiet panic=-1 tsc=reliable"
   -serial "file:$dir/console" -device virtio-serial-pci
 )
@@ -169,16 +172,17 @@ for port in stdout stderr status files; do
   qemu+=(-chardev "file,id=$port,path=$dir/$port" -device "virtserialport,chardev=$port,name=$port")
 done
 
-# Besides the command's time the machine has a minute to boot and to send back what there is. It goes before other work
-# where that is allowed, for its clock to be late less often. It is in the background for a signal to be heeded meanwhile.
+# A second of the machine may be several here. Besides, it has two minutes to boot and to send back what there is. It is in
+# the background for a signal to be heeded meanwhile.
 code=0
-nice -n -10 timeout --foreground -k 5 $((seconds + 60)) "${qemu[@]}" </dev/null >"$dir/qemu.log" 2>&1 &
+limit=$((5 * seconds + 120))
+timeout --foreground -k 5 "$limit" "${qemu[@]}" </dev/null >"$dir/qemu.log" 2>&1 &
 running+=($!)
 wait $! || code=$?
 if [ ! -s "$dir/status" ]; then
   cat "$dir/qemu.log" >&2
   [ ! -s "$dir/console" ] || tail -n 40 "$dir/console" >&2
-  [ "$code" != 124 ] || fail 125 "the machine did not end within $((seconds + 60)) s"
+  [ "$code" != 124 ] || fail 125 "the machine did not end within $limit s"
   fail 125 "the machine ended before the command did (qemu's exit status is $code)"
 fi
 wait
