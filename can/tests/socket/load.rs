@@ -1,6 +1,5 @@
 //! A bus at its limit for seconds, and one that is as fast as the machine: every frame has come, or is counted as lost.
 
-use std::env;
 use std::thread;
 use std::time::{Duration, Instant};
 
