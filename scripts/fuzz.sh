@@ -7,7 +7,8 @@
 #   -r RUNS     how many inputs each fuzzer runs at the most, as many as there is time for if nothing is said
 #   -s SEED     the same inputs every time: drawn from this seed, a number from 1, and from what is committed alone. Less time
 #               or fewer runs are fewer of the same inputs
-#   -j JOBS     how many processes run one fuzzer at the same time, 1 if nothing is said
+#   -j JOBS     how many processes run one fuzzer at the same time, 1 if nothing is said; several fuzzers run beside each other
+#               where there are more processors
 #   TARGET      these alone, as in fuzz/Cargo.toml
 #
 # What it finds that is new goes to fuzz/target/corpus, where the next run without -s begins; the committed corpus stays as it is.
@@ -64,7 +65,9 @@ if [ -n "$seed" ]; then
   fi
 fi
 
-for target in $targets; do
+# one TARGET: runs it, and says what came of it.
+one() {
+  local target=$1 found artifacts log inputs options input test folder
   found=fuzz/target/${seed:+seed-}corpus/$target artifacts=fuzz/artifacts/$target log=fuzz/target/$target.log
   # What an earlier run has found is not among what is committed.
   [ -z "$seed" ] || rm -rf "$found"
@@ -79,19 +82,18 @@ for target in $targets; do
   [ ! -f "fuzz/dictionaries/$target.dict" ] || options+=(-dict="fuzz/dictionaries/$target.dict")
   # -fork goes on after an input that is slow or takes too much memory, unless options forbid it.
   [ "$jobs" = 1 ] || options+=(-fork="$jobs" -ignore_ooms=0 -ignore_timeouts=0)
-  printf '%-16s ' "$target"
   if "${same[@]}" "$bin/$target" "${options[@]}" "${inputs[@]}" >"$log" 2>&1; then
-    awk '
+    awk -v target="$target" '
       /^#[0-9]+[ \t]/ { runs = $1; gsub(/[^0-9]/, "", runs); for (i = 2; i < NF; i++) if ($i == "cov:") cov = $(i + 1) }
       /^stat::number_of_executed_units/ { runs = $2 }
-      END { printf "%10d runs, %6d edges, nothing went wrong\n", runs, cov }
+      END { printf "%-16s %10d runs, %6d edges, nothing went wrong\n", target, runs, cov }
     ' "$log"
-    continue
+    return
   fi
   input=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
-  echo "an input went wrong"
-  grep -E -A 8 'panicked at|ERROR: |SUMMARY: ' "$log" | head -n 40 >&2 || tail -n 20 "$log" >&2
+  printf '%-16s an input went wrong\n' "$target"
   {
+    grep -E -A 8 'panicked at|ERROR: |SUMMARY: ' "$log" | head -n 40 || tail -n 20 "$log"
     echo
     echo "fuzz.sh: $target fails; all that it wrote is in $log"
     if [ -n "$input" ]; then
@@ -105,5 +107,22 @@ for target in $targets; do
       echo "  cargo test $test --test fuzzed"
     fi
   } >&2
-  exit 1
+  return 1
+}
+
+# As many at once as there are processors for.
+lanes=$(($(nproc) / jobs)) running=0 failed=0
+for target in $targets; do
+  if [ "$running" -gt 0 ] && [ "$running" -ge "$lanes" ]; then
+    wait -n || failed=1
+    running=$((running - 1))
+  fi
+  [ "$failed" = 0 ] || break
+  one "$target" &
+  running=$((running + 1))
 done
+while [ "$running" -gt 0 ]; do
+  wait -n || failed=1
+  running=$((running - 1))
+done
+exit "$failed"
