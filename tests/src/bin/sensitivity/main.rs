@@ -56,13 +56,24 @@ fn main() -> ExitCode {
     }
     match only.as_deref() {
         Some("soundness") => {}
-        None => sensitivity(edition, &Kind::ALL, None),
+        None => sensitivity(edition, &Kind::ALL, &mutants::all(edition), false),
         Some(name) => {
             let Some(kind) = Kind::ALL.into_iter().find(|kind| kind.id() == name) else {
                 eprintln!("sensitivity: no mutants of {name}; expected table, time, memory or flag");
                 return ExitCode::from(2);
             };
-            sensitivity(edition, &[kind], args.next().as_deref());
+            let part = args.next();
+            let says = part.is_some();
+            let part = part.unwrap_or_default();
+            let named = named(edition, kind, &part);
+            if named.is_empty() {
+                eprintln!(
+                    "sensitivity: no {} of {version} whose name contains {part:?}; without -m all are driven",
+                    kind.name()
+                );
+                return ExitCode::from(2);
+            }
+            sensitivity(edition, &[kind], &named, says);
         }
     }
     if soundness(edition, runs) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -85,25 +96,27 @@ fn is_possible(edition: &'static Edition) -> bool {
     told == 0
 }
 
-/// Judges the missions of every mutant, and prints a table for each kind of them; of those alone whose names contain `part`, what is
-/// said of each as well.
-fn sensitivity(edition: &'static Edition, kinds: &[Kind], part: Option<&str>) {
-    let mutants = mutants::all(edition);
+/// The mutants of a kind whose names contain `part`, in capitals or not.
+fn named(edition: &'static Edition, kind: Kind, part: &str) -> Vec<Mutant> {
+    let part = part.to_ascii_lowercase();
+    let is_named = |mutant: &Mutant| mutant.kind == kind && mutant.name.to_ascii_lowercase().contains(&part);
+    mutants::all(edition).into_iter().filter(is_named).collect()
+}
+
+/// Judges the missions of these mutants, and prints a table for each kind of them; with `says`, what is said of each as well.
+fn sensitivity(edition: &'static Edition, kinds: &[Kind], mutants: &[Mutant], says: bool) {
     let shows_progress = std::io::stderr().is_terminal();
     let mut done = 0;
     for &kind in kinds {
         let mut tallies: Vec<Tally> = PROFILES.iter().map(|_| Tally::default()).collect();
         let (mut unseen, mut breaking, mut missed) = (Vec::new(), 0, Vec::new());
-        let of_kind: Vec<&Mutant> = mutants
-            .iter()
-            .filter(|mutant| mutant.kind == kind && part.is_none_or(|part| mutant.name.contains(part)))
-            .collect();
+        let of_kind: Vec<&Mutant> = mutants.iter().filter(|mutant| mutant.kind == kind).collect();
         for mutant in &of_kind {
             if shows_progress {
                 eprint!("\r{done} of {} mutants", mutants.len());
             }
             done += 1;
-            if part.is_some() {
+            if says {
                 print_said(edition, mutant);
             }
             match drives(edition, mutant, &mut tallies) {
