@@ -45,6 +45,6 @@ else
   echo "SocketCAN: in a virtual machine, for this kernel has no vcan, or this user may not make one"
   host=$(rustc -vV | sed -n 's/^host: //p')
   variable=CARGO_TARGET_$(tr 'a-z-' 'A-Z_' <<<"$host")_RUNNER
-  export "$variable=$PWD/scripts/vm/run.sh -t 900 -c 1 -e ADSDV=$ADSDV -f $ADSDV -f $PWD/can -f $PWD/tests/logs ${brought[*]-}"
+  export "$variable=$PWD/scripts/vm/run.sh -t 900 -e ADSDV=$ADSDV -f $ADSDV -f $PWD/can -f $PWD/tests/logs ${brought[*]-}"
 fi
 cargo test --locked --workspace --test socket -- "$@"

@@ -9,7 +9,7 @@ Usage: scripts/vcu-load.sh [-r RATE]... [-t SECONDS]
 Drives `adsdv vcu` and `adsdv ai` on a virtual bus, has cangen send frames beside them, and prints which part of one core
 the virtual car took, and how many frames a second there really were. On this machine's own kernel where that has vcan and
 you are root; else in the small virtual machine of scripts/vm, whose core carries out a billion instructions a second: what
-it prints repeats, whatever else runs here, and a core of today carries out several times as many.
+it prints does not depend on what else runs here, and a core of today carries out several times as many.
 
   -r RATE     frames a second that cangen sends beside those two; 0: none. May be given several times (default 0, 3000 and
               40000)

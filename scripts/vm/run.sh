@@ -6,22 +6,22 @@ set -euo pipefail
 
 usage() {
   cat <<'USAGE'
-Usage: scripts/vm/run.sh [-t SECONDS] [-f FILE]... [-o FOLDER] [-e NAME[=VALUE]]... [-c CPUS] COMMAND [ARGUMENT...]
+Usage: scripts/vm/run.sh [-t SECONDS] [-f FILE]... [-o FOLDER] [-e NAME[=VALUE]]... COMMAND [ARGUMENT...]
 
 Boots the machine, runs the command in it as root, and passes on its output and exit status. Files have the same path in
 the machine as here, so that a program finds what it was built to find, and the command begins in the same folder. The
 modules can, can-raw, can-dev, vcan and dummy are loaded; there is no interface but lo. The machine has no network, no
 disk and nothing of this one but what is named, and is gone afterwards.
 
-Its time is its own: one instruction takes one nanosecond, and where it has nothing to do, its clock goes on at once. A
-second in it is as long as that work takes here, and a program in it is as late on a busy machine as on an idle one.
+It has one processor, and its time is its own: one instruction takes one nanosecond, and where it has nothing to do, its
+clock goes on at once. A second in it is as long as that work takes here, and a program in it is as late on a busy machine
+as on an idle one.
 
   -t SECONDS  the command is ended after so long, by the machine's clock (default 300)
   -f FILE     a file or folder to bring; a program comes with its shared libraries. COMMAND comes too, if it is a file
   -o FOLDER   a folder that is empty in the machine, and of which the content is brought back
   -e NAME     a variable of the environment to pass on, or to set with =VALUE; those whose names begin with ADSDV_, RUST_
-              or CARGO_BIN_EXE_, and CARGO_MANIFEST_DIR, are passed on anyway. ADSDV_VM is 1 in the machine
-  -c CPUS     processors of the machine, which take turns (default 1)
+              or CARGO_BIN_EXE_, and CARGO_MANIFEST_DIR, are passed on anyway
   -h, --help  this text
 
 There are busybox, candump, cangen, canplayer, cansend, and ip and tc of iproute2. busybox's shell has an ip and tc of its
@@ -44,18 +44,16 @@ fail() {
 here=$(cd "$(dirname "$0")" && pwd)
 seconds=300
 out=
-cpus=1
 files=()
-environment=(ADSDV_VM=1)
+environment=()
 for name in $(compgen -e); do
   case $name in
-    ADSDV_VM) ;;
     ADSDV_* | RUST_* | CARGO_BIN_EXE_* | CARGO_MANIFEST_DIR) environment+=("$name=${!name}") ;;
   esac
 done
 
 [ "${1-}" != --help ] || { usage; exit 0; }
-while getopts t:f:o:e:c:h option; do
+while getopts t:f:o:e:h option; do
   case $option in
     t) seconds=$OPTARG ;;
     f) files+=("$OPTARG") ;;
@@ -68,18 +66,15 @@ while getopts t:f:o:e:c:h option; do
         *) [ -z "${!name+set}" ] || environment+=("$name=${!name}") ;;
       esac
       ;;
-    c) cpus=$OPTARG ;;
     h) usage; exit 0 ;;
     *) usage >&2; exit 2 ;;
   esac
 done
 shift $((OPTIND - 1))
 [ $# -gt 0 ] || { usage >&2; exit 2; }
-for number in "$seconds" "$cpus"; do
-  case $number in
-    '' | 0* | *[!0-9]*) fail 2 "'$number' is no number of seconds or processors; give one of at least 1" ;;
-  esac
-done
+case $seconds in
+  '' | 0* | *[!0-9]*) fail 2 "'$seconds' is no number of seconds; give one of at least 1" ;;
+esac
 
 # Without a slash it is one of the machine's own.
 if [[ $1 == */* ]] && [ -f "$1" ]; then
@@ -164,7 +159,7 @@ running+=($!)
 # shellcheck disable=SC2054 # The commas are qemu's.
 qemu=(
   qemu-system-x86_64 -nodefaults -no-user-config -display none -monitor none -no-reboot
-  -accel tcg,thread=single -icount shift=0,sleep=off -cpu max -smp "$cpus" -m "$memory"
+  -accel tcg,thread=single -icount shift=0,sleep=off -cpu max -m "$memory"
   -kernel "$vm/vmlinuz" -initrd "$dir/initramfs" -append "console=ttyS0 quiet panic=-1 tsc=reliable"
   -serial "file:$dir/console" -device virtio-serial-pci
 )
