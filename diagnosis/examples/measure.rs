@@ -150,7 +150,7 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Dev
         Deviation::Shows { .. } => kind == 11,
         Deviation::Writes { .. } => kind == 12,
         Deviation::Wheels(_) | Deviation::GoLevel | Deviation::GoNeedsHandshake => kind == 13,
-        Deviation::Ignores { .. } => kind == 14,
+        Deviation::Ignores { .. } | Deviation::Opens { .. } => kind == 14,
     };
     let these: Vec<&Deviation> = all.iter().filter(is).collect();
     let one = **these.get(random.below(these.len()))?;

@@ -56,7 +56,8 @@ impl Deviation {
             Self::Needs { from, to, .. } | Self::Late { from, to, .. } => {
                 of_row(rows.iter().find(|row| (row.from, row.to) == (from, to)))
             }
-            Self::Also { .. } | Self::Ignores { .. } => vec![FIGURE_2],
+            Self::Opens { key: "tsms" | "ebs", .. } => vec!["D-36"],
+            Self::Also { .. } | Self::Ignores { .. } | Self::Opens { .. } => vec![FIGURE_2],
             Self::Wheels(_) => of_conditions(edition, &[Atom::Moving, Atom::AtRest]),
             Self::GoLevel => of_conditions(edition, &[Atom::GoEdge]),
             Self::GoNeedsHandshake => vec!["DRV-15"],
@@ -65,8 +66,9 @@ impl Deviation {
                 Remembers::DwellOfAllVisits => of_conditions(edition, &[Atom::DwellElapsed]),
                 Remembers::TimerWhileAsmsOff => vec!["ETO-2", "D-23"],
                 Remembers::GoSeenOff => vec!["D-6"],
-                Remembers::CommsLost => vec!["D-17", "D-18"],
-                Remembers::Handshake => vec!["HS-1", "D-8"],
+                Remembers::CommsLost | Remembers::CommsLostForGood => vec!["D-17", "D-18"],
+                Remembers::Handshake | Remembers::HandshakeBit => vec!["HS-1", "D-8"],
+                Remembers::HandshakeBeginsWithOne => vec!["HS-12", "D-44"],
                 Remembers::LiveFlags => vec!["D-17"],
                 Remembers::TimeBeforeHandshake => vec!["HS-16", "D-44"],
             },

@@ -1,9 +1,9 @@
 //! The deviations that may explain an answer.
 
-use adsdv_oracle::protocol::Domain;
+use adsdv_oracle::protocol::{Domain, InputField};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
-use adsdv_spec::{Edition, Inputs, Mutation, Row};
+use adsdv_spec::{Atom, Edition, Inputs, Mutation, Row};
 
 use crate::deviation::{Deviation, LATEST, Remembers, Wheels};
 use crate::dials::{Dial, dials};
@@ -42,13 +42,16 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let changes = Mutation::all(edition).map(|mutation| mutation.change).filter(|change| !measured(change));
     let mut all: Vec<Deviation> =
         others.map(Deviation::Reads).chain(changes.map(Deviation::Changed)).collect();
-    all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake, Deviation::Wheels(Wheels::All)]);
-    all.extend((0..4).map(|wheel| Deviation::Wheels(Wheels::Only(wheel))));
+    all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake]);
+    all.extend(Wheels::EACH.map(Deviation::Wheels));
     all.extend(Remembers::ALL.map(Deviation::Remembers));
     let dials = dials(&Model::new(edition, &[]), interface);
     all.extend(dials.iter().map(|dial| Deviation::Ignores { key: dial.field.key }));
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
+    let each = named.iter().flat_map(|dial| dial.values.iter().map(|&raw| (dial.field, raw)));
+    let closed = each.filter(|(field, raw)| !opens(edition, field, *raw));
+    all.extend(closed.map(|(field, raw)| Deviation::Opens { key: field.key, raw }));
     for (place, row) in edition.rules.table.rows().iter().enumerate() {
         all.extend(joined(edition, place, row));
         let (from, to) = (row.from, row.to);
@@ -72,6 +75,15 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let fixed = Fixed::of(edition, interface);
     all.retain(|one| fixed.can_tell(edition, interface, one));
     all
+}
+
+/// Whether a value of an input opens the shutdown circuit by the document.
+fn opens(edition: &Edition, field: &InputField, raw: i32) -> bool {
+    let mut inputs = Inputs::default();
+    (field.set)(&mut inputs, raw);
+    let usual = Model::new(edition, &[]);
+    let seen = inputs.observe(&edition.rules.thresholds);
+    usual.machine().atoms_of(seen).has(Atom::SdcOpen)
 }
 
 /// Deviations that only explain anything together: an arrow that leads elsewhere, and is late.

@@ -59,6 +59,13 @@ pub enum Deviation {
         /// The key of the input.
         key: &'static str,
     },
+    /// The shutdown circuit is open while an input has this value.
+    Opens {
+        /// The key of the input.
+        key: &'static str,
+        /// Its raw value.
+        raw: i32,
+    },
     /// Other wheels decide whether the vehicle moves.
     Wheels(Wheels),
     /// "Go" counts while it is on, and not only when it is switched on.
@@ -123,8 +130,14 @@ pub enum Remembers {
     GoSeenOff,
     /// AI_COMMS_LOST, once it is raised, stays while the handshake is performed.
     CommsLost,
+    /// AI_COMMS_LOST, once it is raised, stays until the power goes off, also where the handshake rests.
+    CommsLostForGood,
     /// The handshake stands still while the tractive system is off, and goes on from there; it does not rest.
     Handshake,
+    /// The bit of the handshake stays as it was while the tractive system is off; what comes then begins as it should.
+    HandshakeBit,
+    /// The handshake begins with the bit 1 whatever the AI Computer's bit is, which is not looked at in that step.
+    HandshakeBeginsWithOne,
     /// A flag of a fault ends with the fault, also while SHUTDOWN_CAUSE names it.
     LiveFlags,
     /// The step in which the handshake begins counts as time without an answer.
@@ -133,17 +146,28 @@ pub enum Remembers {
 
 impl Remembers {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::CauseUntilLeft,
         Self::LatestCause,
         Self::DwellOfAllVisits,
         Self::TimerWhileAsmsOff,
         Self::GoSeenOff,
         Self::CommsLost,
+        Self::CommsLostForGood,
         Self::Handshake,
+        Self::HandshakeBit,
+        Self::HandshakeBeginsWithOne,
         Self::LiveFlags,
         Self::TimeBeforeHandshake,
     ];
+
+    /// Whether both are about the same thing in the same situation.
+    fn is_instead_of(self, other: Self) -> bool {
+        let either = |one, two| self == one && other == two || self == two && other == one;
+        self == other
+            || either(Self::Handshake, Self::HandshakeBit)
+            || either(Self::CommsLost, Self::CommsLostForGood)
+    }
 }
 
 /// The wheels that tell whether the vehicle moves.
@@ -153,6 +177,48 @@ pub enum Wheels {
     All,
     /// Only this wheel counts, in the order of the message.
     Only(u8),
+    /// Only the front wheels count.
+    Front,
+    /// Only the rear wheels count.
+    Rear,
+    /// The mean of all wheels counts, in whole rpm.
+    Mean,
+}
+
+impl Wheels {
+    /// All of them.
+    pub const EACH: [Self; 8] = [
+        Self::All,
+        Self::Only(0),
+        Self::Only(1),
+        Self::Only(2),
+        Self::Only(3),
+        Self::Front,
+        Self::Rear,
+        Self::Mean,
+    ];
+
+    /// The speed that counts, of these in the order of the message.
+    pub(crate) fn counted(self, speeds: [i32; 4]) -> i32 {
+        let [front_left, front_right, rear_left, rear_right] = speeds;
+        match self {
+            Self::All => speeds.into_iter().min().unwrap_or_default(),
+            Self::Only(wheel) => speeds.get(usize::from(wheel)).copied().unwrap_or_default(),
+            Self::Front => front_left.max(front_right),
+            Self::Rear => rear_left.max(rear_right),
+            Self::Mean => speeds.into_iter().sum::<i32>() / 4,
+        }
+    }
+
+    /// Whether it looks at a wheel, by its place in the message.
+    pub(crate) fn looks_at(self, wheel: usize) -> bool {
+        match self {
+            Self::All | Self::Mean => true,
+            Self::Only(own) => usize::from(own) == wheel,
+            Self::Front => wheel < 2,
+            Self::Rear => wheel >= 2,
+        }
+    }
 }
 
 impl Deviation {
@@ -221,6 +287,7 @@ impl Deviation {
             }
             (Self::Reads(one), Self::Reads(other)) => one.reading() == other.reading(),
             (Self::Wheels(_), Self::Wheels(_)) => true,
+            (Self::Remembers(one), Self::Remembers(other)) => one.is_instead_of(other),
             _ => false,
         }
     }
@@ -240,7 +307,14 @@ impl Deviation {
             Time::EbsTimer => *self == Self::Remembers(Remembers::TimerWhileAsmsOff),
             Time::Handshake => matches!(
                 self,
-                Self::Remembers(Remembers::CommsLost | Remembers::Handshake | Remembers::TimeBeforeHandshake)
+                Self::Remembers(
+                    Remembers::CommsLost
+                        | Remembers::CommsLostForGood
+                        | Remembers::Handshake
+                        | Remembers::HandshakeBit
+                        | Remembers::HandshakeBeginsWithOne
+                        | Remembers::TimeBeforeHandshake
+                )
             ),
         }
     }

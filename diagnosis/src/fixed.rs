@@ -3,7 +3,7 @@
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{AsState, Atom, Atoms, Edition, Inputs, Term};
 
-use crate::deviation::{Deviation, Wheels};
+use crate::deviation::Deviation;
 use crate::dials::dials;
 use crate::interface::Interface;
 use crate::model::Model;
@@ -58,9 +58,9 @@ impl Fixed {
                 _ => holds(row, term),
             },
             Deviation::Joined { row, one, other } => holds(row, one) && holds(row, other),
-            Deviation::Wheels(Wheels::All) => WHEELS.iter().all(|key| interface.has(key)),
-            Deviation::Wheels(Wheels::Only(wheel)) => {
-                WHEELS.get(usize::from(wheel)).is_some_and(|key| interface.has(key))
+            Deviation::Wheels(wheels) => {
+                let mut counted = WHEELS.iter().enumerate().filter(|(wheel, _)| wheels.looks_at(*wheel));
+                counted.all(|(_, key)| interface.has(key))
             }
             _ => true,
         }

@@ -3,8 +3,8 @@
 use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
-    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Inputs, Machine, Noticed, Outputs, Reaction,
-    Taken, Term,
+    AsState, Atom, Atoms, Choice, Control, Edition, Faults, Handshake, Inputs, Machine, Noticed, Outputs,
+    Reaction, Taken, Term,
 };
 
 use crate::causes;
@@ -114,6 +114,7 @@ impl Model {
             Rest::Needs { from, field, .. } | Rest::Also { from, field, .. } if *from == state => {
                 Some(field.key)
             }
+            Rest::Opens { field, .. } => Some(field.key),
             _ => None,
         })
     }
@@ -230,17 +231,15 @@ impl Model {
         let active = machine.readings().is(Choice::HandshakeAlways) || atoms.has(Atom::Tsms);
         let limit = rules.timing.handshake_ms;
         let answer = atoms.has(Atom::AiHandshake);
-        let stands_still = !active && self.remembers(Remembers::Handshake);
-        let mut handshake = if stands_still {
-            control.handshake
-        } else {
-            control.handshake.step(active, answer, dt_ms, limit)
-        };
-        let begins = active && !control.handshake.active && !stands_still;
+        let mut handshake = self.handshake(control.handshake, active, answer, dt_ms);
+        let begins = active && !control.handshake.active;
         if begins && answer != control.handshake.bit && self.remembers(Remembers::TimeBeforeHandshake) {
             handshake.unanswered_ms = u16::try_from(dt_ms).unwrap_or(limit).min(limit);
         }
-        if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit) {
+        let for_good = self.remembers(Remembers::CommsLostForGood);
+        if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit)
+            || for_good && control.handshake.unanswered_ms >= limit
+        {
             handshake.unanswered_ms = limit;
         }
         let state_limit = u32::from(rules.timing.in_state_limit(from));
@@ -252,7 +251,10 @@ impl Model {
         let lasted = u32::from(lasted_ms).saturating_add(passed_ms).min(state_limit);
         let in_state_ms = u16::try_from(lasted).unwrap_or(u16::MAX);
         let watched = active || machine.readings().is(Choice::WatchAlways);
-        let comms_lost = handshake.is_lost(limit) || atoms.has(Atom::AiMessagesMissed) && watched;
+        let mut comms_lost = handshake.is_lost(limit) || atoms.has(Atom::AiMessagesMissed) && watched;
+        if for_good && (comms_lost || handshake.unanswered_ms >= limit) {
+            (comms_lost, handshake.unanswered_ms) = (true, limit);
+        }
         let mut atoms = atoms.union(machine.control_atoms(&control, in_state_ms, comms_lost, atoms));
         if self.has(|rest| matches!(rest, Rest::GoLevel)) && from == AsState::Ready {
             atoms = if inputs.go { atoms.with(Atom::GoEdge) } else { atoms };
@@ -264,6 +266,21 @@ impl Model {
         let (taken, waited) = self.first_arrow(from, atoms, inputs, waited);
         let noticed = Noticed { atoms, faults: seen.faults(), in_state_ms, handshake, comms_lost };
         Found { noticed, taken, waited, ready_ms, before: control }
+    }
+
+    /// The VCU's side of the handshake after a step, as far as that is no matter of time.
+    fn handshake(&self, before: Handshake, active: bool, answer: bool, dt_ms: u32) -> Handshake {
+        let kept = self.remembers(Remembers::HandshakeBit);
+        if !active && self.remembers(Remembers::Handshake) {
+            return before;
+        }
+        if active && !before.active && self.remembers(Remembers::HandshakeBeginsWithOne) {
+            return Handshake { active, bit: true, unanswered_ms: 0 };
+        }
+        // What is kept is only shown: it begins as it does from rest.
+        let from = if kept && !before.active { Handshake::IDLE } else { before };
+        let after = from.step(active, answer, dt_ms, self.machine.edition().rules.timing.handshake_ms);
+        if kept && !active { Handshake { bit: before.bit, ..after } } else { after }
     }
 
     /// How long AS_READY has lasted in all after a step, up to the time that counts.

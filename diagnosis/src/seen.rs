@@ -3,7 +3,6 @@
 use adsdv_spec::Inputs;
 use adsdv_spec::messages::WheelSpeed;
 
-use crate::deviation::Wheels;
 use crate::rest::Rest;
 
 /// The inputs as deviations let a program see them.
@@ -17,14 +16,13 @@ pub(crate) fn as_seen(deviations: &[Rest], inputs: &Inputs) -> Inputs {
             let speeds = &mut seen.vehicle.wheel_speeds;
             let each =
                 [speeds.fl_wheel_speed, speeds.fr_wheel_speed, speeds.rl_wheel_speed, speeds.rr_wheel_speed];
-            let counts = match wheels {
-                Wheels::All => each.iter().map(|wheel| wheel.raw()).min(),
-                Wheels::Only(wheel) => each.get(usize::from(*wheel)).map(|wheel| wheel.raw()),
-            };
-            let counts = WheelSpeed::clamped(counts.unwrap_or_default());
+            let counts = WheelSpeed::clamped(wheels.counted(each.map(WheelSpeed::raw)));
             (speeds.fl_wheel_speed, speeds.fr_wheel_speed) = (counts, counts);
             (speeds.rl_wheel_speed, speeds.rr_wheel_speed) = (counts, counts);
         }
     }
+    let opens = |rest: &Rest| matches!(*rest, Rest::Opens { field, raw } if (field.get)(inputs) == raw);
+    // One of those that open it, whichever: what counts is that it is open.
+    seen.sdc.vehicle_estop |= deviations.iter().any(opens);
     seen
 }

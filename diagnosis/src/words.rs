@@ -42,8 +42,12 @@ impl Deviation {
             Self::Also { from, to, key, raw } => format!("{}:also:{key}={raw}", arrow(from, to)),
             Self::Late { from, to, steps } => format!("{}:late:{steps}", arrow(from, to)),
             Self::Ignores { key } => format!("ignores:{key}"),
+            Self::Opens { key, raw } => format!("opens:{key}={raw}"),
             Self::Wheels(Wheels::All) => "moving:all-wheels".to_owned(),
             Self::Wheels(Wheels::Only(wheel)) => format!("moving:wheel-{}", wheel + 1),
+            Self::Wheels(Wheels::Front) => "moving:front-wheels".to_owned(),
+            Self::Wheels(Wheels::Rear) => "moving:rear-wheels".to_owned(),
+            Self::Wheels(Wheels::Mean) => "moving:mean".to_owned(),
             Self::GoLevel => "go:level".to_owned(),
             Self::GoNeedsHandshake => "go:needs-handshake".to_owned(),
             Self::Joined { row: place, one, other } => {
@@ -89,6 +93,7 @@ impl Deviation {
             Self::Causes { from, .. } | Self::Prefers { from, .. } => vec![(from, AsState::EmergencyBrake)],
             Self::Changed(Change::Time(..) | Change::Threshold(..))
             | Self::Ignores { .. }
+            | Self::Opens { .. }
             | Self::Wheels(_)
             | Self::GoLevel
             | Self::GoNeedsHandshake
@@ -134,7 +139,10 @@ const fn remembers_id(what: Remembers) -> &'static str {
         Remembers::TimerWhileAsmsOff => "timer-while-asms-off",
         Remembers::GoSeenOff => "go-seen-off",
         Remembers::CommsLost => "comms-lost",
+        Remembers::CommsLostForGood => "comms-lost-for-good",
         Remembers::Handshake => "handshake",
+        Remembers::HandshakeBit => "handshake-bit",
+        Remembers::HandshakeBeginsWithOne => "handshake-begins-with-1",
         Remembers::LiveFlags => "live-flags",
         Remembers::TimeBeforeHandshake => "time-before-handshake",
     }
@@ -160,8 +168,17 @@ const fn remembers_text(what: Remembers) -> &'static str {
         Remembers::CommsLost => {
             "AI_COMMS_LOST stays once it is raised; expected until the handshake is answered"
         }
+        Remembers::CommsLostForGood => {
+            "AI_COMMS_LOST stays until the power goes off once it is raised; expected until the handshake is answered"
+        }
         Remembers::Handshake => {
             "the handshake stands still while TS master switch OFF, and goes on from there; expected bit 0, and from the beginning"
+        }
+        Remembers::HandshakeBit => {
+            "the handshake bit stays as it was while TS master switch OFF; expected bit 0"
+        }
+        Remembers::HandshakeBeginsWithOne => {
+            "the handshake begins with bit 1 whatever the AI Computer sends; expected bit 0 where it sends 1"
         }
         Remembers::LiveFlags => {
             "a fault flag ends with its fault; expected to stay while SHUTDOWN_CAUSE names the fault"
@@ -202,7 +219,19 @@ fn write(f: &mut fmt::Formatter<'_>, deviation: &Deviation, edition: &Edition) -
         Deviation::Ignores { key } => {
             write!(f, "{key} makes no difference to the state machine; expected as in Figure 2")
         }
+        Deviation::Opens { key, raw } => {
+            write!(f, "{key} == {} opens the shutdown circuit; expected no effect on it", input(edition, key, raw))
+        }
         Deviation::Wheels(Wheels::All) => f.write_str("the vehicle moves only if all wheels turn; expected any"),
+        Deviation::Wheels(Wheels::Front) => {
+            f.write_str("only the front wheels tell whether the vehicle moves; expected any")
+        }
+        Deviation::Wheels(Wheels::Rear) => {
+            f.write_str("only the rear wheels tell whether the vehicle moves; expected any")
+        }
+        Deviation::Wheels(Wheels::Mean) => {
+            f.write_str("the mean of the wheels tells whether the vehicle moves; expected any of them")
+        }
         Deviation::Wheels(Wheels::Only(wheel)) => {
             const NAMES: [&str; 4] = ["front left", "front right", "rear left", "rear right"];
             let name = NAMES.get(usize::from(wheel)).copied().unwrap_or("one");

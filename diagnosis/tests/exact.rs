@@ -173,6 +173,31 @@ fn a_handshake_that_does_not_rest_is_found_beside_what_it_is_remembered_for() {
     }
 }
 
+#[test]
+fn what_remains_of_a_handshake_while_it_rests_and_how_it_begins_are_told_apart() {
+    let what = [Remembers::HandshakeBit, Remembers::HandshakeBeginsWithOne, Remembers::CommsLostForGood];
+    for one in what {
+        names(&Edition::V3_0, &[Deviation::Remembers(one)]);
+    }
+    names(&Edition::V2026, &what.map(Deviation::Remembers));
+}
+
+#[test]
+fn an_input_that_opens_the_shutdown_circuit_is_named_once_and_not_by_each_arrow() {
+    for (edition, key, raw) in
+        [(&Edition::V3_0, "tsms", 0), (&Edition::V4_0, "asms", 0), (&Edition::V2026, "batt_soc_low", 1)]
+    {
+        names(edition, &[Deviation::Opens { key, raw }]);
+    }
+}
+
+#[test]
+fn the_wheels_that_count_are_named_whichever_they_are() {
+    for wheels in Wheels::EACH {
+        names(&Edition::V3_0, &[Deviation::Wheels(wheels)]);
+    }
+}
+
 /// A program that shows a cause of its own, which changes with what it sees: no deviation is that.
 struct OwnCauses(Running);
 

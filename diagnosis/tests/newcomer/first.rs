@@ -1,18 +1,11 @@
-//! A state machine as somebody writes it in an evening from the page of the protocol: with code of its own, and with mistakes that
-//! hide one another.
+//! One that runs the handshake all the time, and makes mistakes that hide one another.
 
-use std::collections::BTreeSet;
-use std::time::Duration;
-
-use adsdv_diagnosis::{Deviation, Diagnosis, Interface, Model, Subject, diagnose_within};
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{About, Answer, INPUTS, Protocol, SHOWN};
-use adsdv_spec::{AsState, Choice, Edition, Inputs};
+use adsdv_diagnosis::{Deviation, Diagnosis};
+use adsdv_spec::{AsState, Inputs};
 
 use AsState::{Driving, EmergencyBrake, Finished, Off, Ready};
 
-const EDITION: &Edition = &Edition::V3_0;
-const TIME: Duration = Duration::from_mins(10);
+use crate::asked::{self, EDITION, Newcomer, raw};
 
 const HVIL_OPEN: i32 = 2;
 const EBS: i32 = 4;
@@ -36,7 +29,7 @@ struct Mistakes {
 
 /// The state machine.
 #[derive(Debug)]
-struct Newcomer {
+struct First {
     mistakes: Mistakes,
     state: AsState,
     lasts_ms: u32,
@@ -47,7 +40,7 @@ struct Newcomer {
     go_before: bool,
 }
 
-impl Newcomer {
+impl First {
     const fn new(mistakes: Mistakes) -> Self {
         let (state, lasts_ms, bit, unanswered_ms, cause) = (Off, 0, false, 0, 0);
         Self {
@@ -73,10 +66,15 @@ impl Newcomer {
         self.needs_power_cycle = true;
         self.go_to(EmergencyBrake);
     }
+}
+
+impl Newcomer for First {
+    fn anew(&self) -> Self {
+        Self::new(self.mistakes)
+    }
 
     fn one_step(&mut self, dt_ms: u32, inputs: &Inputs) -> [i32; 4] {
-        let raw =
-            |key: &str| INPUTS.iter().find(|field| field.key == key).map_or(0, |field| (field.get)(inputs));
+        let raw = |key: &str| raw(inputs, key);
         let is = |key: &str| raw(key) != 0;
         let Mistakes { patient, estop_while_driving, plausible, own_causes, forgets } = self.mistakes;
         self.lasts_ms = self.lasts_ms.saturating_add(dt_ms);
@@ -139,39 +137,8 @@ impl Newcomer {
     }
 }
 
-/// What it shows.
-const OUTPUTS: [&str; 4] = ["as_state", "handshake", "ai_comms_lost", "shutdown_cause"];
-
-impl Subject for Newcomer {
-    fn reset(&mut self) -> Result<(), ProgramError> {
-        *self = Self::new(self.mistakes);
-        Ok(())
-    }
-
-    fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
-        let any = Model::new(EDITION, &[]).running().shown(0, &Inputs::default());
-        let values = OUTPUTS.iter().zip(self.one_step(dt_ms, inputs));
-        let shown = values.fold(any, |shown, (key, raw)| {
-            let place = SHOWN.iter().position(|field| field.key == *key).expect("an output");
-            shown.with(place, raw)
-        });
-        Ok(Answer::from(shown).among(&OUTPUTS))
-    }
-}
-
 fn found(mistakes: Mistakes) -> Diagnosis {
-    let page = include_str!("../../docs/first-diagnosis.md");
-    let (_, list) = page.split_once("ABOUT = ").expect("the page has a list");
-    let (list, _) = list.split_once(",\n}").expect("it ends");
-    let about = About::read(&format!("{list}}}"), &Protocol::of(EDITION)).expect("keys that there are");
-    let interface = Interface::new(&about.expect("it announces something"), &[]);
-    diagnose_within(&mut Newcomer::new(mistakes), EDITION, &interface, TIME).expect("it answers everything")
-}
-
-/// The ids of what is named, and the answers to open questions.
-fn named(found: &Diagnosis) -> BTreeSet<String> {
-    let ids = found.deviations.iter().map(|one| one.id(EDITION));
-    ids.chain(found.readings.iter().map(Choice::to_string)).collect()
+    asked::found(First::new(mistakes))
 }
 
 /// What it does its own way with no mistake at all: answers to open questions, which fault counts of two, for how long one shows, and
@@ -195,10 +162,7 @@ const IN_EACH_STATE: &[&str] = &[
 fn names(mistakes: Mistakes, expected: &[&str]) {
     let found = found(mistakes);
     let in_each_state = if mistakes.estop_while_driving { &[] } else { IN_EACH_STATE };
-    let expected = expected.iter().chain(OWN).chain(in_each_state);
-    let expected: BTreeSet<String> = expected.map(|id| (*id).to_owned()).collect();
-    assert_eq!(named(&found), expected);
-    assert_eq!((found.unexplained.len(), &found.left_out[..], found.cut), (0, &[][..], false));
+    asked::names(&found, expected.iter().chain(OWN).chain(in_each_state));
 }
 
 #[test]
