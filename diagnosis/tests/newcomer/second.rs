@@ -108,7 +108,7 @@ impl Newcomer for Second {
             {
                 Some(Ready)
             }
-            Ready if !is("asms") => Some(Off),
+            Ready | Finished if !is("asms") => Some(Off),
             Ready
                 if self.lasts_ms >= if hasty { 4000 } else { 5000 }
                     && edge
@@ -119,7 +119,6 @@ impl Newcomer for Second {
                 Some(Driving)
             }
             Driving if finished && fastest < 10 => Some(Finished),
-            Finished if !is("asms") => Some(Off),
             EmergencyBrake if self.lasts_ms >= 15_000 && !is("asms") => Some(Off),
             _ => None,
         };
