@@ -11,6 +11,9 @@ use crate::fixed::Fixed;
 use crate::interface::Interface;
 use crate::model::Model;
 
+/// The inputs that the way to AS_READY needs at another value than they have after power-on.
+const NEEDED: [&str; 4] = ["asms", "tsms", "ami", "ebs"];
+
 /// What may explain answers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Candidates {
@@ -50,7 +53,10 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
     let each = named.iter().flat_map(|dial| dial.values.iter().map(|&raw| (dial.field, raw)));
-    let closed = each.filter(|(field, raw)| !opens(edition, field, *raw));
+    // What is so after power-on opens it only where the way to AS_READY needs another value.
+    let may_open =
+        |field: &InputField, raw| raw != (field.get)(&Inputs::default()) || NEEDED.contains(&field.key);
+    let closed = each.filter(|(field, raw)| may_open(field, *raw) && !opens(edition, field, *raw));
     all.extend(closed.map(|(field, raw)| Deviation::Opens { key: field.key, raw }));
     for (place, row) in edition.rules.table.rows().iter().enumerate() {
         all.extend(joined(edition, place, row));
