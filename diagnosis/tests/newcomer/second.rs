@@ -9,7 +9,7 @@ use crate::asked::{Newcomer, found, names, raw};
 
 /// What is wrong with the state machine, beside what is against decisions of this project alone.
 #[derive(Clone, Copy, Debug, Default)]
-struct Mistakes {
+struct Slips {
     /// AS_READY lasts for four seconds at least.
     hasty: bool,
     /// NEUTRAL while the vehicle moves is no emergency.
@@ -23,7 +23,7 @@ struct Mistakes {
 /// The state machine.
 #[derive(Debug)]
 struct Second {
-    mistakes: Mistakes,
+    slips: Slips,
     state: AsState,
     lasts_ms: u32,
     bit: bool,
@@ -36,9 +36,9 @@ struct Second {
 }
 
 impl Second {
-    const fn new(mistakes: Mistakes) -> Self {
+    const fn new(slips: Slips) -> Self {
         Self {
-            mistakes,
+            slips,
             state: Off,
             lasts_ms: 0,
             bit: false,
@@ -66,13 +66,13 @@ impl Second {
 
 impl Newcomer for Second {
     fn anew(&self) -> Self {
-        Self::new(self.mistakes)
+        Self::new(self.slips)
     }
 
     fn one_step(&mut self, dt_ms: u32, inputs: &Inputs) -> [i32; 4] {
         let raw = |key: &str| raw(inputs, key);
         let is = |key: &str| raw(key) != 0;
-        let Mistakes { hasty, rolls, deaf_when_finished, no_cause } = self.mistakes;
+        let Slips { hasty, rolls, deaf_when_finished, no_cause } = self.slips;
         self.lasts_ms = self.lasts_ms.saturating_add(dt_ms);
         self.shake_hands(dt_ms, is("tsms"), is("handshake"));
         let circuit = !is("tsms") || is("hvil_open") || is("vehicle_estop") || is("remote_estop");
@@ -153,13 +153,13 @@ const CAUSES: &[&str] = &[
 
 #[test]
 fn a_handshake_and_a_shutdown_circuit_of_its_own_hide_nothing() {
-    let found = found(Second::new(Mistakes::default()));
+    let found = found(Second::new(Slips::default()));
     names(&found, OWN.iter().chain(CAUSES));
 }
 
 #[test]
-fn its_mistakes_are_named_one_by_one() {
-    let mistakes = Mistakes { hasty: true, rolls: true, deaf_when_finished: true, no_cause: true };
+fn its_slips_are_named_one_by_one() {
+    let slips = Slips { hasty: true, rolls: true, deaf_when_finished: true, no_cause: true };
     let expected = [
         "brake:shows:shutdown_cause=0",
         "driving-brake:6:missing",
@@ -168,5 +168,5 @@ fn its_mistakes_are_named_one_by_one() {
         // It has none in AS_OFF either.
         "remembers:cause-until-left",
     ];
-    names(&found(Second::new(mistakes)), expected.iter().chain(OWN));
+    names(&found(Second::new(slips)), expected.iter().chain(OWN));
 }
