@@ -1,6 +1,6 @@
 #!/bin/sh
-# How fast `adsdv check` judges a log, next to log2asc of can-utils, which only reformats it; and whether its
-# memory grows with the log.
+# How fast `adsdv check` judges a log, next to log2asc of can-utils, which only reformats it, and next to wc, which only
+# finds the ends of its lines; and whether its memory grows with the log.
 set -eu
 
 usage() {
@@ -9,7 +9,7 @@ Usage: scripts/compare-log2asc.sh [-c COPIES] [-n RUNS] [-l LOG]
 
 Measures `adsdv check` and `log2asc` on the same long log, in turn, each pinned to one core, and prints for
 each the best run in frames per second, their ratio, and the memory that adsdv takes for one copy of the log
-and for all of them.
+and for all of them. `wc -l` beside them finds the ends of the lines and nothing else: no reader is faster.
 
   -c COPIES   how often the log is repeated, its time going on (default 60)
   -n RUNS     runs of each program, of which the best counts (default 5)
@@ -89,6 +89,11 @@ reformat() {
     $pin log2asc -I "$1" "$interface" >/dev/null || fail 1 "log2asc failed with status $?"
 }
 
+lines() {
+    # shellcheck disable=SC2086 # $pin is several words, or none.
+    $pin wc -l "$1" >/dev/null || fail 1 "wc failed with status $?"
+}
+
 # ns COMMAND LOG: sets $took to the time it takes, in nanoseconds.
 ns() {
     begin=$(date +%s%N)
@@ -119,6 +124,7 @@ reformat "$dir/big.log"
 
 best_adsdv=
 best_log2asc=
+best_lines=
 run=0
 while [ "$run" -lt "$runs" ]; do
     run=$((run + 1))
@@ -126,13 +132,16 @@ while [ "$run" -lt "$runs" ]; do
     [ -n "$best_adsdv" ] && [ "$best_adsdv" -le "$took" ] || best_adsdv=$took
     ns reformat "$dir/big.log"
     [ -n "$best_log2asc" ] && [ "$best_log2asc" -le "$took" ] || best_log2asc=$took
+    ns lines "$dir/big.log"
+    [ -n "$best_lines" ] && [ "$best_lines" -le "$took" ] || best_lines=$took
 done
 
 echo "$frames frames ($copies copies of $(basename "$log")), best of $runs runs each, on $core"
-awk -v frames="$frames" -v adsdv="$best_adsdv" -v log2asc="$best_log2asc" 'BEGIN {
+awk -v frames="$frames" -v adsdv="$best_adsdv" -v log2asc="$best_log2asc" -v lines="$best_lines" 'BEGIN {
     shape = "%-12s %12.0f frames/s %8.3f s\n"
     printf shape, "adsdv check", frames / adsdv * 1e9, adsdv / 1e9
     printf shape, "log2asc", frames / log2asc * 1e9, log2asc / 1e9
+    printf shape, "wc -l", frames / lines * 1e9, lines / 1e9
     printf "%-12s %12.1f times as fast as log2asc\n", "adsdv check", log2asc / adsdv
 }'
 echo "memory       $(peak "$dir/small.log") KiB for 1 copy, $(peak "$dir/big.log") KiB for $copies"
