@@ -3,16 +3,13 @@
 use adsdv_oracle::protocol::{Domain, InputField};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
-use adsdv_spec::{Atom, Edition, Inputs, Mutation, Row};
+use adsdv_spec::{Atom, Atoms, Edition, Inputs, Mutation, Row};
 
 use crate::deviation::{Deviation, LATEST, Remembers, Wheels};
 use crate::dials::{Dial, dials};
-use crate::fixed::Fixed;
+use crate::fixed::{Fixed, observed};
 use crate::interface::Interface;
 use crate::model::Model;
-
-/// The inputs that the way to AS_READY needs at another value than they have after power-on.
-const NEEDED: [&str; 4] = ["asms", "tsms", "ami", "ebs"];
 
 /// What may explain answers.
 #[derive(Clone, Debug, Default)]
@@ -48,16 +45,12 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     all.extend([Deviation::GoLevel, Deviation::GoNeedsHandshake]);
     all.extend(Wheels::EACH.map(Deviation::Wheels));
     all.extend(Remembers::ALL.map(Deviation::Remembers));
-    let dials = dials(&Model::new(edition, &[]), interface);
+    let usual = Model::new(edition, &[]);
+    let dials = dials(&usual, interface);
     all.extend(dials.iter().map(|dial| Deviation::Ignores { key: dial.field.key }));
     let named: Vec<&Dial> =
         dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. })).collect();
-    let each = named.iter().flat_map(|dial| dial.values.iter().map(|&raw| (dial.field, raw)));
-    // What is so after power-on opens it only where the way to AS_READY needs another value.
-    let may_open =
-        |field: &InputField, raw| raw != (field.get)(&Inputs::default()) || NEEDED.contains(&field.key);
-    let closed = each.filter(|(field, raw)| may_open(field, *raw) && !opens(edition, field, *raw));
-    all.extend(closed.map(|(field, raw)| Deviation::Opens { key: field.key, raw }));
+    all.extend(opening(&usual, &named));
     for (place, row) in edition.rules.table.rows().iter().enumerate() {
         all.extend(joined(edition, place, row));
         let (from, to) = (row.from, row.to);
@@ -83,13 +76,35 @@ pub(crate) fn all(edition: &Edition, interface: &Interface) -> Vec<Deviation> {
     all
 }
 
-/// Whether a value of an input opens the shutdown circuit by the document.
-fn opens(edition: &Edition, field: &InputField, raw: i32) -> bool {
-    let mut inputs = Inputs::default();
-    (field.set)(&mut inputs, raw);
-    let usual = Model::new(edition, &[]);
-    let seen = inputs.observe(&edition.rules.thresholds);
-    usual.machine().atoms_of(seen).has(Atom::SdcOpen)
+/// What may open the shutdown circuit beside what the document says. What is so after power-on may where the way to AS_READY needs
+/// another value: a circuit that is never closed explains nothing.
+fn opening(usual: &Model, dials: &[&Dial]) -> Vec<Deviation> {
+    let at = |field: &InputField, raw| {
+        let mut inputs = Inputs::default();
+        (field.set)(&mut inputs, raw);
+        observed(usual, &inputs)
+    };
+    let plain = observed(usual, &Inputs::default());
+    let needed =
+        usual.terms(AsState::Off).fold(Atoms::NONE, |all, (term, _)| all.union(term.on).union(term.off));
+    let is_needed = |dial: &Dial| {
+        let changed = |&raw: &i32| {
+            let seen = at(dial.field, raw);
+            seen.difference(plain).union(plain.difference(seen))
+        };
+        // What the AI Computer sends is no switch of the vehicle.
+        dial.field.part.is_empty()
+            && dial.values.iter().map(changed).any(|changed| !changed.intersection(needed).is_empty())
+    };
+    let of = |dial: &Dial| {
+        let (field, needed) = (dial.field, is_needed(dial));
+        let may = |raw: &i32| {
+            (needed || *raw != (field.get)(&Inputs::default())) && !at(field, *raw).has(Atom::SdcOpen)
+        };
+        let values: Vec<i32> = dial.values.iter().copied().filter(may).collect();
+        values.into_iter().map(|raw| Deviation::Opens { key: field.key, raw })
+    };
+    dials.iter().flat_map(|dial| of(dial)).collect()
 }
 
 /// Deviations that only explain anything together: an arrow that leads elsewhere, and is late.

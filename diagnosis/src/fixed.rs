@@ -67,7 +67,8 @@ impl Fixed {
     }
 }
 
-fn observed(usual: &Model, inputs: &Inputs) -> Atoms {
+/// The conditions that hold by these inputs.
+pub(crate) fn observed(usual: &Model, inputs: &Inputs) -> Atoms {
     let machine = usual.machine();
     machine.atoms_of(inputs.observe(&machine.edition().rules.thresholds))
 }

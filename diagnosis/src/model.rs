@@ -236,10 +236,7 @@ impl Model {
         if begins && answer != control.handshake.bit && self.remembers(Remembers::TimeBeforeHandshake) {
             handshake.unanswered_ms = u16::try_from(dt_ms).unwrap_or(limit).min(limit);
         }
-        let for_good = self.remembers(Remembers::CommsLostForGood);
-        if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit)
-            || for_good && control.handshake.unanswered_ms >= limit
-        {
+        if self.remembers(Remembers::CommsLost) && active && control.handshake.is_lost(limit) {
             handshake.unanswered_ms = limit;
         }
         let state_limit = u32::from(rules.timing.in_state_limit(from));
@@ -252,7 +249,8 @@ impl Model {
         let in_state_ms = u16::try_from(lasted).unwrap_or(u16::MAX);
         let watched = active || machine.readings().is(Choice::WatchAlways);
         let mut comms_lost = handshake.is_lost(limit) || atoms.has(Atom::AiMessagesMissed) && watched;
-        if for_good && (comms_lost || handshake.unanswered_ms >= limit) {
+        let was_lost = control.handshake.unanswered_ms >= limit;
+        if self.remembers(Remembers::CommsLostForGood) && (comms_lost || was_lost) {
             (comms_lost, handshake.unanswered_ms) = (true, limit);
         }
         let mut atoms = atoms.union(machine.control_atoms(&control, in_state_ms, comms_lost, atoms));
