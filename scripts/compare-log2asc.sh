@@ -9,7 +9,7 @@ Usage: scripts/compare-log2asc.sh [-c COPIES] [-n RUNS] [-l LOG]
 
 Measures `adsdv check` and `log2asc` on the same long log, in turn, each pinned to one core, and prints for
 each the best run in frames per second, their ratio, and the memory that adsdv takes for one copy of the log
-and for all of them. `wc -l` beside them finds the ends of the lines and nothing else: no reader is faster.
+and for all of them. `wc -l` beside them finds the ends of the lines and nothing else.
 
   -c COPIES   how often the log is repeated, its time going on (default 60)
   -n RUNS     runs of each program, of which the best counts (default 5)
