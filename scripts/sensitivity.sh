@@ -10,6 +10,7 @@
 #   -e EDITION  3.0, 4.0 or 2026; 3.0 if nothing is said
 #   -n RUNS     how many runs of the specification are judged; 20000 if nothing is said
 # A recording in which the specification is blamed is kept in target/sensitivity, for adsdv check.
+# SENSITIVITY names a built program; without it one is built, optimised.
 # Exit status: 0 the specification was never blamed, 1 it was, 2 wrong usage.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -31,4 +32,6 @@ done
 [[ $runs =~ ^[0-9]{1,12}$ ]] || { echo "sensitivity.sh: '$runs' is no number of runs" >&2; exit 2; }
 # Of the specification alone there are no mutants to choose from.
 [ -z "$part" ] || [[ -n $only && $only != soundness ]] || { echo "sensitivity.sh: -m goes with -k" >&2; exit 2; }
-exec cargo run --release --locked -q -p adsdv-tests --bin sensitivity -- "$edition" "$runs" $only ${part:+"$part"}
+program=(cargo run --release --locked -q -p adsdv-tests --bin sensitivity --)
+[ -z "${SENSITIVITY-}" ] || program=("$SENSITIVITY")
+exec "${program[@]}" "$edition" "$runs" $only ${part:+"$part"}

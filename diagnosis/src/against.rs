@@ -68,7 +68,7 @@ impl Deviation {
                 Remembers::GoSeenOff => vec!["D-6"],
                 Remembers::CommsLost | Remembers::CommsLostForGood => vec!["D-17", "D-18"],
                 Remembers::Handshake | Remembers::HandshakeBit => vec!["HS-1", "D-8"],
-                Remembers::HandshakeBeginsWithOne => vec!["D-44"],
+                Remembers::HandshakeBeginsWithOne => vec!["HS-12", "D-44"],
                 Remembers::LiveFlags => vec!["D-17"],
                 Remembers::TimeBeforeHandshake => vec!["HS-16", "D-44"],
             },

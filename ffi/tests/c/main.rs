@@ -141,7 +141,7 @@ fn agrees(program: &Path, shows_everything: bool) {
 }
 
 fn agrees_in(edition: &'static Edition, program: &Path, shows_everything: bool) {
-    let script = script(edition, 5, 500);
+    let script = script(edition, 5, 3000);
     let mut running = Running::start(program);
     running.shows_everything = shows_everything;
     for (request, expected) in &script {
@@ -150,7 +150,7 @@ fn agrees_in(edition: &'static Edition, program: &Path, shows_everything: bool) 
     }
     running.ends();
 
-    let mut script = self::script(edition, 6, 2_000);
+    let mut script = self::script(edition, 6, 20_000);
     script.extend(suite(edition));
     let mut running = Running::start(program);
     running.shows_everything = shows_everything;

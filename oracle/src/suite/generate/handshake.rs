@@ -60,7 +60,7 @@ pub(super) fn tests(machine: &Machine) -> Vec<Test> {
             "begins-unanswered",
             "the AI Computer sends 1 before the handshake begins: no time counts before its first step",
             on().answering(false).step(limit, |_| {}).step(limit - 1, |_| {}).step(1, |_| {}),
-            vec!["HS-16", "D-44"],
+            vec!["HS-12", "HS-16", "D-44"],
         ),
         (
             "rests-without-tsms",

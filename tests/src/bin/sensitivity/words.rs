@@ -9,8 +9,7 @@
 //! - a fault flag that stays when its fault is gone, or one of the cause that does not (D-17), and what SHUTDOWN_CAUSE names of
 //!   several, or 0 where the emergency has no number of its own (D-13 to D-16);
 //! - an open shutdown circuit that no flag shows (D-12 to D-14);
-//! - whatever the handshake is while TSMS is off, that it begins with 1 whatever the AI Computer sends, and a step that is not counted
-//!   then (D-8, D-26, D-44);
+//! - whatever the handshake is while TSMS is off, and a step that is not counted when it begins (D-8, D-26, D-44);
 //! - steps that see what was so up to the deadline and a cycle before, each switch and the EBS by
 //!   themselves, flags that are so late, and a state that began a step before it shows.
 
@@ -51,8 +50,7 @@ pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
                 if next.state != control.state {
                     nexts.push(Control { in_state_ms: CYCLE_MS, ..next });
                 }
-                let begins = inputs.tsms && !control.handshake.active && sent.handshake;
-                if begins || !inputs.tsms {
+                if !inputs.tsms {
                     let shown = Handshake { active: true, bit: sent.handshake, unanswered_ms: 0 };
                     nexts.push(Control { handshake: shown, ..next });
                 }
@@ -60,7 +58,7 @@ pub(crate) fn can_tell(specification: &Machine, world: &World) -> bool {
                     let later = Handshake { unanswered_ms: 0, ..next.handshake };
                     nexts.push(Control { handshake: later, ..next });
                 }
-                match agrees(&sent, before.as_ref(), &expected, begins) {
+                match agrees(&sent, before.as_ref(), &expected) {
                     Agreement::Full => after.extend(nexts.into_iter().map(|next| (next, 0))),
                     Agreement::Late if *so_late < late => {
                         after.extend(nexts.into_iter().map(|next| (next, so_late + 1)));
@@ -137,13 +135,8 @@ enum Agreement {
     None,
 }
 
-fn agrees(
-    sent: &Vcu2AiStatus,
-    before: Option<&Vcu2AiStatus>,
-    expected: &Vcu2AiStatus,
-    begins: bool,
-) -> Agreement {
-    let handshake = sent.handshake == expected.handshake || begins || !sent.ts_switch_status;
+fn agrees(sent: &Vcu2AiStatus, before: Option<&Vcu2AiStatus>, expected: &Vcu2AiStatus) -> Agreement {
+    let handshake = sent.handshake == expected.handshake || !sent.ts_switch_status;
     if sent.as_state != expected.as_state || !handshake {
         return Agreement::None;
     }
