@@ -2,7 +2,7 @@
 
 use adsdv_spec::{Control, Machine, Observation};
 
-use crate::step::CYCLE_MS;
+use crate::cycle::cycle_ms;
 
 /// One action of the open model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,7 +17,7 @@ impl Action {
     /// The control state of a machine after the action.
     pub fn apply(self, machine: &Machine, control: &Control) -> Control {
         match self {
-            Self::Step(seen) => machine.react(control, seen, CYCLE_MS).control,
+            Self::Step(seen) => machine.react(control, seen, cycle_ms(machine)).control,
             Self::PowerCycle => Control::INITIAL,
         }
     }

@@ -15,7 +15,6 @@ use crate::open::{Open, Seen};
 use crate::parts::Part;
 use crate::properties::PROPERTIES;
 use crate::property::Property;
-use crate::step::CYCLE_MS;
 use crate::vectors::Vectors;
 
 /// How to explore.
@@ -112,7 +111,8 @@ pub fn explore(machine: Machine, options: Options, mut progress: impl FnMut(Prog
 
 /// About how many cycles away from the power cycle the farthest state is: both timers behind one another.
 fn expected_depth(timing: &Timing) -> usize {
-    (usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms)) / CYCLE_MS as usize
+    (usize::from(timing.ready_dwell_ms) + usize::from(timing.ebs_timer_ms))
+        / usize::from(timing.cycle_ms.max(1))
 }
 
 /// The same without progress, and without a look at the parts of the table: it reports none.

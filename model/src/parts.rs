@@ -9,7 +9,7 @@ use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::table::{Row, Term};
 use adsdv_spec::{Atom, Control, Machine, Mutation, Reads};
 
-use crate::step::CYCLE_MS;
+use crate::cycle::cycle_ms;
 use crate::vectors::{Cache, Vectors};
 
 /// A part of the table.
@@ -105,18 +105,18 @@ impl Parts {
         let open = self.all.iter().filter(|candidate| {
             candidate.part.row.from == control.state && !candidate.decides.load(Ordering::Relaxed)
         });
-        let idle = |machine: &Machine| machine.possible(control, CYCLE_MS).next().is_none();
-        let with = machine.reads(control, CYCLE_MS);
+        let idle = |machine: &Machine| machine.possible(control, cycle_ms(machine)).next().is_none();
+        let with = machine.reads(control, cycle_ms(machine));
         // While a timer runs nothing may be possible, with the part or without it: then they are alike.
         let with_is_idle = idle(machine);
         for Candidate { without, decides, .. } in open {
             if with_is_idle && idle(without) {
                 continue;
             }
-            let less = without.reads(control, CYCLE_MS);
+            let less = without.reads(control, cycle_ms(without));
             let reads = Reads { atoms: with.atoms.union(less.atoms), faults: with.faults.union(less.faults) };
             let decided = cache.get(reads, Vectors::Read).iter().any(|&seen| {
-                let after = |machine: &Machine| machine.react(control, seen, CYCLE_MS).control;
+                let after = |machine: &Machine| machine.react(control, seen, cycle_ms(machine)).control;
                 after(machine) != after(without)
             });
             if decided {

@@ -2,7 +2,7 @@
 
 use adsdv_spec::{Atoms, Control, Faults, Machine, Observation, Reaction, Taken, Timing};
 
-pub(crate) use crate::cycle::CYCLE_MS;
+use crate::cycle::cycle_ms;
 use crate::document::Document;
 use crate::steps::Steps;
 
@@ -27,7 +27,7 @@ pub struct Step {
 impl Step {
     /// The step of a machine, one cycle after its last.
     pub fn of(machine: &Machine, timing: &Timing, before: Control, seen: Observation) -> Self {
-        let reaction = machine.react(&before, seen, CYCLE_MS);
+        let reaction = machine.react(&before, seen, cycle_ms(machine));
         Self::taken_by(Document::of_machine(machine), timing, before, seen, reaction)
     }
 

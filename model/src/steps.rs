@@ -11,7 +11,6 @@ use adsdv_spec::messages::{
 };
 use adsdv_spec::{Actuation, Atom, Atoms, Choice, Control, Inputs, Machine, Outputs, Reaction, Timing};
 
-use crate::cycle::CYCLE_MS;
 use crate::document::Document;
 
 /// Up to 64 steps of a machine from one control state to another.
@@ -111,7 +110,7 @@ impl<'a> Steps<'a> {
 
     /// How long the state before the steps has lasted when they are made, in milliseconds, as far as it was counted.
     pub fn lasted_ms(&self) -> u32 {
-        u32::from(self.before.in_state_ms) + CYCLE_MS
+        u32::from(self.before.in_state_ms) + u32::from(self.timing.cycle_ms)
     }
 
     /// Whether the state before the steps has lasted for the time that the document gives it.
@@ -121,7 +120,7 @@ impl<'a> Steps<'a> {
 
     /// Whether the state after the steps will have lasted for its time at the next step.
     pub fn next_have_lasted(&self) -> bool {
-        let next_ms = u32::from(self.after().in_state_ms) + CYCLE_MS;
+        let next_ms = u32::from(self.after().in_state_ms) + u32::from(self.timing.cycle_ms);
         next_ms >= u32::from(self.timing.in_state_limit(self.after().state))
     }
 
@@ -153,7 +152,8 @@ impl<'a> Steps<'a> {
         let one = self.see(Atom::AiHandshake);
         let answered = if before.bit { one } else { !one };
         let turns = after.bit != before.bit && after.unanswered_ms == 0;
-        let counted = if before.active { u32::from(before.unanswered_ms) + CYCLE_MS } else { 0 };
+        let counted =
+            if before.active { u32::from(before.unanswered_ms) + u32::from(self.timing.cycle_ms) } else { 0 };
         let waits = after.bit == before.bit
             && u32::from(after.unanswered_ms) == counted.min(timing.handshake_ms.into());
         answered & every_one(turns) | !answered & every_one(waits)

@@ -5,7 +5,7 @@ use adsdv_spec::{Atom, Atoms, Control, Machine};
 use crate::action::Action;
 use crate::property::Property;
 use crate::run::Run;
-use crate::step::{CYCLE_MS, Step};
+use crate::step::Step;
 
 /// A line of a story.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
     let timing = &machine.edition().rules.timing;
     let (mut control, mut ms, mut lines) = (Control::INITIAL, 0, Vec::new());
     for (place, action) in path.iter().enumerate() {
-        ms += u64::from(CYCLE_MS);
+        ms += u64::from(timing.cycle_ms);
         match *action {
             Action::PowerCycle => {
                 control = Control::INITIAL;
@@ -48,17 +48,17 @@ pub fn story(machine: &Machine, path: &[Action], property: Option<&Property>) ->
 pub fn story_of(run: &Run) -> Vec<StoryLine> {
     let steps = run.steps().zip(1..);
     let changes = steps.filter(|(cycle, _)| cycle.before.state != cycle.after.state);
+    let rules = &run.machine().edition().rules;
     changes
         .map(|(cycle, step)| {
             let (before, after) = (cycle.before.state, cycle.after.state);
             let section = cycle.outputs.row(run.machine()).map_or("", |row| row.section);
             let deciding =
                 cycle.outputs.term(run.machine()).map_or(Atoms::NONE, |term| term.on.union(term.off));
-            let rules = &run.machine().edition().rules;
             let text = |atom| rules.text(atom, cycle.outputs.atoms.has(atom)).to_string();
             let conditions: Vec<_> = deciding.iter().map(text).collect();
             let text = format!("{before} -> {after} ({section}): {}", conditions.join(", "));
-            StoryLine { ms: step * u64::from(CYCLE_MS), text }
+            StoryLine { ms: step * u64::from(rules.timing.cycle_ms), text }
         })
         .collect()
 }

@@ -6,10 +6,10 @@ use std::sync::{Arc, PoisonError, RwLock};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observation, Reads, Row, Timing};
 
+use crate::cycle::cycle_ms;
 use crate::document::Document;
 use crate::planes::Words;
 use crate::property::Property;
-use crate::step::CYCLE_MS;
 
 /// Which input vectors are tried at a control state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -65,7 +65,7 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
                 tables.iter().fold(HANDSHAKE, |all, table| all.union(mentioned(table.rows(), from)));
             let edges = machine.readings().is(Choice::FaultEdge);
             let remembered = Atoms::when(Atom::MissionRunning, edges && from != AsState::EmergencyBrake);
-            let reads = machine.reads(control, CYCLE_MS).atoms;
+            let reads = machine.reads(control, cycle_ms(machine)).atoms;
             let atoms = properties_read(&|_| true).union(mentioned).union(remembered).union(reads);
             Reads {
                 atoms: atoms.intersection(machine.scope().union(edition.scope())),
@@ -73,8 +73,8 @@ pub(crate) fn varied(machine: &Machine, document: &Timing, control: &Control, ve
             }
         }
         Vectors::Read | Vectors::Few => {
-            let reads = machine.reads(control, CYCLE_MS);
-            let leads = |to| machine.possible(control, CYCLE_MS).any(|(row, _)| row.to == to);
+            let reads = machine.reads(control, cycle_ms(machine));
+            let leads = |to| machine.possible(control, cycle_ms(machine)).any(|(row, _)| row.to == to);
             let atoms = properties_read(&leads).union(reads.atoms);
             // A fault of the battery that does not open the circuit is no fault like the others.
             let apart = atoms.has(Atom::SdcOpen) && machine.readings().is(Choice::BmsDriving);

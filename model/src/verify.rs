@@ -9,6 +9,7 @@ use adsdv_spec::{AsState, Choice, Control, Machine, Observation, Timing};
 use stateright::{Checker, Path};
 
 use crate::action::Action;
+use crate::cycle::cycle_ms;
 use crate::document::Document;
 use crate::exploration::{Exploration, NOTHING, Options, Progress, checker, explore};
 use crate::goals::goals;
@@ -17,7 +18,7 @@ use crate::moot::moot;
 use crate::open::{Open, State};
 use crate::parts::Part;
 use crate::property::{Harm, Property};
-use crate::step::{CYCLE_MS, Step};
+use crate::step::Step;
 use crate::vectors::Vectors;
 
 /// An exploration, and the runs that show what it found.
@@ -76,7 +77,8 @@ impl Open {
             return if property.harm == Harm::SetsOff { self.setting_off(run) } else { run };
         }
         let goal = goals(Document::of_machine(self.machine()).edition).iter().find(|goal| goal.name == name);
-        let after = |control: &Control, seen| self.machine().react(control, seen, CYCLE_MS).control;
+        let after =
+            |control: &Control, seen| self.machine().react(control, seen, cycle_ms(self.machine())).control;
         self.run_to(path, |control, seen| {
             goal.is_some_and(|goal| goal.is_reached(control, &after(control, seen)))
         })

@@ -4,8 +4,9 @@ use adsdv_spec::Control;
 
 use super::{Looker, Shown};
 use crate::action::Action;
+use crate::cycle::cycle_ms;
 use crate::planes::Words;
-use crate::step::{CYCLE_MS, Step};
+use crate::step::Step;
 
 impl Looker {
     pub(super) fn one_by_one(&self, control: &Control, vectors: &Words) -> Shown {
@@ -13,7 +14,7 @@ impl Looker {
         let (mut broken, mut next) = (0, Vec::new());
         let mut last: Option<Step> = None;
         for &seen in vectors.iter() {
-            let reaction = self.machine.react(control, seen, CYCLE_MS);
+            let reaction = self.machine.react(control, seen, cycle_ms(&self.machine));
             // Many steps differ from the one before them in the faults alone.
             if last.as_ref().is_some_and(|last| last.is(seen, &reaction)) {
                 continue;

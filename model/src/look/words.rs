@@ -8,9 +8,9 @@ use adsdv_spec::{Control, Faults, Reaction};
 
 use super::{Looker, Shown};
 use crate::action::Action;
+use crate::cycle::cycle_ms;
 use crate::planes::Words;
 use crate::property::Property;
-use crate::step::CYCLE_MS;
 use crate::steps::Steps;
 
 /// Steps that come to the same.
@@ -24,7 +24,7 @@ struct Group {
 
 impl Looker {
     pub(super) fn in_words(&self, network: &Network, control: &Control, vectors: &Words) -> Shown {
-        let wired = network.at(control, CYCLE_MS);
+        let wired = network.at(control, cycle_ms(&self.machine));
         let properties = self.properties(control);
         let mut groups: Vec<Group> = Vec::new();
         let (mut broken, mut next) = (0, Vec::new());
@@ -47,8 +47,10 @@ impl Looker {
                     return;
                 }
                 let seen = word.get(lane as usize).copied().unwrap_or_default();
-                let reaction =
-                    Reaction { faults: Faults::NONE, ..self.machine.react(control, seen, CYCLE_MS) };
+                let reaction = Reaction {
+                    faults: Faults::NONE,
+                    ..self.machine.react(control, seen, cycle_ms(&self.machine))
+                };
                 let steps = steps_of(&reaction);
                 let open = properties.iter().copied().filter(|(place, property)| {
                     broken |= u64::from(property.broken_in(&self.machine, &steps) != 0) << place;

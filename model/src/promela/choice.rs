@@ -7,7 +7,6 @@ use adsdv_spec::{Atom, Atoms, Choice, Control, Fault, Faults, Machine, Observati
 
 use super::Promela;
 use super::words::{inputs_of, name, one_of};
-use crate::step::CYCLE_MS;
 use crate::vectors::{Vectors, subsets, varied};
 
 /// Writes the cycles that begin in a state: one for each set of inputs that what is remembered lets it read.
@@ -59,8 +58,9 @@ struct Span {
 
 /// The spans of the times in a state in which the same is read.
 fn spans<T: PartialEq>(promela: &Promela<'_>, from: AsState, reads: impl Fn(u16) -> T) -> Vec<Span> {
-    let limit = promela.machine.edition().rules.timing.in_state_limit(from);
-    let times = (0..limit).step_by(CYCLE_MS as usize).chain([limit]);
+    let timing = &promela.machine.edition().rules.timing;
+    let limit = timing.in_state_limit(from);
+    let times = (0..limit).step_by(timing.cycle_ms.max(1).into()).chain([limit]);
     let mut spans: Vec<Span> = Vec::new();
     let mut last = None;
     for ms in times {

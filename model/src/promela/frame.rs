@@ -9,7 +9,6 @@ use adsdv_spec::{Atom, Atoms, Choice, Fault, Faults, Machine, Taken};
 use super::words::{all, any, battery_is_apart, cause, in_words, name, one_of, seen_by};
 use super::{Promela, checks};
 use crate::document::Document;
-use crate::step::CYCLE_MS;
 
 /// Writes the states, the times, the readings that a step asks for, and the causes.
 pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fmt::Result {
@@ -22,7 +21,7 @@ pub(super) fn constants(f: &mut fmt::Formatter<'_>, promela: &Promela<'_>) -> fm
     for state in AsState::ALL {
         writeln!(f, "#define LIMIT_{state} {}", timing.in_state_limit(state))?;
     }
-    writeln!(f, "#define CYCLE_MS {CYCLE_MS}\n#define HANDSHAKE_MS {}", timing.handshake_ms)?;
+    writeln!(f, "#define CYCLE_MS {}\n#define HANDSHAKE_MS {}", timing.cycle_ms, timing.handshake_ms)?;
     f.write_str("\n/* The times of the document, by which the properties go. */\n")?;
     writeln!(f, "#define DOCUMENT_READY_DWELL_MS {}", document.ready_dwell_ms)?;
     writeln!(f, "#define DOCUMENT_EBS_TIMER_MS {}", document.ebs_timer_ms)?;

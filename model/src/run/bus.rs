@@ -6,7 +6,7 @@
 
 use adsdv_spec::messages::{EbsState, Frame, Vcu2LogStatus};
 
-use super::{CYCLE_NS, MS, Run};
+use super::{MS, Run};
 
 /// The time from one frame to the next, in nanoseconds: about what one takes on a bus of 500 kbit/s.
 const FRAME_NS: i64 = MS / 4;
@@ -24,7 +24,7 @@ impl Run {
         let ebs_before =
             std::iter::once(EbsState::default()).chain(self.cycles.iter().map(|cycle| cycle.inputs.ebs));
         self.cycles.iter().zip(ebs_before).flat_map(move |(cycle, ebs_before)| {
-            let begin_ns = cycle.t_ns - CYCLE_NS / 2;
+            let begin_ns = cycle.t_ns - self.cycle_ns() / 2;
             let news = cycle.inputs.ebs != ebs_before;
             let sent = move |frame: &Frame| {
                 slow_ns(frame).is_none_or(|slow_ns| begin_ns % slow_ns == 0)

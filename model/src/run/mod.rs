@@ -14,15 +14,12 @@ mod bus;
 use adsdv_spec::{Atoms, Control, Edition, Faults, Inputs, Knowledge, Machine, Observation, Outputs, Reads};
 
 use crate::action::Action;
+use crate::cycle::cycle_ms;
 use crate::document::Document;
-use crate::step::CYCLE_MS;
 use crate::vectors::{Vectors, varied};
 
 /// Nanoseconds in a millisecond.
 const MS: i64 = 1_000_000;
-
-/// The VCU's cycle in nanoseconds.
-const CYCLE_NS: i64 = CYCLE_MS as i64 * MS;
 
 /// The cycle of the slowest message of all editions: of 502h.
 const SLOWEST_MS: u32 = {
@@ -156,7 +153,7 @@ impl Run {
         let limit = self.machine.edition().rules.timing.handshake_ms;
         let lost = self.control().handshake.is_lost(limit);
         let mut inputs = self.inputs();
-        for _ in 0..ms.div_ceil(CYCLE_MS) {
+        for _ in 0..ms.div_ceil(cycle_ms(&self.machine).max(1)) {
             if !lost {
                 inputs.ai.status.handshake = self.control().handshake.bit;
             }
@@ -188,9 +185,14 @@ impl Run {
         self.cycles.last().map_or_else(Inputs::default, |cycle| cycle.inputs)
     }
 
+    /// The VCU's cycle in nanoseconds.
+    fn cycle_ns(&self) -> i64 {
+        i64::from(cycle_ms(&self.machine)) * MS
+    }
+
     /// When the next step is made, if nothing is in between. The AI Computer's frames take the half cycle before it.
     fn next_ns(&self) -> i64 {
-        self.cycles.last().map_or(CYCLE_NS / 2, |cycle| cycle.t_ns + CYCLE_NS)
+        self.cycles.last().map_or(self.cycle_ns() / 2, |cycle| cycle.t_ns + self.cycle_ns())
     }
 
     /// The VCU was switched on, after this many milliseconds without power.
@@ -209,9 +211,10 @@ impl Run {
             handshake_lost: false,
             missed_ms: None,
         };
-        let cycles = (0..i64::from(POWER_UP_MS / CYCLE_MS)).map(|cycle| Cycle {
+        let cycle_ns = self.cycle_ns();
+        let cycles = (0..i64::from(POWER_UP_MS / cycle_ms(&self.machine).max(1))).map(|cycle| Cycle {
             phase: Phase::PowerUp,
-            t_ns: begin_ns + cycle * CYCLE_NS,
+            t_ns: begin_ns + cycle * cycle_ns,
             inputs: Inputs::default(),
             before: control,
             after: control,
@@ -238,7 +241,7 @@ impl Run {
 
     fn step(&mut self, phase: Phase, inputs: Inputs) {
         let (t_ns, before) = (self.next_ns(), self.control());
-        let (after, outputs) = self.machine.step(&before, &inputs, CYCLE_MS);
+        let (after, outputs) = self.machine.step(&before, &inputs, cycle_ms(&self.machine));
         self.cycles.push(Cycle { phase, t_ns, inputs, before, after, outputs });
     }
 }
@@ -264,11 +267,11 @@ fn plan(machine: &Machine, path: impl IntoIterator<Item = Action>) -> Vec<Option
         .map(|(place, action)| match action {
             Action::Step(seen) => {
                 let reads = if unheeded.contains(&place) {
-                    machine.reads(&control, CYCLE_MS)
+                    machine.reads(&control, cycle_ms(machine))
                 } else {
                     varied(machine, document, &control, Vectors::Read)
                 };
-                control = machine.react(&control, seen, CYCLE_MS).control;
+                control = machine.react(&control, seen, cycle_ms(machine)).control;
                 Some(Planned { seen, reads, ahead: Knowledge::NOTHING })
             }
             Action::PowerCycle => {
