@@ -1,8 +1,9 @@
 //! The handshake: 50 ms, for both sides.
 
-use adsdv_oracle::judge::{JudgeOptions, Meter, Party, Rule};
-use adsdv_spec::Choice;
+use adsdv_diagnosis::{Deviation, Remembers};
+use adsdv_oracle::judge::{JudgeOptions, Meter, Party, Rule, Severity};
 use adsdv_spec::messages::{AnyMessage, AsState, Node, Vcu2AiStatus};
+use adsdv_spec::{Choice, Edition};
 use adsdv_tests::bus::BUS;
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
@@ -210,5 +211,78 @@ fn a_bit_that_never_changes_though_it_is_answered_leaves_no_reason_for_a_loss_of
             &[(Rule::FlagUnfounded, "2.4")],
             "answered all the time",
         );
+    }
+}
+
+/// TSMS is switched on while the AI Computer has sent 1 for so long; it answers from then on.
+fn begins_against_one(mut world: World, ms: i64) -> World {
+    world.wait(300);
+    (world.ai_answers, world.ai.status.handshake) = (false, true);
+    world.wait(ms);
+    world.inputs.tsms = true;
+    world.cycle();
+    world.ai_answers = true;
+    world.wait(300);
+    world
+}
+
+fn with_one(edition: &Edition) -> World {
+    World::deviating(edition, Deviation::Remembers(Remembers::HandshakeBeginsWithOne))
+}
+
+/// How often the judge reports a beginning, and how severely.
+fn beginnings(log: &[Recorded], options: JudgeOptions) -> Vec<Severity> {
+    let report = judge(log, options);
+    let beginnings = report.findings.iter().filter(|finding| finding.requirements.contains(&"HS-12"));
+    beginnings.map(|finding| finding.severity).collect()
+}
+
+//= HS-12
+#[test]
+fn a_handshake_that_begins_with_1_where_the_ai_computer_sends_1_already_has_no_rising_edge_for_its_answer() {
+    for edition in Edition::ALL {
+        let open = JudgeOptions::of(edition);
+        let complete = JudgeOptions { complete: true, ..open };
+        let wrong = begins_against_one(with_one(edition), 400).log;
+        assert_eq!(beginnings(&wrong, complete), [Severity::Violation], "{}", edition.version);
+        assert_eq!(beginnings(&wrong, open), [Severity::Warning], "{}", edition.version);
+        let finding = only(&judge(&wrong, complete));
+        assert_eq!((finding.rule, finding.evidence.len()), (Rule::HandshakeEdge, 2));
+        let is_right = |vcu, ms| {
+            let right = begins_against_one(vcu, ms).log;
+            assert_eq!(beginnings(&right, complete), [], "{}", edition.version);
+        };
+        is_right(World::of(edition), 400);
+        // It may have seen a 0 last where one was sent so lately.
+        is_right(with_one(edition), 100);
+    }
+}
+
+/// A single 0 of the AI Computer is reason enough to begin with 1, also where it is recorded late.
+#[test]
+fn a_0_in_between_is_a_reason_to_begin_with_1() {
+    let mut world = World::reference();
+    world.wait(300);
+    (world.ai_answers, world.ai.status.handshake) = (false, true);
+    world.wait(400);
+    world.ai.status.handshake = false;
+    world.cycle();
+    world.ai.status.handshake = true;
+    world.inputs.tsms = true;
+    world.cycle();
+    let begun = world.log.len();
+    world.ai_answers = true;
+    world.wait(300);
+    let complete = JudgeOptions { complete: true, ..JudgeOptions::default() };
+    assert_eq!(beginnings(&world.log, complete), []);
+    let status = |recorded: &&mut Recorded| recorded.frame.id == adsdv_spec::messages::Ai2VcuStatus::ID;
+    for late_ms in [8, 20] {
+        let mut log = world.log.clone();
+        let zero = log[..begun].iter_mut().rev().filter(status).nth(1).expect("the 510h with 0");
+        zero.t += late_ms * MS;
+        let one = log[..begun].iter_mut().rev().find(status).expect("the one after it");
+        one.t += (late_ms - 9).max(0) * MS;
+        log.sort_by_key(|recorded| recorded.t);
+        assert!(!beginnings(&log, complete).contains(&Severity::Violation), "late by {late_ms} ms");
     }
 }

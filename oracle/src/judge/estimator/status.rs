@@ -25,6 +25,8 @@ pub(crate) struct StatusChange {
     /// Whether the edge before was answered, and the new one if it seems not to have been.
     pub(crate) answered: bool,
     pub(crate) suspect: Option<Suspect>,
+    /// Where the handshake began with 1, whether the AI Computer can answer that with a rising edge, as far as that is clear.
+    pub(crate) begins: Option<bool>,
     /// What was known before.
     pub(crate) before: PriorKnowledge,
     /// The state before, and the one now if that is another or known anew.
@@ -86,6 +88,9 @@ impl Estimator {
             self.handshake.begins_anew();
         }
         let suspect = self.handshake.vcu(t, status.handshake).filter(|_| status.ts_switch_status);
+        let idle = previous.is_some_and(|previous| !previous.ts_switch_status && !previous.handshake);
+        let rises = idle && status.ts_switch_status && status.handshake;
+        let begins = if rises { self.handshake.rises_at_once(t, self.cycle()) } else { None };
         let missing_since = came.before.filter(|_| gap);
         let before = self.before(t, came.before.zip(previous), missing_since);
         self.learn_status(t, status, readable, previous, new, gap);
@@ -97,6 +102,7 @@ impl Estimator {
             silence,
             answered,
             suspect,
+            begins,
             before,
             old,
             entered: None,

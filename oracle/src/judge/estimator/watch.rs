@@ -29,6 +29,8 @@ pub(crate) struct Watch {
     last_response: i64,
     /// Whether frames that could have answered this edge may be missing from the log.
     blind: bool,
+    /// How the handshake began, when the tractive system was seen to be switched on.
+    began: Option<Beginning>,
     /// Whether the AI Computer's fault at this edge was reported, and the VCU's.
     pub(crate) reported_ai: bool,
     pub(crate) reported_vcu: bool,
@@ -68,6 +70,15 @@ impl Edges {
     }
 }
 
+/// The handshake began with 1, which the AI Computer had shown for long before: there is no rising edge to answer that with.
+#[derive(Clone, Copy, Debug)]
+struct Beginning {
+    /// When the VCU showed that.
+    t: i64,
+    /// Whether the AI Computer's 1 counted as the answer: the VCU went on to 0, and nothing but 1 was seen before.
+    went_on: bool,
+}
+
 /// An edge of the VCU's bit that came, as far as is seen yet, without an answer to the one before.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Suspect {
@@ -82,6 +93,9 @@ impl Watch {
     pub(crate) fn vcu(&mut self, now: i64, bit: bool) -> Option<Suspect> {
         let before = self.vcu.replace(bit);
         self.edges.vcu(now, bit);
+        if let Some(began) = self.began.as_mut().filter(|_| !bit) {
+            began.went_on = true;
+        }
         if before == Some(bit) {
             return None;
         }
@@ -103,6 +117,8 @@ impl Watch {
         self.ai_run = if self.ai == Some(bit) { self.ai_run.saturating_add(1) } else { 1 };
         self.ai = Some(bit);
         self.edges.ai(now, bit);
+        // The VCU may have seen that before it began, and it came late.
+        self.began = self.began.filter(|began| bit || began.went_on);
         self.agreed = match self.vcu {
             Some(vcu) if vcu == bit => self.agreed.saturating_add(1),
             // Meanwhile the VCU's bit cannot have gone to and fro: the AI Computer has answered nothing else.
@@ -164,7 +180,24 @@ impl Watch {
     /// The tractive system was switched on or off, or the VCU was silent for so long that it may have been off itself.
     pub(crate) fn begins_anew(&mut self) {
         self.restart();
-        self.edges.still = None;
+        (self.edges.still, self.began) = (None, None);
+    }
+
+    /// The tractive system was switched on, and the VCU's bit rose to 1 with it. Tells whether the AI Computer can answer with a
+    /// rising edge, as far as that is clear by what was recorded: it showed 0 last, or 1 for as long as many cycles.
+    pub(crate) fn rises_at_once(&mut self, now: i64, cycle: i64) -> Option<bool> {
+        let (bit, since) = self.edges.ai?;
+        if !bit {
+            return Some(true);
+        }
+        let long = now - since >= i64::from(STUCK) * cycle;
+        self.began = long.then_some(Beginning { t: now, went_on: false });
+        long.then_some(false)
+    }
+
+    /// Whether the handshake that began at this time took for its answer what had been there before.
+    pub(crate) fn went_on_from(&self, began: i64) -> bool {
+        self.began.is_some_and(|beginning| beginning.t == began && beginning.went_on)
     }
 
     /// The AI Computer's frames stopped, or cannot be read.

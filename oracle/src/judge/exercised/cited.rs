@@ -14,6 +14,8 @@ pub(in crate::judge) const ALTERNATES: &str = "HS-4"; //= HS-4
 pub(in crate::judge) const ANSWERS: &str = "HS-5"; //= HS-5
 /// That the VCU holds its bit, 0 and 1, until it is answered, and then changes it.
 pub(in crate::judge) const HOLDS: [&str; 2] = ["HS-7", "HS-6"]; //= HS-6, HS-7
+/// That the handshake begins with a rising edge, which the AI Computer can answer with one.
+pub(in crate::judge) const BEGINS: &str = "HS-12"; //= HS-12
 /// That an edge which stays unanswered is a fault, as version 3.0 has it.
 pub(in crate::judge) const UNANSWERED: &[&str] = &["HS-9", "HS-16"]; //= HS-9, HS-16, HS-17, HS-19
 /// That a message which is missed is one.
@@ -36,7 +38,7 @@ pub(in crate::judge) fn of_edition(edition: &Edition, ids: &[&'static str]) -> V
 
 /// The requirements of an edition that a log can show, in the order of the document.
 pub(super) fn all(edition: &Edition) -> Vec<&'static str> {
-    let mut cited = vec![ONLY_ARROWS, ALTERNATES, ANSWERS, FINISHES_AT_REST];
+    let mut cited = vec![ONLY_ARROWS, ALTERNATES, ANSWERS, BEGINS, FINISHES_AT_REST];
     cited.extend(HOLDS.iter().chain(UNANSWERED));
     if edition.rules.thresholds.missed_ms.is_some() {
         cited.push(MISSED);

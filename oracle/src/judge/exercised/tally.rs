@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use adsdv_spec::{Actuation, AsState, Edition};
 
-use super::cited::{self, ALTERNATES, ANSWERS, HOLDS};
+use super::cited::{self, ALTERNATES, ANSWERS, BEGINS, HOLDS};
 use super::standing::{RequirementStanding, Standing};
 use crate::judge::finding::Severity;
 
@@ -51,6 +51,11 @@ impl Tally {
         if let Some(before) = before.filter(|&before| answered && before != bit) {
             self.turned[usize::from(before)] = true;
         }
+    }
+
+    /// The handshake began with an edge that the AI Computer can answer with one.
+    pub(in crate::judge) fn begins(&mut self) {
+        self.mark(&[BEGINS], Standing::Held);
     }
 
     /// The states that were shown.

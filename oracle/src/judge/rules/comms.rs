@@ -4,13 +4,14 @@
 use adsdv_spec::{AsState, Atom, Atoms, Truth};
 
 use super::likely::excuse;
+use super::pending::Pending;
 use super::silence::Silence;
 use super::vcu_status::{TIMEOUTS, name_of};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
 use crate::judge::estimator::watch::Suspect;
-use crate::judge::exercised::{ANSWERS, HOLDS, MISSED, UNANSWERED};
+use crate::judge::exercised::{ANSWERS, BEGINS, HOLDS, MISSED, UNANSWERED};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::response::Meter;
 use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
@@ -271,4 +272,25 @@ pub(super) fn judge_edge(est: &Estimator, t: i64, suspect: Suspect) -> Option<Fi
         ))
         .expected("the VCU to wait for the answer");
     Some(finding.shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
+}
+
+/// The handshake began with a 1 that the AI Computer had shown before: has the VCU taken it for the answer?
+///
+/// A 0 of the AI Computer in between would be a reason for the 1, and could be recorded behind what the VCU did next. So it is certain
+/// only where nothing was lost, and frames come so regularly that none of two steps change places.
+pub(super) fn judge_beginning(est: &Estimator, pending: &Pending) -> Option<Finding> {
+    let t = pending.t;
+    if !est.handshake.went_on_from(t) {
+        return None;
+    }
+    let regular = |index| est.sampler.slot(index).is_some_and(|slot| 2 * slot.spread() <= est.cycle());
+    let certain = est.options.complete && regular(STATUS) && regular(AI_STATUS);
+    let severity = if certain { Severity::Violation } else { Severity::Warning };
+    let finding = Finding::new(severity, Party::Vcu, "2.4", Rule::HandshakeEdge, t)
+        .against(&[BEGINS])
+        .seen("HANDSHAKE began with 1, which the AI Computer had sent before, and went on to 0")
+        .expected("a 1 that the AI Computer answers with a rising edge");
+    let excuse = excuse(est, Atoms::of(&[Atom::Tsms, Atom::AiHandshake]), t - est.window, t);
+    let finding = if certain { finding } else { finding.unless(excuse) };
+    Some(finding.shown_by(est.sampler.frames_of(&pending.frames, &[STATUS, AI_STATUS])))
 }

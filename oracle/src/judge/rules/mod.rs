@@ -89,6 +89,11 @@ impl Rules {
         if let Some(suspect) = shown.suspect {
             self.wait(est, book, t, est.window, Awaited::Edge(suspect));
         }
+        match shown.begins {
+            Some(true) => book.tally.begins(),
+            Some(false) => self.wait(est, book, t, est.handshake_limit() + est.window, Awaited::Beginning),
+            None => {}
+        }
         if let Some(change) = shown.change {
             book.notice_change(est, t, &change);
             let wait = est.sampler.wait_for(est.readings.deciding(change.from));
@@ -272,6 +277,7 @@ impl Rules {
             Awaited::Edge(suspect) => {
                 book.found(comms::judge_edge(est, t, suspect));
             }
+            Awaited::Beginning => book.found(comms::judge_beginning(est, pending)),
             Awaited::Conduct(fault, before) => {
                 if let Some(wait) = self.conduct.judge(est, book, pending, (fault, before)) {
                     self.wait(est, book, t, wait, Awaited::Conduct(fault, before));

@@ -27,6 +27,8 @@ pub(super) enum Awaited {
     Flag(Fault, PriorKnowledge),
     /// The VCU's handshake bit changed without an answer.
     Edge(Suspect),
+    /// The handshake began with a 1 that the AI Computer had shown before.
+    Beginning,
     /// The AI Computer did what is a fault; what was known then.
     Conduct(Fault, Knowledge),
     /// Something changed, and whether the change counts.

@@ -118,6 +118,11 @@ impl Slot {
         self.gap.map(|(_, end)| end).filter(|&end| end > since && !self.complete)
     }
 
+    /// How far intervals have been from the period of late: the recorder's jitter.
+    pub(crate) const fn spread(&self) -> i64 {
+        self.spread
+    }
+
     /// Whether frames are taken to get lost.
     pub(crate) fn is_lossy(&self) -> bool {
         self.last.is_some_and(|last| last < self.lossy_until)
