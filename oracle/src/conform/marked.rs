@@ -23,11 +23,16 @@ pub(super) fn ours() -> String {
 pub(super) fn kill_marked(mark: &str, all: bool) {
     /// One that forks all the time may have left another behind while it was looked for.
     const ROUNDS: usize = 20;
+    /// To become another program takes less, but for a machine that is busy: then there are more rounds.
+    const PACE: std::time::Duration = std::time::Duration::from_millis(2);
     let wanted = format!("{MARK}={mark}");
     for _ in 0..ROUNDS {
-        let found = marked(&wanted, all);
-        if found.is_empty() {
+        let Marked { found, unsure } = marked(&wanted, all);
+        if found.is_empty() && !unsure {
             break;
+        }
+        if found.is_empty() {
+            std::thread::sleep(PACE);
         }
         for process in found {
             // What cannot be killed is gone already.
@@ -38,19 +43,45 @@ pub(super) fn kill_marked(mark: &str, all: bool) {
 
 /// The others of this user that run and have such a variable.
 #[cfg(target_os = "linux")]
-fn marked(wanted: &str, all: bool) -> Vec<rustix::process::Pid> {
+#[derive(Default)]
+struct Marked {
+    found: Vec<rustix::process::Pid>,
+    /// Whether there is one that may have it: while it becomes another program its environment is empty for a moment.
+    unsure: bool,
+}
+
+#[cfg(target_os = "linux")]
+fn marked(wanted: &str, all: bool) -> Marked {
     let has = |variable: &[u8]| {
         if all { variable.starts_with(wanted.as_bytes()) } else { variable == wanted.as_bytes() }
     };
     let folders = std::fs::read_dir("/proc").into_iter().flatten().flatten();
     let numbers = folders.filter_map(|folder| folder.file_name().to_str()?.parse::<i32>().ok());
     let others = numbers.filter(|number| number.unsigned_abs() != std::process::id());
-    // One that has ended, and nobody has asked how, has no environment any more.
-    let is_marked = |number: &i32| {
-        std::fs::read(format!("/proc/{number}/environ"))
-            .is_ok_and(|environment| environment.split(|byte| *byte == 0).any(has))
-    };
-    others.filter(is_marked).filter_map(rustix::process::Pid::from_raw).collect()
+    let (mut marked, mut memory) = (Marked::default(), vec![0; LONGEST]);
+    for number in others {
+        let Some(environment) = environment(number, &mut memory) else { continue };
+        if environment.split(|byte| *byte == 0).any(has) {
+            marked.found.extend(rustix::process::Pid::from_raw(number));
+        }
+        // One that has ended, and nobody has asked how, has no environment any more, and no program; nor has a thread of the kernel.
+        let runs = || std::fs::read_link(format!("/proc/{number}/exe")).is_ok();
+        marked.unsure |= environment.is_empty() && runs();
+    }
+    marked
+}
+
+/// The longest environment that Linux gives a program, in bytes, with its arguments, where its stack is as large as usual.
+#[cfg(target_os = "linux")]
+const LONGEST: usize = 2 << 20;
+
+/// The environment of a process, by a single read: between two it may become another program, and the second finds nothing more.
+#[cfg(target_os = "linux")]
+fn environment(number: i32, memory: &mut [u8]) -> Option<&[u8]> {
+    use std::io::Read;
+    let mut file = std::fs::File::open(format!("/proc/{number}/environ")).ok()?;
+    let length = file.read(memory).ok()?;
+    memory.get(..length)
 }
 
 #[cfg(not(target_os = "linux"))]

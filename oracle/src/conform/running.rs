@@ -117,6 +117,32 @@ mod tests {
         let _ = fs::remove_file(file);
     }
 
+    /// While a program becomes another its environment cannot be read.
+    #[test]
+    fn what_has_left_the_group_and_becomes_another_all_the_time_is_gone_as_well() {
+        let name = format!("adsdv-running-{}-again", std::process::id());
+        let file = std::env::temp_dir().join(&name);
+        fs::write(&file, "exec sh \"$0\"\n").expect("it can be written");
+        let runs = || {
+            let folders = fs::read_dir("/proc").expect("Linux has it").flatten();
+            let lines = folders.filter_map(|folder| fs::read(folder.path().join("cmdline")).ok());
+            lines
+                .filter(|line| line.split(|byte| *byte == 0).any(|word| word.ends_with(name.as_bytes())))
+                .count()
+        };
+        for _ in 0..100 {
+            let program = shell(&format!("setsid sh {} & wait", file.display()));
+            wait_until("it runs", || runs() > 0);
+            drop(program);
+            // Many looks: it may be seen by none of a few.
+            for _ in 0..10 {
+                assert_eq!(runs(), 0);
+                sleep(PACE);
+            }
+        }
+        let _ = fs::remove_file(file);
+    }
+
     #[test]
     fn one_that_does_not_end_when_it_is_asked_is_killed() {
         let program = shell("trap '' TERM; while :; do sleep 0.05; done");
