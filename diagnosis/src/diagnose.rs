@@ -174,7 +174,7 @@ impl<'a, 'b> Search<'a, 'b> {
                 }
                 continue;
             }
-            self.explain(if rounds == ROUNDS { DEEPER } else { 2 })?;
+            self.explain(if rounds == ROUNDS { DEEPER } else { 1 })?;
             if self.found == before && round > 2 {
                 break;
             }

@@ -61,7 +61,7 @@ pub(crate) fn shown_otherwise(wrong: &Wrong) -> Vec<Deviation> {
 }
 
 /// Those of a set that decide where stays begin and end, and what is remembered there: where two states are shown alike, also what
-/// leads to one of them.
+/// leads to one of them. Sets for which that is the same have the same of them.
 pub(crate) fn everywhere(edition: &Edition, set: &[Deviation]) -> Vec<Deviation> {
     let alike = set.iter().any(|one| match *one {
         Deviation::Writes { key: "as_state", raw, .. } => AsState::from_raw(raw).is_some(),
@@ -76,5 +76,21 @@ pub(crate) fn everywhere(edition: &Edition, set: &[Deviation]) -> Vec<Deviation>
             || alike && leads(one)
             || of_all_visits && matches!(one, Deviation::Changed(Change::Time(Time::ReadyDwell, _)))
     };
-    set.iter().copied().filter(counts).collect()
+    let mut all: Vec<Deviation> = Vec::new();
+    for one in set.iter().copied().filter(counts).map(as_it_counts) {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
+    all
+}
+
+/// A cause that is shown as another is not the one that is remembered, whichever and as what.
+const fn as_it_counts(one: Deviation) -> Deviation {
+    match one {
+        Deviation::Writes { key, .. } if matches!(key.as_bytes(), b"shutdown_cause") => {
+            Deviation::Writes { key, value: 0, raw: 0 }
+        }
+        other => other,
+    }
 }

@@ -40,7 +40,7 @@ impl Stay<'_> {
             let shown = model.shown(&outputs, &step.inputs);
             if !reply.agrees(&shown) {
                 wrong += if outputs.state == after.control.state {
-                    reply.differences(&shown).count().min(WRONG_STATE - 1)
+                    reply.differing(&shown).min(WRONG_STATE - 1)
                 } else {
                     WRONG_STATE
                 };
@@ -129,4 +129,41 @@ pub(crate) fn cut<'a>(records: &[&'a Kept], model: &Model) -> Vec<(AsState, Vec<
         add(begins, start..record.steps.len());
     }
     stays
+}
+
+#[cfg(test)]
+mod tests {
+    use adsdv_spec::Edition;
+
+    use super::*;
+    use crate::deviation::Deviation;
+    use crate::diagnose::records;
+    use crate::interface::Interface;
+    use crate::record::Records;
+    use crate::sets::everywhere;
+
+    #[test]
+    fn where_stays_begin_depends_on_a_cause_that_is_shown_as_another_and_not_on_which() {
+        let edition = &Edition::V3_0;
+        let cause = |value, raw| [Deviation::Writes { key: "shutdown_cause", value, raw }];
+        let program = Model::new(edition, &cause(3, 11));
+        let mut kept = Records::default();
+        kept.extend(
+            records(&mut program.clone().running(), &program, &Interface::default())
+                .expect("a model answers everything"),
+        );
+        let kept: Vec<&Kept> = kept.kept().iter().collect();
+        let cut = |set: &[Deviation]| {
+            let stays = cut(&kept, &Model::new(edition, set));
+            let begin = |stay: &Stay<'_>| (stay.begins, stay.len());
+            stays.iter().map(|(_, own)| own.iter().map(begin).collect::<Vec<_>>()).collect::<Vec<_>>()
+        };
+        let (one, other) = (cause(3, 11), cause(1, 5));
+        assert_eq!(everywhere(edition, &one), everywhere(edition, &other));
+        assert_eq!(cut(&one), cut(&other));
+        let both = [one, other].concat();
+        assert_eq!((everywhere(edition, &both), cut(&both)), (everywhere(edition, &one), cut(&one)));
+        assert_ne!(everywhere(edition, &[]), everywhere(edition, &one));
+        assert_ne!(cut(&[]), cut(&one));
+    }
 }

@@ -124,10 +124,16 @@ impl Answer {
 
     /// Whether all that it says is so.
     pub fn agrees(&self, shown: &Shown) -> bool {
-        self.given.iter().zip(&shown.raw).all(|(given, expected)| match given {
-            AnsweredValue::Nothing => true,
-            AnsweredValue::Value(found) => found == expected,
-        })
+        self.differing(shown) == 0
+    }
+
+    /// In how many fields it is not what was expected.
+    pub fn differing(&self, shown: &Shown) -> usize {
+        let differs = |(given, expected): &(&AnsweredValue, &Option<i32>)| match given {
+            AnsweredValue::Nothing => false,
+            AnsweredValue::Value(found) => found != *expected,
+        };
+        self.given.iter().zip(&shown.raw).filter(differs).count()
     }
 
     /// Each field in which it is not what was expected.
@@ -159,9 +165,9 @@ impl Answer {
         for (key, found) in &entries {
             let place = FIELDS.iter().position(|field| field.key == key);
             let slot = place.and_then(|place| {
-                Some((FIELDS.get(place)?, protocol.shown_at(place)?, answer.given.get_mut(place)?))
+                Some((place, FIELDS.get(place)?, protocol.shown_at(place)?, answer.given.get_mut(place)?))
             });
-            let Some((field, domain, given)) = slot else {
+            let Some((place, field, domain, given)) = slot else {
                 return Err(BadLine::unknown(key, protocol.shown().map(|(field, _)| field.key)));
             };
             if *given != AnsweredValue::Nothing {
@@ -171,7 +177,7 @@ impl Answer {
                 Given::Null if field.nullable => AnsweredValue::Value(None),
                 _ => match domain.raw_or(field.domain, found) {
                     //= D-69
-                    Some(raw) => AnsweredValue::Value(Some(field.meaning(raw, protocol.bus()))),
+                    Some(raw) => AnsweredValue::Value(Some(protocol.meaning_at(place, raw))),
                     // That it is none of the values is for the judge to say.
                     None => match domain.foreign(found) {
                         Some(raw) => AnsweredValue::Value(Some(raw)),
@@ -228,6 +234,7 @@ mod tests {
         let differences = answer.differences(&shown);
         let given: Vec<String> = differences.map(|difference| difference.to_string()).collect();
         assert_eq!(given, ["as_state is AS_READY; expected AS_OFF", "steer is 7; expected null"]);
+        assert_eq!(answer.differing(&shown), 2);
     }
 
     #[test]

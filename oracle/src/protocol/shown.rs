@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use adsdv_spec::messages::{FieldDef, Message as _, SignalDef, SignalValue, Vcu2AiStatus};
+use adsdv_spec::messages::{FieldDef, Message as _, ReadAs, SignalValue, Vcu2AiStatus};
 use adsdv_spec::{Actuation, Bus, Edition, Fault, Inputs, Outputs};
 
 use super::UNSAID;
@@ -53,11 +53,11 @@ impl ShownField {
         }
     }
 
-    /// The value as which a raw one counts: where the interface does not tell two apart, the one that is written.
-    pub(super) const fn meaning(&self, raw: i32, bus: &Bus) -> i32 {
+    /// What one of its raw values counts as, where a bus does not tell two apart.
+    pub(super) const fn read_as(&self, bus: &Bus) -> Option<ReadAs> {
         match (self.is_signal, bus.signal_of(self.signal)) {
-            (true, Some(SignalDef { read_as: Some(other), .. })) if other.raw == raw => other.meaning,
-            _ => raw,
+            (true, Some(signal)) => signal.read_as,
+            _ => None,
         }
     }
 

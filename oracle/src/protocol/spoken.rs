@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use adsdv_spec::messages::ReadAs;
 use adsdv_spec::{Bus, Edition, Inputs};
 
 use super::answer::Answer;
@@ -40,6 +41,8 @@ pub struct Protocol {
     inputs: [Option<Domain>; INPUTS.len()],
     /// Those of [`SHOWN`], likewise.
     shown: [Option<Domain>; SHOWN.len()],
+    /// What one of their raw values counts as where that is another one.
+    read_as: [Option<ReadAs>; SHOWN.len()],
     /// Where the words are from.
     bus: Bus,
 }
@@ -50,8 +53,12 @@ impl Protocol {
 
     /// That of an edition.
     pub const fn of(edition: &Edition) -> Self {
-        let mut protocol =
-            Self { inputs: [None; INPUTS.len()], shown: [None; SHOWN.len()], bus: edition.bus };
+        let mut protocol = Self {
+            inputs: [None; INPUTS.len()],
+            shown: [None; SHOWN.len()],
+            read_as: [None; SHOWN.len()],
+            bus: edition.bus,
+        };
         let mut place = 0;
         while place < INPUTS.len() {
             protocol.inputs[place] = INPUTS[place].domain_in(edition);
@@ -60,6 +67,7 @@ impl Protocol {
         place = 0;
         while place < SHOWN.len() {
             protocol.shown[place] = SHOWN[place].domain_in(edition);
+            protocol.read_as[place] = SHOWN[place].read_as(&edition.bus);
             place += 1;
         }
         protocol
@@ -78,6 +86,13 @@ impl Protocol {
     /// The values of a field of [`SHOWN`], by its place there.
     pub(super) fn shown_at(&self, place: usize) -> Option<Domain> {
         *self.shown.get(place)?
+    }
+
+    /// The raw value as which one of a field of [`SHOWN`] counts, by its place there: where the interface does not tell two apart, the
+    /// one that is written.
+    pub(super) fn meaning_at(&self, place: usize, raw: i32) -> i32 {
+        let other = self.read_as.get(place).copied().flatten();
+        other.filter(|other| other.raw == raw).map_or(raw, |other| other.meaning)
     }
 
     pub(super) const fn bus(&self) -> &Bus {
