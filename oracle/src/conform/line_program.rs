@@ -1,14 +1,13 @@
 //! A program that is asked in lines and answers in lines, whatever these say.
 
 use std::ffi::OsString;
-use std::io::Write as _;
-use std::sync::mpsc::{Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use super::child::{Ended, Process};
 use super::lines::{LineBuffer, Lines, Missing};
 use super::program_error::{ProgramErrorKind, excerpt};
+use super::questions::Questions;
 use super::stderr::LastWords;
 
 /// How long a program may take to end when its input has, whatever it may take to answer.
@@ -22,8 +21,8 @@ const FAREWELL: Duration = Duration::from_secs(1);
 pub struct LineProgram {
     // The order matters: the process is gone before anything else is dropped.
     process: Process,
-    /// To the thread that writes to the program; `None` after the end of its input.
-    requests: Option<Sender<Vec<u8>>>,
+    /// `None` after the end of its input.
+    questions: Option<Questions>,
     lines: Lines,
     last_words: LastWords,
     timeout: Duration,
@@ -39,12 +38,10 @@ impl LineProgram {
     /// [`ProgramErrorKind::NoStart`] if the system cannot start it.
     pub fn start(program: &OsString, args: &[OsString], timeout: Duration) -> Result<Self, ProgramErrorKind> {
         let started = Process::start(program, args);
-        let (process, (mut stdin, stdout, stderr)) = started.map_err(ProgramErrorKind::NoStart)?;
-        let (requests, to_write) = channel::<Vec<u8>>();
-        // It ends with the requests, or with the program, which nobody writes to any more.
-        thread::spawn(move || to_write.iter().try_for_each(|lines| stdin.write_all(&lines)));
+        let (process, (stdin, stdout, stderr)) = started.map_err(ProgramErrorKind::NoStart)?;
         let (lines, last_words) = (Lines::of(stdout), LastWords::of(stderr));
-        Ok(Self { process, requests: Some(requests), lines, last_words, timeout, limit: None })
+        let questions = Some(Questions::of(stdin));
+        Ok(Self { process, questions, lines, last_words, timeout, limit: None })
     }
 
     /// With a limit, from now on, for all that it is asked: one that is slow, and never too slow for an answer, ends as well.
@@ -66,9 +63,8 @@ impl LineProgram {
 
     /// Writes lines, each with its line feed. Nobody waits until they are read.
     pub fn write(&self, lines: Vec<u8>) {
-        if let Some(requests) = &self.requests {
-            // That the program has ended shows where its answer is missing.
-            let _ = requests.send(lines);
+        if let Some(questions) = &self.questions {
+            questions.write(lines);
         }
     }
 
@@ -126,7 +122,7 @@ impl LineProgram {
     ///
     /// Fails if it wrote a line that nothing asked for.
     pub fn end(&mut self) -> Result<Vec<String>, ProgramErrorKind> {
-        self.requests = None;
+        self.questions = None;
         let start = Instant::now();
         let process = &mut self.process;
         let rest = self.lines.next(FAREWELL, || process.ended().is_some());

@@ -54,6 +54,7 @@ mod options;
 mod own_bit;
 mod program;
 mod program_error;
+mod questions;
 mod random;
 mod report;
 mod requirements;
