@@ -2,6 +2,8 @@
 # The documentation of all crates, with every requirement's sentence beside the lines of the sources that cite it.
 #
 #   scripts/docs.sh             builds it into target/doc; a warning of rustdoc is an error where RUSTDOCFLAGS says so
+#
+# CITATIONS names the built program that reads the citations; without it one is built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,4 +15,6 @@ case ${1-} in
   ;;
 esac
 cargo doc --workspace --no-deps --locked
-cargo run --quiet --locked -p adsdv-tests --bin citations -- render
+citations=(cargo run --quiet --locked -p adsdv-tests --bin citations --)
+[ -z "${CITATIONS-}" ] || citations=("$CITATIONS")
+"${citations[@]}" render

@@ -8,6 +8,7 @@
 #
 # Needs Node 20 with npm and, but for --build, Chromium (Debian's chromium) or the browser that CHROMIUM names. Ends with 77 where one of
 # them is missing. ADSDV names the program whose pages are tested; without it target/debug/adsdv is built.
+# EXAMPLES names the folder of the examples, programs with mistakes; without it they are built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -45,9 +46,11 @@ if [ -z "${ADSDV-}" ]; then
   cargo build --quiet --locked -p adsdv
   export ADSDV="$PWD/target/debug/adsdv"
 fi
-# Programs with mistakes, for the pages about programs.
-cargo build --quiet --locked -p adsdv-oracle -p adsdv-exam --example mutant --example ai_mutant
-export EXAMPLES="${CARGO_TARGET_DIR:-$PWD/target}/debug/examples"
+# For the pages about programs.
+if [ -z "${EXAMPLES-}" ]; then
+  cargo build --quiet --locked -p adsdv-oracle -p adsdv-exam --example mutant --example ai_mutant
+  export EXAMPLES="${CARGO_TARGET_DIR:-$PWD/target}/debug/examples"
+fi
 case ${1-} in
 --measure) exec node report/page/measure.mjs ;;
 --shots) exec node report/page/shots.mjs ;;

@@ -14,7 +14,8 @@ Where duvet is not installed there is no report, and what is missing is named al
 variable CI is set, .duvet/snapshot.txt has to be up to date; elsewhere it is brought up to date.
 
 Environment:
-  DUVET  the duvet to run instead of the one in the PATH
+  CITATIONS  the built program that collects the citations; without it one is built
+  DUVET      the duvet to run instead of the one in the PATH
 
 Exit status: 0 nothing is missing, 1 something is, or the snapshot is not up to date, 2 wrong usage.
 USAGE
@@ -29,7 +30,11 @@ esac
 cd "$(dirname "$0")/.."
 duvet=${DUVET:-duvet}
 citations() {
-    cargo run --quiet --locked -p adsdv-tests --bin citations -- "$1"
+    if [ -n "${CITATIONS-}" ]; then
+        "$CITATIONS" "$1"
+    else
+        cargo run --quiet --locked -p adsdv-tests --bin citations -- "$1"
+    fi
 }
 
 if ! command -v "$duvet" >/dev/null; then

@@ -92,10 +92,15 @@ struct Libraries {
     shared: PathBuf,
 }
 
-/// The library as `cargo build` makes it. These tests are built together with it, but cargo does not say where it is.
+/// The library as `cargo build` makes it. These tests are built together with it, but cargo does not say where it is: who knows that
+/// names the folder in `ADSDV_LIBRARY`, and saves a build with the features that the library has by itself.
 fn libraries() -> &'static Libraries {
     static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
     LIBRARIES.get_or_init(|| {
+        let dynamic = format!("libadsdv{}", std::env::consts::DLL_SUFFIX);
+        if let Some(folder) = std::env::var_os("ADSDV_LIBRARY").map(PathBuf::from) {
+            return Libraries { fixed: folder.join("libadsdv.a"), shared: folder.join(dynamic) };
+        }
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--package", "adsdv-ffi", "--lib", "--quiet", "--message-format", "json"]);
         // Benchmarks link the library as it is meant to be used.
@@ -107,8 +112,7 @@ fn libraries() -> &'static Libraries {
             let path = said.split('"').rfind(|part| part.ends_with(ending));
             PathBuf::from(path.unwrap_or_else(|| panic!("cargo has made no {ending}")))
         };
-        let dynamic = std::env::consts::DLL_SUFFIX;
-        Libraries { fixed: find("libadsdv.a"), shared: find(&format!("libadsdv{dynamic}")) }
+        Libraries { fixed: find("libadsdv.a"), shared: find(&dynamic) }
     })
 }
 
