@@ -3,6 +3,8 @@
 //! `UPDATE_EXPECT=1 cargo test -p adsdv-tests --test book` writes them anew.
 
 use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
 
 use adsdv_spec::messages::{Coding, DeviceMessage, DeviceSignal, MessageDef, Node, SignalDef};
 use adsdv_spec::{Edition, requirement};
@@ -205,4 +207,31 @@ fn the_times_and_thresholds_in_the_book_are_those_of_each_edition() {
 #[test]
 fn the_open_questions_in_the_book_are_those_of_the_readings() {
     expect_file!["../../docs/readings.md"].assert_eq(&readings());
+}
+
+#[test]
+fn what_lists_the_editions_by_hand_lists_them_all() {
+    let versions: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
+    let quoted = |quote: &str| versions.join(&format!("{quote}, {quote}"));
+    let (double, plain) = (quoted("\""), versions.join(", "));
+    let (newest, older) = versions.split_last().expect("an edition");
+    let mut expected = vec![
+        (".github/ISSUE_TEMPLATE/wrong-finding.yml", format!("options: [\"{double}\", ")),
+        ("docs/glossary.md", format!("with its CAN database: {plain} |")),
+        ("exam/examples/stack.py", format!("in (\"{double}\")")),
+        ("ffi/README.md", format!("expected one of {plain}\n")),
+        ("python/README.md", format!("['{}']", quoted("'"))),
+        ("scripts/sensitivity.sh", format!("{} or {newest}; ", older.join(", "))),
+        ("web/page/tests/served.test.mjs", format!("[null, \"{double}\"]")),
+    ];
+    for version in &versions {
+        expected.push(("docs/editions.md", format!("\n| {version} | ")));
+        expected.push(("spec/REQUIREMENTS.md", format!("\n| {version} | version ")));
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let has = |file: &str, text: &str| {
+        fs::read_to_string(root.join(file)).expect("a file of the project").contains(text)
+    };
+    expected.retain(|(file, text)| !has(file, text));
+    assert!(expected.is_empty(), "these are missing: {expected:#?}");
 }

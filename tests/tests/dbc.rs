@@ -183,6 +183,12 @@ fn listed(markdown: &str, database: &str) -> Vec<String> {
 }
 
 #[test]
+fn each_edition_has_an_original() {
+    let versions: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
+    assert_eq!(EDITIONS.each_ref().map(|(edition, _)| edition.version).as_slice(), versions);
+}
+
+#[test]
 fn export_says_what_the_table_says() {
     for (edition, _) in &EDITIONS {
         let dbc = exported(edition);

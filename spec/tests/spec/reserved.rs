@@ -1,16 +1,16 @@
 //! The identifiers that the AI Computer must not use, against the list of section 2.3.
 
+use adsdv_spec::Edition;
 use adsdv_spec::messages::Node;
-use adsdv_spec::{Bus, Edition};
 
 /// A list of identifiers: first and last, in hexadecimal.
 type List = &'static [(u16, u16)];
 
 /// Each edition with section 2.3 as it lists them.
-const EDITIONS: [(Bus, List); 3] = [
-    (Edition::V3_0.bus, LISTED_3_0),
-    (Edition::V4_0.bus, LISTED_4_0),
-    (Edition::V2026.bus, LISTED_4_0), // the database has no list, and 4.0 stays valid
+static EDITIONS: [(Edition, List); 3] = [
+    (Edition::V3_0, LISTED_3_0),
+    (Edition::V4_0, LISTED_4_0),
+    (Edition::V2026, LISTED_4_0), // the database has no list, and 4.0 stays valid
 ];
 
 const LISTED_3_0: List = &[
@@ -52,8 +52,14 @@ const LISTED_4_0: List = &[
 ];
 
 #[test]
+fn each_edition_has_its_list() {
+    let versions: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
+    assert_eq!(EDITIONS.each_ref().map(|(edition, _)| edition.version).as_slice(), versions);
+}
+
+#[test]
 fn exactly_the_identifiers_of_the_list_are_reserved() {
-    for (bus, list) in EDITIONS {
+    for (Edition { bus, .. }, list) in &EDITIONS {
         for id in 0..=u16::MAX {
             let listed = list.iter().any(|&(first, last)| first <= id && id <= last);
             assert_eq!(bus.is_reserved(id), listed, "{id:03X}h of {bus:?}");
@@ -72,7 +78,7 @@ fn version_4_0_reserves_more_identifiers_in_fewer_ranges() {
 /// What is reserved is so for the AI Computer: 120h is the VCU's.
 #[test]
 fn no_message_of_the_document_has_an_identifier_that_is_reserved_from_its_sender() {
-    for (bus, _) in EDITIONS {
+    for (Edition { bus, .. }, _) in &EDITIONS {
         for message in bus.messages {
             assert_eq!(bus.is_reserved(message.id), message.id == 0x120, "{}", message.name);
             assert!(bus.may_send(message.sender, message.id), "{}", message.name);
