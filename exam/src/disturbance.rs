@@ -8,7 +8,7 @@ use adsdv_spec::Vehicle;
 use adsdv_spec::messages::{AsState, WheelSpeed};
 
 use crate::look::Look;
-use crate::scenario_text::Seconds;
+use crate::seconds::Seconds;
 
 /// Something that goes wrong, once in a scenario.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

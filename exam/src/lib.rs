@@ -42,6 +42,7 @@ mod report;
 mod scenario;
 mod scenario_text;
 mod scenarios;
+mod seconds;
 mod serve;
 mod session;
 mod shrink;

@@ -20,20 +20,12 @@ use adsdv_can::scenario::{LineError, Scenario, Unreadable, When};
 use crate::disturbance::{Disturbance, Effect, Onset};
 use crate::scenario::ExamScenario;
 use crate::scenarios::{WEAK_BRAKES, completes};
+use crate::seconds::Seconds;
 
 /// The words with which the lines begin that are not about the operator.
 const DISTURB: &str = "disturb";
 const START: &str = "start";
 const BRAKES: &str = "brakes";
-
-/// Milliseconds as a scenario writes them.
-pub(crate) struct Seconds(pub(crate) u64);
-
-impl fmt::Display for Seconds {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        When::At(u32::try_from(self.0).unwrap_or(u32::MAX)).fmt(f)
-    }
-}
 
 impl fmt::Display for ExamScenario {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,7 +6,7 @@ use core::fmt;
 use adsdv_spec::messages::{DecodeError, OutOfRange};
 use adsdv_spec::{Choice, Edition, Reading, UnknownName};
 
-use crate::plain::Allowed;
+use crate::allowed::Allowed;
 use crate::text;
 
 /// The size of the text of an error, with the NUL at its end.

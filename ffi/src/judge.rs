@@ -12,8 +12,8 @@ use crate::border::{Plain, answer, check, load, out, slice};
 use crate::edition::{self, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
 use crate::machine::listed;
-use crate::rules::Texts;
 use crate::text::short;
+use crate::texts::{Texts, without_nul};
 
 /// How much a finding weighs.
 #[repr(C)]
@@ -202,11 +202,6 @@ impl adsdv_judge {
             rule: short(finding.rule.id()),
         }
     }
-}
-
-/// A text for C. None of the judge's has a NUL in it; one that had would lose it, and nothing else.
-pub(crate) fn without_nul(text: &str) -> CString {
-    CString::new(text.bytes().filter(|&byte| byte != 0).collect::<Vec<u8>>()).unwrap_or_default()
 }
 
 /// The judge behind a handle. The caller promises that it is NULL or a handle of adsdv_judge_new that is not freed yet,

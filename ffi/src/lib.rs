@@ -26,6 +26,7 @@
     reason = "measured: half of a step's time, which structs handed through memory cost"
 )]
 
+mod allowed;
 mod border;
 mod constants;
 mod control;
@@ -48,6 +49,8 @@ mod signal;
 mod step;
 mod steps;
 mod text;
+#[cfg(feature = "judge")]
+mod texts;
 mod version;
 
 pub use constants::*;

@@ -7,10 +7,10 @@ use adsdv_spec::messages::{
     AmiState, AsState, DirectionRequest, EbsState, MissionStatus, ServiceBrake, ShutdownCause, SignalValue,
 };
 
+use crate::allowed::Allowed;
 use crate::border::{answer, out, slice};
 use crate::edition::{self, EDITION, adsdv_edition};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
-use crate::plain::Allowed;
 use crate::text;
 
 /// The enumerations of the interface. Their numbers say the same in all editions; their names need not.

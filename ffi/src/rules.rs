@@ -1,14 +1,14 @@
 //! A team's own rules, which a judge follows beside the document. RULES.md has the language.
 
 use core::ffi::c_char;
-use std::ffi::CString;
 
 use adsdv_oracle::rules::{RuleError, RuleReport, RuleVerdict};
 
 use crate::border::{Plain, answer, out, text};
 use crate::error::{Refusal, adsdv_error, adsdv_status};
-use crate::judge::{adsdv_judge, handle, without_nul};
+use crate::judge::{adsdv_judge, handle};
 use crate::text::short;
+use crate::texts::Texts;
 
 /// Where a text of rules is wrong.
 #[repr(C)]
@@ -85,28 +85,22 @@ impl From<&RuleError> for adsdv_rule_place {
     }
 }
 
-/// The texts of a rule that was reported last.
-#[derive(Debug, Default)]
-pub(crate) struct Texts([CString; 3]);
-
-impl Texts {
-    fn report(&mut self, rule: &RuleReport) -> adsdv_rule_report {
-        let RuleReport { held, broken, undecided, line, .. } = *rule;
-        let why = rule.why.as_deref().unwrap_or_default();
-        self.0 = [rule.name.as_str(), rule.rule.as_str(), why].map(without_nul);
-        let [name, rule_text, why] = self.0.each_ref().map(|text| text.as_ptr());
-        let verdict = rule.verdict();
-        adsdv_rule_report {
-            held,
-            broken,
-            undecided,
-            name,
-            rule: rule_text,
-            why,
-            line: number(line),
-            verdict: adsdv_rule_verdict::from(verdict) as u8,
-            verdict_name: short(verdict.name()),
-        }
+/// What became of a rule, whose texts are kept here.
+fn report(texts: &mut Texts, rule: &RuleReport) -> adsdv_rule_report {
+    let RuleReport { held, broken, undecided, line, .. } = *rule;
+    let why = rule.why.as_deref().unwrap_or_default();
+    let [name, rule_text, why] = texts.keep([&rule.name, &rule.rule, why]);
+    let verdict = rule.verdict();
+    adsdv_rule_report {
+        held,
+        broken,
+        undecided,
+        name,
+        rule: rule_text,
+        why,
+        line: number(line),
+        verdict: adsdv_rule_verdict::from(verdict) as u8,
+        verdict_name: short(verdict.name()),
     }
 }
 
@@ -156,7 +150,7 @@ pub unsafe extern "C" fn adsdv_judge_rule(
         // SAFETY: the caller promises it for the judge and the report.
         let (judge, place) = unsafe { (handle(judge)?, out(report, "report")?) };
         if let Some(rule) = judge.rules.get(index) {
-            place.set(judge.texts.report(rule));
+            place.set(self::report(&mut judge.texts, rule));
             there = true;
         }
         Ok(())

@@ -6,7 +6,8 @@ use adsdv_spec::{Choice, Choices, Edition};
 
 use crate::document::{have_the_same_state_machine, is_default};
 use crate::goals::goals;
-use crate::property::{Property, properties};
+use crate::listed::properties;
+use crate::property::Property;
 use crate::ranking::Ranked;
 use crate::story::{StoryLine, story, story_of};
 use crate::sweep::{ClosedCost, Cost, Sweep};

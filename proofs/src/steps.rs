@@ -5,7 +5,12 @@ use adsdv_spec::messages::AsState;
 use adsdv_spec::{AiSilence, Atom, Atoms, Faults, Observation, Reads};
 use adsdv_spec::{Control, Edition, Inputs, Machine, Outputs, Readings, Taken};
 
-use crate::prelude::*;
+use crate::document::EDITION;
+#[cfg(not(kani))]
+use crate::kani;
+#[cfg(kani)]
+use crate::subject::Subject;
+use crate::subject::subject;
 
 /// A step of the subject.
 #[derive(Clone, Copy, Debug)]
@@ -162,13 +167,14 @@ pub fn any_step_of_4_0_from(state: AsState) -> Step {
     Step::of_4_0(Control { state, ..before }, inputs, dt_ms)
 }
 
-/// What was drawn, half of it with silences that are hardly ever too long, and times about the 100 ms of version 4.0. A
-/// silence drawn at random nearly always is too long; a proof looks at everything anyhow.
+/// What was drawn, half of it with silences that are hardly ever too long, and times about those of version 4.0, which the vehicle of
+/// 2026 has as well. A silence drawn at random nearly always is too long; a proof looks at everything anyhow.
 #[cfg(not(kani))]
 pub fn in_time(mut before: Control, mut inputs: Inputs, mut dt_ms: u32) -> (Control, Inputs, u32) {
-    let about_100 = || 99 + kani::any_where(|more: &u16| *more < 3);
-    if kani::any() {
-        let short = || kani::any::<u16>() % 100;
+    let rules = &Edition::V4_0.rules;
+    let about = |limit: u16| limit - 1 + kani::any_where(|more: &u16| *more < 3);
+    if let (Some(missed), true) = (rules.thresholds.missed_ms, kani::any()) {
+        let short = || kani::any::<u16>() % missed;
         inputs.ai_silence = AiSilence {
             status_silence_ms: short(),
             drive_f_silence_ms: short(),
@@ -178,17 +184,18 @@ pub fn in_time(mut before: Control, mut inputs: Inputs, mut dt_ms: u32) -> (Cont
         };
         let silence = &mut inputs.ai_silence;
         match kani::any::<u16>() % 16 {
-            0 => silence.status_silence_ms = about_100(),
-            1 => silence.drive_f_silence_ms = about_100(),
-            2 => silence.drive_r_silence_ms = about_100(),
-            3 => silence.steer_silence_ms = about_100(),
-            4 => silence.brake_silence_ms = about_100(),
+            0 => silence.status_silence_ms = about(missed),
+            1 => silence.drive_f_silence_ms = about(missed),
+            2 => silence.drive_r_silence_ms = about(missed),
+            3 => silence.steer_silence_ms = about(missed),
+            4 => silence.brake_silence_ms = about(missed),
             _ => {}
         }
     }
     if before.handshake.active && kani::any() {
-        before.handshake.unanswered_ms = about_100().min(100) - kani::any::<u16>() % 50;
-        dt_ms = about_100().saturating_sub(before.handshake.unanswered_ms).into();
+        let limit = rules.timing.handshake_ms;
+        before.handshake.unanswered_ms = about(limit).min(limit) - kani::any::<u16>() % (limit / 2);
+        dt_ms = about(limit).saturating_sub(before.handshake.unanswered_ms).into();
     }
     (before, inputs, dt_ms)
 }

@@ -8,7 +8,7 @@ use pyo3::types::{PyBool, PyDict, PyList, PyType};
 
 use crate::error::InputError;
 use crate::rules;
-use crate::value;
+use crate::value::{self, seconds};
 
 /// The number of the form, as `adsdv check --json` has it.
 const SCHEMA: u32 = 1;
@@ -322,10 +322,4 @@ pub(crate) fn responses<'py>(py: Python<'py>, times: &ResponseTimes) -> PyResult
         dict.set_item(key, ms)?;
     }
     Ok(Some(dict))
-}
-
-/// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
-#[expect(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
-pub(crate) fn seconds(ns: i64) -> f64 {
-    ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
 }

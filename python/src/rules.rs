@@ -6,8 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::error::RulesError;
-use crate::report::seconds;
-use crate::value;
+use crate::value::{self, seconds};
 
 /// The rules of a text, if there is one; for an edition, or where a log is to tell which it is, for any.
 pub(crate) fn read(

@@ -190,3 +190,9 @@ pub(crate) fn shown(given: &Bound<'_, PyAny>) -> String {
         None => printed,
     }
 }
+
+/// Nanoseconds as seconds, rounded to whole microseconds, which is what candump writes.
+#[expect(clippy::cast_precision_loss, reason = "285 years of microseconds fit")]
+pub(crate) fn seconds(ns: i64) -> f64 {
+    ns.saturating_add(500).div_euclid(1000) as f64 / 1e6
+}

@@ -71,6 +71,7 @@ mod real_time;
 mod sequence;
 mod state;
 mod svg;
+mod switches;
 mod time;
 mod words;
 
@@ -92,9 +93,9 @@ pub use adsdv_ai::{AiComputer, Stage};
 pub use ai::Conduct;
 pub use bus::{Bus, WaitingFrames};
 pub use family::{FamilyExploration, explore_family};
-pub use operator::{Operator, Switches};
 pub use properties::{CLOSED_PROPERTIES, ClosedExploration, ClosedProperty, EXHAUSTIVE, Found};
 pub use state::{ClosedState, Mission, Motion, Rank, Wheels};
+pub use switches::{Operator, Switches};
 
 /// For how many steps of the VCU a well-behaved operator may put an act off.
 pub const DAWDLE_CYCLES: u16 = 2;
