@@ -49,10 +49,12 @@ pub(super) enum Given<'a> {
     Null,
     Flag(bool),
     Number(i64),
+    /// A number that is not written as a whole one, or too large for that.
+    Float(f64),
     Text(Cow<'a, str>),
     /// A list of texts.
     List(Vec<String>),
-    /// A fraction, another list or an object.
+    /// Another list or an object.
     Other(&'static str),
 }
 
@@ -62,6 +64,7 @@ impl fmt::Display for Given<'_> {
             Self::Null => f.write_str("null"),
             Self::Flag(flag) => write!(f, "{flag}"),
             Self::Number(number) => write!(f, "{number}"),
+            Self::Float(number) => write!(f, "{number:?}, which has a point or an exponent"),
             Self::Text(text) => write!(f, "{text:?}"),
             Self::List(_) => f.write_str("a list"),
             Self::Other(what) => f.write_str(what),
@@ -95,8 +98,8 @@ impl<'de> Deserialize<'de> for Given<'de> {
                 Ok(i64::try_from(number).map_or(Given::Other("a number that is too large"), Given::Number))
             }
 
-            fn visit_f64<E>(self, _: f64) -> Result<Given<'de>, E> {
-                Ok(Given::Other("a number that is not whole"))
+            fn visit_f64<E>(self, number: f64) -> Result<Given<'de>, E> {
+                Ok(Given::Float(number))
             }
 
             fn visit_borrowed_str<E>(self, text: &'de str) -> Result<Given<'de>, E> {
