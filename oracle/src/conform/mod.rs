@@ -7,9 +7,9 @@
 //! ```
 //!
 //! - `program.rs`: the program, a child process (`child.rs`), whose every misconduct ends in a [`ProgramError`] (`program_error.rs`), never in
-//!   waiting for ever; `line_program.rs` is what it shares with every program that speaks in lines, of which `lines.rs` reads
-//!   the lines and `stderr.rs` the last words; `running.rs` is a program that nobody asks anything, and `marked.rs` finds what it
-//!   started, wherever that went;
+//!   waiting for ever; `line_program.rs` is what it shares with every program that speaks in lines, to which `questions.rs` writes
+//!   and of which `lines.rs` reads the lines and `stderr.rs` the last words; `running.rs` is a program that nobody asks anything,
+//!   and `marked.rs` finds what it started, wherever that went;
 //! - `vcu.rs`: what is asked, be it that program or a machine in this process;
 //! - `explain.rs`: answers against the specification under every combination of readings at once, `set.rs` being sets of
 //!   such combinations;
