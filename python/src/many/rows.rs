@@ -9,7 +9,8 @@ use arrow_array::{ArrayRef, RecordBatch};
 use pyo3::PyResult;
 use pyo3::exceptions::PyRuntimeError;
 
-use crate::report::{Answers, seconds};
+use crate::report::Answers;
+use crate::value::seconds;
 
 /// One row for each log.
 #[derive(Default)]
