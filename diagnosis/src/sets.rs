@@ -86,11 +86,9 @@ pub(crate) fn everywhere(edition: &Edition, set: &[Deviation]) -> Vec<Deviation>
 }
 
 /// A cause that is shown as another is not the one that is remembered, whichever and as what.
-const fn as_it_counts(one: Deviation) -> Deviation {
+fn as_it_counts(one: Deviation) -> Deviation {
     match one {
-        Deviation::Writes { key, .. } if matches!(key.as_bytes(), b"shutdown_cause") => {
-            Deviation::Writes { key, value: 0, raw: 0 }
-        }
+        Deviation::Writes { key: key @ "shutdown_cause", .. } => Deviation::Writes { key, value: 0, raw: 0 },
         other => other,
     }
 }

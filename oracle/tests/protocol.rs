@@ -300,6 +300,11 @@ fn bad_requests_are_refused_with_what_was_found_and_what_was_expected() {
         (r#"{"op":"step","dt_ms":-1}"#, "-1", "a whole number from 0"),
         (r#"{"op":"step","dt_ms":1.5}"#, "1.5, which has a point", "a whole number from 0"),
         (r#"{"op":"step","dt_ms":10.0}"#, "10.0, which has a point", "a whole number from 0"),
+        (
+            r#"{"op":"step","dt_ms":99999999999999999999}"#,
+            "1e20, which is too large",
+            "a whole number from 0",
+        ),
         (r#"{"op":"step","dt_ms":99999999999}"#, "99999999999", "a whole number from 0"),
         (r#"{"op":"step","dt_ms":1,"gas":true}"#, "\"gas\"", "go"),
         (r#"{"op":"step","dt_ms":1,"go":"on"}"#, "\"on\"", "true or false"),

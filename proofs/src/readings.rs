@@ -49,7 +49,7 @@ fn step_of_4_0_by_the_words(machine: &Machine) {
     let before = kani::any_where(|control: &Control| control.is_consistent(&timing, readings));
     let (inputs, dt_ms): (Inputs, u32) = (kani::any(), kani::any());
     #[cfg(not(kani))]
-    let (before, inputs, dt_ms) = crate::steps::in_time(before, inputs, dt_ms);
+    let (before, inputs, dt_ms) = crate::steps::in_time(machine.edition(), before, inputs, dt_ms);
     let (after, outputs) = subject().step_of(machine, &before, &inputs, dt_ms);
     let said = words::step_of_4_0(&before, &inputs, dt_ms, readings);
     let as_default = words::step_of_4_0(&before, &inputs, dt_ms, machine.edition().readings);

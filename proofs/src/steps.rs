@@ -138,7 +138,7 @@ pub fn any_step_of_4_0() -> Step {
     let before = kani::any_where(keeps_invariant_of_4_0);
     let (inputs, dt_ms) = (kani::any(), kani::any());
     #[cfg(not(kani))]
-    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    let (before, inputs, dt_ms) = in_time(&Edition::V4_0, before, inputs, dt_ms);
     Step::of_4_0(before, inputs, dt_ms)
 }
 
@@ -152,7 +152,7 @@ pub fn any_step_of_2026() -> Step {
     let before = kani::any_where(keeps_invariant_of_2026);
     let (inputs, dt_ms) = (kani::any(), kani::any());
     #[cfg(not(kani))]
-    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    let (before, inputs, dt_ms) = in_time(&Edition::V2026, before, inputs, dt_ms);
     Step::of_2026(before, inputs, dt_ms)
 }
 
@@ -162,16 +162,21 @@ pub fn any_step_of_4_0_from(state: AsState) -> Step {
     let before = kani::any_where(keeps);
     let (inputs, dt_ms) = (kani::any(), kani::any());
     #[cfg(not(kani))]
-    let (before, inputs, dt_ms) = in_time(before, inputs, dt_ms);
+    let (before, inputs, dt_ms) = in_time(&Edition::V4_0, before, inputs, dt_ms);
     // Written down, so that the proof knows it as a constant.
     Step::of_4_0(Control { state, ..before }, inputs, dt_ms)
 }
 
-/// What was drawn, half of it with silences that are hardly ever too long, and times about those of version 4.0, which the vehicle of
-/// 2026 has as well. A silence drawn at random nearly always is too long; a proof looks at everything anyhow.
+/// What was drawn, half of it with silences that are hardly ever too long, and times about those of the edition. A
+/// silence drawn at random nearly always is too long; a proof looks at everything anyhow.
 #[cfg(not(kani))]
-pub fn in_time(mut before: Control, mut inputs: Inputs, mut dt_ms: u32) -> (Control, Inputs, u32) {
-    let rules = &Edition::V4_0.rules;
+pub fn in_time(
+    edition: &Edition,
+    mut before: Control,
+    mut inputs: Inputs,
+    mut dt_ms: u32,
+) -> (Control, Inputs, u32) {
+    let rules = &edition.rules;
     let about = |limit: u16| limit - 1 + kani::any_where(|more: &u16| *more < 3);
     if let (Some(missed), true) = (rules.thresholds.missed_ms, kani::any()) {
         let short = || kani::any::<u16>() % missed;

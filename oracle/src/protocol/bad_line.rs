@@ -64,6 +64,10 @@ impl fmt::Display for Given<'_> {
             Self::Null => f.write_str("null"),
             Self::Flag(flag) => write!(f, "{flag}"),
             Self::Number(number) => write!(f, "{number}"),
+            // Whole numbers are read as such up to here.
+            Self::Float(number) if number.abs() >= 2_f64.powi(63) => {
+                write!(f, "{number:?}, which is too large")
+            }
             Self::Float(number) => write!(f, "{number:?}, which has a point or an exponent"),
             Self::Text(text) => write!(f, "{text:?}"),
             Self::List(_) => f.write_str("a list"),

@@ -327,7 +327,7 @@ fn alike(silence: &AiSilence) -> AiSilence {
 fn any_silence() -> AiSilence {
     let inputs: Inputs = kani::any();
     #[cfg(not(kani))]
-    let (_, inputs, _) = crate::steps::in_time(Control::INITIAL, inputs, 0);
+    let (_, inputs, _) = crate::steps::in_time(&adsdv_spec::Edition::V4_0, Control::INITIAL, inputs, 0);
     inputs.ai_silence
 }
 
