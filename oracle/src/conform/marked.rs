@@ -3,6 +3,9 @@
 //! A program that makes itself a daemon leaves its group, so that killing the group does not end it; the variable goes with it.
 //! Linux shows it in `/proc`; elsewhere nothing is found.
 
+#[cfg(target_os = "linux")]
+use std::time::{Duration, Instant};
+
 /// The variable.
 pub(super) const MARK: &str = "ADSDV_PROGRAM";
 
@@ -18,26 +21,30 @@ pub(super) fn ours() -> String {
     format!("{}.", std::process::id())
 }
 
-/// Kills every process whose mark is this one, or begins so where all is true.
+/// Kills every process whose mark is this one, or begins so where all is true, and waits until they are gone.
 #[cfg(target_os = "linux")]
 pub(super) fn kill_marked(mark: &str, all: bool) {
-    /// One that forks all the time may have left another behind while it was looked for.
-    const ROUNDS: usize = 20;
-    /// To become another program takes less, but for a machine that is busy: then there are more rounds.
-    const PACE: std::time::Duration = std::time::Duration::from_millis(2);
+    /// One that forks all the time may have left another behind while it was looked for; on a machine that is busy it takes its time
+    /// to become another program, or to die of a signal that it has. What is still there then cannot be killed.
+    const PATIENCE: Duration = Duration::from_secs(2);
+    /// Between two looks where the last found nothing that is new.
+    const PACE: Duration = Duration::from_millis(2);
     let wanted = format!("{MARK}={mark}");
-    for _ in 0..ROUNDS {
+    let (begun, mut killed) = (Instant::now(), Vec::new());
+    while begun.elapsed() < PATIENCE {
         let Marked { found, unsure } = marked(&wanted, all);
         if found.is_empty() && !unsure {
             break;
         }
-        if found.is_empty() {
-            std::thread::sleep(PACE);
-        }
-        for process in found {
+        // Again what has the signal already: its number may be another's by now, which has the mark as well.
+        for &process in &found {
             // What cannot be killed is gone already.
             let _ = rustix::process::kill_process(process, rustix::process::Signal::KILL);
         }
+        if found.iter().all(|process| killed.contains(process)) {
+            std::thread::sleep(PACE);
+        }
+        killed = found;
     }
 }
 
@@ -64,9 +71,7 @@ fn marked(wanted: &str, all: bool) -> Marked {
         if environment.split(|byte| *byte == 0).any(has) {
             marked.found.extend(rustix::process::Pid::from_raw(number));
         }
-        // One that has ended, and nobody has asked how, has no environment any more, and no program; nor has a thread of the kernel.
-        let runs = || std::fs::read_link(format!("/proc/{number}/exe")).is_ok();
-        marked.unsure |= environment.is_empty() && runs();
+        marked.unsure |= environment.is_empty() && may_have_one(number);
     }
     marked
 }
@@ -84,5 +89,60 @@ fn environment(number: i32, memory: &mut [u8]) -> Option<&[u8]> {
     memory.get(..length)
 }
 
+/// Whether a process that shows no environment may have one all the same.
+#[cfg(target_os = "linux")]
+fn may_have_one(number: i32) -> bool {
+    // One that has ended, and nobody has asked how, has no environment any more, and no program; nor has a thread of the kernel.
+    let runs = std::fs::read_link(format!("/proc/{number}/exe")).is_ok();
+    runs && !was_given_none(number)
+}
+
+/// Whether a process was started without any environment, by `env -i` for one: the place of it is known then, and has no length.
+#[cfg(target_os = "linux")]
+fn was_given_none(number: i32) -> bool {
+    let Ok(stat) = std::fs::read_to_string(format!("/proc/{number}/stat")) else { return false };
+    // The second field is the program's name, in brackets, and may have spaces and brackets of its own.
+    let Some((_, fields)) = stat.rsplit_once(") ") else { return false };
+    // `env_start` and `env_end`, the fields 50 and 51.
+    let mut place = fields.split_ascii_whitespace().skip(50 - 3);
+    let (start, end) = (place.next(), place.next());
+    start.is_some() && start == end && start != Some("0")
+}
+
 #[cfg(not(target_os = "linux"))]
 pub(super) fn kill_marked(_: &str, _: bool) {}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::process::Command;
+
+    use super::*;
+
+    #[test]
+    fn one_that_was_given_no_environment_is_not_waited_for() {
+        let started = |command: &mut Command| command.arg("600").spawn().expect("it starts");
+        let (mut bare, mut clothed) =
+            (started(Command::new("sleep").env_clear()), started(&mut Command::new("sleep")));
+        let number =
+            |child: &std::process::Child| i32::try_from(child.id()).expect("Linux has no larger ones");
+        let is_asleep = |number: i32| {
+            std::fs::read(format!("/proc/{number}/cmdline")).is_ok_and(|line| line == b"sleep\0600\0")
+        };
+        let begun = Instant::now();
+        // The place of the environment is known a moment after the arguments.
+        while !is_asleep(number(&bare)) || !is_asleep(number(&clothed)) || !was_given_none(number(&bare)) {
+            assert!(begun.elapsed() < Duration::from_secs(20), "they start, and one has no environment");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        let mut memory = vec![0; LONGEST];
+        let shown = environment(number(&bare), &mut memory).map(<[u8]>::len);
+        let (waited_for, clothed_has_none) = (may_have_one(number(&bare)), was_given_none(number(&clothed)));
+        for child in [&mut bare, &mut clothed] {
+            child.kill().expect("it runs");
+            child.wait().expect("it has been killed");
+        }
+        assert_eq!(shown, Some(0));
+        assert!(!waited_for && !clothed_has_none);
+        assert!(!may_have_one(number(&bare)), "it has ended");
+    }
+}
