@@ -100,9 +100,9 @@ fn may_have_one(number: i32) -> bool {
 /// Whether a process was started without any environment, by `env -i` for one: the place of it is known then, and has no length.
 #[cfg(target_os = "linux")]
 fn was_given_none(number: i32) -> bool {
-    let Ok(stat) = std::fs::read_to_string(format!("/proc/{number}/stat")) else { return false };
+    let Ok(line) = std::fs::read_to_string(format!("/proc/{number}/stat")) else { return false };
     // The second field is the program's name, in brackets, and may have spaces and brackets of its own.
-    let Some((_, fields)) = stat.rsplit_once(") ") else { return false };
+    let Some((_, fields)) = line.rsplit_once(") ") else { return false };
     // `env_start` and `env_end`, the fields 50 and 51.
     let mut place = fields.split_ascii_whitespace().skip(50 - 3);
     let (start, end) = (place.next(), place.next());
@@ -114,35 +114,49 @@ pub(super) fn kill_marked(_: &str, _: bool) {}
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
-    use std::process::Command;
+    use std::process::{Child, Command};
 
     use super::*;
 
+    /// `sleep`, until it is dropped.
+    struct Sleeper(Child);
+
+    impl Sleeper {
+        fn start(command: &mut Command) -> Self {
+            Self(command.arg("600").spawn().expect("it starts"))
+        }
+
+        fn number(&self) -> i32 {
+            i32::try_from(self.0.id()).expect("Linux has no larger ones")
+        }
+
+        fn is_asleep(&self) -> bool {
+            std::fs::read(format!("/proc/{}/cmdline", self.number()))
+                .is_ok_and(|line| line == b"sleep\x00600\x00")
+        }
+    }
+
+    impl Drop for Sleeper {
+        fn drop(&mut self) {
+            let _ = self.0.kill();
+            let _ = self.0.wait();
+        }
+    }
+
     #[test]
     fn one_that_was_given_no_environment_is_not_waited_for() {
-        let started = |command: &mut Command| command.arg("600").spawn().expect("it starts");
-        let (mut bare, mut clothed) =
-            (started(Command::new("sleep").env_clear()), started(&mut Command::new("sleep")));
-        let number =
-            |child: &std::process::Child| i32::try_from(child.id()).expect("Linux has no larger ones");
-        let is_asleep = |number: i32| {
-            std::fs::read(format!("/proc/{number}/cmdline")).is_ok_and(|line| line == b"sleep\0600\0")
-        };
+        let bare = Sleeper::start(Command::new("sleep").env_clear());
+        let clothed = Sleeper::start(&mut Command::new("sleep"));
         let begun = Instant::now();
         // The place of the environment is known a moment after the arguments.
-        while !is_asleep(number(&bare)) || !is_asleep(number(&clothed)) || !was_given_none(number(&bare)) {
+        while !bare.is_asleep() || !clothed.is_asleep() || !was_given_none(bare.number()) {
             assert!(begun.elapsed() < Duration::from_secs(20), "they start, and one has no environment");
             std::thread::sleep(Duration::from_millis(1));
         }
-        let mut memory = vec![0; LONGEST];
-        let shown = environment(number(&bare), &mut memory).map(<[u8]>::len);
-        let (waited_for, clothed_has_none) = (may_have_one(number(&bare)), was_given_none(number(&clothed)));
-        for child in [&mut bare, &mut clothed] {
-            child.kill().expect("it runs");
-            child.wait().expect("it has been killed");
-        }
-        assert_eq!(shown, Some(0));
-        assert!(!waited_for && !clothed_has_none);
-        assert!(!may_have_one(number(&bare)), "it has ended");
+        assert_eq!(environment(bare.number(), &mut vec![0; LONGEST]), Some(&[][..]));
+        assert!(!may_have_one(bare.number()) && !was_given_none(clothed.number()));
+        let ended = bare.number();
+        drop(bare);
+        assert!(!may_have_one(ended), "it has ended");
     }
 }
