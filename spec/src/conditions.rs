@@ -6,9 +6,9 @@
 #![expect(clippy::inline_always, reason = "for speed, as in machine.rs")]
 
 use crate::atoms::{Atom, Atoms};
-use crate::edition::Thresholds;
 use crate::faults::Fault;
 use crate::inputs::Inputs;
+use crate::limits::Thresholds;
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AxleTorqueRequest,
     BrakePressure, DirectionRequest, EbsState, MissionStatus, SteerAngle, Vcu2AiStatus, Vcu2AiWheelSpeeds,

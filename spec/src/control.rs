@@ -5,8 +5,8 @@
 
 use crate::atoms::Atom;
 use crate::derives::data;
-use crate::edition::Timing;
 use crate::handshake::Handshake;
+use crate::limits::Timing;
 use crate::messages::{AsState, ShutdownCause};
 use crate::readings::{Choice, Readings};
 

@@ -6,6 +6,8 @@
 //!                                 Control, time
 //! ```
 //!
+//! `step.rs` puts them together, and makes the outputs.
+//!
 //! A step takes some twelve nanoseconds, and half as much again if its parts are calls that hand each other whole
 //! structs through memory. So they are inlined, up to the caller, which the compiler would not do by itself.
 #![expect(clippy::inline_always, reason = "measured: see benches/spec.rs")]
@@ -16,12 +18,10 @@ use crate::derives::data;
 use crate::edition::{Edition, Rules};
 use crate::faults::{Fault, Faults};
 use crate::handshake::{Handshake, count_up};
-use crate::inputs::Inputs;
 use crate::kept::{Kept, Literals};
 use crate::masks::TermMasks;
 use crate::messages::{AsState, ShutdownCause};
 use crate::observation::Observation;
-use crate::outputs::Outputs;
 use crate::readings::{Choice, Readings};
 use crate::table::{MAX_ROWS, MAX_TERMS, Row, Table, Term};
 use crate::truth::{Knowledge, Truth};
@@ -194,30 +194,7 @@ impl Machine {
         self.scope
     }
 
-    /// One step: what the VCU does when it sees these inputs `dt_ms` milliseconds after its last step.
-    ///
-    /// It is total: any control state, any inputs and any `dt_ms` have an answer, without a panic.
-    ///
-    /// ```
-    /// use adsdv_spec::{AsState, Control, Inputs, Machine};
-    /// use adsdv_spec::messages::{AmiState, EbsState, MissionStatus};
-    ///
-    /// let mut inputs = Inputs { asms: true, tsms: true, ebs: EbsState::Armed, ..Inputs::default() };
-    /// inputs.ami = AmiState::TrackDrive;
-    /// inputs.ai.status.mission_status = MissionStatus::Selected;
-    ///
-    /// let vcu = Machine::REFERENCE;
-    /// let (control, outputs) = vcu.step(&Control::INITIAL, &inputs, 10);
-    /// assert_eq!(control.state, AsState::Ready);
-    /// assert_eq!(outputs.row(&vcu).map(|row| row.section), Some("3.1"));
-    /// ```
-    #[inline(always)]
-    pub const fn step(&self, control: &Control, inputs: &Inputs, dt_ms: u32) -> (Control, Outputs) {
-        let reaction = self.react(control, inputs.observe(&self.edition.rules.thresholds), dt_ms);
-        (reaction.control, self.outputs(control.state, &reaction, inputs.go))
-    }
-
-    /// The part of a step behind [`Inputs::observe`]: the same for all inputs with the same observation.
+    /// The part of a step behind [`Inputs::observe`](crate::Inputs::observe): the same for all inputs with the same observation.
     #[inline(always)]
     pub const fn react(&self, control: &Control, seen: Observation, dt_ms: u32) -> Reaction {
         let inputs = self.atoms_of(seen);
@@ -443,29 +420,6 @@ impl Machine {
             AsState::Ready => Kept { go_seen_low: self.go_low, ..Kept::NOTHING },
             AsState::Driving if self.readings.is(Choice::FaultEdge) => Kept::OF_EDGES,
             _ => Kept::NOTHING,
-        }
-    }
-
-    /// What a reaction, from this state, shows to the outside; `go` is the "Go" switch as it stands.
-    #[inline(always)]
-    pub const fn outputs(&self, from: AsState, reaction: &Reaction, go: bool) -> Outputs {
-        let driving = matches!(reaction.control.state, AsState::Driving);
-        Outputs {
-            from,
-            state: reaction.control.state,
-            taken: reaction.taken,
-            atoms: reaction.atoms,
-            faults: reaction.faults,
-            shutdown_cause: reaction.control.shutdown_cause,
-            handshake: reaction.control.handshake.bit,
-            handshake_lost: reaction.control.handshake.is_lost(self.edition.rules.timing.handshake_ms),
-            missed_ms: if self.watches_messages(reaction.control.handshake.active) {
-                self.edition.rules.thresholds.missed_ms
-            } else {
-                None
-            },
-            //= DRV-14, D-7
-            go_signal: go && (driving || self.readings.is(Choice::GoRaw)),
         }
     }
 }

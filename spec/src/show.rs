@@ -4,9 +4,9 @@
 //! that are wanted, by as little as that takes; [`Inputs::show`] does so for a single atom.
 
 use crate::atoms::Atom;
-use crate::edition::Thresholds;
 use crate::faults::{Fault, Faults};
 use crate::inputs::{Inputs, ShutdownCircuit};
+use crate::limits::Thresholds;
 use crate::observation::Observation;
 use crate::reads::Reads;
 

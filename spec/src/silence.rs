@@ -6,7 +6,7 @@
 
 use crate::atoms::{Atom, Atoms};
 use crate::derives::data;
-use crate::edition::Thresholds;
+use crate::limits::Thresholds;
 use crate::messages::{Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer};
 
 data!(

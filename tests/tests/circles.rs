@@ -13,7 +13,7 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, Item, ItemMod, ItemUse, UseTree};
 
 /// The circles that there are: a list to make shorter.
-const KNOWN: [&[&str]; 8] = [
+const KNOWN: [&[&str]; 2] = [
     &[
         "diagnosis/src/dials.rs",
         "diagnosis/src/model.rs",
@@ -22,32 +22,6 @@ const KNOWN: [&[&str]; 8] = [
         "diagnosis/src/ways.rs",
     ],
     &["model/src/goals.rs", "model/src/look/mod.rs", "model/src/open.rs"],
-    &["oracle/src/conform/failures.rs", "oracle/src/conform/run.rs", "oracle/src/conform/suite.rs"],
-    &[
-        "oracle/src/protocol/answer.rs",
-        "oracle/src/protocol/inputs.rs",
-        "oracle/src/protocol/request.rs",
-        "oracle/src/protocol/shown.rs",
-        "oracle/src/protocol/spoken.rs",
-    ],
-    &[
-        "spec/src/atoms.rs",
-        "spec/src/edition.rs",
-        "spec/src/named.rs",
-        "spec/src/observation.rs",
-        "spec/src/readings.rs",
-        "spec/src/silence.rs",
-        "spec/src/table.rs",
-        "spec/src/truth.rs",
-    ],
-    &["spec/src/export/dot.rs", "spec/src/export/drawing.rs"],
-    &["spec/src/machine.rs", "spec/src/outputs.rs"],
-    &[
-        "spec/src/messages/any.rs",
-        "spec/src/messages/content.rs",
-        "spec/src/messages/definition.rs",
-        "spec/src/messages/error.rs",
-    ],
 ];
 
 /// A module of a crate: the names from its root on.

@@ -23,8 +23,8 @@
 //! - `blame.rs`: the requirements that wrong answers break, `about.rs` what a requirement is about, and `keys.rs` sets of
 //!   outputs;
 //! - `requirements.rs`: what was passed, failed and not checked;
-//! - `run.rs`: all of it in order, first `suite.rs`, the tests, then `failures.rs`, what is wrong in them, then `random.rs`,
-//!   the random scenarios; `options.rs` says how, and `report.rs` what came of it.
+//! - `judging.rs`: all of it in order, each part of it on the `Run` of `run.rs`: first `suite.rs`, the tests, then `failures.rs`, what is
+//!   wrong in them, then `random.rs`, the random scenarios; `options.rs` says how, and `report.rs` what came of it.
 //!
 //! ```
 //! use adsdv_oracle::conform::{InProcess, ConformOptions, conform};
@@ -46,6 +46,7 @@ mod child;
 mod cycle;
 mod explain;
 mod failures;
+mod judging;
 mod keys;
 mod line_program;
 mod lines;
@@ -73,6 +74,7 @@ mod wall_clock;
 pub use broken::{Break, Row, Why};
 #[cfg(unix)]
 pub use child::{Stopped, stop_programs};
+pub use judging::{NOT_ALIKE, conform};
 pub use line_program::LineProgram;
 pub use lines::{LineBuffer, TooLong};
 pub use options::{ConformOptions, ConformProgress, Phase};
@@ -80,7 +82,6 @@ pub use program::Program;
 pub use program_error::{ProgramError, ProgramErrorKind, SentLine, Work, excerpt};
 pub use report::{ConformReport, Failure, Stretch};
 pub use requirements::{Outcome, Requirement};
-pub use run::{NOT_ALIKE, conform};
 pub use running::RunningProgram;
 pub use vcu::{InProcess, Reply, Vcu};
 pub use verdict::{Follows, Side};

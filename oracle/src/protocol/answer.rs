@@ -6,7 +6,8 @@ use std::str::FromStr;
 use super::bad_line::{BadLine, Given, Object};
 use super::field::{Value, Words};
 use super::shown::{FIELDS, SHOWN, Shown};
-use super::spoken::{Protocol, UNSAID};
+use super::spoken::Protocol;
+use super::unsaid::UNSAID;
 
 /// An answer to a step: some fields of [`SHOWN`] or all; a field that it leaves out is not checked. It is read from a line.
 ///
@@ -191,6 +192,17 @@ impl Answer {
         } else {
             Err(BadLine::new("there is no \"as_state\"; expected at least that"))
         }
+    }
+}
+
+impl Protocol {
+    /// Reads what a program answers to a step.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no object of outputs, and says where and what was expected.
+    pub fn answer(&self, line: &str) -> Result<Answer, BadLine> {
+        Answer::read(line, self)
     }
 }
 

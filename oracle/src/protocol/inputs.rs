@@ -3,8 +3,8 @@
 use adsdv_spec::messages::SignalValue;
 use adsdv_spec::{Bus, Edition, Inputs};
 
-use super::UNSAID;
 use super::field::Domain;
+use super::unsaid::UNSAID;
 
 /// One input.
 #[derive(Clone, Copy, Debug)]

@@ -32,6 +32,7 @@ mod inputs;
 mod request;
 mod shown;
 mod spoken;
+mod unsaid;
 
 pub use about::About;
 pub use answer::{Answer, Difference};
@@ -40,4 +41,5 @@ pub use field::{Domain, Value};
 pub use inputs::{INPUTS, InputField};
 pub use request::{InputsAsJson, Request};
 pub use shown::{SHOWN, Showing, Shown, ShownField};
-pub use spoken::{Protocol, UNSAID};
+pub use spoken::Protocol;
+pub use unsaid::UNSAID;

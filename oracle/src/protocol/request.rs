@@ -185,3 +185,33 @@ fn set_input(inputs: &mut Inputs, key: &str, found: &Given<'_>, protocol: &Proto
     let set = domain.raw_or(field.domain, found).is_some_and(|raw| (field.set)(inputs, raw));
     if set { Ok(()) } else { Err(BadLine::value(key, found, domain)) }
 }
+
+impl Protocol {
+    /// A request as the edition has it, without the end of the line. It leaves out what the edition does not have.
+    pub fn line<'a>(&'a self, request: &'a Request) -> impl fmt::Display + 'a {
+        fmt::from_fn(move |f| request.write(f, self))
+    }
+
+    /// Inputs as an object of their own, as the edition has it.
+    pub fn object<'a>(&'a self, inputs: &'a InputsAsJson) -> impl fmt::Display + 'a {
+        fmt::from_fn(move |f| inputs.write(f, self))
+    }
+
+    /// Reads what is asked of a program.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no request, and says where and what was expected.
+    pub fn request(&self, line: &str) -> Result<Request, BadLine> {
+        Request::read(line, self)
+    }
+
+    /// Reads inputs that are an object of their own.
+    ///
+    /// # Errors
+    ///
+    /// Fails if it is no object of inputs of this edition, and says where and what was expected.
+    pub fn inputs_as_json(&self, object: &str) -> Result<InputsAsJson, BadLine> {
+        InputsAsJson::read(object, self)
+    }
+}

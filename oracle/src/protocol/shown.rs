@@ -5,9 +5,9 @@ use std::fmt;
 use adsdv_spec::messages::{FieldDef, Message as _, ReadAs, SignalValue, Vcu2AiStatus};
 use adsdv_spec::{Actuation, Bus, Edition, Fault, Inputs, Outputs};
 
-use super::UNSAID;
 use super::field::{Domain, Value, Words};
 use super::inputs::InputField;
+use super::unsaid::UNSAID;
 
 /// Something that a step shows.
 #[derive(Clone, Copy, Debug)]

@@ -1,19 +1,13 @@
-//! The protocol in an edition: which fields it has there, and which values they have.
-
-use std::fmt;
+//! The protocol in an edition: which fields it has there, and which values they have. `request.rs` and `answer.rs` read and write its
+//! lines.
 
 use adsdv_spec::messages::ReadAs;
 use adsdv_spec::{Bus, Edition, Inputs};
 
-use super::answer::Answer;
-use super::bad_line::BadLine;
 use super::field::{Domain, Value};
 use super::inputs::{INPUTS, InputField};
-use super::request::{InputsAsJson, Request};
 use super::shown::{FIELDS, SHOWN, ShownField};
-
-/// The edition that a program speaks of until somebody says which, as all did before there was another.
-pub const UNSAID: &Edition = &Edition::V3_0;
+use super::unsaid::UNSAID;
 
 /// The protocol as an edition has it: reads and writes the lines that say something in it. A line that is parsed or displayed
 /// by itself says it of [`UNSAID`].
@@ -102,42 +96,5 @@ impl Protocol {
     /// The value of an input, in the words of the edition.
     pub fn input(&self, field: &InputField, inputs: &Inputs) -> Value {
         Value { domain: field.domain_on(&self.bus), raw: Some((field.get)(inputs)) }
-    }
-
-    /// A request as the edition has it, without the end of the line. It leaves out what the edition does not have.
-    pub fn line<'a>(&'a self, request: &'a Request) -> impl fmt::Display + 'a {
-        fmt::from_fn(move |f| request.write(f, self))
-    }
-
-    /// Inputs as an object of their own, as the edition has it.
-    pub fn object<'a>(&'a self, inputs: &'a InputsAsJson) -> impl fmt::Display + 'a {
-        fmt::from_fn(move |f| inputs.write(f, self))
-    }
-
-    /// Reads what is asked of a program.
-    ///
-    /// # Errors
-    ///
-    /// Fails if it is no request, and says where and what was expected.
-    pub fn request(&self, line: &str) -> Result<Request, BadLine> {
-        Request::read(line, self)
-    }
-
-    /// Reads inputs that are an object of their own.
-    ///
-    /// # Errors
-    ///
-    /// Fails if it is no object of inputs of this edition, and says where and what was expected.
-    pub fn inputs_as_json(&self, object: &str) -> Result<InputsAsJson, BadLine> {
-        InputsAsJson::read(object, self)
-    }
-
-    /// Reads what a program answers to a step.
-    ///
-    /// # Errors
-    ///
-    /// Fails if it is no object of outputs, and says where and what was expected.
-    pub fn answer(&self, line: &str) -> Result<Answer, BadLine> {
-        Answer::read(line, self)
     }
 }

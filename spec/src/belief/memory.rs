@@ -2,7 +2,7 @@
 
 use crate::belief::{Causes, Handshakes, Span};
 use crate::control::Control;
-use crate::edition::Timing;
+use crate::limits::Timing;
 use crate::messages::AsState;
 use crate::truth::Truth;
 

@@ -10,8 +10,9 @@ use std::string::ToString;
 
 use super::V3_0;
 use crate::bus::bus;
-use crate::edition::{Edition, Rules, Thresholds};
+use crate::edition::{Edition, Rules};
 use crate::export::{Dbc, Figure2};
+use crate::limits::Thresholds;
 use crate::messages::layout::layouts;
 use crate::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Layout, SteerAngle,

@@ -3,9 +3,9 @@
 use core::fmt;
 
 use super::arrows::{Label, Title, arrows};
-use super::drawing::Mark;
 use super::escape::Escaped;
 use super::light::{Background, Paint};
+use super::mark::Mark;
 use super::mermaid::in_title;
 use crate::messages::AsState;
 use crate::{Assi, Control, Machine};

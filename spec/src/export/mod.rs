@@ -39,6 +39,7 @@ mod dot;
 mod drawing;
 mod escape;
 mod light;
+mod mark;
 mod markdown;
 mod mermaid;
 mod places;
@@ -46,8 +47,9 @@ mod svg;
 
 pub use dbc::Dbc;
 pub use dot::Dot;
-pub use drawing::{AsDot, AsMermaid, Drawing, DrawnArrow, Mark};
+pub use drawing::{AsDot, AsMermaid, Drawing, DrawnArrow};
 pub use light::{Background, Paint};
+pub use mark::Mark;
 pub use markdown::Figure2;
 pub use mermaid::Mermaid;
 pub use places::{BOX, Line, Point, SIZE, place};

@@ -2,8 +2,9 @@
 
 use core::fmt::{self, Write as _};
 
-use super::drawing::{Drawing, DrawnArrow, Mark};
+use super::drawing::{Drawing, DrawnArrow};
 use super::light::{Background, Paint};
+use super::mark::Mark;
 use super::places::{BOX, Line, Point, SIZE, Tenths, WHOLE, place};
 use crate::Assi;
 use crate::messages::AsState;

@@ -1,8 +1,8 @@
 //! Any of the messages, as one type.
 
 use super::{
-    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Message, Node,
-    Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Node, Vcu2AiBrake,
+    Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
     Vcu2LogDynamics1, Vcu2LogStatus, VcuStatus,
 };
 
@@ -36,7 +36,7 @@ macro_rules! any_message {
             /// Who sends it.
             pub const fn sender(&self) -> Node {
                 match self {
-                    $(Self::$message(_) => <$message as Message>::SENDER,)+
+                    $(Self::$message(_) => $message::SENDER,)+
                 }
             }
         }

@@ -105,13 +105,15 @@ macro_rules! contents {
         impl $message {
             /// The CAN identifier.
             pub const ID: u16 = $id;
+            /// Who sends it.
+            pub(crate) const SENDER: $crate::messages::Node = $crate::messages::Node::$sender;
             /// What it is for, in one sentence.
             pub(crate) const DOC: &'static str = $doc.trim_ascii();
         }
 
         impl $crate::messages::Message for $message {
-            const ID: u16 = $id;
-            const SENDER: $crate::messages::Node = $crate::messages::Node::$sender;
+            const ID: u16 = Self::ID;
+            const SENDER: $crate::messages::Node = Self::SENDER;
             const REQUIREMENTS: &'static [&'static str] = &[$($cited),+];
             const FIELDS: &'static [$crate::messages::FieldDef] = &[$(
                 $crate::messages::FieldDef::new(

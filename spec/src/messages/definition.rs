@@ -4,37 +4,7 @@ use core::fmt;
 
 use super::bits::{self, FRAME_BYTES};
 use super::content::same;
-use super::{Decimal, FieldDef, OutOfRange, Scale, SignalValue};
-use crate::derives::data;
-
-data!(
-    /// Who sends a message.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-    pub enum Node {
-        /// The AI Computer.
-        #[cfg_attr(feature = "serde", serde(rename = "AI"))]
-        Ai,
-        /// The Vehicle Control Unit.
-        #[cfg_attr(feature = "serde", serde(rename = "VCU"))]
-        Vcu,
-    }
-);
-
-impl Node {
-    /// The name of the node in the CAN database.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Ai => "AI",
-            Self::Vcu => "VCU",
-        }
-    }
-}
-
-impl fmt::Display for Node {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
+use super::{Decimal, FieldDef, Node, Scale, SignalValue};
 
 /// One signal of a message: a row of the signal table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -233,15 +203,6 @@ impl SignalDef {
             index += 1;
         }
         self.values.is_empty()
-    }
-
-    /// Refuses a raw value that is not allowed, and says what is.
-    ///
-    /// # Errors
-    ///
-    /// Fails if the value is outside the range or the enumeration.
-    pub const fn check(&'static self, raw: i32) -> Result<(), OutOfRange> {
-        if self.allows(raw) { Ok(()) } else { Err(OutOfRange { given: raw, def: self }) }
     }
 
     /// A raw value in the signal's unit, for display and plotting.

@@ -59,6 +59,17 @@ pub struct OutOfRange {
     pub def: &'static SignalDef,
 }
 
+impl SignalDef {
+    /// Refuses a raw value that is not allowed, and says what is.
+    ///
+    /// # Errors
+    ///
+    /// Fails if the value is outside the range or the enumeration.
+    pub const fn check(&'static self, raw: i32) -> Result<(), OutOfRange> {
+        if self.allows(raw) { Ok(()) } else { Err(OutOfRange { given: raw, def: self }) }
+    }
+}
+
 impl DecodeError {
     /// Data of `given` bytes is too short for this message.
     #[cold]

@@ -7,8 +7,9 @@ mod requirements;
 mod vcu;
 
 use crate::bus::{Reserved, bus};
-use crate::edition::{Edition, Rules, Thresholds, Timing};
+use crate::edition::{Edition, Rules};
 use crate::faults::{Fault, Faults};
+use crate::limits::{Thresholds, Timing};
 use crate::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, SteerAngle,
     Vcu2AiBrake, Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,

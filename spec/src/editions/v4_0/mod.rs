@@ -11,8 +11,9 @@ mod vcu;
 
 use super::V3_0;
 use crate::bus::{Reserved, bus};
-use crate::edition::{Edition, Rules, Thresholds, Timing};
+use crate::edition::{Edition, Rules};
 use crate::faults::Faults;
+use crate::limits::{Thresholds, Timing};
 use crate::messages::{
     Ai2LogDynamics2, Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, Vcu2AiBrake,
     Vcu2AiDriveF, Vcu2AiDriveR, Vcu2AiStatus, Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
