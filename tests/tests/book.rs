@@ -215,9 +215,11 @@ fn what_lists_the_editions_by_hand_lists_them_all() {
     let quoted = |quote: &str| versions.join(&format!("{quote}, {quote}"));
     let (double, plain) = (quoted("\""), versions.join(", "));
     let (newest, older) = versions.split_last().expect("an edition");
+    let (_, from_4_0) = versions.split_first().expect("an edition");
     let mut expected = vec![
         (".github/ISSUE_TEMPLATE/wrong-finding.yml", format!("options: [\"{double}\", ")),
         ("docs/glossary.md", format!("with its CAN database: {plain} |")),
+        ("exam/examples/ros2_bridge.py", format!("EDITIONS = (\"{}\")", from_4_0.join("\", \""))),
         ("exam/examples/stack.py", format!("in (\"{double}\")")),
         ("ffi/README.md", format!("expected one of {plain}\n")),
         ("python/README.md", format!("['{}']", quoted("'"))),
@@ -226,6 +228,8 @@ fn what_lists_the_editions_by_hand_lists_them_all() {
     ];
     for version in &versions {
         expected.push(("docs/editions.md", format!("\n| {version} | ")));
+        expected.push(("docs/first-exam.md", format!("[{version}](messages-{version}.md)")));
+        expected.push(("docs/interface.md", format!("[{version}](messages-{version}.md)")));
         expected.push(("spec/REQUIREMENTS.md", format!("\n| {version} | version ")));
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

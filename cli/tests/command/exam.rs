@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
 
+use adsdv_spec::Edition;
 use serde_json::Value;
 
 use crate::run::{Outcome, example, run, workspace};
@@ -35,7 +36,7 @@ fn report(options: &[&str], mistake: &[&str]) -> Value {
 
 #[test]
 fn the_reference_passes_through_standard_input_as_well() {
-    for edition in ["3.0", "4.0", "2026"] {
+    for edition in Edition::ALL.iter().map(|edition| edition.version) {
         let report = report(&["--edition", edition], &[]);
         assert_eq!((&report["passes"], &report["edition"]), (&Value::from(true), &Value::from(edition)));
         assert_eq!(report["scenarios"].as_array().map(Vec::len), Some(43));
