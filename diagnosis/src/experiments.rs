@@ -7,12 +7,13 @@ use adsdv_oracle::protocol::InputField;
 use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 
+use crate::hop::Hop;
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
 use crate::record::Record;
 use crate::subject::Subject;
-use crate::ways::{Hop, Ways};
+use crate::ways::Ways;
 
 /// So many cycles are looked at behind what is tried: a program may take its time.
 const BEHIND: usize = 4;

@@ -9,9 +9,9 @@ use adsdv_spec::{
 
 use crate::causes;
 use crate::deviation::{Deviation, Remembers};
+use crate::hop::{By, Hop};
 use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
 use crate::seen::as_seen;
-use crate::ways::{By, Hop};
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
 const NO_ROW: Taken = Taken { row: u8::MAX, term: u8::MAX };

@@ -6,10 +6,11 @@ use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
 use adsdv_spec::{Atom, Inputs, Term};
 
+use crate::hop::{By, Hop};
 use crate::model::{Memory, Model};
 use crate::record::Record;
 use crate::subject::Subject;
-use crate::ways::{By, Hop, Ways};
+use crate::ways::Ways;
 
 /// Who leads a program. What it does is what the model says that leads on; what the program does is taken down.
 pub(crate) struct Pilot<'a> {

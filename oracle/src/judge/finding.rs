@@ -95,8 +95,8 @@ rules! {
     /// A fault flag, or a flag of 120h, was raised though its condition did not hold.
     FlagUnfounded = "fault-flag-unfounded"
         unless "the VCU saw a reason that no frame within the window shows";
-    /// A flag was not raised though its reason was there: the AI Computer asked for an emergency stop, or 120h has no timeout for a
-    /// message that is missed or a handshake that is not answered.
+    /// A flag was not raised, or went back to 0, though its reason was there: the AI Computer asked for an emergency stop, or 120h has
+    /// no timeout for a message that is missed or a handshake that is not answered.
     FlagMissing = "fault-flag-missing"
         unless "the VCU did not receive what was recorded, or takes longer for a step than the deadline";
     /// `FAULT_STATUS` or `WARNING_STATUS` contradicts the flags it sums up.

@@ -112,6 +112,37 @@ fn an_emergency_stop_whose_flag_is_not_shown_in_any_active_state() {
     }
 }
 
+/// AS_OFF behind an emergency stop that the AI Computer still asks for, for so long; the VCU shows something from AS_OFF on.
+fn asked_for_into_as_off(edition: &Edition, shows: fn(&mut Vcu2AiStatus), ms: i64) -> World {
+    let mut world = World::of(edition);
+    world.driving();
+    world.set(Atom::AiEstop, true);
+    world.wait(i64::from(edition.rules.timing.ebs_timer_ms) + 500);
+    world.shows = shows;
+    world.inputs.asms = false;
+    world.wait(ms);
+    assert_eq!(world.control.state, AsState::Off);
+    world
+}
+
+#[test]
+fn a_flag_of_an_emergency_stop_stays_as_long_as_it_is_asked_for() {
+    for edition in Edition::ALL {
+        for (ms, expected) in [(50, 0), (60, 1), (500, 1)] {
+            let world = asked_for_into_as_off(edition, |status| status.ai_estop_request = false, ms);
+            let report = judge(&world.log, JudgeOptions::of(edition));
+            let missing: Vec<_> =
+                report.findings.iter().filter(|finding| finding.rule == Rule::FlagMissing).collect();
+            assert_eq!(missing.len(), expected, "{} after {ms} ms: {missing:?}", edition.version);
+        }
+        let mut world = asked_for_into_as_off(edition, |_| {}, 500);
+        is_silent(&world, JudgeOptions::of(edition), "the flag stays");
+        world.set(Atom::AiEstop, false);
+        world.wait(500);
+        is_silent(&world, JudgeOptions::of(edition), "the flag goes with what it shows");
+    }
+}
+
 /// How long it is ignored is reported to the millisecond, and exactly the deadline is not too long.
 #[test]
 fn an_emergency_stop_that_is_ignored_for_the_deadline() {

@@ -39,6 +39,8 @@ pub(super) struct Flags {
     warning_sum: Persisting,
     /// Since when the AI Computer asks for an emergency stop and the flag is not shown.
     pub(super) estop_since: Option<i64>,
+    /// Since when that flag is 0 again, where it was 1 in the frame before.
+    estop_taken_back: Option<i64>,
 }
 
 /// A cause that was named: its flag and the shutdown must be seen as well.
@@ -144,6 +146,10 @@ impl Flags {
                 watch.stop_seen |= !is_active(Some(status.as_state));
             }
         }
+        let asked_before = shown.previous.is_some_and(|previous| previous.ai_estop_request) && !gap;
+        if status.ai_estop_request || asked_before {
+            self.estop_taken_back = (!status.ai_estop_request).then_some(t);
+        }
         book.found(cause_changed(est, t, shown));
         let faults = !flags.without(Fault::AiComputerRequest).is_empty();
         let warnings = status.warn_batt_temp_high || status.warn_batt_soc_low;
@@ -194,6 +200,16 @@ impl Flags {
             );
             let what = (Severity::Violation, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
             book.found(shows_wrongly(est, what, since + est.deadline, seen, "1"));
+        }
+        // One that has begun anew has not heard the AI Computer yet, but soon will.
+        let soon = est.window + 2 * est.cycle();
+        if let Some(since) = self.estop_taken_back.take_if(|since| t - *since >= soon) {
+            let from = since - est.patience() - est.cycle();
+            if est.is_seen_since(from) && est.moments(from, t).all(asked) {
+                let seen = "AI_ESTOP_REQUEST went back to 0, though the AI Computer went on to ask for an emergency stop";
+                let what = (Severity::Violation, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
+                book.found(shows_wrongly(est, what, since, seen, "1 as long as it asks"));
+            }
         }
     }
 

@@ -3,16 +3,14 @@
 //! Its states are the control states of the VCU, its actions what the VCU can see in a cycle, with the real times of the
 //! document. Every action is tried at every state, without a bound.
 
+mod questions;
+
 use std::hash::{Hash, Hasher};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use adsdv_spec::{Control, Machine, Timing};
-use stateright::Model;
 
-use crate::action::Action;
-use crate::document::Document;
-use crate::goals::{questions, to_the_end};
 use crate::look::{Engine, Look, Looker};
 use crate::parts::Parts;
 use crate::planes::Words;
@@ -181,29 +179,6 @@ impl Open {
     }
 }
 
-impl Model for Open {
-    type State = State;
-    type Action = Action;
-
-    fn init_states(&self) -> Vec<State> {
-        vec![State::new(Control::INITIAL)]
-    }
-
-    /// One action to each state that comes next: the look has tried all of them.
-    fn actions(&self, state: &State, actions: &mut Vec<Action>) {
-        actions.extend_from_slice(&self.look(state).ways);
-        self.seen.expanded.fetch_add(1, Ordering::Relaxed);
-    }
-
-    fn next_state(&self, state: &State, action: Action) -> Option<State> {
-        Some(State::new(action.apply(&self.machine, &state.control)))
-    }
-
-    fn properties(&self) -> Vec<stateright::Property<Self>> {
-        if self.unasked { vec![to_the_end()] } else { questions(Document::of_machine(&self.machine).edition) }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::hash::{BuildHasher as _, BuildHasherDefault};
@@ -213,6 +188,7 @@ mod tests {
     use fnv::FnvHasher;
 
     use super::*;
+    use crate::action::Action;
     use crate::reachable::reachable;
     use crate::short_timers::SHORT_TIMERS;
 
