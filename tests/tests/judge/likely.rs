@@ -197,6 +197,38 @@ fn a_sum_that_is_0_in_every_frame_of_a_late_recording_is_at_least_a_warning() {
     }
 }
 
+/// A request that is short, in whichever state: once, and never of a VCU that shows it.
+#[test]
+fn a_flag_that_does_not_follow_a_short_emergency_stop_is_a_warning_in_a_late_recording() {
+    for edition in Edition::ALL {
+        for arrive in [World::ready as fn(&mut World), World::finished] {
+            for follows in [false, true] {
+                let mut world = World::of(edition);
+                arrive(&mut world);
+                world.hold_state();
+                if !follows {
+                    world.shows = |status| status.ai_estop_request = false;
+                }
+                world.set(Atom::AiEstop, true);
+                world.wait(100);
+                world.set(Atom::AiEstop, false);
+                world.wait(500);
+                let missing = |seed| {
+                    let said = said(&world.disturbed(seed, 20 * MS, 0), JudgeOptions::of(edition));
+                    said.iter().filter(|finding| finding.rule == Rule::FlagMissing).count()
+                };
+                let counts: Vec<usize> = (1..=20).map(missing).collect();
+                let name = format!("{} in {}, {counts:?}", edition.version, world.control.state);
+                if follows {
+                    assert!(counts.iter().all(|&count| count == 0), "{name}");
+                } else {
+                    assert!(counts.iter().all(|&count| count == 1), "{name}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn go_that_is_not_shown_is_a_warning_where_a_frame_may_be_lost_that_shows_it() {
     for edition in Edition::ALL.iter().filter(|edition| edition.version != "2026") {

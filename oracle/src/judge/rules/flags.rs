@@ -1,15 +1,16 @@
 //! Fault flags, `FAULT_STATUS` and `SHUTDOWN_CAUSE`: whether 520h tells the truth (section 2.2).
 
 use adsdv_spec::messages::{ShutdownCause, Vcu2AiStatus};
-use adsdv_spec::{AsState, Atom, Fault, Faults, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Fault, Faults, Truth};
 
-use super::likely::no_frame;
+use super::likely::{self, no_frame};
 use super::pending::Persisting;
 use crate::judge::book::Book;
 use crate::judge::estimator::base::{Estimator, is_active};
+use crate::judge::estimator::history::Moment;
 use crate::judge::estimator::status::StatusChange;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
-use crate::judge::sampler::places::STATUS;
+use crate::judge::sampler::places::{AI_STATUS, STATUS};
 use crate::judge::time::milliseconds;
 
 /// What `FAULT_STATUS` sums up.
@@ -38,9 +39,21 @@ pub(super) struct Flags {
     fault_sum: Persisting,
     warning_sum: Persisting,
     /// Since when the AI Computer asks for an emergency stop and the flag is not shown.
-    pub(super) estop_since: Option<i64>,
+    estop_since: Option<i64>,
+    /// It asks for one in every 510h that came.
+    asking: Option<Asking>,
     /// Since when that flag is 0 again, where it was 1 in the frame before.
     estop_taken_back: Option<i64>,
+}
+
+/// The AI Computer asks for an emergency stop, by all that was recorded.
+#[derive(Clone, Copy, Debug)]
+struct Asking {
+    since: i64,
+    /// Whether the Autonomous System was active when it began to.
+    active: bool,
+    /// Whether the flag was 1 since, or it was reported that it is not.
+    settled: bool,
 }
 
 /// A cause that was named: its flag and the shutdown must be seen as well.
@@ -146,8 +159,7 @@ impl Flags {
                 watch.stop_seen |= !is_active(Some(status.as_state));
             }
         }
-        let asked_before = shown.previous.is_some_and(|previous| previous.ai_estop_request) && !gap;
-        if status.ai_estop_request || asked_before {
+        if status.ai_estop_request || shown.previous.is_some_and(|previous| previous.ai_estop_request) {
             self.estop_taken_back = (!status.ai_estop_request).then_some(t);
         }
         book.found(cause_changed(est, t, shown));
@@ -188,29 +200,76 @@ impl Flags {
             }
         }
         self.estop_since = self.estop_since.filter(|_| !status.ai_estop_request);
-        let asked = |moment: &crate::judge::estimator::history::Moment| {
-            moment.known.of(Atom::AiEstop) == Truth::True && !moment.filled.has(Atom::AiEstop)
-        };
-        if let Some(since) = self.estop_since.take_if(|since| *since < late)
-            && est.moments(since, t).all(asked)
-        {
+        // It may have been recorded before the 510h that it follows.
+        if let Some(asking) = &mut self.asking {
+            asking.settled |= status.ai_estop_request;
+        }
+        let certain = self.estop_since.take_if(|since| *since < late);
+        let likely = self.asking.filter(|asking| asking.active && !asking.settled && asking.since < late);
+        if let Some(since) = certain.or(likely.map(|asking| asking.since)) {
             let seen = format!(
                 "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms",
                 milliseconds(t - since)
             );
-            let what = (Severity::Violation, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
-            book.found(shows_wrongly(est, what, since + est.deadline, seen, "1"));
+            let certain = certain.is_some();
+            let missing = self.estop_missing(est, (since, t), certain, since + est.deadline, seen, "1");
+            if let (Some(_), Some(asking)) = (&missing, &mut self.asking) {
+                asking.settled = true;
+            }
+            book.found(missing);
         }
         // One that has begun anew has not heard the AI Computer yet, but soon will.
         let soon = est.window + 2 * est.cycle();
         if let Some(since) = self.estop_taken_back.take_if(|since| t - *since >= soon) {
+            let seen = "AI_ESTOP_REQUEST went back to 0, though the AI Computer went on to ask for an emergency stop";
             let from = since - est.patience() - est.cycle();
-            if est.is_seen_since(from) && est.moments(from, t).all(asked) {
-                let seen = "AI_ESTOP_REQUEST went back to 0, though the AI Computer went on to ask for an emergency stop";
-                let what = (Severity::Violation, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
-                book.found(shows_wrongly(est, what, since, seen, "1 as long as it asks"));
-            }
+            book.found(self.estop_missing(est, (from, t), true, since, seen, "1 as long as it asks"));
         }
+    }
+
+    /// 510h came with something new: whether it asks for an emergency stop, and whether the one before did, where that is known.
+    pub(super) fn ai_asks(&mut self, est: &Estimator, t: i64, asks: bool, before: Option<bool>) {
+        let active = is_active(est.vcu.state);
+        if !asks {
+            (self.estop_since, self.asking) = (None, None);
+        } else if before == Some(false) || self.asking.is_none() {
+            self.asking = Some(Asking { since: t, active, settled: false });
+        }
+        // Where the frame before is not known, the flag may have been shown and taken back.
+        if asks && before == Some(false) && active {
+            self.estop_since = Some(t);
+        }
+    }
+
+    /// `AI_ESTOP_REQUEST` is 0, if the AI Computer asked between these times: for certain, where that may be, or in every frame that was
+    /// recorded.
+    fn estop_missing(
+        &self,
+        est: &Estimator,
+        (from, to): (i64, i64),
+        may_be_certain: bool,
+        t: i64,
+        seen: impl Into<String>,
+        expected: &str,
+    ) -> Option<Finding> {
+        let asked = |moment: &Moment| {
+            moment.known.of(Atom::AiEstop) == Truth::True && !moment.filled.has(Atom::AiEstop)
+        };
+        let certain = may_be_certain && est.is_seen_since(from) && est.moments(from, to).all(asked);
+        let likely = || {
+            let asking = self.asking.is_some_and(|asking| asking.since <= from);
+            let last = est.sampler.last(AI_STATUS).is_some_and(|last| last >= to - est.patience());
+            asking && last && !est.options.complete
+        };
+        let (severity, excuse) = if certain {
+            (Severity::Violation, String::new())
+        } else if likely() {
+            (Severity::Warning, likely::excuse(est, Atoms::of(&[Atom::AiEstop]), from, to))
+        } else {
+            return None;
+        };
+        let what = (severity, Rule::FlagMissing, Fault::AiComputerRequest.requirement());
+        Some(shows_wrongly(est, what, t, seen, expected).unless(excuse))
     }
 
     fn judge_cause(&mut self, est: &Estimator, book: &mut Book, t: i64) {

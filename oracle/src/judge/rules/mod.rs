@@ -32,7 +32,7 @@ use pending::{Awaited, Pending, Queue};
 use vcu_status::StatusWatch;
 
 use super::book::Book;
-use super::estimator::base::{Estimator, is_active};
+use super::estimator::base::Estimator;
 use super::estimator::status::StatusChange;
 use super::finding::{Finding, Party, Rule};
 use super::sampler::content::FrameContent;
@@ -145,13 +145,7 @@ impl Rules {
         status: Ai2VcuStatus,
         previous: Option<Ai2VcuStatus>,
     ) {
-        // Where the frame before is not known, the flag may have been shown and taken back.
-        let begins = previous.is_some_and(|previous| !previous.estop_request);
-        if !status.estop_request {
-            self.flags.estop_since = None;
-        } else if begins && is_active(est.vcu.state) {
-            self.flags.estop_since = Some(t);
-        }
+        self.flags.ai_asks(est, t, status.estop_request, previous.map(|previous| previous.estop_request));
         book.notice_declared(est, t, status, previous);
     }
 
