@@ -235,7 +235,7 @@ impl Flags {
         } else if before == Some(false) || self.asking.is_none() {
             self.asking = Some(Asking { since: t, active, settled: false });
         }
-        // Where the frame before is not known, the flag may have been shown and taken back.
+        // Certain only where the frame before did not ask: what follows one that nobody saw may have come before.
         if asks && before == Some(false) && active {
             self.estop_since = Some(t);
         }
