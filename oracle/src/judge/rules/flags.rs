@@ -38,11 +38,9 @@ pub(super) struct Flags {
     /// `FAULT_STATUS` and `WARNING_STATUS` contradict the flags that they sum up.
     fault_sum: Persisting,
     warning_sum: Persisting,
-    /// Since when the AI Computer asks for an emergency stop and the flag is not shown.
-    estop_since: Option<i64>,
-    /// It asks for one in every 510h that came.
+    /// The AI Computer asks for an emergency stop in every 510h that came.
     asking: Option<Asking>,
-    /// Since when that flag is 0 again, where it was 1 in the frame before.
+    /// Since when the flag of that is 0 again, where it was 1 in the frame before.
     estop_taken_back: Option<i64>,
 }
 
@@ -50,7 +48,9 @@ pub(super) struct Flags {
 #[derive(Clone, Copy, Debug)]
 struct Asking {
     since: i64,
-    /// Whether the Autonomous System was active when it began to.
+    /// Whether the frame before is known, and did not ask: what follows one that nobody saw may have come before.
+    begun: bool,
+    /// Whether the Autonomous System was active then.
     active: bool,
     /// Whether the flag was 1 since, or it was reported that it is not.
     settled: bool,
@@ -199,20 +199,17 @@ impl Flags {
                 ));
             }
         }
-        self.estop_since = self.estop_since.filter(|_| !status.ai_estop_request);
         // It may have been recorded before the 510h that it follows.
         if let Some(asking) = &mut self.asking {
             asking.settled |= status.ai_estop_request;
         }
-        let certain = self.estop_since.take_if(|since| *since < late);
-        let likely = self.asking.filter(|asking| asking.active && !asking.settled && asking.since < late);
-        if let Some(since) = certain.or(likely.map(|asking| asking.since)) {
+        let unsettled = self.asking.filter(|asking| asking.active && !asking.settled && asking.since < late);
+        if let Some(Asking { since, begun, .. }) = unsettled {
             let seen = format!(
                 "AI_ESTOP_REQUEST is 0, though the AI Computer has asked for an emergency stop for {:.0} ms",
                 milliseconds(t - since)
             );
-            let certain = certain.is_some();
-            let missing = self.estop_missing(est, (since, t), certain, since + est.deadline, seen, "1");
+            let missing = self.estop_missing(est, (since, t), begun, since + est.deadline, seen, "1");
             if let (Some(_), Some(asking)) = (&missing, &mut self.asking) {
                 asking.settled = true;
             }
@@ -229,15 +226,11 @@ impl Flags {
 
     /// 510h came with something new: whether it asks for an emergency stop, and whether the one before did, where that is known.
     pub(super) fn ai_asks(&mut self, est: &Estimator, t: i64, asks: bool, before: Option<bool>) {
-        let active = is_active(est.vcu.state);
+        let (begun, active) = (before == Some(false), is_active(est.vcu.state));
         if !asks {
-            (self.estop_since, self.asking) = (None, None);
-        } else if before == Some(false) || self.asking.is_none() {
-            self.asking = Some(Asking { since: t, active, settled: false });
-        }
-        // Certain only where the frame before did not ask: what follows one that nobody saw may have come before.
-        if asks && before == Some(false) && active {
-            self.estop_since = Some(t);
+            self.asking = None;
+        } else if begun || self.asking.is_none() {
+            self.asking = Some(Asking { since: t, begun, active, settled: false });
         }
     }
 
