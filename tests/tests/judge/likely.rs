@@ -152,6 +152,37 @@ fn a_message_that_comes_back_with_the_flag_is_no_reason_for_a_warning() {
     }
 }
 
+/// A recorder that loses frames may have lost all of one message while the others came: the AI Computer and the VCU are warned of it.
+#[test]
+fn a_message_that_is_missed_by_all_that_was_recorded_and_not_shown_as_lost_is_mostly_a_warning_of_both() {
+    for edition in Edition::ALL.iter().filter(|edition| edition.rules.thresholds.missed_ms.is_some()) {
+        for is_missed in [true, false] {
+            let mut world = World::of(edition);
+            world.stopped();
+            world.hold_state();
+            world.shows = |status| status.ai_comms_lost = false;
+            world.mutes = if is_missed { vec![Ai2VcuSteer::ID] } else { Vec::new() };
+            world.wait(500);
+            let is_said = |seed: u64, party: Party, rule: Rule| {
+                let findings = judge(&world.disturbed(seed, 20 * MS, 10), JudgeOptions::of(edition)).findings;
+                let warned = |one: &&Finding| one.party == party && one.rule == rule;
+                let excuses: Vec<&str> =
+                    findings.iter().filter(warned).map(|one| one.unless.as_str()).collect();
+                match excuses[..] {
+                    [] | [""] => false,
+                    [excuse] => excuse.contains("(513h: no frame from "),
+                    _ => panic!("{} of {rule:?}, seed {seed}: {findings:#?}", edition.version),
+                }
+            };
+            for (party, rule) in [(Party::Ai, Rule::MessageMissed), (Party::Vcu, Rule::CommsLostDue)] {
+                let warned = (1..=40).filter(|&seed| is_said(seed, party, rule)).count();
+                assert_eq!(warned > 20, is_missed, "{}: {rule:?} in {warned} of 40", edition.version);
+                assert!(is_missed || warned == 0, "{}: {rule:?} in {warned} of 40", edition.version);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_cause_that_changes_is_a_warning_where_a_frame_may_be_lost_in_between() {
     for edition in Edition::ALL {

@@ -139,11 +139,19 @@ impl Silences {
     /// Whether a message has been silent for too long. One that was never heard may have been left out by the recorder, and of two
     /// silences a single frame between may be lost where the recorder loses frames.
     pub(crate) fn is_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
-        let Some(limit) = self.limit else { return Truth::False };
         let lossy = || WATCHED.get(place).and_then(|&index| sampler.slot(index)).is_some_and(Slot::is_lossy);
+        match self.seems_silent(place, t, sampler) {
+            Truth::True if lossy() => Truth::Unknown,
+            silent => silent,
+        }
+    }
+
+    /// The same by all that was recorded, as if the recorder lost nothing.
+    pub(crate) fn seems_silent(&self, place: usize, t: i64, sampler: &Sampler) -> Truth {
+        let Some(limit) = self.limit else { return Truth::False };
         match (self.valid_at.get(place), Self::heard_at(place, sampler)) {
             (Some(Some(valid)), _) if t - valid < limit - self.window => Truth::False,
-            (_, Some(last)) if t - last < limit + self.window || lossy() => Truth::Unknown,
+            (_, Some(last)) if t - last < limit + self.window => Truth::Unknown,
             (_, Some(_)) if self.others_come(place, t, sampler) => Truth::True,
             _ => Truth::Unknown,
         }

@@ -140,6 +140,18 @@ impl Estimator {
         previous: Option<(i64, Vcu2AiStatus)>,
         missing_since: Option<i64>,
     ) -> PriorKnowledge {
+        let answered = self.seems_answered(t, previous);
+        let comes = answered && self.silences.seem_present(t);
+        let lost = if comes { Truth::False } else { Truth::Unknown };
+        PriorKnowledge {
+            known: self.known,
+            shown: self.why.shown().set(Atom::AiCommsLost, lost),
+            missing_since,
+        }
+    }
+
+    /// Whether by all that was recorded the AI Computer answers the handshake in time; `previous` is the last 520h, and when it came.
+    pub(crate) fn seems_answered(&self, t: i64, previous: Option<(i64, Vcu2AiStatus)>) -> bool {
         let limit = self.handshake_limit();
         // What has been unanswered for the limit was there for as long: no frame a moment ago agrees with the answers, or shows the
         // switch off without which there is no handshake.
@@ -151,14 +163,7 @@ impl Estimator {
         let agreed = previous
             .filter(|_| heard)
             .is_some_and(|status| self.handshake.seems_agreed(t, status.handshake, self.window));
-        let answered = idle || agreed || self.handshake.seems_answered(t, limit, self.window);
-        let comes = answered && self.silences.seem_present(t);
-        let lost = if comes { Truth::False } else { Truth::Unknown };
-        PriorKnowledge {
-            known: self.known,
-            shown: self.why.shown().set(Atom::AiCommsLost, lost),
-            missing_since,
-        }
+        idle || agreed || self.handshake.seems_answered(t, limit, self.window)
     }
 
     /// The VCU was silent: what it is, and what it remembers, is unknown.

@@ -1,31 +1,26 @@
-//! Communication (section 2.4): answers of the AI Computer that are late, messages of it that are missed, edges of the VCU's bit that
-//! come too early, and `AI_COMMS_LOST`.
+//! The handshake (section 2.4): answers of the AI Computer that are late, edges of the VCU's bit that come too early or too late, and what
+//! `AI_COMMS_LOST` has to say of it.
 
 use adsdv_spec::{AsState, Atom, Atoms, Truth};
 
 use super::likely::excuse;
+use super::missed::{Missed, and_raised, by_state};
 use super::pending::Pending;
 use super::silence::Silence;
-use super::vcu_status::{TIMEOUTS, name_of};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
-use crate::judge::estimator::silences::{Silences, WATCHED, place_of};
 use crate::judge::estimator::watch::Suspect;
-use crate::judge::exercised::{ANSWERS, BEGINS, HOLDS, MISSED, UNANSWERED};
+use crate::judge::exercised::{ANSWERS, BEGINS, HOLDS, UNANSWERED};
 use crate::judge::finding::{Finding, Party, Rule, Severity};
 use crate::judge::response::Meter;
-use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
+use crate::judge::sampler::places::{AI_STATUS, STATUS};
 use crate::judge::time::{MS, milliseconds};
 
 /// What is kept of it.
 #[derive(Debug, Default)]
 pub(super) struct Comms {
     pub(super) meter: Meter,
-    /// Whether the silence of each message that is watched was reported.
-    reported: [bool; WATCHED.len()],
-    /// Whether it was reported that the VCU does not show it, and when the VCU last showed it.
-    reported_vcu: bool,
-    shown_at: Option<i64>,
+    pub(super) missed: Missed,
     silence: Silence,
 }
 
@@ -33,23 +28,6 @@ impl Comms {
     /// Nothing is known any more.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
-    }
-
-    /// A message that is watched came.
-    pub(super) fn heard(&mut self, place: usize) {
-        if let Some(reported) = self.reported.get_mut(place) {
-            *reported = false;
-        }
-    }
-
-    /// Whether it was reported that this message is missing.
-    pub(super) fn is_missed(&self, index: usize) -> bool {
-        place_of(index).and_then(|place| self.reported.get(place)).is_some_and(|reported| *reported)
-    }
-
-    /// Whether it was reported of any.
-    pub(super) fn any_missed(&self) -> bool {
-        self.reported.contains(&true)
     }
 
     /// The AI Computer's handshake bit was seen; `changes`: that tells more of the handshake.
@@ -84,71 +62,21 @@ impl Comms {
         if waited >= limit && shown {
             ai_is_late(est, book, t, by_state(est));
         }
-        self.judge_missed(est, book, t);
+        self.missed.judge(est, book, t);
     }
 
-    /// Is the AI Computer at fault, because a message of it has been silent?
-    pub(super) fn judge_missed(&mut self, est: &Estimator, book: &mut Book, t: i64) {
-        let Some(limit) = est.silences.limit else { return };
-        let watching = est.silences.is_watching(t, est.known.of(Atom::Tsms));
-        // Whether a VCU that says so watches rightly, or for itself, no document says.
-        if est.silences.silent == Truth::False || watching != Truth::True {
-            return;
-        }
-        for (place, reported) in self.reported.iter_mut().enumerate() {
-            let Some(last) = Silences::heard_at(place, &est.sampler) else { continue };
-            let flagged = est.silences.vcu_tells(place, &est.sampler);
-            let shown =
-                (est.shows_comms_lost() || flagged) && est.silences.others_come(place, t, &est.sampler);
-            let silent =
-                t - last >= limit && shown || est.silences.is_silent(place, t, &est.sampler) == Truth::True;
-            if silent && !std::mem::replace(reported, true) {
-                report_missed(est, book, place, (t, last, limit));
-            }
-        }
+    /// The VCU was silent for long.
+    pub(super) fn vcu_was_silent(&mut self) {
+        self.meter.restart();
+        self.missed.vcu_was_silent();
     }
 
     /// 520h shows this: has it been so for too long?
     pub(super) fn due(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         book.found(edge_due(est, t));
         book.found(edge_likely_due(est, t));
-        book.found(self.missed_due(est, t));
+        self.missed.due(est, book, t);
         self.silence.judge(est, book, t);
-    }
-
-    /// 520h still says that communication is present: has a message been silent for too long?
-    fn missed_due(&mut self, est: &Estimator, t: i64) -> Option<Finding> {
-        let limit = est.silences.limit?;
-        let shown = est.shows_comms_lost();
-        if shown {
-            self.shown_at = Some(t);
-        }
-        if est.silences.silent == Truth::False || shown || !est.vcu_is_seen() {
-            self.reported_vcu = false;
-            return None;
-        }
-        // It showed it a moment ago: the frame that ended the silence may be recorded behind the 520h that says so.
-        let late = t - est.deadline;
-        let just_shown = self.shown_at.is_some_and(|shown_at| t - shown_at <= est.window);
-        let watching = est.silences.is_watching(late, est.known.of(Atom::Tsms));
-        if just_shown || self.reported_vcu || watching != Truth::True || !est.sampler.is_fresh(AI_STATUS) {
-            return None;
-        }
-        // Where 510h is silent itself, the handshake tells.
-        let others = (0..WATCHED.len()).filter(|&place| WATCHED.get(place) != Some(&AI_STATUS));
-        let place =
-            { others }.find(|&place| est.silences.is_silent(place, late, &est.sampler) == Truth::True)?;
-        let (index, last) = (*WATCHED.get(place)?, Silences::heard_at(place, &est.sampler)?);
-        let def = est.sampler.def(index)?;
-        self.reported_vcu = true;
-        let silent = milliseconds(t - last);
-        let seen =
-            format!("AI_COMMS_LOST is 0, but {} ({:03X}h) has not come for {silent:.0} ms", def.name, def.id);
-        let finding = Finding::violation(Party::Vcu, "2.4", Rule::CommsLostDue, last + limit + est.deadline)
-            .against(&[MISSED])
-            .seen(seen)
-            .expected(format!("1 after {} ms", limit / MS));
-        Some(finding.shown_by(est.sampler.last_frames(&[index, STATUS])))
     }
 }
 
@@ -205,27 +133,6 @@ fn edge_likely_due(est: &mut Estimator, t: i64) -> Option<Finding> {
     Some(finding.unless(excuse).shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS])))
 }
 
-/// In AS_OFF nothing drives yet.
-fn by_state(est: &Estimator) -> Severity {
-    if matches!(est.vcu.state, Some(AsState::Off) | None) { Severity::Warning } else { Severity::Violation }
-}
-
-fn and_raised(est: &Estimator) -> &'static str {
-    if est.shows_comms_lost() { ", and the VCU has raised AI_COMMS_LOST" } else { "" }
-}
-
-/// The same of one message: 120h may tell of it as well, and is evidence then.
-fn and_raised_of(est: &Estimator, place: usize, index: usize) -> (String, Vec<usize>) {
-    let flag = TIMEOUTS.get(place).filter(|_| est.silences.vcu_tells(place, &est.sampler));
-    match (flag, est.shows_comms_lost()) {
-        (Some(field), false) => {
-            (format!(", and the VCU has raised {}", name_of(est, field)), vec![index, VCU_STATUS])
-        }
-        (Some(_), true) => (and_raised(est).to_owned(), vec![index, VCU_STATUS]),
-        (None, _) => (and_raised(est).to_owned(), vec![index]),
-    }
-}
-
 /// The AI Computer has not answered in time; the judge reports that once of an edge.
 fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) {
     let Some(edge) = est.handshake.edge_at() else { return };
@@ -238,21 +145,6 @@ fn ai_is_late(est: &mut Estimator, book: &mut Book, t: i64, severity: Severity) 
         .seen(format!("the AI Computer has not answered HANDSHAKE for {waited:.0} ms{raised}"))
         .expected(format!("an answer within {} ms", limit / MS))
         .shown_by(est.sampler.last_frames(&[STATUS, AI_STATUS]));
-    book.found(finding);
-}
-
-fn report_missed(est: &Estimator, book: &mut Book, place: usize, (t, last, limit): (i64, i64, i64)) {
-    let index = WATCHED.get(place).copied().unwrap_or_default();
-    let Some(def) = est.sampler.def(index) else { return };
-    book.margins.gap(index, t - last, t);
-    let (silent, (raised, shows)) = (milliseconds(t - last), and_raised_of(est, place, index));
-    let what = format!("{} ({:03X}h)", def.name, def.id);
-    let cycle = est.edition.bus.cycle_requirements(def.id);
-    let finding = Finding::new(by_state(est), Party::Ai, "2.4", Rule::MessageMissed, t.min(last + limit))
-        .against(&[&[MISSED], cycle].concat())
-        .seen(format!("{what} has not come for {silent:.0} ms while others have{raised}"))
-        .expected(format!("it every {} ms, and no gap of {} ms", def.cycle_ms, limit / MS))
-        .shown_by(est.sampler.last_frames(&shows));
     book.found(finding);
 }
 

@@ -10,6 +10,7 @@ mod conduct;
 mod flags;
 mod go_signal;
 mod likely;
+mod missed;
 mod pending;
 mod rise;
 mod silence;
@@ -81,7 +82,7 @@ impl Rules {
             book.found(Finding::note(Party::Log, "2.2", Rule::Gap, t).seen(seen));
             (self.due, self.flags, self.assi) = (None, Flags::default(), Assi::default());
             self.vcu_status = StatusWatch::default();
-            self.comms.meter.restart();
+            self.comms.vcu_was_silent();
         }
         let (bit, before) = (shown.status.handshake, shown.previous.map(|previous| previous.handshake));
         book.tally.handshake(before, bit, shown.answered);
@@ -109,7 +110,7 @@ impl Rules {
             self.wait(est, book, t, unfounded::wait_for(est, fault), Awaited::Flag(fault, shown.before));
             if fault == Fault::AiCommsFault && !shown.gap {
                 self.comms.may_be_lost(est, book, t);
-                book.exercise_lost(est, t, self.comms.any_missed());
+                book.exercise_lost(est, t, self.comms.missed.is_any());
             }
         }
         self.flags.shown(est, book, t, shown);
@@ -158,12 +159,12 @@ impl Rules {
 
     /// A message of the AI Computer came that is watched.
     pub(super) fn heard(&mut self, place: usize) {
-        self.comms.heard(place);
+        self.comms.missed.heard(place);
     }
 
     /// Whether it was reported that this message is missing.
     pub(super) fn is_missed(&self, index: usize) -> bool {
-        self.comms.is_missed(index)
+        self.comms.missed.is(index)
     }
 
     /// 120h came, with something new if there is any.
@@ -178,9 +179,8 @@ impl Rules {
             && let AnyMessage::VcuStatus(shown) = content.message
         {
             est.silences.vcu_shows(t, Some(vcu_status::timeouts(&shown)));
-            self.comms.judge_missed(est, book, t);
-            let before = came.before.filter(|_| came.was_fresh);
-            for rise in self.vcu_status.shown(content, shown, before) {
+            self.comms.missed.judge(est, book, t);
+            for rise in self.vcu_status.shown(est, came, content, shown) {
                 self.wait(est, book, t, vcu_status::wait_for(est, rise), Awaited::Raised(rise));
             }
         }

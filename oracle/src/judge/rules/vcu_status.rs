@@ -9,15 +9,17 @@ use adsdv_spec::messages::{SmAs, SmSys, SysActionState, VcuStatus};
 use adsdv_spec::{AsState, Atom, Atoms, Fault, Faults, Knowledge, Truth};
 
 use super::alike::stood;
+use super::likely::excuse;
 use super::pending::{Pending, Persisting};
 use super::rise::{Raised, Rise};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::silences::WATCHED;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
+use crate::judge::sampler::Came;
 use crate::judge::sampler::content::FrameContent;
 use crate::judge::sampler::places::{AI_STATUS, STATUS, VCU_STATUS};
-use crate::judge::time::MS;
+use crate::judge::time::{MS, SILENCE_NS};
 
 /// The state of the Autonomous System.
 const STATE: &str = "MSG-90"; //= MSG-90
@@ -93,26 +95,31 @@ fn wrong(
 }
 
 impl StatusWatch {
-    /// 120h came with something new, the one before having come at `before`, where no frame may be missing in between. Tells which
-    /// flags were raised.
+    /// 120h came with something new. Tells which flags were raised since the one before; where one may be missing in between, only the
+    /// handshake's, of which what was recorded tells as well.
     pub(super) fn shown(
         &mut self,
+        est: &Estimator,
+        came: &Came,
         content: &FrameContent,
         shown: VcuStatus,
-        before: Option<i64>,
     ) -> Vec<Rise> {
         self.sm_as = Some(shown.sm_as).filter(|_| !content.is_bad("sm_as"));
         self.sm_sys = Some(shown.sm_sys).filter(|_| !content.is_bad("sm_sys"));
         self.action = Some(shown.sys_action_state).filter(|_| !content.is_bad("sys_action_state"));
+        let before = came.before.filter(|before| came.t - before < SILENCE_NS);
         let Some((was, since)) = self.shown.replace(shown).zip(before) else { return Vec::new() };
         let rises = |of: fn(&VcuStatus) -> bool| of(&shown) && !of(&was);
         let (new, old) = (timeouts(&shown), timeouts(&was));
         let timeouts = new.into_iter().zip(old).enumerate().filter(|(_, (new, old))| *new && !*old);
         let warnings = WARNINGS.iter().enumerate().filter(|(_, (_, of, _))| rises(*of));
-        let handshake = rises(|shown| shown.handshake_timeout).then_some(Raised::Handshake);
-        let raised = timeouts.map(|(place, _)| Raised::Timeout(place)).chain(handshake);
-        let raised = raised.chain(warnings.map(|(place, _)| Raised::Warning(place)));
-        raised.map(|raised| Rise { raised, since }).collect()
+        let answered = || est.seems_answered(came.t, est.sampler.last(STATUS).zip(est.vcu.status));
+        let handshake =
+            rises(|shown| shown.handshake_timeout).then(|| Raised::Handshake { answered: answered() });
+        let timeouts = timeouts.map(|(place, _)| Raised::Timeout(place));
+        let others = timeouts.chain(warnings.map(|(place, _)| Raised::Warning(place)));
+        let raised = others.filter(|_| came.was_fresh).chain(handshake);
+        raised.map(|raised| Rise { raised, since, gap: !came.was_fresh }).collect()
     }
 
     /// 120h came, maybe with the same as before: what has been so for too long?
@@ -225,7 +232,7 @@ impl StatusWatch {
 /// How long to wait until it is known whether a flag was raised rightly.
 pub(super) fn wait_for(est: &Estimator, rise: Rise) -> i64 {
     match rise.raised {
-        Raised::Timeout(_) | Raised::Handshake => est.window,
+        Raised::Timeout(_) | Raised::Handshake { .. } => est.window,
         Raised::Warning(place) => {
             est.sampler.wait_for(WARNINGS.get(place).map_or(Atoms::NONE, |(fault, ..)| about(*fault)))
         }
@@ -285,12 +292,16 @@ pub(super) fn judge_raised(est: &Estimator, pending: &Pending, rise: Rise) -> Op
             let why = format!("{} ({:03X}h) has come all the time", def.name, def.id);
             (Severity::Violation, TIMEOUT, *TIMEOUTS.get(place)?, why, vec![index, VCU_STATUS])
         }
-        Raised::Handshake => {
-            if est.now < end || lost() != Truth::False {
-                return None;
-            }
-            let why = "the AI Computer answers the handshake in time".to_owned();
-            (Severity::Violation, HANDSHAKE, ANSWER, why, vec![STATUS, AI_STATUS, VCU_STATUS])
+        Raised::Handshake { answered } => {
+            let severity = match lost() {
+                _ if est.now < end => return None,
+                Truth::False if !rise.gap => Severity::Violation,
+                Truth::False | Truth::Unknown if answered && !est.options.complete => Severity::Warning,
+                _ => return None,
+            };
+            let by = if severity == Severity::Violation { "" } else { "by all that was recorded " };
+            let why = format!("{by}the AI Computer answers the handshake in time");
+            (severity, HANDSHAKE, ANSWER, why, vec![STATUS, AI_STATUS, VCU_STATUS])
         }
         Raised::Warning(place) => {
             let &(fault, _, field) = WARNINGS.get(place)?;
@@ -307,5 +318,11 @@ pub(super) fn judge_raised(est: &Estimator, pending: &Pending, rise: Rise) -> Op
     };
     let seen = format!("{} was raised, but {why}", name_of(est, field));
     let finding = wrong(est, (severity, Rule::FlagUnfounded), requirement, t, seen).expected("0");
-    Some(finding.shown_by(est.sampler.frames_of(&pending.frames, &shows)))
+    let excuse = match (rise.raised, severity) {
+        (Raised::Handshake { .. }, Severity::Warning) => {
+            excuse(est, Atoms::of(&[Atom::AiCommsLost]), start, est.now)
+        }
+        _ => String::new(),
+    };
+    Some(finding.unless(excuse).shown_by(est.sampler.frames_of(&pending.frames, &shows)))
 }

@@ -9,7 +9,7 @@ mod observer;
 mod profile;
 mod words;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitCode;
@@ -190,7 +190,7 @@ fn print_said(edition: &'static Edition, mutant: &Mutant) {
     println!("{}", mutant.name);
     let runs: Vec<Run> = missions(edition, &mutant.world, mutant.kind == Kind::Memory);
     for profile in &PROFILES {
-        let said = runs.iter().filter_map(|run| profile.worst(edition, run)).max_by_key(|one| one.severity);
+        let said = runs.iter().filter_map(|run| profile.worst(edition, run)).min_by_key(|one| one.severity);
         let said = said.map_or("nothing".to_owned(), |one| {
             format!("{} {}: {}", one.severity.name(), one.rule.id(), one.message())
         });
@@ -226,12 +226,12 @@ fn soundness(edition: &'static Edition, runs: u64) -> bool {
     let mut blamed = 0;
     println!("\n{:<44} {:>10} {:>8} {:>8}", "the specification itself", "violation", "warning", "nothing");
     for profile in &PROFILES {
-        let mut counts = [0_u64; 3];
+        let (mut violations, mut nothing, mut warnings) = (0, 0, BTreeMap::<&str, u64>::new());
         for seed in 0..runs / PROFILES.len() as u64 {
             let run = drive::any_run(edition, seed);
             match profile.judge(edition, &run) {
                 Detection::Violation { .. } => {
-                    counts[0] += 1;
+                    violations += 1;
                     let blame = profile.blame(edition, &run).join("\n  ");
                     let kept = match profile.keep(Path::new(KEPT), &run) {
                         Ok(path) => format!("the recording is {}", path.display()),
@@ -242,12 +242,16 @@ fn soundness(edition: &'static Edition, runs: u64) -> bool {
                         run.world.vcu.readings()
                     );
                 }
-                Detection::Warning(_) => counts[1] += 1,
-                Detection::Nothing => counts[2] += 1,
+                Detection::Warning(rule) => *warnings.entry(rule.id()).or_default() += 1,
+                Detection::Nothing => nothing += 1,
             }
         }
-        blamed += counts[0];
-        println!("{:<44} {:>10} {:>8} {:>8}", profile.to_string(), counts[0], counts[1], counts[2]);
+        blamed += violations;
+        let warned: u64 = warnings.values().sum();
+        println!("{:<44} {violations:>10} {warned:>8} {nothing:>8}", profile.to_string());
+        for (rule, count) in warnings {
+            println!("    {count} warned of by {rule}");
+        }
     }
     blamed == 0
 }

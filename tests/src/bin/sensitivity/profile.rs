@@ -94,7 +94,7 @@ impl Profile {
         let findings = self.report(edition, run).0.findings;
         let about_vcu =
             findings.into_iter().filter(|one| one.party == Party::Vcu && one.severity != Severity::Note);
-        about_vcu.rev().max_by_key(|one| one.severity)
+        about_vcu.min_by_key(|one| one.severity)
     }
 
     /// What the judge says of the VCU; notes do not count.
