@@ -213,7 +213,7 @@ pub(crate) enum WithJson {
 /// they say. The first line says which it is and by what, and a note what does not fit it. --edition overrides.
 ///
 /// The format of a log is recognised by its content, whatever its name: candump (with -L, or as it prints on a screen), what
-/// python-can prints, Vector ASC and BLF, PEAK TRC, the CSV of python-can, and MCAP of ROS 2 where it is built in; gzip and Zstandard around any of these.
+/// python-can prints, Vector ASC and BLF, PEAK TRC, the CSV of python-can and of SavvyCAN, and MCAP of ROS 2 where it is built in; gzip and Zstandard around any of these.
 ///
 /// Several logs, and directories of logs, are judged on all cores: a line for each, the worst first, then the report of the
 /// worst. In a directory, what has no frame is passed over.

@@ -20,7 +20,7 @@ use divan::counter::{BytesCount, ItemsCount};
 /// How many frames a recording has.
 const FRAMES: usize = 200_000;
 /// The formats of text. Of the binary ones `examples/speed.rs` times files that other tools have written.
-const TEXT: [Format; 4] = [Format::Candump, Format::Asc, Format::Trc, Format::Csv];
+const TEXT: [Format; 5] = [Format::Candump, Format::Asc, Format::Trc, Format::Csv, Format::SavvyCan];
 /// Between the end of the log and the beginning of its repetition.
 const GAP_NS: i64 = 10_000_000;
 
@@ -83,6 +83,7 @@ fn written(format: Format) -> Vec<u8> {
         Format::Trc => ";$FILEVERSION=2.1\n;$STARTTIME=46346.893463360626\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n",
         Format::Blf | Format::Mcap => unreachable!("not of text"),
         Format::Csv => "timestamp,arbitration_id,extended,remote,error,dlc,data\n",
+        Format::SavvyCan => "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n",
     });
     for (number, Frame { time_ns, id, data }) in frames.iter().enumerate() {
         let (seconds, micros) = (time_ns / 1_000_000_000, time_ns % 1_000_000_000 / 1_000);
@@ -104,6 +105,7 @@ fn written(format: Format) -> Vec<u8> {
             }
             Format::Blf | Format::Mcap => unreachable!("not of text"),
             Format::Csv => writeln!(text, "{seconds}.{micros:06},0x{id:x},0,0,0,{len},{}", base64(data)),
+            Format::SavvyCan => writeln!(text, "{since},{id:08X},false,Rx,0,{len},{},", bytes(",")),
         };
         done.expect("a string can be written");
     }

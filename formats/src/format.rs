@@ -4,7 +4,7 @@ use std::fmt;
 
 use adsdv_oracle::text::BYTE_ORDER_MARK;
 
-use crate::{asc, blf, csv, trc};
+use crate::{asc, blf, csv, savvycan, trc};
 
 /// How a file of MCAP begins, and ends.
 const MCAP: &[u8] = b"\x89MCAP0\r\n";
@@ -24,11 +24,14 @@ pub enum Format {
     Trc,
     /// The CSV of python-can.
     Csv,
+    /// The CSV of SavvyCAN.
+    SavvyCan,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 6] = [Self::Candump, Self::Blf, Self::Mcap, Self::Asc, Self::Trc, Self::Csv];
+    pub const ALL: [Self; 7] =
+        [Self::Candump, Self::Blf, Self::Mcap, Self::Asc, Self::Trc, Self::Csv, Self::SavvyCan];
 
     /// Its name, as people know it.
     pub const fn name(self) -> &'static str {
@@ -39,6 +42,7 @@ impl Format {
             Self::Asc => "Vector ASC",
             Self::Trc => "PEAK TRC",
             Self::Csv => "python-can CSV",
+            Self::SavvyCan => "SavvyCAN CSV",
         }
     }
 
@@ -51,6 +55,8 @@ impl Format {
             Self::Mcap
         } else if csv::is(text) {
             Self::Csv
+        } else if savvycan::is(text) {
+            Self::SavvyCan
         } else if trc::is(text) {
             Self::Trc
         } else if asc::is(text) {
@@ -73,7 +79,7 @@ mod tests {
 
     #[test]
     fn a_recording_is_known_by_how_it_begins() {
-        let cases: [(&str, Format); 24] = [
+        let cases: [(&str, Format); 27] = [
             ("", Format::Candump),
             ("(1795209995.234358) vcan0 520#00\n", Format::Candump),
             (" (000.000000)  vcan0  520   [8]  00 00 01 00 00 00 00 00\n", Format::Candump),
@@ -97,10 +103,18 @@ mod tests {
             ("timestamp,arbitration_id,extended,remote,error,dlc,data\n", Format::Csv),
             ("timestamp,arbitration_id,extended,remote,error,dlc,data", Format::Csv),
             ("timestamp,id,data\n", Format::Candump),
+            ("Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n1,", Format::SavvyCan),
+            ("\u{feff}time stamp, id, extended, bus, len\r\n", Format::SavvyCan),
+            ("Time Stamp,ID,Data\n", Format::Candump),
             ("// a comment\n", Format::Candump),
         ];
         for (head, format) in cases {
             assert_eq!(Format::of(head.as_bytes()), format, "{head}");
+            assert!(Format::ALL.contains(&format), "Format::ALL lacks {format}");
+        }
+        for format in Format::ALL.into_iter().filter(|format| !matches!(format, Format::Blf | Format::Mcap)) {
+            let has_example = cases.iter().any(|(_, known)| *known == format);
+            assert!(has_example, "the cases above have no beginning of {format}");
         }
     }
 
@@ -121,6 +135,27 @@ mod tests {
                 1,
                 "docs/formats.md has one row of {format}: who writes it, what is read, what not"
             );
+        }
+    }
+
+    #[test]
+    fn every_format_is_named_in_each_sentence_that_names_them() {
+        let texts = [
+            ("cli/src/args.rs", include_str!("../../cli/src/args.rs")),
+            ("web/src/error.rs", include_str!("../../web/src/error.rs")),
+            ("python/src/check.rs", include_str!("../../python/src/check.rs")),
+            ("docs/first-log.md", include_str!("../../docs/first-log.md")),
+        ];
+        for format in Format::ALL {
+            // There are several of CSV, each known by the program; of the others the last word is enough.
+            let word = match format.name().split_once(' ') {
+                Some((program, "CSV")) => program,
+                Some((_, last)) => last,
+                None => format.name(),
+            };
+            for (file, text) in texts {
+                assert!(text.contains(word), "{file} names the formats that are read, and not {format}");
+            }
         }
     }
 }

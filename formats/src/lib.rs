@@ -37,6 +37,7 @@ mod many;
 #[cfg(feature = "mcap")]
 mod mcap;
 mod open_error;
+mod savvycan;
 mod text;
 mod trc;
 mod unpack;

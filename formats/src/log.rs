@@ -7,6 +7,7 @@ use adsdv_oracle::candump::{Entries, Entry, ReadError, Reader, Unit};
 
 use crate::asc::Asc;
 use crate::csv::Csv;
+use crate::savvycan::SavvyCan;
 use crate::text::TextReader;
 use crate::trc::Trc;
 use crate::unpack::unpack;
@@ -68,6 +69,7 @@ fn begin(source: Source, watch: Option<Watch>) -> Result<Log, OpenError> {
         Format::Asc => Inner::Other(Box::new(TextReader::new(source, Asc::new(), "1"))),
         Format::Trc => Inner::Other(Box::new(TextReader::new(source, Trc::new(), "1"))),
         Format::Csv => Inner::Other(Box::new(TextReader::new(source, Csv, "can"))),
+        Format::SavvyCan => Inner::Other(Box::new(TextReader::new(source, SavvyCan::new(), "0"))),
     };
     Ok(Log { format, reader })
 }

@@ -129,6 +129,26 @@ fn every_sample_is_read_and_every_text_format_has_one() {
 }
 
 #[test]
+fn the_fuzzer_begins_with_every_format() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/recording");
+    let files = fs::read_dir(folder).expect("the fuzzer has seeds");
+    let formats: Vec<Format> = files
+        .map(|file| fs::File::open(file.expect("it can be listed").path()).expect("it can be read"))
+        .filter_map(|file| match open(file) {
+            Ok(log) => Some(log.format()),
+            Err(OpenError::NotBuilt { format, .. }) => Some(format),
+            Err(_) => None,
+        })
+        .collect();
+    for format in Format::ALL {
+        assert!(
+            formats.contains(&format),
+            "fuzz/corpus/recording has none of {format}: name one in tests/src/fuzzed/seeds.rs, then cargo run -p adsdv-tests --bin seeds"
+        );
+    }
+}
+
+#[test]
 fn a_recording_may_end_anywhere() {
     for (path, bytes) in samples() {
         let whole = read(Cursor::new(bytes.clone())).expect("it is of a known format");

@@ -18,8 +18,8 @@ const LONGEST: u32 = 60_000;
 /// Judges a log: says who broke which section of the document, when, and what was expected instead.
 ///
 /// log: the path of a file (str or os.PathLike), its contents (bytes), or its lines, from any iterable of str or bytes: a
-/// list, a generator. The format is recognised by the content: candump, Vector ASC and BLF, PEAK TRC, python-can's CSV, MCAP of
-/// ROS 2; gzip and Zstandard around any of these.
+/// list, a generator. The format is recognised by the content: candump, Vector ASC and BLF, PEAK TRC, the CSV of
+/// python-can and of SavvyCAN, MCAP of ROS 2; gzip and Zstandard around any of these.
 /// readings: where the document allows more than one meaning, those that are known to be followed, such as
 /// {"fault-trigger": "edge"}; adsdv.readings() lists them. A violation is what is one under all that remain possible.
 /// window_ms: how long after a cause its effect may be seen; None for 30.

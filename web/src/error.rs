@@ -6,8 +6,8 @@ use adsdv_report::asked::PinError;
 use serde::Serialize;
 
 /// What to give, for everybody who gave something else.
-const GIVE: &str = "give a recording of candump, Vector (ASC, BLF), PEAK (TRC), python-can (CSV) or ROS 2 (MCAP), also compressed with gzip \
-                    or Zstandard";
+const GIVE: &str = "give a recording of candump, Vector (ASC, BLF), PEAK (TRC), python-can and SavvyCAN (CSV) or ROS 2 (MCAP), also \
+                    compressed with gzip or Zstandard";
 
 /// What was given, what is wrong with it, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

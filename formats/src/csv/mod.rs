@@ -16,7 +16,7 @@
 use adsdv_oracle::candump::FrameKind;
 
 use crate::text::{
-    Cursor, Dialect, Flaw, Frame, MAX_CLASSIC, MAX_FD, Meaning, Word, decimal, decode_base64, hex,
+    Cursor, Dialect, Flaw, Frame, MAX_CLASSIC, MAX_FD, Meaning, decimal, decode_base64, hex,
     standard_or_extended, time_ns,
 };
 
@@ -54,14 +54,14 @@ impl Dialect for Csv {
         cursor.skip_blanks();
         let time = cursor.up_to(|byte| byte == b',');
         frame.time_ns = seconds(time.text).ok_or_else(|| time.flaw(TIME))?;
-        let id = field(&mut cursor)?;
+        let id = cursor.field(LINE)?;
         let extended = flag(&mut cursor)?;
         let number = hex(id.text.strip_prefix(b"0x").unwrap_or(id.text)).ok_or_else(|| id.flaw(ID))?;
         let data_kind = standard_or_extended(extended, number);
         let remote = flag(&mut cursor)?;
         let before_error = cursor;
         let error = flag(&mut cursor)?;
-        let len = field(&mut cursor)?;
+        let len = cursor.field(LINE)?;
         let count = decimal(len.text).and_then(|count| usize::try_from(count).ok());
         let (kind, most, expected) = match (remote, error) {
             (true, true) => return Err(Flaw { at: before_error.at() + 1, expected: REMOTE_OR_ERROR }),
@@ -73,7 +73,8 @@ impl Dialect for Csv {
             return Err(id.flaw(ID));
         }
         let count = count.filter(|count| *count <= most).ok_or_else(|| len.flaw(expected))?;
-        let data = up_to(&mut cursor, |_| false)?;
+        cursor.comma(LINE)?;
+        let data = cursor.up_to(|_| false);
         let text = data.text.trim_ascii_end();
         (frame.kind, frame.id, frame.direction) = (kind, number, None);
         if let FrameKind::Remote { .. } = kind {
@@ -93,24 +94,9 @@ impl Dialect for Csv {
     }
 }
 
-/// What stands behind the next comma, up to the one behind that.
-#[inline]
-fn field<'a>(cursor: &mut Cursor<'a>) -> Result<Word<'a>, Flaw> {
-    up_to(cursor, |byte| byte == b',')
-}
-
-#[inline]
-fn up_to<'a>(cursor: &mut Cursor<'a>, ends: impl Fn(u8) -> bool) -> Result<Word<'a>, Flaw> {
-    if cursor.peek() != Some(b',') {
-        return Err(cursor.flaw(LINE));
-    }
-    cursor.skip(1);
-    Ok(cursor.up_to(ends))
-}
-
 #[inline]
 fn flag(cursor: &mut Cursor<'_>) -> Result<bool, Flaw> {
-    let field = field(cursor)?;
+    let field = cursor.field(LINE)?;
     match field.text {
         b"0" => Ok(false),
         b"1" => Ok(true),

@@ -26,6 +26,13 @@ impl Word<'_> {
         self.text.eq_ignore_ascii_case(text.as_bytes())
     }
 
+    /// Without the blanks around it.
+    #[inline]
+    pub(crate) fn trimmed(self) -> Self {
+        let text = self.text.trim_ascii_start();
+        Self { text: text.trim_ascii_end(), at: self.at + self.text.len() - text.len() }
+    }
+
     /// Says that something else was expected in its place.
     #[cold]
     pub(crate) fn flaw(&self, expected: &'static str) -> Flaw {
@@ -107,6 +114,23 @@ impl<'a> Cursor<'a> {
         let (text, rest) = self.rest.split_at_checked(len).unwrap_or_default();
         self.rest = rest;
         Word { text, at }
+    }
+
+    /// Passes a comma, which has to be next.
+    #[inline]
+    pub(crate) fn comma(&mut self, expected: &'static str) -> Result<(), Flaw> {
+        if self.peek() != Some(b',') {
+            return Err(self.flaw(expected));
+        }
+        self.skip(1);
+        Ok(())
+    }
+
+    /// What stands behind a comma, which has to be next, up to the one behind that.
+    #[inline]
+    pub(crate) fn field(&mut self, expected: &'static str) -> Result<Word<'a>, Flaw> {
+        self.comma(expected)?;
+        Ok(self.up_to(|byte| byte == b','))
     }
 
     /// Fills `place` with bytes of two hexadecimal digits each, with blanks between them.

@@ -8,7 +8,7 @@ mod reader;
 #[cfg(test)]
 pub(crate) mod tests;
 
-pub(crate) use adsdv_oracle::text::{days, decimal, hex, time_ns};
+pub(crate) use adsdv_oracle::text::{days, decimal, hex, hex_byte, time_ns};
 pub(crate) use base64::decode as decode_base64;
 pub(crate) use cursor::{Cursor, Flaw, Word};
 pub(crate) use date::{date_ns, days_ns};

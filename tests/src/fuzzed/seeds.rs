@@ -40,13 +40,15 @@ pub const MOST: usize = 512;
 pub type Corpus = BTreeMap<&'static str, BTreeMap<String, Vec<u8>>>;
 
 /// A recording of each format, as its tool or another writes it.
-fn recordings() -> [(&'static str, &'static [u8]); 8] {
+fn recordings() -> [(&'static str, &'static [u8]); 10] {
     macro_rules! samples {
         ($($name:literal),*) => { [$(($name, include_bytes!(concat!("../../../formats/tests/samples/", $name)))),*] };
     }
     samples!(
         "vector.asc",
         "python-can.csv",
+        "savvycan.csv",
+        "savvycan-older.csv",
         "peak-1.1.trc",
         "peak-2.1.trc",
         "python-can.blf",
