@@ -158,6 +158,17 @@ fn a_bit_that_changes_without_an_answer_is_not_held() {
     assert_eq!(held[usize::try_from(1 - bit).expect("a bit")], Standing::Held);
 }
 
+/// AI_COMMS_LOST has two reasons; one says nothing of the other.
+#[test]
+fn a_handshake_that_is_not_answered_tells_nothing_of_messages_that_come() {
+    let mut world = World::of(&Edition::V4_0);
+    world.driving();
+    world.ai_answers = false;
+    world.wait(600);
+    let found = standings(&exercised(&world), ["HS-18", "MSG-59"]);
+    assert_eq!(found, [Standing::NotExercised, Standing::Held]);
+}
+
 #[test]
 fn a_message_that_is_missed() {
     let mut world = World::of(&Edition::V4_0);

@@ -1,10 +1,10 @@
 //! The "Go" edge of section 3.2, item 3.
 
-use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Rule};
+use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Rule, Severity};
 use adsdv_oracle::remote::Remote;
-use adsdv_spec::messages::AsState;
+use adsdv_spec::messages::{AsState, AxleTorqueRequest};
 use adsdv_spec::{Atom, Choice, Edition, Truth};
-use adsdv_tests::world::{MS, World};
+use adsdv_tests::world::{MS, World, judge};
 
 use crate::check::{by, is_reported, is_reported_if_seen, is_silent, only, pinned, section_of};
 
@@ -101,6 +101,25 @@ fn an_edge_that_the_vcu_loses_is_reported() {
     is_silent(&world, JudgeOptions::default(), "the edge is taken");
 }
 
+/// The VCU may see "Go" before the request that made way for it.
+//= DRV-15
+#[test]
+fn an_edge_just_behind_the_last_condition_may_not_count() {
+    for (ms, sections) in [(10, vec![]), (200, vec!["3.2"])] {
+        let mut world = World::with_reading(Choice::GoRaw);
+        world.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(50);
+        world.dwelt();
+        world.hold_state();
+        world.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(0);
+        world.wait(ms);
+        world.inputs.go = true;
+        world.wait(500);
+        let report = world.judge(pinned(Choice::GoRaw));
+        let found: Vec<&str> = by(&report, Party::Vcu).iter().map(|finding| section_of(finding)).collect();
+        assert_eq!(found, sections, "{ms} ms: {:#?}", report.findings);
+    }
+}
+
 //= DRV-11, D-6, SM-2
 #[test]
 fn an_edge_before_the_dwell_is_over_does_not_count() {
@@ -130,6 +149,26 @@ fn driving_ends_with_go() {
     world.inputs.go = false;
     world.wait(500);
     is_reported(&world, JudgeOptions::default(), Party::Vcu, &[(Rule::Due, "3.7")], "Go is off");
+}
+
+/// By then the VCU has seen "Go" without it.
+#[test]
+fn what_comes_long_behind_go_does_not_excuse_that_it_was_passed_over() {
+    for edition in Edition::ALL.iter().filter(|edition| Remote::of(&edition.bus).is_some()) {
+        let mut world = World::of(edition);
+        world.dwelt();
+        world.hold_state();
+        world.inputs.go = true;
+        world.wait(100);
+        world.ai.drive_f.front_axle_trq_request = AxleTorqueRequest::clamped(50);
+        world.wait(900);
+        let warned = |seed: &u64| {
+            let report = judge(&world.disturbed(*seed, 20 * MS, 0), JudgeOptions::of(edition));
+            report.findings.iter().any(|one| one.rule == Rule::Due && one.severity == Severity::Warning)
+        };
+        let warned = (1..=20).filter(warned).count();
+        assert!(warned > 10, "{}: {warned} of 20", edition.version);
+    }
 }
 
 /// The VCU shows "Go" before it acts on it: that it shows more in between takes nothing back.

@@ -8,6 +8,7 @@ use adsdv_spec::messages::{
 use adsdv_spec::{AiMessages, AsState as State, Edition, Fault, Faults};
 use adsdv_tests::world::{MS, Recorded, World, judge};
 
+use crate::check::is_at;
 use crate::v4_0::{Found, finds, options, the, world};
 
 const TIMEOUTS: [&str; 5] = [
@@ -122,9 +123,11 @@ fn a_timeout_that_stays_behind_a_silence_is_no_violation() {
 #[test]
 fn a_timeout_that_is_not_raised_though_its_message_is_missed_violates() {
     for (id, signal) in AiMessages::IDS.into_iter().zip(TIMEOUTS) {
-        let missed = |raised: bool| {
+        let mut silent_since = 0;
+        let mut missed = |raised: bool| {
             let mut world = world(&[]);
             moving(&mut world);
+            silent_since = world.t;
             world.mutes.push(id);
             world.wait(500);
             if !raised {
@@ -138,6 +141,9 @@ fn a_timeout_that_is_not_raised_though_its_message_is_missed_violates() {
         let missing = missed(false);
         assert_eq!(missing.len(), 1, "{missing:?}");
         let finding = &missing[0];
+        let JudgeOptions { window_ms, deadline_ms, .. } = options(&[]);
+        let limit = Edition::V4_0.rules.thresholds.missed_ms.map_or(0, i64::from);
+        is_at(finding, silent_since + (limit + i64::from(window_ms + deadline_ms)) * MS, 20);
         assert_eq!(
             (finding.severity, finding.party, finding.rule),
             (Severity::Violation, Party::Vcu, Rule::FlagMissing)

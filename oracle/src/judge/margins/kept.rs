@@ -112,3 +112,19 @@ impl Kept {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_equal_values_the_first_is_kept() {
+        for keeps in [raise, lower] {
+            let mut kept = None;
+            for t in 0..3 {
+                keeps(&mut kept, Peak { value: 7, t });
+            }
+            assert_eq!(kept.map(|kept| kept.t), Some(0));
+        }
+    }
+}

@@ -25,11 +25,6 @@ pub(super) struct Comms {
 }
 
 impl Comms {
-    /// Nothing is known any more.
-    pub(super) fn forget(&mut self) {
-        *self = Self::default();
-    }
-
     /// The AI Computer's handshake bit was seen; `changes`: that tells more of the handshake.
     pub(super) fn answered(
         &mut self,

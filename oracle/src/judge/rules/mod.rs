@@ -285,12 +285,11 @@ impl Rules {
         }
     }
 
-    /// Nothing is known any more.
+    /// Nothing is known any more. What waits is judged all the same, and the AI Computer's conduct goes on; what a rule keeps besides is
+    /// forgotten, unless it is named here.
     pub(super) fn forget(&mut self) {
-        (self.due, self.flags, self.assi, self.ebs) =
-            (None, Flags::default(), Assi::default(), Ebs::default());
-        (self.go, self.vcu_status) = (GoSignal::default(), StatusWatch::default());
-        self.comms.forget();
+        let Self { queue, likely, conduct, .. } = std::mem::take(self);
+        *self = Self { queue, likely, conduct, ..Self::default() };
     }
 
     /// What waits is of two vehicles, and is not judged.
