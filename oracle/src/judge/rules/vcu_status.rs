@@ -114,12 +114,12 @@ impl StatusWatch {
         let timeouts = new.into_iter().zip(old).enumerate().filter(|(_, (new, old))| *new && !*old);
         let warnings = WARNINGS.iter().enumerate().filter(|(_, (_, of, _))| rises(*of));
         let answered = || est.seems_answered(came.t, est.sampler.last(STATUS).zip(est.vcu.status));
-        let handshake =
-            rises(|shown| shown.handshake_timeout).then(|| Raised::Handshake { answered: answered() });
+        let (rises_now, gap) = (rises(|shown| shown.handshake_timeout), !came.was_fresh);
+        let handshake = rises_now.then(|| Raised::Handshake { answered: answered(), gap });
         let timeouts = timeouts.map(|(place, _)| Raised::Timeout(place));
         let others = timeouts.chain(warnings.map(|(place, _)| Raised::Warning(place)));
-        let raised = others.filter(|_| came.was_fresh).chain(handshake);
-        raised.map(|raised| Rise { raised, since, gap: !came.was_fresh }).collect()
+        let raised = others.filter(|_| !gap).chain(handshake);
+        raised.map(|raised| Rise { raised, since }).collect()
     }
 
     /// 120h came, maybe with the same as before: what has been so for too long?
@@ -292,10 +292,10 @@ pub(super) fn judge_raised(est: &Estimator, pending: &Pending, rise: Rise) -> Op
             let why = format!("{} ({:03X}h) has come all the time", def.name, def.id);
             (Severity::Violation, TIMEOUT, *TIMEOUTS.get(place)?, why, vec![index, VCU_STATUS])
         }
-        Raised::Handshake { answered } => {
+        Raised::Handshake { answered, gap } => {
             let severity = match lost() {
                 _ if est.now < end => return None,
-                Truth::False if !rise.gap => Severity::Violation,
+                Truth::False if !gap => Severity::Violation,
                 Truth::False | Truth::Unknown if answered && !est.options.complete => Severity::Warning,
                 _ => return None,
             };
