@@ -1,6 +1,6 @@
 //! The specification with deviations: a state machine as good as any.
 
-use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown};
+use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown, Values};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
     AsState, Atom, Atoms, Choice, Control, Edition, Faults, Handshake, Inputs, Machine, Noticed, Outputs,
@@ -29,6 +29,8 @@ pub struct Model {
     rest: Vec<Rest>,
     /// A bit for each that is remembered otherwise.
     remembers: u16,
+    /// Whether inputs are seen otherwise than they are.
+    sees_otherwise: bool,
 }
 
 /// What such a machine remembers.
@@ -73,7 +75,8 @@ impl Model {
             _ => all,
         });
         let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
-        Self { usual: *edition, machine, showing, rest, remembers }
+        let sees_otherwise = rest.iter().any(Rest::is_seen);
+        Self { usual: *edition, machine, showing, rest, remembers, sees_otherwise }
     }
 
     /// The edition that it deviates from.
@@ -218,7 +221,11 @@ impl Model {
         let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
-        let seen = as_seen(&self.rest, inputs).observe(&rules.thresholds);
+        let seen = if self.sees_otherwise {
+            as_seen(&self.rest, inputs).observe(&rules.thresholds)
+        } else {
+            inputs.observe(&rules.thresholds)
+        };
         let braking = from == AsState::EmergencyBrake;
         let opening = seen.faults().intersection(Faults::OPENING);
         if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {
@@ -341,11 +348,16 @@ impl Model {
 
     /// What a step shows.
     pub fn shown(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
-        let right = self.right(outputs, inputs);
+        self.showing.in_words(self.values(outputs, inputs))
+    }
+
+    /// The same as plain numbers.
+    pub(crate) fn values(&self, outputs: &Outputs, inputs: &Inputs) -> Values {
+        let right = self.showing.values(outputs, inputs);
         let mut shown = right;
         for rest in &self.rest {
             if let Rest::Writes { place, value, raw } = *rest
-                && right.raw_at(place) == Some(value)
+                && right.at(place) == Some(value)
             {
                 shown = shown.with(place, raw);
             }

@@ -83,7 +83,7 @@ impl Record {
         let agrees = |(step, reply): (&Step, &Answer)| {
             let (after, outputs) = model.step(&memory, &step.inputs, step.dt_ms);
             memory = after;
-            reply.agrees(&model.shown(&outputs, &step.inputs))
+            reply.differing_in(&model.values(&outputs, &step.inputs)) == 0
         };
         self.steps.iter().zip(&self.replies).map(agrees).take_while(|agrees| *agrees).count()
     }
@@ -110,7 +110,7 @@ impl Kept {
         self.steps.iter().zip(&self.replies).all(|(step, reply)| {
             let (after, outputs) = model.step(&memory, &step.inputs, step.dt_ms);
             memory = after;
-            reply.agrees(&model.shown(&outputs, &step.inputs))
+            reply.differing_in(&model.values(&outputs, &step.inputs)) == 0
         })
     }
 

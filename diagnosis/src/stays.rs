@@ -37,13 +37,10 @@ impl Stay<'_> {
         let mut wrong = 0;
         for (step, reply) in self.steps.iter().zip(self.replies) {
             let (outputs, after) = model.follow(&memory, &step.inputs, step.dt_ms, reply);
-            let shown = model.shown(&outputs, &step.inputs);
-            if !reply.agrees(&shown) {
-                wrong += if outputs.state == after.control.state {
-                    reply.differing(&shown).min(WRONG_STATE - 1)
-                } else {
-                    WRONG_STATE
-                };
+            let differing = reply.differing_in(&model.values(&outputs, &step.inputs));
+            if differing > 0 {
+                let same_state = outputs.state == after.control.state;
+                wrong += if same_state { differing.min(WRONG_STATE - 1) } else { WRONG_STATE };
             }
             memory = after;
         }

@@ -35,9 +35,7 @@ impl Keys {
     /// Those that an answer tells of.
     pub(super) fn given(reply: &Reply) -> Self {
         match reply {
-            Reply::Answer(answer) => Self(
-                answer.given().enumerate().fold(0, |bits, (place, given)| bits | u64::from(given) << place),
-            ),
+            Reply::Answer(answer) => Self(answer.given()),
             Reply::Nothing => Self::NONE,
         }
     }

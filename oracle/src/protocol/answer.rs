@@ -5,25 +5,21 @@ use std::str::FromStr;
 
 use super::bad_line::{BadLine, Given, Object};
 use super::field::{Value, Words};
-use super::shown::{FIELDS, SHOWN, Shown};
+use super::shown::{FIELDS, Shown, ShownField};
 use super::spoken::Protocol;
 use super::unsaid::UNSAID;
+use super::values::Values;
 
-/// An answer to a step: some fields of [`SHOWN`] or all; a field that it leaves out is not checked. It is read from a line.
+/// An answer to a step: some fields of [`SHOWN`](super::SHOWN) or all; a field that it leaves out is not checked. It is read from a line.
 ///
 /// A number or a name that the field does not have is a value as well, one that no specification shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Answer {
-    given: [AnsweredValue; SHOWN.len()],
+    /// A bit for each field of which it says anything.
+    given: u64,
+    /// What it says; none is `null`.
+    said: Values,
     words: Words,
-}
-
-/// What an answer says of a field.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-enum AnsweredValue {
-    #[default]
-    Nothing,
-    Value(Option<i32>),
 }
 
 /// A field in which an answer is not what was expected. It displays as in `as_state is AS_READY; expected AS_OFF`.
@@ -44,57 +40,59 @@ impl fmt::Display for Difference {
 }
 
 impl Answer {
+    /// An answer that says nothing, in the words of a bus.
+    const fn nothing(words: Words) -> Self {
+        Self { given: 0, said: Values::NONE, words }
+    }
+
     /// Whether the answer says anything of a field.
     pub fn has(&self, key: &str) -> bool {
-        let given = FIELDS.iter().zip(&self.given).find(|(field, _)| field.key == key);
-        given.is_some_and(|(_, given)| *given != AnsweredValue::Nothing)
+        self.fields().any(|(_, field)| field.key == key)
     }
 
     /// What the answer says of a field; `None` if it says nothing, or if there is no such field.
     pub fn get(&self, key: &str) -> Option<Value> {
-        let (field, given) = FIELDS.iter().zip(&self.given).find(|(field, _)| field.key == key)?;
-        match given {
-            AnsweredValue::Nothing => None,
-            AnsweredValue::Value(raw) => Some(Value { domain: field.domain_on(&self.words.0), raw: *raw }),
-        }
+        let (place, field) = self.fields().find(|(_, field)| field.key == key)?;
+        Some(Value { domain: field.domain_on(&self.words.0), raw: self.said.at(place) })
     }
 
-    /// What it says of the field at this place in [`SHOWN`], as a raw value; `None` if it says nothing.
+    /// What it says of the field at this place in [`SHOWN`](super::SHOWN), as a raw value; `None` if it says nothing.
     pub fn raw_at(&self, place: usize) -> Option<Option<i32>> {
-        match self.given.get(place)? {
-            AnsweredValue::Nothing => None,
-            AnsweredValue::Value(raw) => Some(*raw),
-        }
+        self.gives(place).then(|| self.said.at(place))
+    }
+
+    /// Whether it says anything of the field at this place.
+    fn gives(&self, place: usize) -> bool {
+        place < FIELDS.len() && self.given >> place & 1 == 1
+    }
+
+    /// The fields of which it says anything, each with its place.
+    fn fields(&self) -> impl Iterator<Item = (usize, &'static ShownField)> {
+        let given = self.given;
+        FIELDS.iter().enumerate().filter(move |(place, _)| given >> place & 1 == 1)
     }
 
     /// The keys of the fields of which it says anything.
     pub fn keys(&self) -> impl Iterator<Item = &'static str> {
-        let given = self.given;
-        FIELDS
-            .iter()
-            .zip(given)
-            .filter(|(_, given)| *given != AnsweredValue::Nothing)
-            .map(|(field, _)| field.key)
+        self.fields().map(|(_, field)| field.key)
     }
 
-    /// Of each field of [`SHOWN`] whether the answer says anything of it.
-    pub(crate) fn given(&self) -> impl Iterator<Item = bool> {
-        self.given.into_iter().map(|given| given != AnsweredValue::Nothing)
+    /// A bit for each field of [`SHOWN`](super::SHOWN) of which the answer says anything.
+    pub(crate) const fn given(&self) -> u64 {
+        self.given
     }
 
     /// The answer without all other fields than this one.
     pub(crate) fn only(&self, key: &str) -> Self {
-        let mut only = Self { given: [AnsweredValue::Nothing; SHOWN.len()], words: self.words };
-        let slots = FIELDS.iter().zip(only.given.iter_mut().zip(&self.given));
-        slots.filter(|(field, _)| field.key == key).for_each(|(_, (slot, given))| *slot = *given);
-        only
+        self.among(&[key])
     }
 
     /// The answer without all other fields than these.
     #[must_use]
     pub fn among(mut self, keys: &[&str]) -> Self {
-        let others = FIELDS.iter().zip(&mut self.given).filter(|(field, _)| !keys.contains(&field.key));
-        others.for_each(|(_, given)| *given = AnsweredValue::Nothing);
+        let kept = self.fields().filter(|(_, field)| keys.contains(&field.key));
+        self.given = kept.fold(0, |bits, (place, _)| bits | 1 << place);
+        self.said = self.said.among(self.given);
         self
     }
 
@@ -130,23 +128,22 @@ impl Answer {
 
     /// In how many fields it is not what was expected.
     pub fn differing(&self, shown: &Shown) -> usize {
-        let differs = |(given, expected): &(&AnsweredValue, &Option<i32>)| match given {
-            AnsweredValue::Nothing => false,
-            AnsweredValue::Value(found) => found != *expected,
-        };
-        self.given.iter().zip(&shown.raw).filter(differs).count()
+        self.differing_in(&shown.raw)
+    }
+
+    /// The same, where what was expected is plain numbers.
+    #[inline]
+    pub fn differing_in(&self, values: &Values) -> usize {
+        (self.said.differing(values) & self.given).count_ones() as usize
     }
 
     /// Each field in which it is not what was expected.
     pub fn differences(&self, shown: &Shown) -> impl Iterator<Item = Difference> {
-        let given = FIELDS.iter().zip(self.given).zip(shown.raw);
-        let words = shown.words;
-        given.filter_map(move |((field, given), expected)| match given {
-            AnsweredValue::Value(found) if found != expected => {
-                let value = |raw| Value { domain: field.domain_on(&words.0), raw };
-                Some(Difference { key: field.key, found: value(found), expected: value(expected) })
-            }
-            _ => None,
+        let differing = self.said.differing(&shown.raw);
+        let (said, raw, words) = (self.said, shown.raw, shown.words);
+        self.fields().filter(move |(place, _)| differing >> place & 1 == 1).map(move |(place, field)| {
+            let value = |raw: &Values| Value { domain: field.domain_on(&words.0), raw: raw.at(place) };
+            Difference { key: field.key, found: value(&said), expected: value(&raw) }
         })
     }
 }
@@ -162,30 +159,27 @@ impl FromStr for Answer {
 impl Answer {
     pub(super) fn read(line: &str, protocol: &Protocol) -> Result<Self, BadLine> {
         let Object(entries) = Object::read(line)?;
-        let mut answer = Self { given: [AnsweredValue::Nothing; SHOWN.len()], words: Words(*protocol.bus()) };
+        let mut answer = Self::nothing(Words(*protocol.bus()));
         for (key, found) in &entries {
             let place = FIELDS.iter().position(|field| field.key == key);
-            let slot = place.and_then(|place| {
-                Some((place, FIELDS.get(place)?, protocol.shown_at(place)?, answer.given.get_mut(place)?))
-            });
-            let Some((place, field, domain, given)) = slot else {
+            let slot = place.and_then(|place| Some((place, FIELDS.get(place)?, protocol.shown_at(place)?)));
+            let Some((place, field, domain)) = slot else {
                 return Err(BadLine::unknown(key, protocol.shown().map(|(field, _)| field.key)));
             };
-            if *given != AnsweredValue::Nothing {
+            if answer.gives(place) {
                 return Err(BadLine::twice(key));
             }
-            *given = match found {
-                Given::Null if field.nullable => AnsweredValue::Value(None),
-                _ => match domain.raw_or(field.domain, found) {
-                    //= D-69
-                    Some(raw) => AnsweredValue::Value(Some(protocol.meaning_at(place, raw))),
-                    // That it is none of the values is for the judge to say.
-                    None => match domain.foreign(found) {
-                        Some(raw) => AnsweredValue::Value(Some(raw)),
-                        None => return Err(BadLine::value(key, found, domain)),
-                    },
-                },
+            answer.given |= 1 << place;
+            if matches!(found, Given::Null) && field.nullable {
+                continue;
+            }
+            let raw = match domain.raw_or(field.domain, found) {
+                //= D-69
+                Some(raw) => protocol.meaning_at(place, raw),
+                // That it is none of the values is for the judge to say.
+                None => domain.foreign(found).ok_or_else(|| BadLine::value(key, found, domain))?,
             };
+            answer.said = answer.said.with(place, raw);
         }
         if answer.has("as_state") {
             Ok(answer)
@@ -208,14 +202,10 @@ impl Protocol {
 
 impl From<Shown> for Answer {
     fn from(shown: Shown) -> Self {
-        let mut answer = Self { given: shown.raw.map(AnsweredValue::Value), words: shown.words };
-        for (field, given) in FIELDS.iter().zip(&mut answer.given) {
-            // The edition does not have it.
-            if *given == AnsweredValue::Value(None) && !field.nullable {
-                *given = AnsweredValue::Nothing;
-            }
-        }
-        answer
+        // What has no value and is never `null`, the edition does not have.
+        let nullable = FIELDS.iter().enumerate().filter(|(_, field)| field.nullable);
+        let given = nullable.fold(shown.raw.there(), |bits, (place, _)| bits | 1 << place);
+        Self { given, said: shown.raw, words: shown.words }
     }
 }
 

@@ -33,6 +33,7 @@ mod request;
 mod shown;
 mod spoken;
 mod unsaid;
+mod values;
 
 pub use about::About;
 pub use answer::{Answer, Difference};
@@ -43,3 +44,4 @@ pub use request::{InputsAsJson, Request};
 pub use shown::{SHOWN, Showing, Shown, ShownField};
 pub use spoken::Protocol;
 pub use unsaid::UNSAID;
+pub use values::Values;

@@ -8,6 +8,7 @@ use adsdv_spec::{Actuation, Bus, Edition, Fault, Inputs, Outputs};
 use super::field::{Domain, Value, Words};
 use super::inputs::InputField;
 use super::unsaid::UNSAID;
+use super::values::Values;
 
 /// Something that a step shows.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +38,7 @@ pub struct ShownField {
 impl ShownField {
     /// The output with this key. One that there is not does not compile where a constant asks for it.
     pub(crate) const fn of(key: &str) -> &'static Self {
-        let mut i = 0;
-        while !FIELDS[i].key.eq_ignore_ascii_case(key) {
-            i += 1;
-        }
-        &FIELDS[i]
+        &FIELDS[place(key)]
     }
 
     /// Whether an edition has it: a signal only where its 520h does, and the flag of a fault only where there is that fault.
@@ -70,6 +67,15 @@ impl ShownField {
     pub(super) const fn domain_on(&self, bus: &Bus) -> Domain {
         self.of_type.on_bus(self.signal, bus)
     }
+}
+
+/// The place of an output in [`SHOWN`]. One that there is not does not compile where a constant asks for it.
+const fn place(key: &str) -> usize {
+    let mut place = 0;
+    while !FIELDS[place].key.eq_ignore_ascii_case(key) {
+        place += 1;
+    }
+    place
 }
 
 /// The fault whose flag has this key: the name of its signal, in small letters.
@@ -152,12 +158,22 @@ macro_rules! shown {
             )?
         )+];
 
-        /// The raw value of each, whether an edition has it or not.
-        fn raw_of_all(status: &Vcu2AiStatus, actuation: &Actuation) -> [Option<i32>; SHOWN.len()] {
-            [$(
-                $(Some(SignalValue::to_raw(from!($source status actuation).$field)),)+
-                $(from!($source status actuation).$nullable.map(SignalValue::to_raw),)?
-            )+]
+        /// The raw value of each, whether an edition has it or not, and a bit for each that is not `null`.
+        #[inline]
+        fn raw_of_all(status: &Vcu2AiStatus, actuation: &Actuation) -> ([i32; SHOWN.len()], u64) {
+            let mut there = u64::MAX;
+            let numbers = [$(
+                $(SignalValue::to_raw(from!($source status actuation).$field),)+
+                $({
+                    const PLACE: usize = place(stringify!($nullable));
+                    let value = from!($source status actuation).$nullable;
+                    if value.is_none() {
+                        there &= !(1 << PLACE);
+                    }
+                    value.map_or(0, SignalValue::to_raw)
+                },)?
+            )+];
+            (numbers, there)
         }
     };
 }
@@ -232,30 +248,39 @@ pub(super) static FIELDS: [ShownField; SHOWN.len()] = SHOWN;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shown {
     /// The values. What is never `null` and has none is not in the edition.
-    pub(super) raw: [Option<i32>; SHOWN.len()],
+    pub(super) raw: Values,
     pub(super) words: Words,
 }
 
 /// What steps of an edition show: which fields it has is looked up once, for who asks for millions of steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Showing {
-    has: [bool; SHOWN.len()],
+    /// A bit for each field that it has.
+    has: u64,
     words: Words,
 }
 
 impl Showing {
     /// Of an edition.
     pub fn of(edition: &Edition) -> Self {
-        Self { has: SHOWN.map(|field| field.is_in(edition)), words: Words(edition.bus) }
+        let has = FIELDS.iter().enumerate().filter(|(_, field)| field.is_in(edition));
+        Self { has: has.fold(0, |bits, (place, _)| bits | 1 << place), words: Words(edition.bus) }
     }
 
     /// What a step shows.
     pub fn shown(&self, outputs: &Outputs, inputs: &Inputs) -> Shown {
-        let mut raw = raw_of_all(&outputs.status(inputs), &outputs.actuation(inputs));
-        for (raw, has) in raw.iter_mut().zip(self.has) {
-            *raw = raw.filter(|_| has);
-        }
-        Shown { raw, words: self.words }
+        self.in_words(self.values(outputs, inputs))
+    }
+
+    /// These values, in the words of the edition.
+    pub const fn in_words(&self, values: Values) -> Shown {
+        Shown { raw: values, words: self.words }
+    }
+
+    /// What a step shows, as plain numbers.
+    pub fn values(&self, outputs: &Outputs, inputs: &Inputs) -> Values {
+        let (numbers, there) = raw_of_all(&outputs.status(inputs), &outputs.actuation(inputs));
+        Values::of(numbers, there & self.has)
     }
 }
 
@@ -267,7 +292,7 @@ impl Shown {
 
     /// The raw value of the field at this place in [`SHOWN`].
     pub fn raw_at(&self, place: usize) -> Option<i32> {
-        *self.raw.get(place)?
+        self.raw.at(place)
     }
 
     /// The value of a field; `None` if there is no such field.
@@ -278,16 +303,14 @@ impl Shown {
     /// The same with another raw value of the field at this place in [`SHOWN`], for a state machine that shows it wrongly.
     #[must_use]
     pub const fn with(mut self, place: usize, raw: i32) -> Self {
-        if place < SHOWN.len() {
-            self.raw[place] = Some(raw);
-        }
+        self.raw = self.raw.with(place, raw);
         self
     }
 
     /// Each field that the edition has, with its value.
     pub fn iter(&self) -> impl Iterator<Item = (&'static ShownField, Value)> {
         let Self { raw, words } = *self;
-        let there = FIELDS.iter().zip(raw).filter(|(field, raw)| field.nullable || raw.is_some());
+        let there = FIELDS.iter().zip(raw.iter()).filter(|(field, raw)| field.nullable || raw.is_some());
         there.map(move |(field, raw)| (field, Value { domain: field.domain_on(&words.0), raw }))
     }
 

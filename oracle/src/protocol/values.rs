@@ -1,0 +1,72 @@
+//! The raw values of all outputs, as plain numbers: what is compared millions of times.
+
+use super::shown::SHOWN;
+
+/// The raw values of the outputs, in the order of [`SHOWN`](super::SHOWN).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Values {
+    /// 0 where there is none, so that what is equal is equal number by number.
+    numbers: [i32; SHOWN.len()],
+    /// A bit for each that there is.
+    there: u64,
+}
+
+const _: () = assert!(SHOWN.len() <= u64::BITS as usize, "each output has a bit");
+
+impl Values {
+    /// None of them.
+    pub(super) const NONE: Self = Self { numbers: [0; SHOWN.len()], there: 0 };
+
+    /// These numbers, those whose bit is set.
+    pub(super) fn of(numbers: [i32; SHOWN.len()], there: u64) -> Self {
+        let mut values = Self { numbers, there };
+        for (place, number) in values.numbers.iter_mut().enumerate() {
+            // Branchless, so that many are done at a time.
+            *number &= 0_i32.wrapping_sub((there >> place & 1) as i32);
+        }
+        values
+    }
+
+    /// The value at this place; `None` if there is none.
+    pub fn at(&self, place: usize) -> Option<i32> {
+        self.numbers.get(place).copied().filter(|_| self.there >> place & 1 == 1)
+    }
+
+    /// The same with another value at this place, for a state machine that shows it wrongly.
+    #[must_use]
+    pub const fn with(mut self, place: usize, raw: i32) -> Self {
+        if place < SHOWN.len() {
+            self.numbers[place] = raw;
+            self.there |= 1 << place;
+        }
+        self
+    }
+
+    /// Those of these places alone, a bit for each.
+    pub(super) fn among(&self, places: u64) -> Self {
+        Self::of(self.numbers, self.there & places)
+    }
+
+    /// A bit for each place at which the values differ.
+    #[inline]
+    pub(super) fn differing(&self, other: &Self) -> u64 {
+        // Most often they are all the same, which is one look.
+        if self == other {
+            return 0;
+        }
+        let numbers = self.numbers.iter().zip(&other.numbers).enumerate();
+        numbers.fold(self.there ^ other.there, |bits, (place, (own, other))| {
+            bits | u64::from(own != other) << place
+        })
+    }
+
+    /// A bit for each that there is.
+    pub(super) const fn there(&self) -> u64 {
+        self.there
+    }
+
+    /// Each of them, in order.
+    pub(super) fn iter(self) -> impl Iterator<Item = Option<i32>> {
+        (0..SHOWN.len()).map(move |place| self.at(place))
+    }
+}
