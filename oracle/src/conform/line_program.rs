@@ -5,6 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::child::{Ended, Process};
+use super::chunks::Chunks;
 use super::lines::{LineBuffer, Lines, Missing};
 use super::program_error::{ProgramErrorKind, excerpt};
 use super::questions::Questions;
@@ -39,7 +40,7 @@ impl LineProgram {
     pub fn start(program: &OsString, args: &[OsString], timeout: Duration) -> Result<Self, ProgramErrorKind> {
         let started = Process::start(program, args);
         let (process, (stdin, stdout, stderr)) = started.map_err(ProgramErrorKind::NoStart)?;
-        let (lines, last_words) = (Lines::of(stdout), LastWords::of(stderr));
+        let (lines, last_words) = (Lines::of(Chunks::of(stdout)), LastWords::of(stderr));
         let questions = Some(Questions::of(stdin));
         Ok(Self { process, questions, lines, last_words, timeout, limit: None })
     }

@@ -1,15 +1,10 @@
-//! The lines of a program, as they come: read by a thread, so that waiting for one can end.
+//! The lines of a program, as they come; waiting for one can end.
 
-use std::io::Read;
 use std::ops::Range;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
-use std::thread;
 use std::time::{Duration, Instant};
 
-/// What is read at once.
-const CHUNK: usize = 1 << 16;
-/// So many chunks wait to be looked at, before the program has to wait.
-const WAITING: usize = 16;
+use super::chunks::{Chunks, Waited};
+
 /// How often a program that does not answer is looked at.
 const LOOK: Duration = Duration::from_millis(50);
 
@@ -84,7 +79,7 @@ impl LineBuffer {
 /// Lines that are read.
 #[derive(Debug)]
 pub(super) struct Lines {
-    chunks: Receiver<Vec<u8>>,
+    chunks: Chunks,
     buffer: LineBuffer,
 }
 
@@ -100,10 +95,8 @@ pub(super) enum Missing {
 }
 
 impl Lines {
-    /// The lines of a pipe. The thread that reads it ends with the pipe, or when nobody wants its lines any more.
-    pub(super) fn of(pipe: impl Read + Send + 'static) -> Self {
-        let (sender, chunks) = sync_channel(WAITING);
-        thread::spawn(move || read(pipe, &sender));
+    /// Those in what a pipe brings.
+    pub(super) fn of(chunks: Chunks) -> Self {
         Self { chunks, buffer: LineBuffer::default() }
     }
 
@@ -122,13 +115,13 @@ impl Lines {
             }
             let now = Instant::now();
             let left = deadline.get_or_insert(now + limit).saturating_duration_since(now);
-            match self.chunks.recv_timeout(left.min(LOOK)) {
-                Ok(chunk) => self.buffer.push(&chunk),
-                Err(RecvTimeoutError::Disconnected) => return Err(Missing::End),
+            match self.chunks.wait(left.min(LOOK), |chunk| self.buffer.push(chunk)) {
+                Waited::Look => {}
+                Waited::End => return Err(Missing::End),
                 // What it wrote before it ended may still be on its way: look once more.
-                Err(RecvTimeoutError::Timeout) if gone => return Err(Missing::End),
-                Err(RecvTimeoutError::Timeout) if left <= LOOK => return Err(Missing::Late),
-                Err(RecvTimeoutError::Timeout) => gone = ended(),
+                Waited::Nothing if gone => return Err(Missing::End),
+                Waited::Nothing if left <= LOOK => return Err(Missing::Late),
+                Waited::Nothing => gone = ended(),
             }
         }
     }
@@ -144,30 +137,14 @@ impl Lines {
     }
 }
 
-fn read(mut pipe: impl Read, chunks: &SyncSender<Vec<u8>>) {
-    let mut buffer = vec![0; CHUNK];
-    loop {
-        match pipe.read(&mut buffer) {
-            Ok(0) => break,
-            Ok(len) => {
-                let chunk = buffer.get(..len).unwrap_or_default().to_vec();
-                if chunks.send(chunk).is_err() {
-                    break;
-                }
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
-            // A pipe that cannot be read any more has ended.
-            Err(_) => break,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use std::io::{self, Cursor, ErrorKind};
+    #[cfg(unix)]
+    use std::io::Write as _;
 
     use super::*;
 
+    #[cfg(unix)]
     const LONG: Duration = Duration::from_mins(1);
 
     fn line(len: usize) -> Vec<u8> {
@@ -205,64 +182,46 @@ mod tests {
         assert_eq!(lines.rest(), b"d");
     }
 
-    /// A pipe that is interrupted before each byte, and fails in the end.
-    struct Fitful(Vec<u8>, bool);
-
-    impl Read for Fitful {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            self.1 = !self.1;
-            if self.1 {
-                return Err(ErrorKind::Interrupted.into());
-            }
-            match (self.0.pop(), buffer.first_mut()) {
-                (Some(byte), Some(place)) => {
-                    *place = byte;
-                    Ok(1)
-                }
-                _ => Err(ErrorKind::BrokenPipe.into()),
-            }
-        }
+    /// The lines of a pipe, and its other end.
+    #[cfg(unix)]
+    fn piped() -> (Lines, std::io::PipeWriter) {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        (Lines::of(Chunks::of(reader)), writer)
     }
 
+    #[cfg(unix)]
     #[test]
-    fn a_pipe_is_read_to_its_end_and_through_interruptions() {
-        for pipe in [Box::new(Cursor::new(b"one\ntwo\nth")) as Box<dyn Read + Send>, {
-            Box::new(Fitful(b"one\ntwo\nth".iter().rev().copied().collect(), false))
-        }] {
-            let mut lines = Lines::of(pipe);
-            for expected in ["one", "two"] {
-                let line = lines.next(LONG, || false).expect("a line");
-                assert_eq!(lines.get(line), expected.as_bytes());
-            }
-            assert_eq!(lines.next(LONG, || false), Err(Missing::End));
-            assert_eq!(lines.rest(), b"th");
+    fn a_pipe_is_read_to_its_end() {
+        let (mut lines, mut writer) = piped();
+        writer.write_all(b"one\ntwo\nth").expect("there is room");
+        for expected in ["one", "two"] {
+            let line = lines.next(LONG, || false).expect("a line");
+            assert_eq!(lines.get(line), expected.as_bytes());
         }
+        drop(writer);
+        assert_eq!(lines.next(LONG, || false), Err(Missing::End));
+        assert_eq!(lines.rest(), b"th");
     }
 
-    /// A pipe that stays open and silent.
-    struct Silent;
-
-    impl Read for Silent {
-        fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-            loop {
-                thread::park();
-            }
-        }
-    }
-
+    #[cfg(unix)]
     #[test]
     fn an_open_pipe_is_late_or_that_of_a_program_that_is_no_more() {
-        assert_eq!(Lines::of(Silent).next(Duration::ZERO, || false), Err(Missing::Late));
-        assert_eq!(Lines::of(Silent).next(LOOK * 2, || false), Err(Missing::Late));
+        let (mut lines, mut writer) = piped();
+        assert_eq!(lines.next(Duration::ZERO, || false), Err(Missing::Late));
+        let begun = Instant::now();
+        assert_eq!(lines.next(LOOK * 2, || false), Err(Missing::Late));
+        assert!(begun.elapsed() >= LOOK * 2);
         // It is looked at again after it is known to have ended.
         let mut looks = 0;
         let ended = || {
             looks += 1;
             true
         };
-        assert_eq!(Lines::of(Silent).next(LONG, ended), Err(Missing::End));
+        assert_eq!(lines.next(LONG, ended), Err(Missing::End));
         assert_eq!(looks, 1);
-        let endless = io::repeat(b'x');
-        assert_eq!(Lines::of(endless).next(LONG, || false), Err(Missing::TooLong));
+        let endless = std::thread::spawn(move || while writer.write_all(&[b'x'; 1000]).is_ok() {});
+        assert_eq!(lines.next(LONG, || false), Err(Missing::TooLong));
+        drop(lines);
+        endless.join().expect("nobody reads it any more");
     }
 }

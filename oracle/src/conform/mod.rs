@@ -43,6 +43,7 @@ mod about;
 mod blame;
 mod broken;
 mod child;
+mod chunks;
 mod cycle;
 mod explain;
 mod failures;
