@@ -122,9 +122,14 @@ fn what_does_not_go_with_a_page_is_refused_before_the_log_is_read() {
 fn the_pages_of_programs_have_what_json_has() {
     let page = folder("html-programs").join("page.html");
     let (vcu, stack) = (example("mutant"), example("ai_mutant"));
-    for (command, program) in [
-        (&["conform", "--runs", "5"][..], &[vcu.as_str(), "--mutation", "3.6: dropped"][..]),
-        (&["exam", "--stdio", "--only", "ready"], &[&stack, "never-selects"]),
+    // Where the page goes is the same with a diagnosis and without.
+    for (command, short, program) in [
+        (
+            &["conform", "--runs", "5"][..],
+            &["--no-diagnosis"][..],
+            &[vcu.as_str(), "--mutation", "3.6: dropped"][..],
+        ),
+        (&["exam", "--stdio", "--only", "ready"], &[], &[&stack, "never-selects"]),
     ] {
         let with = |options: &[&str]| run(&[command, options, &["--"], program].concat());
         let outcome = with(&["--json", "--html", text(&page)]);
@@ -133,9 +138,9 @@ fn the_pages_of_programs_have_what_json_has() {
         let json: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
         assert_eq!(data(&html)["json"], json, "{command:?}");
         assert_eq!(data(&html)["kind"], command[0]);
-        let printed = with(&["--html", "-"]);
+        let printed = with(&[short, &["--html", "-"]].concat());
         assert_eq!((printed.status, &data(&printed.stdout)["kind"]), (Some(1), &Value::from(command[0])));
-        let beside = with(&["--html", text(&page)]);
+        let beside = with(&[short, &["--html", text(&page)]].concat());
         assert!(beside.status == Some(1) && beside.stdout.starts_with("edition 3.0"), "{}", beside.stdout);
         fs::remove_file(&page).expect("it is there");
     }
