@@ -1,6 +1,6 @@
 //! The specification with deviations: a state machine as good as any.
 
-use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown, Values};
+use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown, ShownValues};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
     AsState, Atom, Atoms, Choice, Control, Edition, Faults, Handshake, Inputs, Machine, Noticed, Outputs,
@@ -352,7 +352,7 @@ impl Model {
     }
 
     /// The same as plain numbers.
-    pub(crate) fn values(&self, outputs: &Outputs, inputs: &Inputs) -> Values {
+    pub(crate) fn values(&self, outputs: &Outputs, inputs: &Inputs) -> ShownValues {
         let right = self.showing.values(outputs, inputs);
         let mut shown = right;
         for rest in &self.rest {

@@ -52,9 +52,10 @@ mod polled {
             let limit = Timespec::try_from(limit).ok();
             match poll(&mut [PollFd::new(&self.pipe, PollFlags::IN)], limit.as_ref()) {
                 Ok(0) => return Waited::Nothing,
+                Ok(_) => {}
                 Err(rustix::io::Errno::INTR) => return Waited::Look,
-                // What is wrong with it shows when it is read.
-                Ok(_) | Err(_) => {}
+                // A pipe that cannot be waited for is not read, which might take for ever.
+                Err(_) => return Waited::End,
             }
             match self.pipe.read(&mut self.buffer) {
                 Ok(0) => Waited::End,

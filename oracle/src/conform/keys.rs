@@ -3,7 +3,7 @@
 use adsdv_spec::Edition;
 
 use super::vcu::Reply;
-use crate::protocol::SHOWN;
+use crate::protocol::{SHOWN, Showing};
 
 /// Some of the outputs, by their places in [`SHOWN`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,8 +28,7 @@ impl Keys {
 
     /// The outputs that an edition has.
     pub(super) fn of_edition(edition: &Edition) -> Self {
-        let there = SHOWN.iter().map(|field| field.is_in(edition));
-        Self(there.enumerate().fold(0, |bits, (place, there)| bits | u64::from(there) << place))
+        Self(Showing::has(edition))
     }
 
     /// Those that an answer tells of.

@@ -5,10 +5,9 @@ use std::str::FromStr;
 
 use super::bad_line::{BadLine, Given, Object};
 use super::field::{Value, Words};
-use super::shown::{FIELDS, Shown, ShownField};
+use super::shown::{FIELDS, Shown, ShownField, ShownValues};
 use super::spoken::Protocol;
 use super::unsaid::UNSAID;
-use super::values::Values;
 
 /// An answer to a step: some fields of [`SHOWN`](super::SHOWN) or all; a field that it leaves out is not checked. It is read from a line.
 ///
@@ -18,7 +17,7 @@ pub struct Answer {
     /// A bit for each field of which it says anything.
     given: u64,
     /// What it says; none is `null`.
-    said: Values,
+    said: ShownValues,
     words: Words,
 }
 
@@ -42,7 +41,7 @@ impl fmt::Display for Difference {
 impl Answer {
     /// An answer that says nothing, in the words of a bus.
     const fn nothing(words: Words) -> Self {
-        Self { given: 0, said: Values::NONE, words }
+        Self { given: 0, said: ShownValues::NONE, words }
     }
 
     /// Whether the answer says anything of a field.
@@ -133,7 +132,7 @@ impl Answer {
 
     /// The same, where what was expected is plain numbers.
     #[inline]
-    pub fn differing_in(&self, values: &Values) -> usize {
+    pub fn differing_in(&self, values: &ShownValues) -> usize {
         (self.said.differing(values) & self.given).count_ones() as usize
     }
 
@@ -142,7 +141,7 @@ impl Answer {
         let differing = self.said.differing(&shown.raw);
         let (said, raw, words) = (self.said, shown.raw, shown.words);
         self.fields().filter(move |(place, _)| differing >> place & 1 == 1).map(move |(place, field)| {
-            let value = |raw: &Values| Value { domain: field.domain_on(&words.0), raw: raw.at(place) };
+            let value = |raw: &ShownValues| Value { domain: field.domain_on(&words.0), raw: raw.at(place) };
             Difference { key: field.key, found: value(&said), expected: value(&raw) }
         })
     }

@@ -41,7 +41,7 @@ pub use bad_line::BadLine;
 pub use field::{Domain, Value};
 pub use inputs::{INPUTS, InputField};
 pub use request::{InputsAsJson, Request};
-pub use shown::{SHOWN, Showing, Shown, ShownField};
+pub use shown::{SHOWN, Showing, Shown, ShownField, ShownValues};
 pub use spoken::Protocol;
 pub use unsaid::UNSAID;
 pub use values::Values;

@@ -244,11 +244,14 @@ shown! {
 /// The same, where they stay.
 pub(super) static FIELDS: [ShownField; SHOWN.len()] = SHOWN;
 
+/// The raw values of all outputs, in the order of [`SHOWN`].
+pub type ShownValues = Values<{ SHOWN.len() }>;
+
 /// What a step shows, field by field as in [`SHOWN`]. It displays as a JSON object, in the words of its edition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Shown {
     /// The values. What is never `null` and has none is not in the edition.
-    pub(super) raw: Values,
+    pub(super) raw: ShownValues,
     pub(super) words: Words,
 }
 
@@ -263,8 +266,13 @@ pub struct Showing {
 impl Showing {
     /// Of an edition.
     pub fn of(edition: &Edition) -> Self {
-        let has = FIELDS.iter().enumerate().filter(|(_, field)| field.is_in(edition));
-        Self { has: has.fold(0, |bits, (place, _)| bits | 1 << place), words: Words(edition.bus) }
+        Self { has: Self::has(edition), words: Words(edition.bus) }
+    }
+
+    /// A bit for each field of [`SHOWN`] that an edition has.
+    pub(crate) fn has(edition: &Edition) -> u64 {
+        let there = FIELDS.iter().enumerate().filter(|(_, field)| field.is_in(edition));
+        there.fold(0, |bits, (place, _)| bits | 1 << place)
     }
 
     /// What a step shows.
@@ -273,14 +281,14 @@ impl Showing {
     }
 
     /// These values, in the words of the edition.
-    pub const fn in_words(&self, values: Values) -> Shown {
+    pub const fn in_words(&self, values: ShownValues) -> Shown {
         Shown { raw: values, words: self.words }
     }
 
     /// What a step shows, as plain numbers.
-    pub fn values(&self, outputs: &Outputs, inputs: &Inputs) -> Values {
+    pub fn values(&self, outputs: &Outputs, inputs: &Inputs) -> ShownValues {
         let (numbers, there) = raw_of_all(&outputs.status(inputs), &outputs.actuation(inputs));
-        Values::of(numbers, there & self.has)
+        ShownValues::of(numbers, there & self.has)
     }
 }
 

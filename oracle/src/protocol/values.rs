@@ -1,24 +1,23 @@
-//! The raw values of all outputs, as plain numbers: what is compared millions of times.
+//! Raw values as plain numbers: what is compared millions of times.
 
-use super::shown::SHOWN;
-
-/// The raw values of the outputs, in the order of [`SHOWN`](super::SHOWN).
+/// The raw values of so many outputs, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Values {
+pub struct Values<const COUNT: usize> {
     /// 0 where there is none, so that what is equal is equal number by number.
-    numbers: [i32; SHOWN.len()],
+    numbers: [i32; COUNT],
     /// A bit for each that there is.
     there: u64,
 }
 
-const _: () = assert!(SHOWN.len() <= u64::BITS as usize, "each output has a bit");
-
-impl Values {
-    /// None of them.
-    pub(super) const NONE: Self = Self { numbers: [0; SHOWN.len()], there: 0 };
+impl<const COUNT: usize> Values<COUNT> {
+    /// None of them. Each has a bit: more do not compile.
+    pub(super) const NONE: Self = {
+        assert!(COUNT <= u64::BITS as usize);
+        Self { numbers: [0; COUNT], there: 0 }
+    };
 
     /// These numbers, those whose bit is set.
-    pub(super) fn of(numbers: [i32; SHOWN.len()], there: u64) -> Self {
+    pub(super) fn of(numbers: [i32; COUNT], there: u64) -> Self {
         let mut values = Self { numbers, there };
         for (place, number) in values.numbers.iter_mut().enumerate() {
             // Branchless, so that many are done at a time.
@@ -35,7 +34,7 @@ impl Values {
     /// The same with another value at this place, for a state machine that shows it wrongly.
     #[must_use]
     pub const fn with(mut self, place: usize, raw: i32) -> Self {
-        if place < SHOWN.len() {
+        if place < COUNT {
             self.numbers[place] = raw;
             self.there |= 1 << place;
         }
@@ -67,6 +66,6 @@ impl Values {
 
     /// Each of them, in order.
     pub(super) fn iter(self) -> impl Iterator<Item = Option<i32>> {
-        (0..SHOWN.len()).map(move |place| self.at(place))
+        (0..COUNT).map(move |place| self.at(place))
     }
 }
