@@ -69,3 +69,23 @@ impl<const COUNT: usize> Values<COUNT> {
         (0..COUNT).map(move |place| self.at(place))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_differ_in_a_number_or_in_that_there_is_one() {
+        let one = Values::of([1, 2, 3], 0b101);
+        assert_eq!([0, 1, 2, 3].map(|place| one.at(place)), [Some(1), None, Some(3), None]);
+        assert_eq!(one.iter().collect::<Vec<_>>(), [Some(1), None, Some(3)]);
+        assert_eq!(one, Values::of([1, 99, 3], 0b101), "what is not there is no number");
+        assert_eq!(one.differing(&one), 0);
+        assert_eq!(one.differing(&one.with(2, 4)), 0b100);
+        assert_eq!(one.differing(&one.with(1, 0)), 0b010, "a 0 that is there");
+        assert_eq!(one.differing(&one.with(1, 5)), 0b010);
+        assert_eq!(one.with(3, 7), one, "there is no such place");
+        assert_eq!(one.among(0b110), Values::NONE.with(2, 3));
+        assert_eq!(one.among(0b110).there(), 0b100);
+    }
+}
