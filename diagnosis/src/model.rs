@@ -29,8 +29,6 @@ pub struct Model {
     rest: Vec<Rest>,
     /// A bit for each that is remembered otherwise.
     remembers: u16,
-    /// Whether inputs are seen otherwise than they are.
-    sees_otherwise: bool,
 }
 
 /// What such a machine remembers.
@@ -75,8 +73,7 @@ impl Model {
             _ => all,
         });
         let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
-        let sees_otherwise = rest.iter().any(Rest::is_seen);
-        Self { usual: *edition, machine, showing, rest, remembers, sees_otherwise }
+        Self { usual: *edition, machine, showing, rest, remembers }
     }
 
     /// The edition that it deviates from.
@@ -221,11 +218,7 @@ impl Model {
         let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
-        let seen = if self.sees_otherwise {
-            as_seen(&self.rest, inputs).observe(&rules.thresholds)
-        } else {
-            inputs.observe(&rules.thresholds)
-        };
+        let seen = as_seen(&self.rest, inputs).observe(&rules.thresholds);
         let braking = from == AsState::EmergencyBrake;
         let opening = seen.faults().intersection(Faults::OPENING);
         if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {

@@ -44,11 +44,6 @@ const fn place(key: &str) -> usize {
 }
 
 impl Rest {
-    /// Whether it changes what a program sees of its inputs.
-    pub(crate) const fn is_seen(&self) -> bool {
-        matches!(self, Self::Ignores { .. } | Self::Opens { .. } | Self::Wheels(_))
-    }
-
     /// That of a deviation; `None` for a change of the rules.
     pub(crate) fn of(deviation: &Deviation) -> Option<Self> {
         let field = |key: &str| INPUTS.iter().find(|field| field.key == key);
