@@ -163,7 +163,7 @@ fn every_reading_steps_alike() {
     // More than are kept ready, and each twice.
     for seed in [3, 4] {
         for (edition, choice) in choices() {
-            agrees(Some(&machine(edition, &choice.to_string())), &reading(edition, choice), seed, 1000);
+            agrees(Some(&machine(edition, &choice.to_string())), &reading(edition, choice), seed, 2000);
         }
     }
 }
