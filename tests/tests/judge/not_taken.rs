@@ -1,7 +1,7 @@
 //! A transition that does not come though a term of its guard holds.
 
 use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
-use adsdv_spec::{Atom, Atoms, Edition, Truth};
+use adsdv_spec::{AsState, Atom, Atoms, Edition, Truth};
 use adsdv_tests::world::{MS, World, judge, violations};
 
 use crate::cases::{self, Case};
@@ -114,5 +114,36 @@ fn what_only_an_unseen_frame_could_excuse_is_a_warning_and_a_violation_where_non
                 assert!(excused.iter().all(Option::is_some), "{}: {excused:?}, loss {loss}", case.name());
             }
         }
+    }
+}
+
+/// What is said of a VCU that passes over `ESTOP_REQUEST` for so long, in a recording that is late by up to 20 ms.
+fn late_by(edition: &'static Edition, ms: i64, seed: u64) -> Vec<Severity> {
+    let mut world = World::of(edition);
+    world.driving();
+    let vcu = world.vcu;
+    world.hold_state();
+    world.set(Atom::AiEstop, true);
+    world.wait(ms);
+    assert_eq!(world.control.state, AsState::Driving, "{}: it passes over it", edition.version);
+    world.vcu = vcu;
+    world.wait(300);
+    assert_eq!(world.control.state, AsState::EmergencyBrake, "{}: it has left", edition.version);
+    let report = judge(&world.disturbed(seed, 20 * MS, 0), JudgeOptions::of(edition));
+    let due = report.findings.iter().filter(|finding| finding.rule == Rule::Due);
+    due.map(|finding| finding.severity).collect()
+}
+
+/// How late it is seen to be is a matter of chance.
+#[test]
+fn what_is_taken_too_late_by_all_that_was_recorded_is_mostly_said_though_the_state_is_left_by_then() {
+    for edition in Edition::ALL {
+        let said = (1..=40).filter(|&seed| {
+            let in_time = late_by(edition, 50, seed);
+            assert_eq!(in_time, [], "{}: seed {seed}, within the deadline", edition.version);
+            late_by(edition, 110, seed) == [Severity::Warning]
+        });
+        let said = said.count();
+        assert!(said > 35, "{}: {said} of 40", edition.version);
     }
 }

@@ -111,13 +111,17 @@ pub(super) fn excuse(est: &Estimator, atoms: Atoms, start: i64, end: i64) -> Str
     }
 }
 
-/// 520h still shows the old state: should it have been left, by all that was recorded?
-pub(super) fn likely_due_at_status(likely: &mut Likely, est: &Estimator, t: i64) -> Option<Finding> {
+/// 520h shows this state still, or has just left it: should that have been left before, by all that was recorded?
+pub(super) fn likely_due(likely: &mut Likely, est: &Estimator, t: i64, state: AsState) -> Option<Finding> {
     let due = likely.due.filter(|_| !likely.reported)?;
     let atoms = due.way.term.on.union(due.way.term.off);
+    // "Go" is there for one step, and what else was so in that one may show late.
+    let patience = if due.by_go { est.long_patience() + est.window } else { est.patience() + est.cycle() };
     // What comes rarely tells first.
-    let patience = est.long_patience() + est.sampler.wait_for(atoms);
-    let state = est.vcu.state.filter(|_| t > due.since + patience && est.is_confirmed(atoms, due.since))?;
+    let patience = patience + est.sampler.wait_for_slow(atoms);
+    if t <= due.since + patience || !est.is_confirmed(atoms, due.since) {
+        return None;
+    }
     let excuse = excuse(est, atoms, due.since - est.window, t);
     likely.reported = true;
     let so_long = format!(" for {:.0} ms by all that was recorded", milliseconds(t - due.since));

@@ -97,6 +97,7 @@ impl Rules {
         }
         if let Some(change) = shown.change {
             book.notice_change(est, t, &change);
+            book.found(likely::likely_due(&mut self.likely, est, t, change.from));
             let wait = est.sampler.wait_for(est.readings.deciding(change.from));
             self.wait(est, book, t, wait, Awaited::Change(change));
         }
@@ -130,7 +131,9 @@ impl Rules {
     /// 520h shows this, maybe again: what should have come by now?
     pub(super) fn status(&mut self, est: &mut Estimator, book: &mut Book, t: i64) {
         book.found(changes::due_at_status(&mut self.due, &mut self.likely, est, t));
-        book.found(likely::likely_due_at_status(&mut self.likely, est, t));
+        if let Some(state) = est.vcu.state {
+            book.found(likely::likely_due(&mut self.likely, est, t, state));
+        }
         self.comms.due(est, book, t);
         self.flags.over_time(est, book, t);
         book.found(self.ebs.compare(est, t));

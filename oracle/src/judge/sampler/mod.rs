@@ -193,8 +193,13 @@ impl Sampler {
 
     /// How long to wait until all that decides these atoms in a window has been seen.
     pub(crate) fn wait_for(&self, atoms: Atoms) -> i64 {
+        self.window + self.wait_for_slow(atoms)
+    }
+
+    /// The same behind the window: until the messages that come rarely have told, too.
+    pub(crate) fn wait_for_slow(&self, atoms: Atoms) -> i64 {
         // Half a period more than is looked at: what is known of the period may change meanwhile.
-        self.window + self.slow(atoms).map(|(slot, _)| slot.usual() * 5 / 2).max().unwrap_or(0)
+        self.slow(atoms).map(|(slot, _)| slot.usual() * 5 / 2).max().unwrap_or(0)
     }
 
     /// The first message that is too old to speak for now, though nobody has said so yet.
