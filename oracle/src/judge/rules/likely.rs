@@ -115,7 +115,7 @@ pub(super) fn excuse(est: &Estimator, atoms: Atoms, start: i64, end: i64) -> Str
 pub(super) fn likely_due(likely: &mut Likely, est: &Estimator, t: i64, state: AsState) -> Option<Finding> {
     let due = likely.due.filter(|_| !likely.reported)?;
     let atoms = due.way.term.on.union(due.way.term.off);
-    // "Go" is there for one step, and what else was so in that one may show late.
+    // No frame that is late hides what lasts. "Go" is there for one step, and what else was so in that one may show late.
     let patience = if due.by_go { est.long_patience() + est.window } else { est.patience() + est.cycle() };
     // What comes rarely tells first.
     let patience = patience + est.sampler.wait_for_slow(atoms);
