@@ -1,8 +1,9 @@
 //! A transition that does not come though a term of its guard holds.
 
-use adsdv_oracle::judge::{JudgeOptions, Party, Rule, Severity};
+use adsdv_oracle::judge::{Finding, JudgeOptions, Party, Rule, Severity};
+use adsdv_spec::messages::Vcu2AiStatus;
 use adsdv_spec::{AsState, Atom, Atoms, Edition, Truth};
-use adsdv_tests::world::{MS, World, judge, violations};
+use adsdv_tests::world::{MS, Recorded, World, judge, violations};
 
 use crate::cases::{self, Case};
 use crate::check::{Blame, blames, is_at, is_reported, is_reported_if_seen, is_silent, only};
@@ -145,5 +146,30 @@ fn what_is_taken_too_late_by_all_that_was_recorded_is_mostly_said_though_the_sta
         });
         let said = said.count();
         assert!(said > 35, "{}: {said} of 40", edition.version);
+    }
+}
+
+#[test]
+fn a_state_that_may_have_been_left_in_time_where_no_frame_of_the_vcu_was_recorded_is_not_said_to_be_left_late()
+ {
+    for edition in Edition::ALL {
+        let mut world = World::of(edition);
+        world.driving();
+        world.set(Atom::AiEstop, true);
+        let (since, until) = (world.t, world.t + 200 * MS);
+        world.wait(500);
+        let is_lost = |recorded: &Recorded| {
+            recorded.frame.id == Vcu2AiStatus::ID && (since..until).contains(&recorded.t)
+        };
+        let log: Vec<Recorded> = world.log.iter().filter(|recorded| !is_lost(recorded)).copied().collect();
+        let report = judge(&log, JudgeOptions::of(edition));
+        assert!(
+            report.transitions.iter().any(|seen| seen.to == AsState::EmergencyBrake),
+            "{}",
+            edition.version
+        );
+        let late: Vec<&Finding> =
+            report.findings.iter().filter(|finding| finding.rule == Rule::Due).collect();
+        assert!(late.is_empty(), "{}: {late:#?}", edition.version);
     }
 }

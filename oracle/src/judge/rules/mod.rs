@@ -97,7 +97,10 @@ impl Rules {
         }
         if let Some(change) = shown.change {
             book.notice_change(est, t, &change);
-            book.found(likely::likely_due(&mut self.likely, est, t, change.from));
+            // When it was left within a longer silence nobody knows.
+            if t - change.before <= est.window {
+                book.found(likely::likely_due(&mut self.likely, est, t, change.from));
+            }
             let wait = est.sampler.wait_for(est.readings.deciding(change.from));
             self.wait(est, book, t, wait, Awaited::Change(change));
         }
