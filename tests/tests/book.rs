@@ -225,6 +225,14 @@ fn what_lists_the_editions_by_hand_lists_them_all() {
         ("python/README.md", format!("['{}']", quoted("'"))),
         ("scripts/sensitivity.sh", format!("{} or {newest}; ", older.join(", "))),
         ("web/page/tests/served.test.mjs", format!("[null, \"{double}\"]")),
+        (
+            "docs/first-diagnosis.md",
+            format!("For today's car answer the hello with `{{\"edition\": \"{newest}\"}}`"),
+        ),
+        ("docs/first-drive.md", format!("ADSDV_EDITION={newest} ")),
+        ("docs/first-drive.md", format!("today's car speaks\n{newest},")),
+        ("docs/first-exam.md", format!("today's car is `--edition {newest}`")),
+        ("docs/first-exam.md", format!("`--edition {newest}` is today's car")),
     ];
     for version in &versions {
         expected.push(("docs/editions.md", format!("\n| {version} | ")));

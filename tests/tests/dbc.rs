@@ -11,11 +11,11 @@ use adsdv_spec::messages::{Coding, Decimal};
 use adsdv_spec::{Bus, Edition};
 use can_dbc::{AttributeValue, ByteOrder, MessageId, SignalExtendedValueType, ValueDescription, ValueType};
 
-/// Each edition with the original of its database, as it lies beside the checkout.
-static EDITIONS: [(Edition, &str); 3] = [
-    (Edition::V3_0, "dbc/adsdv_2021_vcu_ai_interface_v1.dbc"),
-    (Edition::V4_0, "v4/ADS-DV_v2.dbc"),
-    (Edition::V2026, "v4/ADS-DV_2026_CAN1.dbc"),
+/// Each edition with the original of its database, as it lies beside the checkout; `None` of one that has none of its own.
+static EDITIONS: [(Edition, Option<&str>); 3] = [
+    (Edition::V3_0, Some("dbc/adsdv_2021_vcu_ai_interface_v1.dbc")),
+    (Edition::V4_0, Some("v4/ADS-DV_v2.dbc")),
+    (Edition::V2026, Some("v4/ADS-DV_2026_CAN1.dbc")),
 ];
 
 /// A database as a list of facts, each the text of one attribute of a signal, or, under an empty signal name, of
@@ -183,9 +183,10 @@ fn listed(markdown: &str, database: &str) -> Vec<String> {
 }
 
 #[test]
-fn each_edition_has_an_original() {
+fn each_edition_has_its_original_or_none() {
     let versions: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
-    assert_eq!(EDITIONS.each_ref().map(|(edition, _)| edition.version).as_slice(), versions);
+    let listed = EDITIONS.each_ref().map(|(edition, _)| edition.version);
+    assert_eq!(listed.as_slice(), versions, "`EDITIONS` of this file needs a line for each, in this order");
 }
 
 #[test]
@@ -225,7 +226,8 @@ fn export_gives_every_message_its_cycle_time() {
     for (edition, _) in &EDITIONS {
         let dbc = exported(edition);
         for message in edition.bus.messages {
-            let slow = message.id == 0x502 || (message.id == 0x500 && edition.version == "2026");
+            let slow =
+                message.id == 0x502 || (message.id == 0x500 && !["3.0", "4.0"].contains(&edition.version));
             let expected = if slow { 100 } else { 10 };
             assert_eq!(cycle(&dbc, message.id), Some(AttributeValue::Uint(expected)), "{}", message.name);
         }
@@ -265,6 +267,7 @@ fn export_differs_from_the_original_only_as_listed() {
         .unwrap_or_else(|error| panic!("cannot read {}: {error}", discrepancies.display()));
 
     for (edition, path) in &EDITIONS {
+        let Some(path) = path else { continue };
         let database = path.rsplit('/').next().expect("a path ends in a name");
         let listed = listed(&discrepancies, database);
         let Some(original) = original(path) else { continue };
@@ -285,6 +288,7 @@ fn export_differs_from_the_original_only_as_listed() {
 fn cycle_times_since_version_4_0_are_those_of_the_database() {
     let [_, later @ ..] = &EDITIONS;
     for (edition, path) in later {
+        let Some(path) = path else { continue };
         let Some(original) = original(path) else { continue };
         for message in edition.bus.messages {
             let expected = Some(AttributeValue::Uint(u64::from(message.cycle_ms)));

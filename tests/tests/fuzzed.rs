@@ -156,6 +156,10 @@ fn the_seeds_of_judge_any_are_read_as_logs() {
     }
 }
 
+/// What to do where the seeds of a target miss something.
+const MORE_TRIES: &str =
+    "more tries of its `walks` in tests/src/fuzzed/seeds.rs, then: cargo run -p adsdv-tests --bin seeds";
+
 #[test]
 fn the_seeds_of_step_take_every_term_of_every_table() {
     let corpus = seeds::corpus();
@@ -172,7 +176,7 @@ fn the_seeds_of_step_take_every_term_of_every_table() {
             }
         }
     }
-    assert!(left.is_empty(), "{left:?}");
+    assert!(left.is_empty(), "no seed takes {left:?}; {MORE_TRIES}");
 }
 
 #[test]
@@ -183,7 +187,8 @@ fn the_seeds_of_belief_take_every_row_of_every_table() {
         for (row, def) in (0..).zip(edition.rules.table.rows()) {
             let is_taken =
                 taken.iter().any(|&(version, taken)| version == edition.version && taken.row == row);
-            assert!(is_taken, "{}: {} -> {}", edition.version, def.from, def.to);
+            let Edition { version, .. } = edition;
+            assert!(is_taken, "no seed takes {version}: {} -> {}; {MORE_TRIES}", def.from, def.to);
         }
     }
 }

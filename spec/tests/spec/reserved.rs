@@ -54,7 +54,8 @@ const LISTED_4_0: List = &[
 #[test]
 fn each_edition_has_its_list() {
     let versions: Vec<_> = Edition::ALL.iter().map(|edition| edition.version).collect();
-    assert_eq!(EDITIONS.each_ref().map(|(edition, _)| edition.version).as_slice(), versions);
+    let listed = EDITIONS.each_ref().map(|(edition, _)| edition.version);
+    assert_eq!(listed.as_slice(), versions, "`EDITIONS` of this file needs a line for each, in this order");
 }
 
 #[test]

@@ -305,7 +305,18 @@ pub(crate) mod tests {
         let requirements = requirements.expect("well written");
         let of = |edition| requirements.in_force().filter(|r| r.holds_in(edition)).count();
         let counts = requirements.editions().iter().map(|edition| (edition.as_str(), of(edition)));
-        assert_eq!(counts.collect::<Vec<_>>(), [("3.0", 237), ("4.0", 271), ("2026", 273)]);
+        let counts: Vec<_> = counts.collect();
+        let expected = [("3.0", 237), ("4.0", 271), ("2026", 273)];
+        assert_eq!(counts, expected, "to be written here, and in the sentence of docs/evidence.md");
+        let evidence = include_str!("../../../../docs/evidence.md");
+        for (edition, count) in counts {
+            let mut said =
+                ["version ", "", "the vehicle of "].map(|of| format!("{count} of {of}{edition}")).into_iter();
+            assert!(
+                said.any(|said| evidence.contains(&said)),
+                "docs/evidence.md needs: {count} of {edition}"
+            );
+        }
     }
 
     #[test]
