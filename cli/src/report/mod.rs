@@ -65,7 +65,7 @@ pub(crate) fn news(rules: &Rules, transitions: &[Transition], findings: &[Findin
     text
 }
 
-/// The line about an edition that was recognised, and by what. What does not fit it is among the findings.
+/// The line about an edition that was recognised, and by what; two where one fact is too long for it. What does not fit is among the findings.
 pub(crate) fn recognised(recognised: &Recognised) -> String {
     let line = |shown| {
         let facts = first(&recognised.evidence, shown);
@@ -73,7 +73,11 @@ pub(crate) fn recognised(recognised: &Recognised) -> String {
         format!("edition {} (recognised: {why})", recognised.edition.version)
     };
     let mut lines = (1..=FACTS).rev().map(line);
-    lines.find(|line| line.chars().count() <= output::WIDTH).unwrap_or_else(|| line(1))
+    lines.find(|line| line.chars().count() <= output::WIDTH).unwrap_or_else(|| {
+        let mut broken = String::new();
+        wrapped(&mut broken, line(1).split(' '), 0, output::WIDTH);
+        broken.trim_end().to_owned()
+    })
 }
 
 /// So many facts tell enough.

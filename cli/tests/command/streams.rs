@@ -79,6 +79,21 @@ fn lines_fit_into_100_columns() {
     }
 }
 
+/// 500h comes as 2026 has it, and 120h is of 4.0 alone: each is long to say, and none decides.
+#[test]
+fn what_an_edition_is_recognised_by_fits_into_100_columns_where_one_fact_does_not() {
+    let log = (0..400).fold(String::new(), |mut log, step| {
+        let id = if step % 10 == 0 { "500" } else { "120" };
+        let _ = writeln!(log, "({}.{:02}) can0 {id}#0000000000000000", step / 100, step % 100);
+        log
+    });
+    let report = check_input(&[], log.as_bytes()).stdout;
+    let [first, second] = [0, 1].map(|line| report.lines().nth(line).expect("a line"));
+    assert!(first.starts_with("edition 2026 (recognised: 500h comes every 100 ms"), "{report}");
+    assert!(first.chars().count() <= 100, "{report}");
+    assert!(format!("{first} {second}").ends_with("; though 4.0 fits as well)"), "{report}");
+}
+
 #[test]
 fn check_reports_what_a_short_log_does_not_show() {
     let log = b"(1.0) can0 520#0000010000000000\n";
