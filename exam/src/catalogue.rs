@@ -293,7 +293,12 @@ mod tests {
                 assert_eq!(held_by(edition, def.requirements.to_vec()).len(), 1, "{}", def.name);
                 for signal in def.signals {
                     let held = held_by(edition, signal.requirements.to_vec());
-                    assert!(matches!(held.len(), 1 | 2), "{} in {}: {held:?}", signal.name, edition.version);
+                    let (name, edition) = (signal.name, edition.version);
+                    let cited = signal.requirements;
+                    assert!(
+                        matches!(held.len(), 1 | 2),
+                        "{name} in {edition}: of what its row cites, {cited:?}, the exam has {held:?}; expected one or two"
+                    );
                 }
             }
         }

@@ -278,7 +278,8 @@ fn what_no_step_is_made_from_is_named_without_a_place() {
         refused(&raw const unknown, &raw mut control, none, null_mut(), &raw mut error),
         adsdv_status::ADSDV_UNKNOWN_EDITION
     );
-    said(adsdv_status::ADSDV_UNKNOWN_EDITION, "machine.edition is 99; expected less than 3", &error);
+    let unknown = format!("machine.edition is 99; expected less than {}", Edition::ALL.len());
+    said(adsdv_status::ADSDV_UNKNOWN_EDITION, &unknown, &error);
     control = adsdv_control::from(&Control::INITIAL);
     assert_eq!(
         refused(null(), null_mut(), none, null_mut(), &raw mut error),
