@@ -11,7 +11,7 @@ names every requirement that lacks an implementation, a proof or a test. The rep
 What holds only in an edition that the code does not have yet is counted, and may lack anything.
 
 Where duvet is not installed there is no report, and what is missing is named all the same. Where the environment
-variable CI is set, .duvet/snapshot.txt has to be up to date; elsewhere it is brought up to date.
+variable CI is set, .duvet/snapshot.txt has to be up to date; elsewhere duvet brings it up to date.
 
 Environment:
   CITATIONS  the built program that collects the citations; without it one is built
@@ -39,8 +39,10 @@ citations() {
 
 if ! command -v "$duvet" >/dev/null; then
     echo "trace: no report, for duvet is not installed; try: cargo install --locked duvet" >&2
-    citations count
-    exit
+    failed=0
+    citations count || failed=1
+    [ -z "${CI-}" ] || citations snapshot || failed=1
+    exit "$failed"
 fi
 citations write
 # Neither an old report nor requirements that are no more must be taken for new ones.

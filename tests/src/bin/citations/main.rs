@@ -21,6 +21,7 @@ mod mistake;
 mod rendered;
 mod requirements;
 mod scan;
+mod snapshot;
 mod sources;
 
 use std::io;
@@ -36,13 +37,15 @@ use scan::Written;
 use sources::Source;
 
 const USAGE: &str = "\
-Usage: citations write | check | count | render
+Usage: citations write | check | count | snapshot | render
 
 write  finds every citation in the sources below the current folder, and writes them as annotations for duvet
        into target/duvet/annotations
 check  reads duvet's report, target/duvet/report.json, and names every requirement that lacks an
        implementation, a proof or a test; then as count
 count  names the same from the sources alone
+snapshot
+       names the lines of duvet's snapshot, .duvet/snapshot.txt, that are not what the sources say
 render puts the sentence of each requirement beside its citations in the sources that cargo doc has rendered, in
        target/doc/src
 
@@ -57,6 +60,8 @@ const REQUIREMENTS: &str = "spec/REQUIREMENTS.md";
 const ANNOTATIONS: &str = "target/duvet/annotations";
 /// Where duvet writes its report: `.duvet/config.toml` says so.
 const REPORT: &str = "target/duvet/report.json";
+/// What duvet writes down of each requirement, for reviews.
+const SNAPSHOT: &str = ".duvet/snapshot.txt";
 /// Where `cargo doc` puts the sources.
 const RENDERED: &str = "target/doc/src";
 
@@ -66,6 +71,7 @@ fn main() -> ExitCode {
         ["write"] => write(),
         ["check"] => check(),
         ["count"] => count(),
+        ["snapshot"] => snapshot(),
         ["render"] => render(),
         ["-h" | "--help"] => {
             println!("{USAGE}");
@@ -104,6 +110,20 @@ fn count() -> io::Result<ExitCode> {
     let Some(citations) = all_cited(&requirements)? else { return Ok(ExitCode::FAILURE) };
     let code = editions_of_the_code(&requirements)?;
     Ok(printed(&Verdict::of_citations(&citations, &requirements, &code)))
+}
+
+fn snapshot() -> io::Result<ExitCode> {
+    let requirements = requirements()?;
+    let Some(citations) = all_cited(&requirements)? else { return Ok(ExitCode::FAILURE) };
+    let differences = snapshot::differences(&sources::read(Path::new(SNAPSHOT))?, &citations, &requirements);
+    for difference in &differences {
+        println!("{SNAPSHOT}: {difference}");
+    }
+    if differences.is_empty() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    eprintln!("citations: {SNAPSHOT} is not up to date; try: scripts/trace.sh, with duvet, and commit it");
+    Ok(ExitCode::FAILURE)
 }
 
 fn render() -> io::Result<ExitCode> {

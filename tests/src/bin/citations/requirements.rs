@@ -46,10 +46,20 @@ impl Requirement {
         self.editions.iter().any(|other| other == edition)
     }
 
+    /// How binding it is, in its own word; empty if it was withdrawn.
+    pub(crate) fn keyword(&self) -> &'static str {
+        keyword(&self.line).unwrap_or_default()
+    }
+
     /// It was not withdrawn.
     fn in_force(&self) -> bool {
         !self.editions.is_empty()
     }
+}
+
+/// The word that makes a sentence a requirement, if it has one.
+fn keyword(sentence: &str) -> Option<&'static str> {
+    ["MUST", "SHOULD", "MAY"].into_iter().find(|keyword| sentence.contains(keyword))
 }
 
 /// All requirements.
@@ -80,7 +90,7 @@ impl Requirements {
             let Some(id) = Id::parse(id) else {
                 return Err(Mistake::new(format!("{id:?}"), "an identifier such as HS-4").in_line(number));
             };
-            let editions = if ["MUST", "SHOULD", "MAY"].iter().any(|keyword| sentence.contains(keyword)) {
+            let editions = if keyword(sentence).is_some() {
                 holds_in(sentence, &editions).map_err(|mistake| mistake.in_line(number))?
             } else {
                 Vec::new()
