@@ -51,8 +51,8 @@ render puts the sentence of each requirement beside its citations in the sources
 
 What holds only in an edition that the code does not have yet is counted, and may lack anything.
 
-Exit status: 0 all is well, 1 a citation is wrong or a requirement lacks something, 2 wrong usage or a file
-cannot be read or written.";
+Exit status: 0 all is well, 1 a citation is wrong, a requirement lacks something or the snapshot is not up to
+date, 2 wrong usage or a file cannot be read or written.";
 
 /// The requirements, as duvet reads them.
 const REQUIREMENTS: &str = "spec/REQUIREMENTS.md";
