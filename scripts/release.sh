@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # An archive of the program to give away: with its licences, completions for shells and manual pages, and no more that it needs.
 #
-#   scripts/release.sh             of target/release/adsdv, for this machine
-#   scripts/release.sh TARGET      of target/TARGET/release/adsdv, such as x86_64-unknown-linux-musl
+#   scripts/release.sh             of target/dist/adsdv, for this machine
+#   scripts/release.sh TARGET      of target/TARGET/dist/adsdv, such as x86_64-unknown-linux-musl
 #
 # The program has to be built. The archive is target/release-files/adsdv-VERSION-TARGET.tar.gz, or .zip for Windows. The licences of what it
 # is made of are those of scripts/licences.sh, which is run where it was not; this ends with 77 where that cannot be had.
@@ -17,10 +17,10 @@ case ${1-} in
 esac
 target=${1-$(rustc -vV | sed -n 's/^host: //p')}
 built=${CARGO_TARGET_DIR:-target}
-folder=$built/${1:+$1/}release
+folder=$built/${1:+$1/}dist
 program=$folder/adsdv
 [ ! -e "$program.exe" ] || program=$program.exe
-[ -x "$program" ] || { echo "scripts/release.sh: $program is not built (cargo build --release -p adsdv --features mcap,parquet)" >&2; exit 2; }
+[ -x "$program" ] || { echo "scripts/release.sh: $program is not built (cargo build --profile dist -p adsdv --features mcap,parquet)" >&2; exit 2; }
 
 [ -e "$built/licences/crates.html" ] || scripts/licences.sh
 # `adsdv 0.1.0`

@@ -23,7 +23,7 @@ missing() {
 
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}
 target=$(uname -m)-unknown-linux-musl
-what=(--release --locked -p adsdv --features mcap,parquet --target "$target")
+what=(--profile dist --locked -p adsdv --features mcap,parquet --target "$target")
 if rustup target list --installed 2>/dev/null | grep -qx "$target"; then
   cargo build "${what[@]}"
 elif [ -e /usr/lib/rustlib/src/rust/library/std/Cargo.toml ] && [ -x /usr/bin/rustc ]; then
@@ -40,7 +40,7 @@ else
   missing "Rust's target $target is not there (rustup target add $target, or Debian's rustc-web and rust-web-src)"
 fi
 
-program=$CARGO_TARGET_DIR/$target/release/adsdv
+program=$CARGO_TARGET_DIR/$target/dist/adsdv
 if readelf -lW "$program" | grep -q INTERP || readelf -dW "$program" | grep -q NEEDED; then
   echo "scripts/static.sh: $program is not static" >&2
   exit 1

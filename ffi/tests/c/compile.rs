@@ -105,7 +105,7 @@ fn libraries() -> &'static Libraries {
         cargo.args(["build", "--package", "adsdv-ffi", "--lib", "--quiet", "--message-format", "json"]);
         // Benchmarks link the library as it is meant to be used.
         if !cfg!(debug_assertions) {
-            cargo.arg("--release");
+            cargo.args(["--profile", "dist"]);
         }
         let said = succeeds(cargo.arg("--manifest-path").arg(folder().join("Cargo.toml")));
         let find = |ending: &str| {
