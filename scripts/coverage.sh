@@ -10,7 +10,7 @@ Usage: scripts/coverage.sh [--missing] [CRATE...] [-- ARGUMENT...]
 Runs all tests of the workspace, or those of some crates alone, and tells for each crate how many lines of its sources they
 ran. It uses cargo llvm-cov where LLVM's tools are installed (rustup component add llvm-tools), else cargo tarpaulin.
 
-Crates: spec, proofs, model, oracle, can, ffi, cli, tests.
+Crates: spec, proofs, model, oracle, conform, can, ffi, cli, tests.
 
 --missing tells the other lines as well, by file. Arguments after -- go to the tool.
 
@@ -26,7 +26,7 @@ while [ $# -gt 0 ]; do
     --missing) missing=1 ;;
     --) shift; break ;;
     cli) crates+=" $1 " packages+=(-p adsdv) ;;
-    spec | proofs | model | oracle | can | ffi | tests) crates+=" $1 " packages+=(-p "adsdv-$1") ;;
+    spec | proofs | model | oracle | conform | can | ffi | tests) crates+=" $1 " packages+=(-p "adsdv-$1") ;;
     *) usage >&2; exit 2 ;;
   esac
   shift

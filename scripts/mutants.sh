@@ -64,7 +64,7 @@ fi
 
 # Each exclusion is a line of its own in the list, a TOML literal string.
 stale=0
-all=$(cargo mutants --list --no-config -p adsdv-spec -p adsdv-oracle -p adsdv-model)
+all=$(cargo mutants --list --no-config -p adsdv-spec -p adsdv-oracle -p adsdv-conform -p adsdv-model)
 while IFS= read -r pattern; do
   found=$(grep -Ec -- "$pattern" <<<"$all" || true)
   [ -z "$reasons" ] || printf '%4d %s\n' "$found" "$pattern"
@@ -85,8 +85,8 @@ describe() {
       rounds=("adsdv-spec $every" "adsdv-proofs $every")
       ;;
     log)
-      files=('oracle/src/candump/**' 'oracle/src/log/**' 'oracle/src/protocol/**') package=adsdv-oracle
-      rounds=('adsdv-oracle --lib --test=log --test=protocol' "adsdv-oracle,adsdv-tests,adsdv $every")
+      files=('oracle/src/candump/**' 'oracle/src/log/**') package=adsdv-oracle
+      rounds=('adsdv-oracle --lib --test=log' "adsdv-oracle,adsdv-tests,adsdv $every")
       ;;
     judge)
       files=('oracle/src/judge/**') package=adsdv-oracle
@@ -97,15 +97,15 @@ describe() {
       )
       ;;
     suite)
-      files=('oracle/src/suite/**') package=adsdv-oracle
-      rounds=('adsdv-oracle --test=suite' "adsdv-oracle,adsdv-tests,adsdv $every")
+      files=('conform/src/suite/**' 'conform/src/protocol/**') package=adsdv-conform
+      rounds=('adsdv-conform --test=suite --test=protocol' "adsdv-conform,adsdv-tests,adsdv $every")
       ;;
     conform)
-      files=('oracle/src/conform/**') package=adsdv-oracle
+      files=('conform/src/conform/**') package=adsdv-conform
       rounds=(
-        'adsdv-oracle --lib --test=conform | tests:: written::'
-        'adsdv-oracle --test=conform'
-        "adsdv-oracle,adsdv $every"
+        'adsdv-conform --lib --test=conform | tests:: written::'
+        'adsdv-conform --test=conform'
+        "adsdv-conform,adsdv $every"
       )
       ;;
     model)

@@ -48,7 +48,7 @@ if [ -z "${ADSDV-}" ]; then
 fi
 # For the pages about programs.
 if [ -z "${EXAMPLES-}" ]; then
-  cargo build --quiet --locked -p adsdv-oracle -p adsdv-exam --example mutant --example ai_mutant
+  cargo build --quiet --locked -p adsdv-conform -p adsdv-exam --example mutant --example ai_mutant
   export EXAMPLES="${CARGO_TARGET_DIR:-$PWD/target}/debug/examples"
 fi
 case ${1-} in

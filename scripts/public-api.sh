@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What spec and oracle offer to other crates, held against the listings that are checked in.
+# What spec, oracle and conform offer to other crates, held against the listings that are checked in.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -7,8 +7,8 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/public-api.sh [--update]
 
-Lists every public item of adsdv-spec and adsdv-oracle, as their default features have it, and compares that with
-spec/public-api.txt and oracle/public-api.txt. A line that is gone or reads otherwise breaks who uses it; a further one does not.
+Lists every public item of adsdv-spec, adsdv-oracle and adsdv-conform, as their default features have it, and compares that
+with the public-api.txt of each. A line that is gone or reads otherwise breaks who uses it; a further one does not.
 What traits give to every type, and what derive writes, is left out.
 
   --update    writes the listings anew: read the difference before you commit it
@@ -41,7 +41,7 @@ cargo public-api --version >/dev/null 2>&1 || cannot "there is no cargo-public-a
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/public-api
 mkdir -p "$CARGO_TARGET_DIR"
 status=0
-for crate in spec oracle; do
+for crate in spec oracle conform; do
   listing=$crate/public-api.txt now=$CARGO_TARGET_DIR/$crate.txt
   cargo +nightly public-api -p "adsdv-$crate" --omit blanket-impls,auto-trait-impls,auto-derived-impls \
     >"$now" 2>"$now.errors" || { cat "$now.errors" >&2; cannot "adsdv-$crate could not be listed"; }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use adsdv_oracle::suite::{self, Kind, Proof, Test};
+use adsdv_conform::suite::{self, Kind, Proof, Test};
 use adsdv_spec::Edition;
 use serde::Serialize;
 

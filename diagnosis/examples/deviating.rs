@@ -14,8 +14,8 @@
 use std::error::Error;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 
+use adsdv_conform::protocol::{About, Domain, INPUTS, Protocol, Request, Shown};
 use adsdv_diagnosis::{Deviation, Model, Subject};
-use adsdv_oracle::protocol::{About, Domain, INPUTS, Protocol, Request, Shown};
 use adsdv_spec::{Edition, Inputs};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -15,11 +15,11 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::Answer;
 use adsdv_diagnosis::{
     Deviation, Interface, Model, Record, Running, Subject, diagnose_within, difference, records,
 };
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::Answer;
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{Edition, Inputs};
 

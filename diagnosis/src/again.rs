@@ -1,6 +1,6 @@
 //! What was asked, asked again: a program whose answers are others then goes by chance or by a clock, or keeps something over a reset.
 
-use adsdv_oracle::conform::ProgramError;
+use adsdv_conform::ProgramError;
 
 use crate::record::{Record, Records};
 use crate::subject::Subject;

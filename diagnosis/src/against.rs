@@ -1,8 +1,8 @@
 //! The requirements that a deviation is against: what the table cites for its rows, alternatives and conditions, and what the
 //! document says of times and memory that no condition of Figure 2 tells.
 
-use adsdv_oracle::protocol::SHOWN;
-use adsdv_oracle::suite::of_edition;
+use adsdv_conform::protocol::SHOWN;
+use adsdv_oracle::requirements::of_edition;
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Atom, Edition, Row};
 

@@ -1,6 +1,6 @@
 //! The deviations that may explain an answer.
 
-use adsdv_oracle::protocol::{Domain, InputField};
+use adsdv_conform::protocol::{Domain, InputField};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{Atom, Atoms, Edition, Inputs, Mutation, Row};

@@ -1,6 +1,6 @@
 //! What a program of a fixed cycle is asked in place of longer steps; `Record::joined` is the way back.
 
-use adsdv_oracle::suite::Step;
+use adsdv_conform::suite::Step;
 
 use crate::model::{Memory, Model};
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use adsdv_oracle::conform::ProgramError;
+use adsdv_conform::ProgramError;
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
 

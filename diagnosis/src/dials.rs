@@ -1,6 +1,6 @@
 //! The inputs that can be changed, and to which values.
 
-use adsdv_oracle::protocol::{Domain, InputField, Protocol};
+use adsdv_conform::protocol::{Domain, InputField, Protocol};
 
 use crate::interface::Interface;
 use crate::model::Model;

@@ -1,6 +1,6 @@
 //! Every deviation that there is, with a few numbers in the place of all.
 
-use adsdv_oracle::protocol::{Domain, Protocol, ShownField};
+use adsdv_conform::protocol::{Domain, Protocol, ShownField};
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{AsState, Edition};
 

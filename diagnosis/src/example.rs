@@ -1,8 +1,8 @@
 //! The shortest scenario that shows a deviation: by itself, or beside as few others as can be.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Difference, Shown};
-use adsdv_oracle::suite::{self, Scenario, Step};
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{Difference, Shown};
+use adsdv_conform::suite::{self, Scenario, Step};
 use adsdv_spec::{AsState, Edition};
 
 use crate::deviation::Deviation;

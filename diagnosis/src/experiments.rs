@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::InputField;
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::InputField;
 use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 

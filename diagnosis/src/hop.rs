@@ -1,6 +1,6 @@
 //! What leads from one state to the next.
 
-use adsdv_oracle::protocol::InputField;
+use adsdv_conform::protocol::InputField;
 use adsdv_spec::Term;
 use adsdv_spec::messages::AsState;
 

@@ -1,7 +1,7 @@
 //! What a program has of the protocol: no other input is given to it, and no other output of it is compared.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{About, Answer, INPUTS, InputField, SHOWN, Shown};
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{About, Answer, INPUTS, InputField, SHOWN, Shown};
 use adsdv_spec::{Choice, Choices, Inputs, Reading};
 
 use crate::subject::Subject;

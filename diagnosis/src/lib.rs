@@ -46,7 +46,7 @@
 //! let found = diagnose(&mut program, &Edition::V3_0)?;
 //! assert_eq!(found.deviations, [late]);
 //! assert!(found.unexplained.is_empty());
-//! # Ok::<(), adsdv_oracle::conform::ProgramError>(())
+//! # Ok::<(), adsdv_conform::ProgramError>(())
 //! ```
 #![forbid(unsafe_code)]
 

@@ -1,6 +1,6 @@
 //! The specification with deviations: a state machine as good as any.
 
-use adsdv_oracle::protocol::{Answer, InputField, Showing, Shown, ShownValues};
+use adsdv_conform::protocol::{Answer, InputField, Showing, Shown, ShownValues};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{
     AsState, Atom, Atoms, Choice, Control, Edition, Faults, Handshake, Inputs, Machine, Noticed, Outputs,
@@ -400,7 +400,7 @@ mod tests {
         for edition in Edition::ALL {
             let (plain, long) = (Model::new(edition, &[]), Model::new(edition, &[nothing]));
             assert!(plain.rest.is_empty() && !long.rest.is_empty());
-            let tests = adsdv_oracle::suite::generate(edition);
+            let tests = adsdv_conform::suite::generate(edition);
             for test in &tests {
                 let (mut one, mut other) = (Memory::INITIAL, Memory::INITIAL);
                 for step in &test.scenario.steps {

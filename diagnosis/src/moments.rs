@@ -1,6 +1,6 @@
 //! The moment at which a time is over: just before it, at it, and just after it, whatever step ends then.
 
-use adsdv_oracle::conform::ProgramError;
+use adsdv_conform::ProgramError;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Term};
 

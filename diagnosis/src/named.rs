@@ -1,6 +1,6 @@
 //! A deviation by its id.
 
-use adsdv_oracle::protocol::{INPUTS, SHOWN};
+use adsdv_conform::protocol::{INPUTS, SHOWN};
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{AsState, Edition};
 

@@ -1,8 +1,8 @@
 //! Leads a program through its states, by a model of it.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, InputField};
-use adsdv_oracle::suite::Step;
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{Answer, InputField};
+use adsdv_conform::suite::Step;
 use adsdv_spec::messages::{AsState, DirectionRequest, MissionStatus};
 use adsdv_spec::{Atom, Inputs, Term};
 

@@ -1,7 +1,7 @@
 //! Leads a program up to an arrow: everything but the last step, and that step.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::InputField;
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::InputField;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Atom, Term};
 

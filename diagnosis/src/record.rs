@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Arc;
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::Answer;
-use adsdv_oracle::suite::Step;
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::Answer;
+use adsdv_conform::suite::Step;
 
 use crate::deviation::LATEST;
 use crate::model::{Memory, Model};

@@ -1,6 +1,6 @@
 //! What a program does otherwise that is no change of Figure 2, of a time or of a threshold, ready to be applied.
 
-use adsdv_oracle::protocol::{INPUTS, InputField, SHOWN};
+use adsdv_conform::protocol::{INPUTS, InputField, SHOWN};
 use adsdv_spec::AsState;
 use adsdv_spec::messages::ShutdownCause;
 

@@ -1,7 +1,7 @@
 //! A model that runs in this process, as a program under test would.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, Shown};
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{Answer, Shown};
 use adsdv_spec::Inputs;
 
 use crate::model::{Memory, Model};

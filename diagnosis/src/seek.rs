@@ -1,7 +1,7 @@
 //! Looks for what an arrow wants besides that a program does not seem to have.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Domain, InputField};
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{Domain, InputField};
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Edition, Term};

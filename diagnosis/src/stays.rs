@@ -6,8 +6,8 @@ use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::ops::Range;
 use std::sync::Arc;
 
-use adsdv_oracle::protocol::Answer;
-use adsdv_oracle::suite::Step;
+use adsdv_conform::protocol::Answer;
+use adsdv_conform::suite::Step;
 use adsdv_spec::messages::AsState;
 
 use crate::model::{Memory, Model};

@@ -1,7 +1,7 @@
 //! What is asked, step by step.
 
-use adsdv_oracle::conform::{Program, ProgramError};
-use adsdv_oracle::protocol::Answer;
+use adsdv_conform::protocol::Answer;
+use adsdv_conform::{Program, ProgramError};
 use adsdv_spec::Inputs;
 
 /// A state machine that can be reset, and asked for one step after the other: what it sees next may depend on its last answer.

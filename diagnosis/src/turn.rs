@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use adsdv_oracle::conform::ProgramError;
+use adsdv_conform::ProgramError;
 use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{AiSilence, Atom, Rules, Term};

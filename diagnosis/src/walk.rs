@@ -1,7 +1,7 @@
 //! Walks by chance through the states: what nobody thought of trying.
 
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::suite::Step;
+use adsdv_conform::ProgramError;
+use adsdv_conform::suite::Step;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Term};
 

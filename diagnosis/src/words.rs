@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use adsdv_oracle::protocol::{Domain, INPUTS, Protocol};
+use adsdv_conform::protocol::{Domain, INPUTS, Protocol};
 use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Edition, Row, Term};
@@ -191,7 +191,7 @@ const fn remembers_text(what: Remembers) -> &'static str {
 
 /// A number, or the name that stands behind it: a name that no enumeration has is another number in each run of a process.
 fn number_or_name(raw: i32) -> impl fmt::Display {
-    adsdv_oracle::protocol::Value { domain: Domain::Names(&[]), raw: Some(raw) }
+    adsdv_conform::protocol::Value { domain: Domain::Names(&[]), raw: Some(raw) }
 }
 
 /// A value of an output in the words of the edition.
@@ -200,7 +200,7 @@ fn output(edition: &Edition, key: &str, raw: i32) -> String {
     let field = protocol.shown().find(|(field, _)| field.key == key);
     field.map_or_else(
         || raw.to_string(),
-        |(_, domain)| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }.to_string(),
+        |(_, domain)| adsdv_conform::protocol::Value { domain, raw: Some(raw) }.to_string(),
     )
 }
 
@@ -371,6 +371,6 @@ pub(crate) fn input(edition: &Edition, key: &str, raw: i32) -> String {
     let domain = domain.or_else(|| INPUTS.iter().find(|field| field.key == key).map(|field| field.domain));
     domain.map_or_else(
         || raw.to_string(),
-        |domain| adsdv_oracle::protocol::Value { domain, raw: Some(raw) }.to_string(),
+        |domain| adsdv_conform::protocol::Value { domain, raw: Some(raw) }.to_string(),
     )
 }

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::Answer;
 use adsdv_diagnosis::{Deviation, Diagnosis, Interface, Model, Running, Subject, diagnose_within};
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::Answer;
 use adsdv_spec::{Edition, Inputs};
 
 const EDITION: &Edition = &Edition::V3_0;

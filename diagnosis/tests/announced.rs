@@ -1,11 +1,11 @@
 //! A diagnosis of a program that announces what it has: it is asked for nothing else, and nothing is named about the rest.
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{About, Answer, INPUTS, Protocol};
+use adsdv_conform::suite::Step;
 use adsdv_diagnosis::{
     Deviation, Diagnosis, Interface, Model, Running, Subject, diagnose_within, examples, figure,
 };
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{About, Answer, INPUTS, Protocol};
-use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Inputs};
 

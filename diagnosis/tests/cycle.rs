@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 use std::time::Duration;
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::Answer;
 use adsdv_diagnosis::{Deviation, Diagnosis, Interface, Model, Running, Subject, diagnose_within, examples};
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::Answer;
 use adsdv_spec::{Edition, Inputs};
 
 const TIME: Duration = Duration::from_mins(10);

@@ -2,9 +2,9 @@
 
 use std::collections::HashSet;
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{Answer, SHOWN};
 use adsdv_diagnosis::{Deviation, Diagnosis, Model, Remembers, Running, Subject, Wheels, diagnose};
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{Answer, SHOWN};
 use adsdv_spec::messages::AsState::{self, Driving, EmergencyBrake, Finished, Off, Ready};
 use adsdv_spec::mutation::{Change, TermChange, Threshold, Time};
 use adsdv_spec::{Atom, Choice, Edition, Inputs};

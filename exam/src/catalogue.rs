@@ -1,7 +1,7 @@
 //! The requirements that an AI Computer is examined on, and what exercises each: what it may send, by the edition's tables, and
 //! how it behaves, as is written here.
 
-use adsdv_oracle::suite::order;
+use adsdv_oracle::requirements::order;
 use adsdv_spec::messages::{MessageDef, Node, SignalDef};
 use adsdv_spec::{AiMessages, Atom, Atoms, Edition};
 
@@ -198,7 +198,7 @@ pub(crate) fn of_requests(requests: Atoms) -> Vec<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use adsdv_oracle::suite::{Reason, untested};
+    use adsdv_conform::suite::{Reason, untested};
 
     use super::*;
 

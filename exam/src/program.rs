@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{LineProgram, excerpt};
+use adsdv_conform::{LineProgram, excerpt};
 use adsdv_spec::Edition;
 use adsdv_spec::messages::Frame;
 use serde::Deserialize;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use adsdv_oracle::conform::ProgramErrorKind;
+use adsdv_conform::ProgramErrorKind;
 
 /// A stack that does not keep to the protocol, so that there is no verdict. It displays as what is wrong, in one line, and below
 /// that where, what was sent, what came, and what the program said on its standard error.

@@ -1,6 +1,6 @@
 //! The shortest scenario that still shows a finding: what can be left out is left out, and it is held again.
 //!
-//! As the shrinker of `adsdv_oracle::conform` does with the steps of a VCU; here it is lines of an operator and disturbances, of
+//! As the shrinker of `adsdv_conform` does with the steps of a VCU; here it is lines of an operator and disturbances, of
 //! which most wait for a state, so that nothing can be said of one without running it.
 
 use adsdv_can::car::Physics;

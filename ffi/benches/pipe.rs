@@ -15,9 +15,9 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{ConformOptions, Program, Vcu, conform};
-use adsdv_oracle::protocol::UNSAID;
-use adsdv_oracle::suite::{self, Scenario, Test};
+use adsdv_conform::protocol::UNSAID;
+use adsdv_conform::suite::{self, Scenario, Test};
+use adsdv_conform::{ConformOptions, Program, Vcu, conform};
 use adsdv_spec::Edition;
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -69,7 +69,7 @@ fn adapter() -> Program {
     static ADAPTER: OnceLock<PathBuf> = OnceLock::new();
     let path = ADAPTER.get_or_init(|| {
         let cc = compiler(C).expect("a C compiler");
-        built(&cc, C, &folder().join("../oracle/examples/adapter.c"), Linked::Statically)
+        built(&cc, C, &folder().join("../conform/examples/adapter.c"), Linked::Statically)
     });
     let program = Program::start(&path.clone().into_os_string(), &[], Duration::from_secs(5), false);
     let mut program = program.expect("it starts");

@@ -11,7 +11,7 @@ use adsdv::{
     adsdv_frame, adsdv_inputs, adsdv_machine, adsdv_machine_init_in, adsdv_outputs, adsdv_step,
     adsdv_step_frames,
 };
-use adsdv_oracle::protocol::{Domain, InputField, Protocol, Shown};
+use adsdv_conform::protocol::{Domain, InputField, Protocol, Shown};
 use adsdv_spec::{Choice, Control, Edition, Inputs, Machine, Readings};
 use common::{Run, fields, number, outcome, text};
 

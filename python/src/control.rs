@@ -1,6 +1,6 @@
 //! `Control`: what a VCU remembers between two steps.
 
-use adsdv_oracle::protocol::Domain;
+use adsdv_conform::protocol::Domain;
 use adsdv_spec::Edition;
 use adsdv_spec::messages::SignalValue;
 use pyo3::exceptions::PyAttributeError;

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Protocol};
+use adsdv_conform::protocol::{Domain, INPUTS, InputField, Protocol};
 use adsdv_spec::{Choice, Choices, Control, Edition, Inputs};
 use pyo3::prelude::*;
 

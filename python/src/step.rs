@@ -1,6 +1,6 @@
 //! `Step`: what one step did.
 
-use adsdv_oracle::protocol::Shown;
+use adsdv_conform::protocol::Shown;
 use adsdv_spec::messages::Frame;
 use adsdv_spec::{Edition, Inputs, Outputs, Row, Term};
 use pyo3::prelude::*;

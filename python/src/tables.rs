@@ -1,6 +1,6 @@
 //! The tables of an edition as lists of flat dicts: inputs, outputs, messages and readings.
 
-use adsdv_oracle::protocol::Domain;
+use adsdv_conform::protocol::Domain;
 use adsdv_spec::Inputs;
 use adsdv_spec::messages::SignalDef;
 use pyo3::prelude::*;

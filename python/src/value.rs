@@ -1,6 +1,6 @@
 //! Python's values from and to the specification's.
 
-use adsdv_oracle::protocol::Domain;
+use adsdv_conform::protocol::Domain;
 use adsdv_spec::messages::SignalValue;
 use adsdv_spec::{Choice, Reading};
 use pyo3::exceptions::PyTypeError;

@@ -1,4 +1,4 @@
-"""oracle/examples/adapter.py, which speaks the protocol of PROTOCOL.md."""
+"""conform/examples/adapter.py, which speaks the protocol of PROTOCOL.md."""
 
 import json
 import random
@@ -12,7 +12,7 @@ import pytest
 
 @pytest.fixture
 def adapter(root):
-    return root / "oracle/examples/adapter.py"
+    return root / "conform/examples/adapter.py"
 
 
 def about(edition=None):
@@ -67,7 +67,7 @@ def test_many_lines_may_be_waiting(adapter):
 
 def test_the_conversation_of_the_protocol_is_its_own(adapter, root):
     """The example in PROTOCOL.md, whose answers may leave outputs out."""
-    text = (root / "oracle/PROTOCOL.md").read_text(encoding="utf-8")
+    text = (root / "conform/PROTOCOL.md").read_text(encoding="utf-8")
     example = re.search(r"```console\n(.*?)```", text, re.DOTALL).group(1).splitlines()
     requests = [line[2:] for line in example if line.startswith("> ")]
     answers = [json.loads(line[2:]) for line in example if line.startswith("< ")]

@@ -93,7 +93,7 @@ def test_names_may_be_numbers():
 
 
 def test_keys_are_those_of_the_protocol(root):
-    text = (root / "oracle/PROTOCOL.md").read_text(encoding="utf-8")
+    text = (root / "conform/PROTOCOL.md").read_text(encoding="utf-8")
     _, inputs, outputs = re.split(r"^## (?:Inputs|Outputs)$", text, flags=re.MULTILINE)
     for table, of_edition in [(inputs, adsdv.inputs), (outputs, adsdv.outputs)]:
         rows = re.findall(r"^\| (`.*?) \|", table, flags=re.MULTILINE)

@@ -3,13 +3,13 @@
 use std::fmt::{self, Write as _};
 use std::str::FromStr;
 
-use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Value};
+use adsdv_conform::protocol::{Domain, INPUTS, InputField, Value};
 use adsdv_spec::Inputs;
 
 /// Something that the operator, or the world around the car, does to it.
 ///
 /// It is written as `asms on`, `ami TRACK_DRIVE`, `ebs ARMED` or `power cycle`. The names and the values are those of the
-/// protocol of programs under test (`oracle/PROTOCOL.md`); a switch is `on` or `off`.
+/// protocol of programs under test (`conform/PROTOCOL.md`); a switch is `on` or `off`.
 ///
 /// ```
 /// use adsdv_can::car::Action;

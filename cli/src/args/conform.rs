@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use adsdv_oracle::conform::ConformOptions as Conform;
+use adsdv_conform::ConformOptions as Conform;
 use adsdv_spec::Choice;
 use clap::{Args, ColorChoice};
 
@@ -22,7 +22,7 @@ const LONGEST_RUN: f64 = 604_800.0;
 /// Print the conformance test suite, or prove that it is complete.
 ///
 /// One test a line, as JSON, for any language: a named scenario with the requirements that it checks, the inputs step by
-/// step, and the outputs that are expected. The keys are those of oracle/PROTOCOL.md; inputs that a step does not have are
+/// step, and the outputs that are expected. The keys are those of conform/PROTOCOL.md; inputs that a step does not have are
 /// at their defaults. `adsdv conform` runs the suite against a program.
 ///
 /// The suite is generated from the table of Figure 2: every row and every alternative of one; every condition shown to
@@ -72,7 +72,7 @@ pub(crate) struct SuiteArgs {
 /// Judge a program: a VCU, a simulator or a model.
 ///
 /// Starts the program once and asks it for one step of a VCU after the other: one JSON object a line on its standard input,
-/// one on its standard output. oracle/PROTOCOL.md says all about these lines, and oracle/examples has complete adapters in
+/// one on its standard output. conform/PROTOCOL.md says all about these lines, and conform/examples has complete adapters in
 /// C, in C++, in Python and in Rust.
 ///
 /// It is asked for the test suite (`adsdv suite`), and then for random scenarios that lead to every state. Its answers are
@@ -84,7 +84,7 @@ pub(crate) struct SuiteArgs {
 #[command(after_long_help = "\
 EXAMPLES
   adsdv conform -- ./vcu
-  adsdv conform -- python3 oracle/examples/adapter.py   # after: pip install ./python
+  adsdv conform -- python3 conform/examples/adapter.py   # after: pip install ./python
 
   A simulator that steps every 10 ms and shows its outputs up to 2 steps late:
       adsdv conform --cycle-ms 10 --latency 2 -- ./simulator --headless

@@ -5,13 +5,13 @@ pub(super) mod json;
 use std::fmt::{self, Write as _};
 use std::time::Duration;
 
+use adsdv_conform::protocol::{Answer, Difference};
+use adsdv_conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_diagnosis::{
     Arrow, Deviation, Diagnosis, Example, Interface, Model, Record, Subject, diagnose_within, examples,
     figure,
 };
-use adsdv_oracle::conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
-use adsdv_oracle::protocol::{Answer, Difference};
-use adsdv_oracle::suite::are_decisions;
+use adsdv_oracle::requirements::are_decisions;
 use adsdv_spec::{AsState, Choices, Edition, Inputs, Machine, Reading, Readings};
 
 use super::figure as drawn;

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use adsdv_oracle::conform::{Break, ConformReport, Failure, Follows, Reply};
-use adsdv_oracle::protocol::{Domain, INPUTS, Protocol, SHOWN, Shown, Value};
-use adsdv_oracle::suite::Step;
+use adsdv_conform::protocol::{Domain, INPUTS, Protocol, SHOWN, Shown, Value};
+use adsdv_conform::suite::Step;
+use adsdv_conform::{Break, ConformReport, Failure, Follows, Reply};
 use adsdv_spec::{Choice, Inputs, Readings};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
@@ -182,7 +182,7 @@ impl<'a> FailureJson<'a> {
 }
 
 fn differences(found: &Break) -> Vec<DifferenceJson> {
-    let one = |difference: &adsdv_oracle::protocol::Difference| DifferenceJson {
+    let one = |difference: &adsdv_conform::protocol::Difference| DifferenceJson {
         key: difference.key,
         found: json(difference.found),
         expected: json(difference.expected),

@@ -22,11 +22,11 @@ use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
 
-use adsdv_oracle::conform::{
+use adsdv_conform::suite::{self, Test};
+use adsdv_conform::{
     ConformOptions, ConformProgress, ConformReport, NOT_ALIKE, Phase, Program, ProgramError,
     ProgramErrorKind, conform,
 };
-use adsdv_oracle::suite::{self, Test};
 use adsdv_spec::{Choices, Edition, Machine, Reading};
 
 use diagnosis::DiagnosedProgram;
@@ -121,7 +121,7 @@ fn nothing_run(name: &str, report: &ConformReport) -> Error {
     let hint = if report.about.wall_clock {
         "raise --time-limit, or give tests that take less time with --suite"
     } else {
-        "give it the inputs of these tests, and announce them (\"inputs\", see oracle/PROTOCOL.md), or give others with --suite"
+        "give it the inputs of these tests, and announce them (\"inputs\", see conform/PROTOCOL.md), or give others with --suite"
     };
     Error {
         what: name.to_owned(),

@@ -1,6 +1,6 @@
 //! What came of it as a page to look at.
 
-use adsdv_oracle::conform::{ConformReport, Outcome as Came};
+use adsdv_conform::{ConformReport, Outcome as Came};
 use adsdv_report::{Mood, Outcome, PageError, Shown};
 use adsdv_spec::AsState;
 

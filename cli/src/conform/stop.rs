@@ -20,7 +20,7 @@ pub(crate) fn stops_the_program() -> io::Result<()> {
 /// Ends the programs under test, and then the command, as if nobody had listened: the shell learns what ended it.
 #[cfg(unix)]
 pub(crate) fn end_by(signal: i32) {
-    let _stopped = adsdv_oracle::conform::stop_programs();
+    let _stopped = adsdv_conform::stop_programs();
     let _ = signal_hook::low_level::emulate_default_handler(signal);
 }
 

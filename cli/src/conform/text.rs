@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write as _};
 
-use adsdv_oracle::conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
-use adsdv_oracle::protocol::About;
+use adsdv_conform::protocol::About;
+use adsdv_conform::{ConformReport, Failure, Follows, Outcome, Requirement, Stretch};
 use adsdv_spec::{Edition, Machine};
 
 use super::JudgedProgram;

@@ -21,11 +21,11 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter};
 use std::path::Path;
 
+use adsdv_conform::ProgramErrorKind;
 use adsdv_exam::{
     ExamForm, ExamOptions, ExamReport, ExamScenario, Sent, Shorter, StackError, StackErrorKind, StdioStack,
     exam, shorter, write_log,
 };
-use adsdv_oracle::conform::ProgramErrorKind;
 
 use crate::accept::Accepted;
 use crate::args::{ChosenEdition, ExamArgs};

@@ -321,7 +321,7 @@ fn a_program_that_misbehaves_is_no_verdict() {
         (&["--exit-at", "2"][..], "the program ended early (exit status 3)", "until the end of its input"),
         (&["--hang-at", "2"], "no answer within 0.5 s", "--timeout"),
         (&["--no-read"], "no answer within 0.5 s", "--timeout"),
-        (&["--garbage-at", "2"], "not the answer to a step: \"engine started\"", "oracle/PROTOCOL.md"),
+        (&["--garbage-at", "2"], "not the answer to a step: \"engine started\"", "conform/PROTOCOL.md"),
         (&["--chatty-at", "2"], "not the answer to a reset: outputs", "answered twice"),
         (&["--long-at", "2"], "a line of more than 65536 bytes", "line break"),
     ] {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use adsdv_oracle::protocol::{Domain, INPUTS, Protocol, SHOWN};
+use adsdv_conform::protocol::{Domain, INPUTS, Protocol, SHOWN};
 use adsdv_spec::{Edition, Machine};
 use serde_json::{Value, json};
 
@@ -19,9 +19,9 @@ fn every_line_is_a_test_and_keeps_to_the_schema() {
         let errors: Vec<_> = validator.iter_errors(&test).map(|error| error.to_string()).collect();
         assert!(errors.is_empty(), "{}: {errors:#?}", test["name"]);
     }
-    let read = adsdv_oracle::suite::read(printed.stdout.as_bytes(), &Machine::REFERENCE).expect("bytes");
+    let read = adsdv_conform::suite::read(printed.stdout.as_bytes(), &Machine::REFERENCE).expect("bytes");
     assert_eq!(read.bad, []);
-    assert_eq!(read.tests, adsdv_oracle::suite::generate(Edition::DEFAULT));
+    assert_eq!(read.tests, adsdv_conform::suite::generate(Edition::DEFAULT));
 }
 
 /// The schema says of each key what the protocol does in one edition or another.

@@ -2,7 +2,7 @@
 
 mod search;
 
-use adsdv_oracle::protocol::InputField;
+use adsdv_conform::protocol::InputField;
 use adsdv_spec::messages::AsState;
 
 use crate::dials::Dial;

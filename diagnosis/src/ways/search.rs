@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use adsdv_oracle::conform::ProgramError;
+use adsdv_conform::ProgramError;
 use adsdv_spec::messages::AsState;
 
 use super::Ways;

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use adsdv_conform::ProgramError;
+use adsdv_conform::protocol::{About, Answer, INPUTS, Protocol, SHOWN};
 use adsdv_diagnosis::{Diagnosis, Interface, Model, Subject, diagnose_within};
-use adsdv_oracle::conform::ProgramError;
-use adsdv_oracle::protocol::{About, Answer, INPUTS, Protocol, SHOWN};
 use adsdv_spec::{Choice, Edition, Inputs};
 
 pub(crate) const EDITION: &Edition = &Edition::V3_0;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use adsdv_oracle::conform::{ProgramErrorKind, RunningProgram};
+use adsdv_conform::{ProgramErrorKind, RunningProgram};
 
 use super::error::LiveError;
 use super::options::LiveProgram;

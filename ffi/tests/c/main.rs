@@ -13,13 +13,13 @@ use std::process::{Child, ChildStdin, Command, Output, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
+use adsdv_conform::protocol::{Protocol, Request, Shown, UNSAID};
+use adsdv_conform::suite::Step;
+use adsdv_conform::{ConformOptions, Program, conform};
 use adsdv_oracle::candump::{Entry, Reader};
-use adsdv_oracle::conform::{ConformOptions, Program, conform};
 use adsdv_oracle::judge::JudgeOptions;
 use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_oracle::protocol::{Protocol, Request, Shown, UNSAID};
 use adsdv_oracle::recognise::Recogniser;
-use adsdv_oracle::suite::Step;
 use adsdv_spec::messages::Node;
 use adsdv_spec::{Control, Edition, Machine};
 use common::Run;
@@ -199,7 +199,7 @@ fn the_adapters_conform_to_every_edition() {
             let options = ConformOptions { runs: 20, ..ConformOptions::of(edition) };
             let mut program = Program::start(&program, &[], LIMIT, false).unwrap();
             let report =
-                conform(&mut program, &adsdv_oracle::suite::generate(edition), &options, &mut |_| {});
+                conform(&mut program, &adsdv_conform::suite::generate(edition), &options, &mut |_| {});
             assert!(report.unwrap().conforms(), "{} in edition {}", source.display(), edition.version);
         }
     }
@@ -321,11 +321,11 @@ fn the_edition_of_a_log_is_recognised_in_c() {
 }
 
 fn adapter() -> std::path::PathBuf {
-    folder().join("../oracle/examples/adapter.c")
+    folder().join("../conform/examples/adapter.c")
 }
 
 fn adapter_in_cpp() -> std::path::PathBuf {
-    folder().join("../oracle/examples/adapter.cpp")
+    folder().join("../conform/examples/adapter.cpp")
 }
 
 /// How often each line comes; the order is not compared, for a live judge says a thing once it knows it.
@@ -372,7 +372,7 @@ fn script(edition: &'static Edition, seed: u64, steps: u32) -> Vec<(String, Expe
 /// The whole test suite of an edition.
 fn suite(edition: &'static Edition) -> impl Iterator<Item = (String, Expected)> {
     let (vcu, protocol) = (Machine::new(*edition, edition.readings), Protocol::of(edition));
-    adsdv_oracle::suite::generate(edition).into_iter().flat_map(move |test| {
+    adsdv_conform::suite::generate(edition).into_iter().flat_map(move |test| {
         let steps = test.scenario.steps.iter().zip(test.scenario.shown(&vcu));
         let steps = steps.map(|(&Step { dt_ms, inputs }, shown)| {
             (protocol.line(&Request::Step { dt_ms, inputs }).to_string(), Expected::Shown(Box::new(shown)))

@@ -6,7 +6,7 @@ use std::ffi::{CStr, c_char};
 use std::fmt::Debug;
 
 use adsdv::{adsdv_edition, adsdv_edition_find, adsdv_error, adsdv_status};
-use adsdv_oracle::protocol::{Domain, InputField, Protocol};
+use adsdv_conform::protocol::{Domain, InputField, Protocol};
 use adsdv_spec::messages::{AmiState, DirectionRequest, EbsState, MissionStatus, ShutdownCause, SignalValue};
 use adsdv_spec::{AsState, Control, Edition, Inputs};
 use adsdv_tests::world::{Chance, Random};

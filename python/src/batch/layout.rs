@@ -1,6 +1,6 @@
 //! The fields of a row: their types and places, made of the lists that single steps have.
 
-use adsdv_oracle::protocol::{Domain, SHOWN, Showing};
+use adsdv_conform::protocol::{Domain, SHOWN, Showing};
 use adsdv_spec::{Control, Edition, Inputs, Outputs};
 use pyo3::prelude::*;
 

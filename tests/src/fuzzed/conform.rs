@@ -3,11 +3,11 @@
 use std::sync::LazyLock;
 use std::time::Duration;
 
-use adsdv_oracle::conform::{
+use adsdv_conform::protocol::{About, Answer, Protocol, SHOWN, Shown};
+use adsdv_conform::suite::{self, Scenario, Test};
+use adsdv_conform::{
     ConformOptions, ConformReport, InProcess, Outcome, ProgramError, ProgramErrorKind, Reply, Vcu, conform,
 };
-use adsdv_oracle::protocol::{About, Answer, Protocol, SHOWN, Shown};
-use adsdv_oracle::suite::{self, Scenario, Test};
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{Control, Edition, Fault, Machine, Mutation};
 

@@ -2,10 +2,10 @@
 
 use std::fmt::Debug;
 
-use adsdv_oracle::conform::{LineBuffer, ProgramError, ProgramErrorKind, Reply, SentLine, TooLong};
-use adsdv_oracle::protocol::{
+use adsdv_conform::protocol::{
     Answer, BadLine, INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown, UNSAID,
 };
+use adsdv_conform::{LineBuffer, ProgramError, ProgramErrorKind, Reply, SentLine, TooLong};
 use adsdv_spec::{AiSilence, Control, Edition, Inputs, Machine};
 
 use super::Bytes;

@@ -7,9 +7,9 @@ use std::fmt::Write as _;
 
 use adsdv_can::car::{Action, Switch};
 use adsdv_can::scenario::{self, Scenario};
+use adsdv_conform::protocol::{INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
+use adsdv_conform::suite::{self, Kind, Test};
 use adsdv_oracle::candump::{Dropped, MAX_LINE, write_dropped};
-use adsdv_oracle::protocol::{INPUTS, InputsAsJson, Protocol, Request, SHOWN, Shown};
-use adsdv_oracle::suite::{self, Kind, Test};
 use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame};
 use adsdv_spec::{

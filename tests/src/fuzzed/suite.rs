@@ -1,6 +1,6 @@
 //! The reader of the test suite, by every edition.
 
-use adsdv_oracle::suite;
+use adsdv_conform::suite;
 use adsdv_spec::{Edition, Machine};
 
 /// The body.

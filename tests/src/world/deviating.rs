@@ -1,7 +1,7 @@
 //! A VCU that remembers or shows something else than the specification.
 
+use adsdv_conform::protocol::{SHOWN, Showing};
 use adsdv_diagnosis::{Deviation, Memory, Model};
-use adsdv_oracle::protocol::{SHOWN, Showing};
 use adsdv_spec::messages::{Frame, MessageDef, Vcu2AiStatus};
 use adsdv_spec::{Control, Edition, Inputs, Machine, Outputs};
 

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
+use adsdv_conform::suite;
 use adsdv_oracle::judge::{Exercised, Judge, JudgeOptions, Lack, Required, Standing};
-use adsdv_oracle::suite;
 use adsdv_spec::messages::{AsState, AxleTorqueRequest, MissionStatus, Node, Vcu2AiStatus};
 use adsdv_spec::{Atom, Choice, Edition};
 use adsdv_tests::world::{World, judge};

@@ -1,6 +1,6 @@
 //! The handshake, by a clock on the wall, and the messages that are missed.
 
-use adsdv_oracle::protocol::INPUTS;
+use adsdv_conform::protocol::INPUTS;
 use adsdv_spec::messages::ShutdownCause;
 use adsdv_spec::{Choice, Edition, Fault, Inputs};
 

@@ -1,10 +1,10 @@
 //! A run that was recorded: the judge finds nothing against the VCU, and its timeline is that of the run; and it says the same
 //! of the frames, of the log that is written of them, and piece by piece while they come.
 
+use adsdv_conform::protocol::InputField;
 use adsdv_oracle::candump::write_frame;
 use adsdv_oracle::judge::{Judge, JudgeOptions, Party, Report, Severity};
 use adsdv_oracle::log::{LogOptions, judge_log};
-use adsdv_oracle::protocol::InputField;
 use adsdv_spec::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, EbsState, MissionStatus,
 };

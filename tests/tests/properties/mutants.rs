@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use adsdv_oracle::suite;
+use adsdv_conform::suite;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Edition, Machine, Mutation, Readings};
 use adsdv_tests::property::SHRINKING;

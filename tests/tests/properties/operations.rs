@@ -2,7 +2,7 @@
 
 use std::{fmt, iter};
 
-use adsdv_oracle::protocol::{Domain, INPUTS, InputField, Protocol, Value};
+use adsdv_conform::protocol::{Domain, INPUTS, InputField, Protocol, Value};
 use adsdv_spec::messages::{AmiState, AsState, DirectionRequest, EbsState, MissionStatus, SignalValue as _};
 use adsdv_spec::{Edition, Inputs, Readings};
 use proptest::prelude::{Just, Strategy, any, prop_oneof};

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use adsdv_oracle::protocol::INPUTS;
+use adsdv_conform::protocol::INPUTS;
 use adsdv_spec::messages::{AmiState, EbsState, MissionStatus, ShutdownCause, SignalValue as _};
 use adsdv_spec::{AsState, Choice, Edition, Inputs};
 

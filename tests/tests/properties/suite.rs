@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use adsdv_oracle::suite::{Kind, Scenario, Step, Test, read};
+use adsdv_conform::suite::{Kind, Scenario, Step, Test, read};
 use adsdv_spec::Edition;
 use proptest::prelude::any;
 

@@ -2,9 +2,9 @@
 
 use std::collections::HashSet;
 
-use adsdv_spec::{Actuation, AsState, Edition, Row, Term};
+use adsdv_spec::{Actuation, AsState, Edition};
 
-use crate::suite;
+use crate::requirements;
 
 /// That only the arrows of Figure 2 are taken.
 pub(in crate::judge) const ONLY_ARROWS: &str = "SM-18"; //= SM-18
@@ -23,16 +23,13 @@ pub(in crate::judge) const MISSED: &str = "HS-18"; //= HS-18
 /// That FINISHED is declared at rest.
 pub(in crate::judge) const FINISHES_AT_REST: &str = "FIN-3"; //= FIN-3
 
-/// The requirements behind an alternative of a row: what stands beside the figure is not the figure's.
-pub(in crate::judge) fn of_term(row: &Row, term: &Term) -> Vec<&'static str> {
-    suite::of_term(row, term)
-}
-
 /// What an edition asks for where these are asked for, each once, but for the default answers to open questions.
 pub(in crate::judge) fn of_edition(edition: &Edition, ids: &[&'static str]) -> Vec<&'static str> {
     let mut seen = HashSet::new();
-    let mut all: Vec<_> = ids.iter().flat_map(|id| suite::of_edition(edition, id)).collect();
-    all.retain(|id| edition.requirements.has(id) && !suite::is_of_a_reading(edition, id) && seen.insert(*id));
+    let mut all: Vec<_> = ids.iter().flat_map(|id| requirements::of_edition(edition, id)).collect();
+    all.retain(|id| {
+        edition.requirements.has(id) && !requirements::is_of_a_reading(edition, id) && seen.insert(*id)
+    });
     all
 }
 
@@ -53,6 +50,6 @@ pub(super) fn all(edition: &Edition) -> Vec<&'static str> {
     cited.extend(edition.faults.iter().map(adsdv_spec::Fault::requirement));
     cited.extend(AsState::ALL.iter().flat_map(|&state| Actuation::requirements(state)));
     let mut all = of_edition(edition, &cited);
-    all.sort_by_key(|id| suite::order(id));
+    all.sort_by_key(|id| requirements::order(id));
     all
 }

@@ -15,7 +15,7 @@ mod standing;
 mod tally;
 
 pub(super) use cited::{
-    ANSWERS, BEGINS, FINISHES_AT_REST, HOLDS, MISSED, ONLY_ARROWS, UNANSWERED, of_edition, of_term,
+    ANSWERS, BEGINS, FINISHES_AT_REST, HOLDS, MISSED, ONLY_ARROWS, UNANSWERED, of_edition,
 };
 pub(super) use notice::broken_by;
 pub use required::{Required, RequiredError};

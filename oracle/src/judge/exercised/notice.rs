@@ -3,11 +3,12 @@
 use adsdv_spec::messages::Node;
 use adsdv_spec::{AsState, Fault, Faults, Knowledge, Term, Truth};
 
-use super::cited::{self, FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
+use super::cited::{FINISHES_AT_REST, MISSED, ONLY_ARROWS, UNANSWERED};
 use super::standing::{Exercised, Standing};
 use crate::judge::book::Book;
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::row_of;
+use crate::requirements::of_term;
 
 impl Book {
     /// A change of state was judged. `decided` are the alternatives that decided, or may have; `window` is what is known of the
@@ -31,7 +32,7 @@ impl Book {
             Truth::False => return,
         };
         for (term, known) in decided {
-            self.tally.mark(&cited::of_term(&row, term), standing);
+            self.tally.mark(&of_term(&row, term), standing);
             for (atom, needed) in term.literals() {
                 // What was known of a single condition does not depend on the others.
                 let holds = known.of(atom) == Truth::from(needed) || window.of(atom) == Truth::from(needed);
@@ -116,7 +117,7 @@ pub(in crate::judge) fn broken_by(
     let rows = est.edition.rules.table.rows();
     let overtaking = rows.iter().filter(|other| other.from == from && other.to != to).find_map(|other| {
         let (term, _) = decided.iter().find(|(term, _)| other.terms().contains(term))?;
-        Some(cited::of_term(other, term))
+        Some(of_term(other, term))
     });
     if let Some(broken) = overtaking {
         return broken;

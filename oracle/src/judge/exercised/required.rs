@@ -7,7 +7,6 @@ use std::str::FromStr;
 use adsdv_spec::{AsState, Edition};
 
 use super::cited;
-use crate::suite;
 
 /// So many requirements are named where one is not known.
 const NEAR: usize = 4;
@@ -105,10 +104,7 @@ pub struct RequiredError {
 
 impl RequiredError {
     fn new(given: &str, editions: &[&Edition]) -> Self {
-        let known = editions.iter().any(|edition| {
-            let named = suite::generate(edition).into_iter().flat_map(|test| test.requirements);
-            named.chain(suite::untested(edition).map(|one| one.id)).any(|id| id == given)
-        });
+        let known = editions.iter().any(|edition| edition.requirements.has(given));
         let edition = match editions {
             [edition] => Some(edition.version),
             _ => None,

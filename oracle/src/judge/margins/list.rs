@@ -12,6 +12,7 @@ use crate::judge::estimator::readings::{row_of, section_of};
 use crate::judge::exercised::cited;
 use crate::judge::finding::Party;
 use crate::judge::sampler::places::{STEER, WHEEL_SPEEDS};
+use crate::requirements::of_term;
 
 /// The requirement behind the time for an answer, as version 3.0 has it.
 const ANSWER: &str = "HS-9"; //= HS-9, HS-17
@@ -55,7 +56,7 @@ impl Book {
         let of = |(what, reaction): (Measure, Option<Reaction>)| {
             let Reaction { took, way, from } = reaction?;
             let row = row_of(&est.edition, from, AsState::EmergencyBrake)?;
-            let requirements = cited::of_edition(&est.edition, &cited::of_term(row, &way.term));
+            let requirements = cited::of_edition(&est.edition, &of_term(row, &way.term));
             let margin = margin(what, Party::Vcu, way.section, ms(took.value), limit, "ms", took.t);
             Some(Margin { requirements, basis: Basis::Deadline, ..margin })
         };

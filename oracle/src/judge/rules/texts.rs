@@ -4,8 +4,8 @@ use adsdv_spec::{AsState, Atoms, Knowledge, Rules, Term, Truth};
 
 use crate::judge::estimator::base::Estimator;
 use crate::judge::estimator::readings::{WayOut, row_of};
-use crate::judge::exercised::of_term;
 use crate::judge::finding::{Finding, Party, Rule, Severity};
+use crate::requirements::of_term;
 
 /// What was seen of a transition that is wrong, and what was expected.
 pub(super) struct Mismatch {

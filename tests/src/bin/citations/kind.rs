@@ -54,13 +54,17 @@ pub(crate) fn of(path: &str, form: Form, in_tests: bool) -> Result<Kind, Mistake
         // The tables of the editions cite what stands behind their rows.
         (Some("spec"), Some("src"), Form::Data) => Ok(Kind::Implementation),
         // The AI Computers of the closed model and of the virtual bus, and the operator, do what binds these.
-        (Some("spec" | "ai" | "oracle" | "can" | "cli" | "model"), Some("src"), Form::Comment) => {
+        (
+            Some("spec" | "ai" | "oracle" | "conform" | "can" | "cli" | "model"),
+            Some("src"),
+            Form::Comment,
+        ) => {
             let only_tests = path.ends_with("/tests.rs");
             Ok(if in_tests || only_tests { Kind::Test } else { Kind::Implementation })
         }
         _ => Err(Mistake::new(
             format!("{} does not count here", form.name()),
-            "//= in src of spec, ai, oracle, can, cli or model, or in tests of any crate; `/// Requirements:` in src \
+            "//= in src of spec, ai, oracle, conform, can, cli or model, or in tests of any crate; `/// Requirements:` in src \
              of proofs; `requirements: &[..]` in src of spec, model or proofs",
         )),
     }

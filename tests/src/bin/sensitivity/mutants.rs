@@ -1,7 +1,7 @@
 //! What is wrong with the VCUs that drive, one thing with each.
 
+use adsdv_conform::protocol::{Domain, Protocol};
 use adsdv_diagnosis::{Deviation, Remembers};
-use adsdv_oracle::protocol::{Domain, Protocol};
 use adsdv_spec::messages::Vcu2AiStatus;
 use adsdv_spec::mutation::Change;
 use adsdv_spec::{Edition, Machine, Mutation};
