@@ -1,6 +1,7 @@
 //! Tests across the crates of adsdv: the tests are in `tests/`, recorded logs in `logs/`.
 
 pub mod bus;
+pub mod examples;
 pub mod fuzzed;
 pub mod property;
 pub mod world;

@@ -6,6 +6,8 @@ use std::process::{ChildStdin, Command, Output, Stdio};
 use std::sync::OnceLock;
 use std::{fs, thread};
 
+use adsdv_tests::examples;
+
 pub(crate) const MISSION: &str = "tests/logs/mission.log";
 pub(crate) const FINISHED_WHILE_MOVING: &str = "tests/logs/finished-while-moving.log";
 
@@ -28,23 +30,16 @@ pub(crate) fn adsdv(args: &[&str]) -> Command {
     command
 }
 
-/// The file of an example of any crate, which is built if it is not.
+/// The examples that are programs under test.
+const EXAMPLES: [&str; 4] = ["adapter", "mutant", "deviating", "ai_mutant"];
+
+/// The file of an example of any crate, which is built if it is not, or has changed since.
 pub(crate) fn example(name: &str) -> String {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    let folder = FOLDER.get_or_init(|| {
-        // This test is DIR/debug/deps/command-...
-        let test = std::env::current_exe().expect("a path");
-        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        // With the features that the tests of the workspace have, so that nothing is built a second time.
-        let built = Command::new(cargo)
-            .args(["build", "--quiet", "--workspace", "--examples", "--target-dir"])
-            .arg(profile.parent().expect("a folder of cargo"))
-            .current_dir(workspace())
-            .status();
-        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
-        profile.with_file_name("debug").join("examples")
-    });
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml");
+    let folder =
+        FOLDER.get_or_init(|| examples::built(&EXAMPLES, &["--workspace", "--manifest-path", manifest]));
+    assert!(EXAMPLES.contains(&name), "{name}: not in the list");
     let file = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     file.to_str().expect("a path of text").to_owned()
 }

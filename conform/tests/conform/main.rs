@@ -7,6 +7,9 @@ mod about;
 mod blame;
 mod edition;
 mod erring;
+#[path = "../../../tests/src/examples.rs"]
+#[expect(unreachable_pub)] // It is public where all other tests have it from.
+mod examples;
 mod late;
 mod misconduct;
 mod mutants;

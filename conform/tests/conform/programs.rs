@@ -1,14 +1,15 @@
 //! The programs that the tests judge: machines in this process, and the examples as child processes.
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::time::Duration;
 
 use adsdv_conform::suite::{self, Test};
 use adsdv_conform::{ConformOptions, ConformReport, InProcess, Program, ProgramError, conform};
 use adsdv_spec::{Edition, Machine};
+
+use super::examples;
 
 /// Long enough for any program that answers at all, on a machine that has other things to do.
 pub(crate) const TIMEOUT: Duration = Duration::from_secs(20);
@@ -51,39 +52,11 @@ pub(crate) fn example(
 /// The examples that are programs under test.
 const EXAMPLES: [&str; 2] = ["adapter", "mutant"];
 
-/// The file of an example, which is built if it is not, or has changed since. `cargo test` has built it with the features that its
-/// tests have: for itself it would be built with others, and what it depends on a second time.
+/// The file of an example, which is built if it is not, or has changed since.
 pub(crate) fn path(example: &str) -> PathBuf {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    let folder = FOLDER.get_or_init(|| {
-        // This test is DIR/debug/deps/conform-...
-        let test = std::env::current_exe().expect("a path");
-        let profile = test.parent().and_then(|deps| deps.parent()).expect("a folder of cargo");
-        let folder = profile.with_file_name("debug").join("examples");
-        if EXAMPLES.iter().all(|example| is_up_to_date(&folder.join(example))) {
-            return folder;
-        }
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let built = Command::new(cargo)
-            .args(["build", "--quiet", "--examples", "--target-dir"])
-            .arg(profile.parent().expect("a folder of cargo"))
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .status();
-        assert!(built.is_ok_and(|status| status.success()), "the examples can be built");
-        folder
-    });
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+    let folder = FOLDER.get_or_init(|| examples::built(&EXAMPLES, &["--manifest-path", manifest]));
     assert!(EXAMPLES.contains(&example), "{example}: not in the list");
     folder.join(format!("{example}{}", std::env::consts::EXE_SUFFIX))
-}
-
-/// Whether an example is no older than any of its sources, which cargo lists beside it, nor than the versions of what it depends on.
-fn is_up_to_date(example: &Path) -> bool {
-    let changed = |path: &Path| std::fs::metadata(path).and_then(|file| file.modified()).ok();
-    let built = changed(&example.with_extension(std::env::consts::EXE_EXTENSION));
-    let Ok(listed) = std::fs::read_to_string(example.with_extension("d")) else { return false };
-    let Some((_, sources)) = listed.split_once(": ") else { return false };
-    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
-    let mut sources = sources.split_whitespace().map(PathBuf::from).chain([lock]);
-    // One that cannot be looked at counts as changed.
-    sources.all(|source| changed(&source).is_some_and(|changed| built.is_some_and(|built| changed <= built)))
 }
