@@ -3,8 +3,8 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use adsdv_exam::{Failure, MAX_FRAMES, Stack, StackError, StackErrorKind, StdioStack};
 use adsdv_conform::ProgramErrorKind;
+use adsdv_exam::{Failure, MAX_FRAMES, Stack, StackError, StackErrorKind, StdioStack};
 use adsdv_spec::Edition;
 use adsdv_spec::messages::Frame;
 use pyo3::exceptions::PyException;
