@@ -13,7 +13,7 @@ the crates that use it.
 
 With cargo-nextest the tests of a change end at the first that fails, which takes half the time.
 
-Groups: spec, log (the readers of logs and of the protocol), judge, suite, conform, model; without any, all of them, in
+Groups: spec, log (the readers of logs), judge, suite (with the protocol), conform, model; without any, all of them, in
 that order. Arguments after -- go to cargo mutants, such as -j 2 or --shard 0/8.
 
 --resume goes on where the last run ended: what was caught is not tried again.
