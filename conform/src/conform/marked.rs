@@ -103,10 +103,12 @@ fn was_given_none(number: i32) -> bool {
     let Ok(line) = std::fs::read_to_string(format!("/proc/{number}/stat")) else { return false };
     // The second field is the program's name, in brackets, and may have spaces and brackets of its own.
     let Some((_, fields)) = line.rsplit_once(") ") else { return false };
-    // `env_start` and `env_end`, the fields 50 and 51.
-    let mut place = fields.split_ascii_whitespace().skip(50 - 3);
-    let (start, end) = (place.next(), place.next());
-    start.is_some() && start == end && start != Some("0")
+    let mut fields = fields.split_ascii_whitespace().skip(26 - 3);
+    // The fields 26, 50 and 51. While a program begins its environment has a place, but no length until all of it is there; only then is
+    // it known where its code begins.
+    let (code, start, end) = (fields.next(), fields.nth(50 - 27), fields.next());
+    let has_begun = code.is_some_and(|code| code != "0");
+    has_begun && start.is_some() && start == end && start != Some("0")
 }
 
 #[cfg(not(target_os = "linux"))]
