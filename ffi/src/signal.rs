@@ -26,7 +26,7 @@ const SIGNAL_NAME: usize = {
 pub const ADSDV_CHOICES: usize = 26;
 
 const _: () = assert!(ADSDV_MESSAGES == edition::EDITION.bus.messages.len());
-const _: () = assert!(ADSDV_CHOICES == edition::EDITION.choices.bits().count_ones() as usize);
+const _: () = assert!(ADSDV_CHOICES == edition::EDITION.choices.len());
 const _: () = {
     let mut number = 0;
     while number < edition::COUNT {

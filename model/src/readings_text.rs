@@ -56,7 +56,7 @@ impl Display for Sweep {
             if self.complete { "complete" } else { "INCOMPLETE: nothing below is certain" },
             if self.costs.iter().any(|cost| cost.choices.is_empty()) {
                 " SOME PROPERTIES FAIL UNDER THE DEFAULT ANSWERS."
-            } else if self.costs.iter().all(|cost| cost.choices.iter().count() == 1) {
+            } else if self.costs.iter().all(|cost| cost.choices.len() == 1) {
                 " No two answers together fail what neither fails alone."
             } else {
                 ""

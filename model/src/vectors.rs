@@ -177,7 +177,7 @@ mod tests {
                     for in_state_ms in [0, 15_000] {
                         let control = Control { state, in_state_ms, ..Control::INITIAL };
                         let reads = varied(&machine, &Edition::DEFAULT.rules.timing, &control, vectors);
-                        let (atoms, faults) = (reads.atoms.iter().count(), reads.faults.iter().count());
+                        let (atoms, faults) = (reads.atoms.len(), reads.faults.len());
                         let vectors = Cache::default().get(reads, vectors).len();
                         let _ = write!(text, " {atoms} and {faults} in {vectors},");
                     }

@@ -29,9 +29,14 @@ fn instead<'a>(requirements: &Requirements, id: &'a str) -> Vec<&'a str> {
         .collect()
 }
 
+/// The default answers to the questions that the edition leaves open.
+pub fn of_readings(edition: &Edition) -> Vec<&'static str> {
+    edition.questions().flat_map(|reading| of_edition(edition, reading.decision())).collect()
+}
+
 /// Whether it is only the default answer to a question that the edition leaves open.
 pub fn is_of_a_reading(edition: &Edition, id: &str) -> bool {
-    edition.questions().any(|reading| of_edition(edition, reading.decision()).contains(&id))
+    of_readings(edition).contains(&id)
 }
 
 /// Whether it is a decision of ours, where the document is silent or contradicts itself: what stands under "Decisions" in

@@ -113,7 +113,7 @@ impl fmt::Display for Atom {
 /// use adsdv_spec::{Atom, Atoms};
 /// let seen = Atoms::NONE.with(Atom::Asms).with(Atom::Tsms);
 /// assert!(seen.has(Atom::Asms) && !seen.has(Atom::SdcOpen));
-/// assert_eq!(seen.iter().count(), 2);
+/// assert_eq!(seen.len(), 2);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Atoms(u32);

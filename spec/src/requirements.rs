@@ -48,6 +48,8 @@ impl Numbers {
     fn has(&self, id: &str) -> bool {
         let number = id.strip_prefix(self.prefix).and_then(|rest| rest.strip_prefix('-'));
         number
+            // As it is written: HS-9, and no HS-09 or HS-+9.
+            .filter(|number| number.starts_with(|digit| matches!(digit, '1'..='9')))
             .and_then(|number| number.parse().ok())
             .is_some_and(|number| (self.first..=self.last).contains(&number))
     }
@@ -118,5 +120,15 @@ mod tests {
             replaced: Vec::leak(vec![Replaced::new("HS-1", &["HS-1", "HS-2"]), Replaced::new("HS-2", &[])]),
         };
         assert!(requirements.has("HS-1") && !requirements.has("HS-2") && !requirements.has("HS-3"));
+    }
+
+    #[test]
+    fn a_requirement_has_one_name() {
+        let requirements =
+            Requirements { before: None, added: Vec::leak(vec![Numbers::new("HS", 0, 12)]), replaced: &[] };
+        assert!(requirements.has("HS-1") && requirements.has("HS-12"));
+        for other in ["HS-01", "HS-+1", "HS-0", "HS-", "HS1", "HS--1", " HS-1", "HS-1 "] {
+            assert!(!requirements.has(other), "{other}");
+        }
     }
 }

@@ -91,6 +91,12 @@ macro_rules! impl_set {
                 self.0 == 0
             }
 
+            #[doc = concat!("How many ", $name, "s are in the set.")]
+            #[inline]
+            pub const fn len(self) -> usize {
+                self.0.count_ones() as usize
+            }
+
             #[doc = concat!("Each ", $name, " of the set, in the order of `ALL`.")]
             pub fn iter(self) -> impl Iterator<Item = $element> + Clone {
                 $element::ALL.iter().copied().filter(move |&element| self.has(element))
@@ -110,7 +116,7 @@ macro_rules! impl_set {
             fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 use serde::ser::SerializeSeq;
                 // Not as an iterator's items: a filter does not know how many will come, which some formats must.
-                let mut names = serializer.serialize_seq(Some(self.0.count_ones() as usize))?;
+                let mut names = serializer.serialize_seq(Some(self.len()))?;
                 for element in self.iter() {
                     names.serialize_element(&element)?;
                 }

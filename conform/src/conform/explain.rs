@@ -62,7 +62,7 @@ impl Explain {
 
     /// How many questions these readings answer otherwise than the default ones do.
     pub(super) fn unusual(&self, readings: &Readings) -> usize {
-        readings.choices().difference(self.usual.choices()).iter().count()
+        readings.choices().difference(self.usual.choices()).len()
     }
 
     /// The combinations.

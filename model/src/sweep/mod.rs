@@ -74,7 +74,7 @@ pub fn sweep(
     progress: impl Fn(usize, usize) + Sync,
 ) -> Sweep {
     let mut all = combinations(edition);
-    all.retain(|readings| others(edition, *readings).iter().count() <= together);
+    all.retain(|readings| others(edition, *readings).len() <= together);
     let work = Work { open: all.len(), closed: models.len(), done: AtomicUsize::new(0) };
     let done = |by| {
         let (done, all) = work.add(by);

@@ -70,7 +70,7 @@ fn every_combination_that_can_matter_comes_once() {
     assert!(different.contains(&Choices::NONE));
     for readings in &all {
         let go_signal = !readings.is(Readings::DEFAULT.choice(Reading::GoSignal));
-        assert!(!go_signal || others(EDITION, *readings).iter().count() == 1, "{readings:?}");
+        assert!(!go_signal || others(EDITION, *readings).len() == 1, "{readings:?}");
     }
     let questions = EDITION.questions().filter(|reading| *reading != Reading::GoSignal);
     let together: usize = questions.map(|reading| EDITION.choices.of_reading(reading).count()).product();
@@ -86,10 +86,8 @@ fn what_is_done_adds_up() {
 
 #[test]
 fn what_is_explored_adds_up() {
-    let few: Vec<Readings> = combinations(EDITION)
-        .into_iter()
-        .filter(|readings| others(EDITION, *readings).iter().count() < 2)
-        .collect();
+    let few: Vec<Readings> =
+        combinations(EDITION).into_iter().filter(|readings| others(EDITION, *readings).len() < 2).collect();
     let (times, short) = (AtomicUsize::new(0), EDITION.with_timing(SHORT_TIMERS));
     let found = explored(EDITION, &few, 2, Engine::default(), || {
         times.fetch_add(1, Ordering::Relaxed);

@@ -1,6 +1,6 @@
 //! The arrows of each state, and how far each is from being taken.
 
-use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Reading, Term, Truth};
+use adsdv_spec::{AsState, Atoms, Choices, Edition, Knowledge, Reading, Term};
 
 /// An arrow: its row of the table, and the alternatives that the most likely readings have.
 #[derive(Clone, Debug)]
@@ -61,20 +61,14 @@ impl Arrow {
     /// What is missing; `None` where a guard holds.
     pub(super) fn miss(&self, known: Knowledge) -> Option<Miss> {
         let misses = self.terms.iter().map(|term| miss(term, known));
-        let nearest = misses.min_by_key(|miss| (miss.failed.iter().count(), miss.unknown.iter().count()))?;
+        let nearest = misses.min_by_key(|miss| (miss.failed.len(), miss.unknown.len()))?;
         (!nearest.failed.union(nearest.unknown).is_empty()).then_some(nearest)
     }
 }
 
 fn miss(term: &Term, known: Knowledge) -> Miss {
-    let mut miss =
-        Miss { all: term.on.union(term.off), on: term.on, failed: Atoms::NONE, unknown: Atoms::NONE };
-    for (atom, needed) in term.literals() {
-        match known.of(atom) {
-            Truth::Unknown => miss.unknown = miss.unknown.with(atom),
-            seen if seen == Truth::from(needed) => {}
-            _ => miss.failed = miss.failed.with(atom),
-        }
-    }
-    miss
+    let all = term.on.union(term.off);
+    let failed = term.on.intersection(known.off()).union(term.off.intersection(known.on()));
+    let unknown = all.difference(known.on()).difference(known.off());
+    Miss { all, on: term.on, failed, unknown }
 }

@@ -43,6 +43,6 @@ pub(super) fn pressed(rules: &Rules, t_ns: i64, ready_since: i64, known: Knowled
         off: term.on.without(Atom::GoEdge).without(Atom::GoOn).intersection(known.off()),
         on: term.off.intersection(known.on()),
     });
-    let least = presses.min_by_key(|press| press.off.union(press.on).iter().count());
+    let least = presses.min_by_key(|press| press.off.union(press.on).len());
     least.unwrap_or(GoPress { t_ns, ready_for_ns: t_ns - ready_since, off: Atoms::NONE, on: Atoms::NONE })
 }

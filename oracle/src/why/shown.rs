@@ -21,13 +21,15 @@ pub(crate) const EDGES: Atoms = {
 #[derive(Debug)]
 pub(super) struct LastKnown {
     known: Knowledge,
-    /// Since when each condition is not known any more.
-    unknown_since: [i64; Atom::ALL.len()],
+    /// What is not known any more.
+    unknown: Atoms,
+    /// Since when, of these.
+    since: [i64; Atom::ALL.len()],
 }
 
 impl LastKnown {
     pub(super) const fn new() -> Self {
-        Self { known: Knowledge::NOTHING, unknown_since: [i64::MIN; Atom::ALL.len()] }
+        Self { known: Knowledge::NOTHING, unknown: Atoms::NONE, since: [0; Atom::ALL.len()] }
     }
 
     /// What counts at a time when this is known for certain, and the messages of these conditions are late.
@@ -36,21 +38,18 @@ impl LastKnown {
         let fading = late.difference(certain);
         // One that was there is over.
         let before = self.known.on().difference(EDGES).union(self.known.off()).intersection(fading);
-        let mut kept = Atoms::NONE;
+        self.unknown = self.unknown.difference(certain);
+        let mut kept = before;
         for atom in before.iter() {
-            let Some(since) = self.unknown_since.get_mut(atom as usize) else { continue };
-            if *since == i64::MIN {
+            let Some(since) = self.since.get_mut(atom as usize) else { continue };
+            if !self.unknown.has(atom) {
                 *since = t;
             }
-            if t.saturating_sub(*since) <= FADES_NS {
-                kept = kept.with(atom);
+            if t.saturating_sub(*since) > FADES_NS {
+                kept = kept.without(atom);
             }
         }
-        for atom in certain.iter() {
-            if let Some(since) = self.unknown_since.get_mut(atom as usize) {
-                *since = i64::MIN;
-            }
-        }
+        self.unknown = self.unknown.union(before);
         self.known = known.learn(kept, self.known.on());
         self.known
     }

@@ -61,10 +61,13 @@ impl StayRecorder {
         (known, late): (Knowledge, Atoms),
         last: Last<'_>,
     ) {
+        let before = self.shown.all();
         let known = self.shown.at(t, known, late);
         if self.running.as_ref().map(|running| running.stay.state) != state {
             self.ends(t, state);
             self.running = state.map(|state| OngoingStay::new(t, state, self.arrows.of(state)));
+        } else if known == before {
+            return;
         }
         let Some(running) = &mut self.running else { return };
         let arrows = self.arrows.of(running.stay.state);

@@ -25,11 +25,10 @@ pub(in crate::judge) const FINISHES_AT_REST: &str = "FIN-3"; //= FIN-3
 
 /// What an edition asks for where these are asked for, each once, but for the default answers to open questions.
 pub(in crate::judge) fn of_edition(edition: &Edition, ids: &[&'static str]) -> Vec<&'static str> {
+    let of_readings = requirements::of_readings(edition);
     let mut seen = HashSet::new();
     let mut all: Vec<_> = ids.iter().flat_map(|id| requirements::of_edition(edition, id)).collect();
-    all.retain(|id| {
-        edition.requirements.has(id) && !requirements::is_of_a_reading(edition, id) && seen.insert(*id)
-    });
+    all.retain(|id| edition.requirements.has(id) && !of_readings.contains(id) && seen.insert(*id));
     all
 }
 
