@@ -13,7 +13,7 @@ use adsdv::{
 };
 use adsdv_conform::protocol::{Domain, InputField, Protocol, Shown};
 use adsdv_spec::{Choice, Control, Edition, Inputs, Machine, Readings};
-use common::{Run, fields, number, outcome, text};
+use common::{Run, fields, number, outcome, take, text};
 
 /// A frame that nobody sends: what a place has that is not written.
 const UNWRITTEN: adsdv_frame = adsdv_frame { id: 0xFFFF, len: 99, data: [0xAA; 8] };
@@ -95,16 +95,17 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
         let (shown, frames) = step(ours, &mut plain, &adsdv_inputs::from(&inputs), dt_ms);
 
         assert_eq!(plain, adsdv_control::from(&next), "{control:?} {inputs:?}");
-        let mut fields = fields(&shown);
+        let by_name = format!("{shown:?}");
+        let mut fields = fields(&by_name);
         for (field, value) in Shown::of(vcu.edition(), &outputs, &inputs).iter() {
-            let found = fields.remove(field.key);
+            let found = take(&mut fields, field.key);
             assert_eq!(found, Some(value.raw.unwrap_or(0).into()), "{}", field.key);
             if field.key == "steer" {
-                assert_eq!(fields.remove("steer_active"), Some(value.raw.is_some().into()));
+                assert_eq!(take(&mut fields, "steer_active"), Some(value.raw.is_some().into()));
             }
         }
         // Not every edition has it.
-        assert_eq!(fields.remove("brake_plausibility_fault").unwrap_or(0), 0);
+        assert_eq!(take(&mut fields, "brake_plausibility_fault").unwrap_or(0), 0);
         // These are shown in every edition, and sent since 2026.
         let of_520h = outputs.messages(&inputs).status;
         for (name, raw) in [
@@ -112,17 +113,17 @@ fn agrees(ours: Option<&adsdv_machine>, vcu: &Machine, seed: u64, steps: u32) {
             ("ts_state", of_520h.ts_state.raw()),
             ("ebs_state", of_520h.ebs_state.raw()),
         ] {
-            assert!(fields.remove(name).is_none_or(|found| found == i64::from(raw)), "{name}");
+            assert!(take(&mut fields, name).is_none_or(|found| found == i64::from(raw)), "{name}");
         }
         // What is left is not on the bus: which arrow was taken.
         let (row, term) = (outputs.row(vcu), outputs.term(vcu));
-        assert_eq!(fields.remove("from"), Some(outputs.from.raw().into()));
-        assert_eq!(fields.remove("taken"), Some(row.is_some().into()));
-        assert_eq!(fields.remove("row"), Some(outputs.taken.map_or(0, |taken| taken.row.into())));
-        assert_eq!(fields.remove("term"), Some(outputs.taken.map_or(0, |taken| taken.term.into())));
+        assert_eq!(take(&mut fields, "from"), Some(outputs.from.raw().into()));
+        assert_eq!(take(&mut fields, "taken"), Some(row.is_some().into()));
+        assert_eq!(take(&mut fields, "row"), Some(outputs.taken.map_or(0, |taken| taken.row.into())));
+        assert_eq!(take(&mut fields, "term"), Some(outputs.taken.map_or(0, |taken| taken.term.into())));
         assert_eq!(text(&shown.section), row.map_or("", |row| row.section));
         assert_eq!(text(&shown.term_section), term.map_or("", |term| term.section));
-        fields.retain(|name, _| name != "section" && name != "term_section");
+        fields.retain(|(name, _)| !["section", "term_section"].contains(name));
         assert!(fields.is_empty(), "more is shown than there is: {fields:?}");
         let sent = outputs.messages(&inputs).frames(&vcu.edition().bus).map(adsdv_frame::from);
         assert!(sent.eq(frames.iter().copied()), "{frames:?}");
@@ -187,7 +188,7 @@ fn arrives(edition: &Edition, input: &InputField, domain: Domain) {
         let mut inputs = Inputs::default();
         assert!((input.set)(&mut inputs, raw), "{} = {raw}", input.key);
         let plain = adsdv_inputs::from(&inputs);
-        assert_eq!(fields(&plain).get(input.key), Some(&raw.into()), "{}", input.key);
+        assert_eq!(take(&mut fields(&format!("{plain:?}")), input.key), Some(raw.into()), "{}", input.key);
         // It is read back: receiving a frame of nobody changes nothing.
         let mut back = plain;
         let frame = adsdv_frame::default();
