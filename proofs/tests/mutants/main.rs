@@ -179,11 +179,17 @@ fn survivors(edition: &Edition, whole: &str, of: impl Fn(&str) -> bool) -> Vec<S
         let subject = Changed::of(&mutant.edition);
         subject::with(subject, || words().all(|theorem| theorem.check(seed::USUAL).failure.is_none()))
     };
-    mutations::all_of(edition)
-        .filter(|mutant| of(&mutant.name))
-        .filter(survives)
-        .map(|mutant| mutant.name)
-        .collect()
+    let mutants: Vec<mutations::Mutant> =
+        mutations::all_of(edition).filter(|mutant| of(&mutant.name)).collect();
+    let survivors = |half: &[mutations::Mutant]| -> Vec<String> {
+        half.iter().filter(|mutant| survives(mutant)).map(|mutant| mutant.name.clone()).collect()
+    };
+    let (one, other) = mutants.split_at(mutants.len() / 2);
+    std::thread::scope(|scope| {
+        let one = scope.spawn(|| survivors(one));
+        let other = survivors(other);
+        [one.join().expect("no theorem panics"), other].concat()
+    })
 }
 
 /// What it means that they are others than expected.
