@@ -82,7 +82,6 @@ impl Log {
 }
 
 impl Entries for Log {
-    #[inline]
     fn next_entry(&mut self) -> Result<Option<Entry<'_>>, ReadError> {
         match &mut self.reader {
             Inner::Candump(reader) => reader.next_record(),

@@ -112,14 +112,14 @@ impl Recording {
     ///
     /// As [`judge_entries`](crate::log::judge_entries).
     pub fn read(
-        entries: impl Entries,
+        mut entries: impl Entries,
         options: &LogOptions,
         by_log: bool,
-        progress: impl FnMut(LogProgress),
+        mut progress: impl FnMut(LogProgress),
     ) -> Result<Self, LogError> {
         let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
-        let (judged, collector) =
-            judge_all(entries, judge(options.clone()).collecting(), progress, |_, _| {})?;
+        let judge = judge(options.clone()).collecting();
+        let (judged, collector) = judge_all(&mut entries, judge, &mut progress, None)?;
         let Judged { report, failure, recognised, .. } = judged;
         let edition = recognised.edition;
         let collected = collector.map(|collector| collector.end()).unwrap_or_default();

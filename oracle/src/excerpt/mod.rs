@@ -27,7 +27,7 @@
 mod cut;
 mod recent;
 
-use crate::candump::Entries;
+use crate::candump::{Entries, Entry};
 use crate::judge::{Finding, Severity};
 use crate::log::{Judged, LogError, LogJudge, LogOptions, LogProgress, judge_all};
 
@@ -87,10 +87,10 @@ struct Cutter {
 ///
 /// As these.
 pub fn judge_with_excerpts(
-    entries: impl Entries,
+    mut entries: impl Entries,
     options: &LogOptions,
     by_log: bool,
-    progress: impl FnMut(LogProgress),
+    mut progress: impl FnMut(LogProgress),
 ) -> Result<(Judged, Excerpts), LogError> {
     let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
     let mut cutter = Cutter::default();
@@ -99,13 +99,14 @@ pub fn judge_with_excerpts(
         ..options.clone()
     };
     let watching = &mut cutter;
-    let (judged, _) = judge_all(entries, judge(options.clone()), progress, |log, entry| {
+    let mut watch = |log: &mut LogJudge, entry: &Entry<'_>| {
         watching.recent.keep(log.judged_at(), entry);
         watching.lines += 1;
         if watching.lines.is_multiple_of(LOOK) {
             watching.look(log);
         }
-    })?;
+    };
+    let (judged, _) = judge_all(&mut entries, judge(options.clone()), &mut progress, Some(&mut watch))?;
     let options = options_under(&judged);
     let of_report = judged.report.findings.iter().filter(|finding| finding.severity != Severity::Note);
     let all: Vec<Finding> = of_report.cloned().collect();

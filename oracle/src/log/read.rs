@@ -135,21 +135,27 @@ pub fn judge_recognised(
 ///
 /// As [`judge_readable`].
 pub fn judge_by(
-    entries: impl Entries,
+    mut entries: impl Entries,
     options: &LogOptions,
     by_log: bool,
-    progress: impl FnMut(LogProgress),
+    mut progress: impl FnMut(LogProgress),
 ) -> Result<Judged, LogError> {
     let judge = if by_log { LogJudge::recognising } else { LogJudge::new };
-    judge_all(entries, judge(options.clone()), progress, |_, _| {}).map(|(judged, _)| judged)
+    let (judged, _) = judge_all(&mut entries, judge(options.clone()), &mut progress, None)?;
+    Ok(judged)
 }
 
+/// Sees each entry of a log after the judge.
+pub(crate) type Then<'a> = &'a mut dyn FnMut(&mut LogJudge, &Entry<'_>);
+
 /// Lets a judge see all of a log; `then` sees each entry after it. What the judge collected comes back with the report.
+///
+/// Compiled here, once, and not with whoever calls it for each kind of log.
 pub(crate) fn judge_all(
-    mut entries: impl Entries,
+    entries: &mut dyn Entries,
     mut log: LogJudge,
-    mut progress: impl FnMut(LogProgress),
-    mut then: impl FnMut(&mut LogJudge, &Entry<'_>),
+    progress: &mut dyn FnMut(LogProgress),
+    mut then: Option<Then<'_>>,
 ) -> Result<(Judged, Option<Box<Collector>>), LogError> {
     let mut next_progress = PROGRESS_LINES;
     let failure = loop {
@@ -167,7 +173,9 @@ pub(crate) fn judge_all(
             Entry::Dropped(dropped) => log.dropped(dropped),
             Entry::Broken(error) => log.broken(*error),
         }
-        then(&mut log, entry);
+        if let Some(then) = &mut then {
+            then(&mut log, entry);
+        }
         if log.rules_are_impossible() {
             break None;
         }
