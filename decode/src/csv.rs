@@ -20,8 +20,8 @@ use crate::{Catalog, Frame, Sink, SinkError};
 const HEADER: &[u8] = b"time_s,interface,id,message,signal,value,unit,name\n";
 
 /// Writes CSV.
-pub struct Csv<W> {
-    out: Out<W>,
+pub struct Csv<'a> {
+    out: Out<'a>,
     messages: Vec<CsvMessage>,
     /// The columns up to the identifier, of the frame at hand.
     frame: Vec<u8>,
@@ -34,9 +34,9 @@ struct CsvMessage {
     signals: Vec<(Vec<u8>, Vec<u8>)>,
 }
 
-impl<W: Write> Csv<W> {
+impl<'a> Csv<'a> {
     /// CSV for the frames of these messages. With `live`, somebody may be waiting for it.
-    pub fn new(catalog: &Catalog, writer: W, live: bool) -> Self {
+    pub fn new(catalog: &Catalog, writer: impl Write + Send + 'a, live: bool) -> Self {
         let cell = |before: &str, text: &str, after: &str| {
             let mut cell = before.as_bytes().to_vec();
             put_cell(&mut cell, text);
@@ -57,7 +57,7 @@ impl<W: Write> Csv<W> {
     }
 }
 
-impl<W: Write> Sink for Csv<W> {
+impl Sink for Csv<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let record = frame.record;
         self.frame.clear();

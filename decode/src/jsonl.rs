@@ -15,8 +15,8 @@ use crate::out::Out;
 use crate::{Catalog, Frame, Sink, SinkError};
 
 /// Writes JSON Lines.
-pub struct JsonLines<W> {
-    out: Out<W>,
+pub struct JsonLines<'a> {
+    out: Out<'a>,
     messages: Vec<MessageText>,
 }
 
@@ -34,9 +34,9 @@ struct SignalText {
     unit: Vec<u8>,
 }
 
-impl<W: Write> JsonLines<W> {
+impl<'a> JsonLines<'a> {
     /// JSON Lines for the frames of these messages. With `live`, somebody may be waiting for them.
-    pub fn new(catalog: &Catalog, writer: W, live: bool) -> Self {
+    pub fn new(catalog: &Catalog, writer: impl Write + Send + 'a, live: bool) -> Self {
         let messages = catalog.messages().iter().map(|message| MessageText {
             name: quoted(&message.name),
             signals: message.signals.iter().map(SignalText::new).collect(),
@@ -58,7 +58,7 @@ impl SignalText {
     }
 }
 
-impl<W: Write> Sink for JsonLines<W> {
+impl Sink for JsonLines<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let (record, out) = (frame.record, &mut self.out.text);
         out.extend_from_slice(b"{\"time_s\":");

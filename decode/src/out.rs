@@ -10,17 +10,21 @@ const PIECE: usize = 128 * 1024;
 /// Where somebody may be waiting, nothing is kept back for longer than this, as long as frames come.
 const PATIENCE: Duration = Duration::from_millis(50);
 
+/// Where what is decoded goes. Of any kind behind a pointer, so that what writes is compiled here, and not with whoever calls it.
+pub(crate) type Writer<'a> = Box<dyn Write + Send + 'a>;
+
 /// Text that is collected until it is worth writing.
-pub(crate) struct Out<W> {
+pub(crate) struct Out<'a> {
     pub(crate) text: Vec<u8>,
-    writer: W,
+    writer: Writer<'a>,
     /// When it was written last, if somebody may be waiting.
     written: Option<Instant>,
 }
 
-impl<W: Write> Out<W> {
+impl<'a> Out<'a> {
     /// With `live` what is collected is written soon, though it is little.
-    pub(crate) fn new(writer: W, live: bool) -> Self {
+    pub(crate) fn new(writer: impl Write + Send + 'a, live: bool) -> Self {
+        let writer = Box::new(writer);
         Self { text: Vec::with_capacity(PIECE + PIECE / 8), writer, written: live.then(Instant::now) }
     }
 

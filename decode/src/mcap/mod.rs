@@ -58,13 +58,13 @@ use crate::{Catalog, NotBuilt, Options, Sink};
     not(feature = "mcap"),
     expect(unused_variables, clippy::needless_pass_by_value, reason = "there is nobody to use them")
 )]
-pub fn mcap<'a, W: Write + 'a>(
+pub fn mcap<'a>(
     catalog: &'a Catalog,
     options: &Options,
-    writer: W,
+    writer: impl Write + Send + 'a,
 ) -> Result<Box<dyn Sink + 'a>, NotBuilt> {
     #[cfg(feature = "mcap")]
-    return Ok(Box::new(sink::McapFile::new(catalog, options, writer)));
+    return Ok(Box::new(sink::McapFile::new(catalog, options, Box::new(writer))));
     #[cfg(not(feature = "mcap"))]
     Err(NotBuilt { format: "MCAP", feature: "mcap" })
 }

@@ -1,6 +1,6 @@
 //! Takes decoded frames, and makes a file of them.
 
-use std::io::{BufWriter, Write};
+use std::io::BufWriter;
 
 use adsdv_oracle::candump::{Dropped, Entry};
 
@@ -8,11 +8,12 @@ use super::judged::{Findings, State};
 use super::topics::Topics;
 use super::writer::McapWriter;
 use crate::bus::Bus;
+use crate::out::Writer;
 use crate::{Catalog, Frame, Options, Sink, SinkError};
 
 /// Writes MCAP.
-pub(super) struct McapFile<'a, W: Write> {
-    writer: McapWriter<BufWriter<W>>,
+pub(super) struct McapFile<'a> {
+    writer: McapWriter<BufWriter<Writer<'a>>>,
     bus: Bus,
     topics: Topics<'a>,
     state: State,
@@ -20,8 +21,8 @@ pub(super) struct McapFile<'a, W: Write> {
     before_1970: u64,
 }
 
-impl<'a, W: Write> McapFile<'a, W> {
-    pub(super) fn new(catalog: &'a Catalog, options: &Options, writer: W) -> Self {
+impl<'a> McapFile<'a> {
+    pub(super) fn new(catalog: &'a Catalog, options: &Options, writer: Writer<'a>) -> Self {
         let mut writer = McapWriter::new(BufWriter::new(writer));
         let state = State::begin(catalog.edition(), &mut writer);
         let findings = Findings::begin(options, &mut writer);
@@ -30,7 +31,7 @@ impl<'a, W: Write> McapFile<'a, W> {
     }
 }
 
-impl<W: Write> Sink for McapFile<'_, W> {
+impl Sink for McapFile<'_> {
     fn heard(&mut self, entry: &Entry<'_>) -> Result<(), SinkError> {
         Ok(self.findings.heard(&mut self.writer, entry)?)
     }

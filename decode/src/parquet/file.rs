@@ -1,6 +1,6 @@
 //! A Parquet file: row groups, one after the other, and what the file says of itself.
 
-use std::io::{self, Write};
+use std::io;
 use std::sync::Arc;
 
 use ::parquet::basic::{Compression, Encoding};
@@ -14,16 +14,17 @@ use ::parquet::schema::types::{ColumnPath, Type};
 
 use super::column::Cells;
 use super::head::TIME;
+use crate::out::Writer;
 use crate::{Catalog, SinkError};
 
 /// A file that is being written.
-pub(super) struct TableFile<W: Write + Send> {
-    writer: SerializedFileWriter<W>,
+pub(super) struct TableFile<'a> {
+    writer: SerializedFileWriter<Writer<'a>>,
 }
 
-impl<W: Write + Send> TableFile<W> {
+impl<'a> TableFile<'a> {
     /// Begins a file with these columns.
-    pub(super) fn new(writer: W, columns: &[&mut dyn Cells], keys: Vec<KeyValue>) -> Result<Self> {
+    pub(super) fn new(writer: Writer<'a>, columns: &[&mut dyn Cells], keys: Vec<KeyValue>) -> Result<Self> {
         let fields = columns.iter().map(|column| column.field()).collect();
         let schema = Type::group_type_builder("adsdv").with_fields(fields).build()?;
         let time = ColumnPath::from(TIME);

@@ -1,7 +1,5 @@
 //! A row for each frame.
 
-use std::io::Write;
-
 use ::parquet::data_type::ByteArray;
 use ::parquet::errors::Result as ParquetResult;
 use ::parquet::file::metadata::KeyValue;
@@ -11,11 +9,12 @@ use super::column::{self, Bools, Cells, Smalls, Texts};
 use super::file::{TableFile, keys};
 use super::head::HeadColumns;
 use crate::line::is_extended;
+use crate::out::Writer;
 use crate::{Catalog, Frame, Sink, SinkError};
 
 /// Writes [`crate::Table::Frames`].
-pub(super) struct FrameTable<W: Write + Send> {
-    file: TableFile<W>,
+pub(super) struct FrameTable<'a> {
+    file: TableFile<'a>,
     columns: FrameColumns,
     names: Vec<ByteArray>,
     directions: [ByteArray; 2],
@@ -51,12 +50,16 @@ impl FrameColumns {
     }
 }
 
-impl<W: Write + Send> FrameTable<W> {
-    pub(super) fn new(catalog: &Catalog, writer: W, source: &str) -> Result<Self, SinkError> {
+impl<'a> FrameTable<'a> {
+    pub(super) fn new(catalog: &Catalog, writer: Writer<'a>, source: &str) -> Result<Self, SinkError> {
         Self::with(catalog, writer, keys(catalog, source))
     }
 
-    pub(super) fn with(catalog: &Catalog, writer: W, keys: Vec<KeyValue>) -> Result<Self, SinkError> {
+    pub(super) fn with(
+        catalog: &Catalog,
+        writer: Writer<'a>,
+        keys: Vec<KeyValue>,
+    ) -> Result<Self, SinkError> {
         let mut columns = FrameColumns::new()?;
         let file = TableFile::new(writer, &columns.all(), keys)?;
         let names = catalog.messages().iter().map(|message| column::text(&message.name)).collect();
@@ -71,7 +74,7 @@ impl<W: Write + Send> FrameTable<W> {
     }
 }
 
-impl<W: Write + Send> Sink for FrameTable<W> {
+impl Sink for FrameTable<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let record = frame.record;
         let FrameColumns { head, extended, direction, length, flags, message, data } = &mut self.columns;

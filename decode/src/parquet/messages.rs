@@ -3,7 +3,7 @@
 mod column_of;
 mod named;
 
-use std::io::{self, Write};
+use std::io;
 
 use ::parquet::errors::Result as ParquetResult;
 use ::parquet::file::metadata::KeyValue;
@@ -14,6 +14,7 @@ use super::column::{self, Cells, Integers, Texts};
 use super::file::{TableFile, key, keys};
 use super::frames::FrameTable;
 use super::head::{GROUP_ROWS, Recent, TIME};
+use crate::out::Writer;
 use crate::{Catalog, Frame, Message, Sink, SinkError};
 
 /// The table of the frames that nothing knows.
@@ -25,21 +26,24 @@ const MOST_CELLS: usize = 1 << 20;
 /// What a cell weighs, about, where copies are counted as cells.
 const CELL_BYTES: usize = 16;
 
+/// Makes a file of this name.
+pub(super) type Create<'a> = Box<dyn FnMut(&str) -> io::Result<Writer<'a>> + 'a>;
+
 /// Writes a file for each message.
-pub(super) struct MessageTables<'a, W: Write + Send, F> {
+pub(super) struct MessageTables<'a> {
     catalog: &'a Catalog,
-    create: F,
+    create: Create<'a>,
     keys: Vec<KeyValue>,
     /// The names of the files, one for each message.
     names: Vec<String>,
-    tables: Vec<Option<MessageTable<W>>>,
-    unknown: Option<FrameTable<W>>,
+    tables: Vec<Option<MessageTable<'a>>>,
+    unknown: Option<FrameTable<'a>>,
     cells: usize,
     most_cells: usize,
 }
 
-impl<'a, W: Write + Send, F: FnMut(&str) -> io::Result<W>> MessageTables<'a, W, F> {
-    pub(super) fn new(catalog: &'a Catalog, create: F, source: &str) -> Self {
+impl<'a> MessageTables<'a> {
+    pub(super) fn new(catalog: &'a Catalog, create: Create<'a>, source: &str) -> Self {
         // A file system may not tell capitals from small letters.
         let mut names = Names::without_case([UNKNOWN]);
         let names = catalog.messages().iter().map(|message| names.file(&message.name, &message.id_text()));
@@ -76,7 +80,7 @@ impl<'a, W: Write + Send, F: FnMut(&str) -> io::Result<W>> MessageTables<'a, W, 
     }
 }
 
-impl<W: Write + Send, F: FnMut(&str) -> io::Result<W>> Sink for MessageTables<'_, W, F> {
+impl Sink for MessageTables<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let Some((place, message)) = frame.message else { return self.unknown(frame) };
         let Some(table) = self.tables.get_mut(place) else { return Ok(()) };
@@ -108,8 +112,8 @@ impl<W: Write + Send, F: FnMut(&str) -> io::Result<W>> Sink for MessageTables<'_
 }
 
 /// The file of one message.
-struct MessageTable<W: Write + Send> {
-    file: TableFile<W>,
+struct MessageTable<'a> {
+    file: TableFile<'a>,
     time: Integers,
     interface: Texts,
     last_interface: Recent,
@@ -118,8 +122,8 @@ struct MessageTable<W: Write + Send> {
     cells: usize,
 }
 
-impl<W: Write + Send> MessageTable<W> {
-    fn new(message: &Message, writer: W, mut keys: Vec<KeyValue>) -> ParquetResult<Self> {
+impl<'a> MessageTable<'a> {
+    fn new(message: &Message, writer: Writer<'a>, mut keys: Vec<KeyValue>) -> ParquetResult<Self> {
         let mut names = Names::with_case([TIME, INTERFACE]);
         let mut units = serde_json::Map::new();
         let mut signals = Vec::new();
@@ -190,7 +194,7 @@ mod tests {
     #[test]
     fn the_largest_table_is_written_when_all_have_many_cells() {
         let catalog = Catalog::of(&Edition::V2026);
-        let mut tables = MessageTables::new(&catalog, |_| Ok(Vec::new()), "run.log");
+        let mut tables = MessageTables::new(&catalog, Box::new(|_| Ok(Box::new(Vec::new()))), "run.log");
         tables.most_cells = 1000;
         let (mut most, mut rows) = (0, 0);
         for _ in 0..100 {
@@ -215,7 +219,7 @@ mod tests {
             }
         }
         assert!((900..1000).contains(&most), "{most}");
-        let written = |table: &MessageTable<_>| {
+        let written = |table: &MessageTable<'_>| {
             let groups = table.file.rows();
             (groups.iter().sum::<i64>(), groups.len())
         };
@@ -229,7 +233,7 @@ mod tests {
     #[test]
     fn long_interfaces_are_more_cells() {
         let catalog = Catalog::of(&Edition::V2026);
-        let mut tables = MessageTables::new(&catalog, |_| Ok(Vec::new()), "run.log");
+        let mut tables = MessageTables::new(&catalog, Box::new(|_| Ok(Box::new(Vec::new()))), "run.log");
         let message = catalog.messages().first().map(|message| (0, message));
         let mut cells = || {
             for interface in ["a".repeat(8000), "b".repeat(8000)] {

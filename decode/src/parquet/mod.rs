@@ -74,16 +74,16 @@ pub enum Table {
     not(feature = "parquet"),
     expect(unused_variables, clippy::needless_pass_by_value, reason = "there is nothing to do with them")
 )]
-pub fn parquet<'a, W: Write + Send + 'a>(
+pub fn parquet<'a>(
     table: Table,
     catalog: &'a Catalog,
-    writer: W,
+    writer: impl Write + Send + 'a,
     source: &str,
 ) -> Result<Box<dyn Sink + 'a>, BeginError> {
     #[cfg(feature = "parquet")]
     return Ok(match table {
-        Table::Signals => Box::new(signals::SignalTable::new(catalog, writer, source)?),
-        Table::Frames => Box::new(frames::FrameTable::new(catalog, writer, source)?),
+        Table::Signals => Box::new(signals::SignalTable::new(catalog, Box::new(writer), source)?),
+        Table::Frames => Box::new(frames::FrameTable::new(catalog, Box::new(writer), source)?),
     });
     #[cfg(not(feature = "parquet"))]
     Err(NOT_BUILT)
@@ -109,9 +109,17 @@ pub fn parquet_messages<'a, W: Write + Send + 'a>(
     source: &str,
 ) -> Result<Box<dyn Sink + 'a>, BeginError> {
     #[cfg(feature = "parquet")]
-    return Ok(Box::new(messages::MessageTables::new(catalog, create, source)));
+    return Ok(Box::new(messages::MessageTables::new(catalog, boxed(create), source)));
     #[cfg(not(feature = "parquet"))]
     Err(NOT_BUILT)
+}
+
+/// The same with any kind of file behind a pointer.
+#[cfg(feature = "parquet")]
+fn boxed<'a, W: Write + Send + 'a>(
+    mut create: impl FnMut(&str) -> io::Result<W> + 'a,
+) -> messages::Create<'a> {
+    Box::new(move |name| Ok(Box::new(create(name)?)))
 }
 
 #[cfg(not(feature = "parquet"))]

@@ -1,18 +1,17 @@
 //! A row for each signal of each frame.
 
-use std::io::Write;
-
 use ::parquet::data_type::ByteArray;
 use ::parquet::errors::Result as ParquetResult;
 
 use super::column::{self, Cells, Decimals, Doubles, Texts};
 use super::file::{TableFile, keys};
 use super::head::HeadColumns;
+use crate::out::Writer;
 use crate::{Catalog, Frame, Message, Signal, Sink, SinkError, Value};
 
 /// Writes [`crate::Table::Signals`].
-pub(super) struct SignalTable<W: Write + Send> {
-    file: TableFile<W>,
+pub(super) struct SignalTable<'a> {
+    file: TableFile<'a>,
     columns: SignalColumns,
     messages: Vec<MessageCells>,
 }
@@ -112,8 +111,8 @@ pub(super) fn names(signal: &Signal) -> Vec<ByteArray> {
     signal.names.iter().map(|(_, name)| column::text(name)).collect()
 }
 
-impl<W: Write + Send> SignalTable<W> {
-    pub(super) fn new(catalog: &Catalog, writer: W, source: &str) -> Result<Self, SinkError> {
+impl<'a> SignalTable<'a> {
+    pub(super) fn new(catalog: &Catalog, writer: Writer<'a>, source: &str) -> Result<Self, SinkError> {
         let mut columns = SignalColumns::new()?;
         let file = TableFile::new(writer, &columns.all(), keys(catalog, source))?;
         Ok(Self { file, columns, messages: catalog.messages().iter().map(MessageCells::of).collect() })
@@ -127,7 +126,7 @@ impl<W: Write + Send> SignalTable<W> {
     }
 }
 
-impl<W: Write + Send> Sink for SignalTable<W> {
+impl Sink for SignalTable<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let (record, columns) = (frame.record, &mut self.columns);
         columns.head.frame(record);

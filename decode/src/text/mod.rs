@@ -39,20 +39,20 @@ pub enum TextLayout {
 }
 
 /// Writes text.
-pub struct Text<W> {
-    out: Out<W>,
+pub struct Text<'a> {
+    out: Out<'a>,
     templates: Vec<Template>,
 }
 
-impl<W: Write> Text<W> {
+impl<'a> Text<'a> {
     /// Text for the frames of these messages. With `live`, somebody may be waiting for it.
-    pub fn new(catalog: &Catalog, writer: W, layout: TextLayout, live: bool) -> Self {
+    pub fn new(catalog: &Catalog, writer: impl Write + Send + 'a, layout: TextLayout, live: bool) -> Self {
         let templates = catalog.messages().iter().map(|message| Template::new(message, layout)).collect();
         Self { out: Out::new(writer, live), templates }
     }
 }
 
-impl<W: Write> Sink for Text<W> {
+impl Sink for Text<'_> {
     #[inline]
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let out = &mut self.out.text;

@@ -28,9 +28,9 @@ use crate::{Catalog, Coding, Frame, Signal, Sink, SinkError};
 use arrows::Arrows;
 
 /// Writes a VCD file.
-pub struct VcdFile<'a, W: Write> {
+pub struct VcdFile<'a> {
     catalog: &'a Catalog,
-    writer: Writer<BufWriter<W>>,
+    writer: Writer<BufWriter<crate::out::Writer<'a>>>,
     bus: Bus,
     watch: Option<Watch>,
     waves: Option<Waves>,
@@ -61,12 +61,12 @@ fn is_wire(signal: &Signal) -> bool {
     plain && signal.place.coding() != Coding::Float
 }
 
-impl<'a, W: Write> VcdFile<'a, W> {
+impl<'a> VcdFile<'a> {
     /// Waves of these messages.
-    pub fn new(catalog: &'a Catalog, writer: W) -> Self {
+    pub fn new(catalog: &'a Catalog, writer: impl Write + Send + 'a) -> Self {
         Self {
             catalog,
-            writer: Writer::new(BufWriter::new(writer)),
+            writer: Writer::new(BufWriter::new(Box::new(writer))),
             bus: Bus::default(),
             watch: None,
             waves: None,
@@ -134,7 +134,7 @@ impl Waves {
     }
 }
 
-impl<W: Write> Sink for VcdFile<'_, W> {
+impl Sink for VcdFile<'_> {
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let record = frame.record;
         let waves = match &mut self.waves {
