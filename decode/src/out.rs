@@ -1,4 +1,4 @@
-//! Text on its way out: collected, and written in large pieces.
+//! Where what is decoded goes, and text on its way there: collected, and written in large pieces.
 
 use std::io::Write;
 use std::time::{Duration, Instant};

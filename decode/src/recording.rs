@@ -32,9 +32,9 @@ impl Default for Options {
 }
 
 /// A recording of which the edition is known: see [`Recording::begin`].
-#[derive(Debug)]
-pub struct Recording<E> {
-    entries: E,
+pub struct Recording<'a> {
+    // Of whatever kind the log is: what reads on is compiled here, once, and not with whoever calls it.
+    entries: Box<dyn Entries + 'a>,
     interface: Option<String>,
     /// What was read so far.
     kept: Vec<Kept>,
@@ -76,7 +76,7 @@ impl From<SinkError> for DecodeError {
     }
 }
 
-impl<E: Entries> Recording<E> {
+impl<'a> Recording<'a> {
     /// Reads on until the edition is known; with one that is given, to the first frame.
     ///
     /// The edition is recognised as `adsdv check` recognises it: that takes a second of the recording, or up to ten.
@@ -84,7 +84,11 @@ impl<E: Entries> Recording<E> {
     /// # Errors
     ///
     /// Fails if there is no frame, or the source fails before the first one.
-    pub fn begin(mut entries: E, options: &Options) -> Result<Self, LogError> {
+    pub fn begin(entries: impl Entries + 'a, options: &Options) -> Result<Self, LogError> {
+        Self::begins(Box::new(entries), options)
+    }
+
+    fn begins(mut entries: Box<dyn Entries + 'a>, options: &Options) -> Result<Self, LogError> {
         let edition = options.edition.unwrap_or(options.default);
         let judge = JudgeOptions::of(edition);
         let judging = LogOptions { judge, interface: options.interface.clone(), ..LogOptions::default() };
@@ -142,10 +146,19 @@ impl<E: Entries> Recording<E> {
     ///
     /// Fails if the sink does, or if there is no frame of the interface that was asked for.
     pub fn decode(
-        mut self,
+        self,
         catalog: &Catalog,
         sink: &mut dyn Sink,
         mut progress: impl FnMut(u64),
+    ) -> Result<Summary, DecodeError> {
+        self.decodes(catalog, sink, &mut progress)
+    }
+
+    fn decodes(
+        mut self,
+        catalog: &Catalog,
+        sink: &mut dyn Sink,
+        progress: &mut dyn FnMut(u64),
     ) -> Result<Summary, DecodeError> {
         let mut decoding = Decoding {
             catalog,
@@ -174,6 +187,19 @@ impl<E: Entries> Recording<E> {
             }
         }
         decoding.end(self.entries.count())
+    }
+}
+
+impl fmt::Debug for Recording<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { entries: _, interface, kept, recognised, failure, ended } = self;
+        f.debug_struct("Recording")
+            .field("interface", interface)
+            .field("kept", &kept.len())
+            .field("recognised", recognised)
+            .field("failure", failure)
+            .field("ended", ended)
+            .finish_non_exhaustive()
     }
 }
 

@@ -53,7 +53,6 @@ impl<'a> Text<'a> {
 }
 
 impl Sink for Text<'_> {
-    #[inline]
     fn frame(&mut self, frame: &Frame<'_>) -> Result<(), SinkError> {
         let out = &mut self.out.text;
         put_line(out, frame.record);
