@@ -21,7 +21,7 @@ fn main() -> io::Result<()> {
     let mut line = String::new();
     let mut is_first = true;
     loop {
-        // Whoever asks waits for what has been answered so far, unless there is more to do.
+        // The judge waits for what has been answered so far, unless there is more to do.
         if requests.buffer().is_empty() {
             answers.flush()?;
         }

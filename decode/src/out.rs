@@ -10,7 +10,7 @@ const PIECE: usize = 128 * 1024;
 /// Where somebody may be waiting, nothing is kept back for longer than this, as long as frames come.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Where what is decoded goes. Of any kind behind a pointer, so that what writes is compiled here, and not with whoever calls it.
+/// Where what is decoded goes. Of any kind behind a pointer, so that what writes is compiled here, and not with each caller.
 pub(crate) type Writer<'a> = Box<dyn Write + Send + 'a>;
 
 /// Text that is collected until it is worth writing.

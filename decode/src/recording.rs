@@ -33,7 +33,7 @@ impl Default for Options {
 
 /// A recording of which the edition is known: see [`Recording::begin`].
 pub struct Recording<'a> {
-    // Of whatever kind the log is: what reads on is compiled here, once, and not with whoever calls it.
+    // Any kind of log: what reads on is compiled here, once, and not with each caller for each kind.
     entries: Box<dyn Entries + 'a>,
     interface: Option<String>,
     /// What was read so far.

@@ -33,7 +33,7 @@ struct Relative {
 ///
 /// # Errors
 ///
-/// Those of whoever is asked; the machine with these deviations, which is asked in this process, has none.
+/// Those of the program under test; the machine with these deviations, which is asked in this process, has none.
 pub fn examples(
     edition: &Edition,
     interface: &Interface,

@@ -42,7 +42,7 @@ pub enum StackErrorKind {
     },
     /// It is in this process, and failed instead of an answer: that ends its scenario, and is a finding there.
     Failed(Failure),
-    /// Whoever waits for the exam has stopped it.
+    /// The user has stopped the exam.
     Stopped,
     /// It answered with something that is no answer to what was asked.
     NoAnswer {

@@ -224,7 +224,7 @@ fn an_edition_that_there_is_not_and_readings_that_it_settles_are_refused() {
     }
 }
 
-/// Whoever never asks for findings does not fill the memory: a judge keeps a bounded number.
+/// A caller who never asks for findings does not fill the memory: a judge keeps a bounded number.
 #[test]
 fn findings_that_nobody_takes_are_counted_only() {
     let judge = Handle::new(null());

@@ -9,7 +9,7 @@ use crate::steps::Steps;
 /// A step: what was, what was seen, and what the VCU made of it.
 ///
 /// Of the faults it has the conditions that they decide, and the cause that is remembered: steps that differ in the faults alone
-/// are the same to whoever looks at them so.
+/// are the same to a property that looks at them so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// The document: what the machine should follow.
@@ -100,7 +100,7 @@ mod tests {
         }
     }
 
-    /// Whoever looks at no inputs finds out what holds of all.
+    /// A property that looks at no inputs finds out what holds of all.
     #[test]
     fn who_looks_at_the_inputs_is_noticed() {
         let machine = Machine::REFERENCE;

@@ -19,7 +19,7 @@ pub fn next(rules: &Rules, report: &Report) -> String {
     if let Some(first) = violations().next() {
         return match first.party {
             Party::Vcu => format!(
-                "Nothing to fix in the AI Computer: no violation is its own. {} Whoever maintains it needs the frames, which adsdv check --excerpt writes.",
+                "Nothing to fix in the AI Computer: no violation is its own. {} The maintainers of the VCU need the frames, which adsdv check --excerpt writes.",
                 fix("First, in", first, 1),
             ),
             Party::Own => format!(

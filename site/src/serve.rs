@@ -151,7 +151,7 @@ const PLAIN: &str = "text/plain; charset=utf-8";
 
 fn respond(request: Request, status: u16, kind: &str, text: &str) -> io::Result<()> {
     let mut response = Response::new(status.into(), Vec::new(), text.as_bytes(), Some(text.len()), None)
-        // Its length is known, so that whoever loads it sees how far it is.
+        // Its length is known, so that a browser shows how far it is.
         .with_chunked_threshold(usize::MAX);
     let allow = (status == 405).then_some(("Allow", "GET, HEAD"));
     for (name, value) in HEADERS.into_iter().chain([("Content-Type", kind)]).chain(allow) {

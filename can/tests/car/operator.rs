@@ -23,7 +23,7 @@ fn missing_lists_the_way_out_of_an_emergency_up_to_the_power_cycle() {
         "AS_OFF (section 3.9) still needs: EBS timer complete (in 14.1 s), AS master switch OFF; then a power cycle"
     );
     assert_eq!(actions(&out), [None, Some("asms off".to_owned()), Some("power cycle".to_owned())]);
-    // Whoever waits for AS_OFF need not wait for the power cycle.
+    // To wait for AS_OFF is not to wait for the power cycle.
     let off = missing_for(&car, AsState::Off).expect("the same arrow");
     assert_eq!((off.conditions, off.then), (out.conditions, None));
     cycles(&mut car, 1500, drives);

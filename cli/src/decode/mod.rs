@@ -70,7 +70,7 @@ pub(crate) fn run(args: &DecodeArgs) -> Result<Status, Error> {
             failure.map_or(Ok(Status::Conforms), |failure| Err(Error::log(&name, &failure)))
         }
         Err(DecodeError::Log(error)) => Err(Error::log(&name, &error)),
-        // Whoever reads it has seen enough.
+        // The reader has seen enough.
         Err(DecodeError::Sink(error)) if output.is_none() && error.0.kind() == io::ErrorKind::BrokenPipe => {
             Ok(Status::Conforms)
         }

@@ -115,7 +115,7 @@ fn an_unknown_edition_is_refused_with_those_that_there_are() {
     assert!(both.status == Some(2) && both.stderr.contains("cannot be used with"), "{}", both.stderr);
 }
 
-/// Whoever names both editions asks the environment for none.
+/// Where both editions are named the environment is not asked.
 #[test]
 fn the_environment_does_not_count() {
     let asked = outcome(adsdv(&["diff", "3.0", "4.0"]).env("ADSDV_EDITION", "9.9"));

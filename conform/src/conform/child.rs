@@ -63,7 +63,7 @@ impl Process {
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        // Whoever stops all of them stops this one as well, or before it starts.
+        // A stop of all programs stops this one as well, or before it starts.
         #[cfg(unix)]
         let mut running = running();
         let mut child = command.spawn()?;

@@ -1,6 +1,6 @@
-//! What a program writes, as it comes: whoever waits for more need not wait for ever.
+//! What a program writes, as it comes, with a limit to how long a reader waits for more.
 //!
-//! Where the system can say that a pipe has something, whoever waits reads it: a thread in between would cost two changes of threads for
+//! Where the system can say that a pipe has something, the one that waits reads it: a thread in between would cost two changes of threads for
 //! each answer of a program that is asked one thing after the other. Elsewhere a thread reads.
 
 use std::time::Duration;

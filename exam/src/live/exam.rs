@@ -144,7 +144,7 @@ enum Message {
     Failed(LiveError),
 }
 
-/// Whoever waits for messages waits until all threads have ended: nobody is gone when one is sent.
+/// The receiver of messages waits until all threads have ended, and is there when one is sent.
 fn work(queue: &Queue<'_>, program: &LiveProgram, options: &LiveOptions, sender: &Sender<Message>) {
     let name = match &options.bus {
         LiveBus::Interface(name) => Ok(name),

@@ -26,7 +26,7 @@ const OR: &str = "or make a bus as root, and name it: sudo modprobe vcan && sudo
 ///
 /// The kernel does not let this user have them.
 pub fn prepare() -> Result<(), LiveError> {
-    // Whoever may do this may do the rest as well.
+    // A user who may do this may do the rest as well.
     match unshare(CloneFlags::CLONE_NEWNS) {
         Ok(()) => return Ok(()),
         Err(Errno::EPERM) => {}

@@ -353,7 +353,7 @@ fn nobody_is_blamed_for_this_machine_being_late() {
             assert!(ran.late_ms >= 180 || after_ms > 8000 && name == "ready", "{} ms", ran.late_ms);
         }
     }
-    // Whoever never sends anything is.
+    // A stack that never sends anything is.
     let mut ran = one(WrongProgram::Sleeps(1000), "ready");
     assert!(!ran.in_doubt.is_empty());
     let why = exam::doubt(&ran.in_doubt.remove(0), "ready");

@@ -69,7 +69,7 @@ fn frames_of_every_version_are_read() {
             "(0000000000.000001) 1 520#AA R",
         ),
         (";$FILEVERSION = 2.0 \r\n", "1 0.001 DT 0520 Rx 1 AA\r", "(0000000000.000001) 1 520#AA R"),
-        // Whoever cuts such files joins them as well.
+        // Where such files are cut, they are joined as well.
         (&format!("{V2_1}{V1_1}"), "1) 1 Rx 0520 1 AA", "(0000000000.001000) 1 520#AA R"),
     ] {
         let read = read_line(header, line, Trc::new(), "1");

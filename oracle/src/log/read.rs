@@ -150,7 +150,7 @@ pub(crate) type Then<'a> = &'a mut dyn FnMut(&mut LogJudge, &Entry<'_>);
 
 /// Lets a judge see all of a log; `then` sees each entry after it. What the judge collected comes back with the report.
 ///
-/// Compiled here, once, and not with whoever calls it for each kind of log.
+/// Compiled here, once, and not with each caller for each kind of log.
 pub(crate) fn judge_all(
     entries: &mut dyn Entries,
     mut log: LogJudge,

@@ -169,7 +169,7 @@ impl Stack for UnderTest {
         match kind {
             Way::Program(program) => program.step(time_ms, frames),
             Way::Python { step, .. } => Python::attach(|py| {
-                // Whoever has not been made has ended its scenario.
+                // A stack that could not be made has ended its scenario.
                 let Some(step) = step else { return Ok(Vec::new()) };
                 asked(step.bind(py), time_ms, frames).map_err(|wrong| Self::wrong(raised, py, wrong))
             }),

@@ -4,8 +4,8 @@ use super::{DecodeError, FieldDef, Frame, MessageDef, SignalDef, SignalValue};
 
 /// An edition's layout of the message `M`: where its signals are, and what each may be.
 ///
-/// The type that implements it stands for the edition, such as [`V3_0`](crate::editions::V3_0). Whoever knows the edition
-/// only when the program runs asks the [`Edition`](crate::Edition) itself.
+/// The type that implements it stands for the edition, such as [`V3_0`](crate::editions::V3_0). A program that knows the edition
+/// only when it runs asks the [`Edition`](crate::Edition) itself.
 ///
 /// ```
 /// use adsdv_spec::editions::V3_0;

@@ -126,7 +126,7 @@ fn together(car: &mut Car, ai: &mut Ai, watch: &mut Watch, time_ns: i64, dt_ms: 
     cycle.state()
 }
 
-/// Whoever sends sends what is theirs, and can be read.
+/// Each node sends what is its own, and what can be read.
 fn sent(bus: &Bus, frame: &Frame, node: Node) {
     assert!(bus.may_send(node, frame.id), "{frame}");
     let message = bus.decode(frame.id, frame.data()).expect("what is sent can be read");

@@ -1,4 +1,4 @@
-//! A run takes place: the VCU steps, and whoever is interested sees each step.
+//! A run takes place: the VCU steps, and properties see each step.
 
 use adsdv_spec::{Control, Inputs, Machine, Outputs};
 

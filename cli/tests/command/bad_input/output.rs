@@ -125,7 +125,7 @@ pub(super) fn a_standard_input_that_is_closed_is_empty() {
     refused(&outcome, "standard input: the log is empty", "candump -L");
 }
 
-/// Whoever holds the switches is gone, so the car goes, too.
+/// The operator is gone, so the car goes, too.
 #[test]
 pub(super) fn a_terminal_that_is_closed() {
     let status = folder_with("bad-input-terminal", "status", b"").join("status");
