@@ -35,7 +35,7 @@ for profile in release fast; do
   build "$profile"
   program=$CARGO_TARGET_DIR/$target/$profile/adsdv-embedded
   echo "== opt-level $(sed -n "/^\[profile.$profile\]/,/^\[/s/^opt-level = //p" Cargo.toml)"
-  # Code and tables of all three editions, with what measures.
+  # Code and tables of all editions, with what measures.
   readelf -SW "$program" | awk '$2 ~ /^\.(text|rodata|data|bss)$/ { print $2, $6 } $3 ~ /^\.(text|rodata|data|bss)$/ { print $3, $7 }' |
     while read -r section size; do echo "$section $((16#$size)) bytes"; done
   # An instruction takes a nanosecond of the board's time; src/measure.rs reads its timer.

@@ -138,8 +138,18 @@ fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
             };
             let having: Vec<&str> = Edition::ALL.iter().filter(has).map(|edition| edition.version).collect();
             let alone = format!("| in {} alone", having.join(" and "));
-            assert_eq!(common.contains(&alone), having.len() < Edition::ALL.len(), "{key}: {common}");
-            assert_eq!(common.contains(" alone"), having.len() < Edition::ALL.len(), "{key}: {common}");
+            let of_some = having.len() < Edition::ALL.len();
+            let expected = if of_some { format!("{alone:?}") } else { "no edition alone".to_owned() };
+            assert_eq!(
+                common.contains(&alone),
+                of_some,
+                "PROTOCOL.md, {key}: expected {expected} in {common}"
+            );
+            assert_eq!(
+                common.contains(" alone"),
+                of_some,
+                "PROTOCOL.md, {key}: expected {expected} in {common}"
+            );
 
             // How names count.
             if let Domain::Names(names) = domain {

@@ -463,8 +463,9 @@ impl Running {
         let has = |key: &str| self.outputs.iter().any(|output| output == key);
         let as_announced = shown.iter().all(|(field, _)| answer.has(field.key) == has(field.key));
         assert!(as_announced, "it says that it has {:?}, and shows {line}", self.outputs);
-        let everything = shown.iter().all(|(field, _)| answer.has(field.key));
-        assert!(everything || !self.shows_everything, "it does not show everything: {line}");
+        let missing: Vec<&str> =
+            shown.iter().filter(|(field, _)| !answer.has(field.key)).map(|(field, _)| field.key).collect();
+        assert!(missing.is_empty() || !self.shows_everything, "it does not show {missing:?}: {line}");
     }
 
     /// It ends as soon as there are no more questions, and has said nothing else.

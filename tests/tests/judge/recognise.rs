@@ -88,7 +88,9 @@ fn under_3_0_the_recordings_are_judged_as_ever() {
 fn a_run_of_each_edition_is_recognised_and_judged_by_it() {
     for edition in Edition::ALL {
         let (recognised, report) = heard(&mission(edition));
-        assert_eq!((recognised.edition, recognised.certain), (*edition, true), "{recognised}");
+        // Two whole editions would be a long message.
+        let is_told = (recognised.edition, recognised.certain) == (*edition, true);
+        assert!(is_told, "a run of {}: {recognised}", edition.version);
         assert_eq!(recognised.against, [""; 0], "{recognised}");
         assert_eq!(report.findings, [], "nothing is noted");
         assert_eq!(report.transitions.len(), 3);

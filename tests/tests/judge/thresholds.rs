@@ -154,7 +154,8 @@ fn the_least_request_is_not_zero() {
         ];
         for (name, change) in changes {
             let world = driven_off(edition, change);
-            is_reported(&world, JudgeOptions::of(edition), Party::Vcu, &[(Rule::Unjustified, "3.2")], name);
+            let name = format!("{}: {name}", edition.version);
+            is_reported(&world, JudgeOptions::of(edition), Party::Vcu, &[(Rule::Unjustified, "3.2")], &name);
         }
         is_silent(&driven_off(edition, |_| {}), JudgeOptions::of(edition), "no request");
     }

@@ -31,11 +31,13 @@ use crate::random::Random;
 const BUS: Bus = Edition::V3_0.bus;
 
 /// The buses of all editions.
-const BUSES: &[Bus] = &[BUS, Edition::V4_0.bus, Edition::V2026.bus];
+fn buses() -> impl Iterator<Item = &'static Bus> {
+    Edition::ALL.iter().map(|edition| &edition.bus)
+}
 
 /// Every message of every edition, with its bus.
 fn messages() -> impl Iterator<Item = (&'static Bus, &'static MessageDef)> {
-    BUSES.iter().flat_map(|bus| bus.messages.iter().map(move |&message| (bus, message)))
+    buses().flat_map(|bus| bus.messages.iter().map(move |&message| (bus, message)))
 }
 
 /// Bit `index` of a frame's data, bit 0 being the lowest of the first byte.
