@@ -78,7 +78,7 @@ fn the_costs_of_the_readings_are_as_written_down() {
     let found = swept.to_string();
     let (_, found) = found.split_once('\n').expect("a heading");
     let [written, found] = [section(Edition::DEFAULT), found].map(checked_here);
-    assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
+    assert_eq!(found, written, "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew");
 }
 
 /// A line without the answers that undo a failure: they show only where two come together.
@@ -96,7 +96,7 @@ fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
         let (_, found) = found.split_once('\n').expect("a heading");
         let [written, found] = [section(edition), found].map(checked_here);
         let [written, found] = [written, found].map(|lines| lines.into_iter().map(alone).collect::<Vec<_>>());
-        assert_eq!(found, written, "`adsdv verify --readings > model/READINGS.md` writes it anew");
+        assert_eq!(found, written, "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew");
     }
 }
 
@@ -108,6 +108,6 @@ fn each_state_machine_has_its_section_behind_the_head() {
     assert_eq!(
         sections.collect::<Vec<_>>(),
         expected.collect::<Vec<_>>(),
-        "`adsdv verify --readings > model/READINGS.md` writes it anew"
+        "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew"
     );
 }
