@@ -13,18 +13,17 @@ use adsdv_spec::{Choices, Edition};
 
 const WRITTEN: &str = include_str!("../READINGS.md");
 
+/// What to do where that is another.
+const ANEW: &str = "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew";
+
 /// Of the default edition, so many answers that are not the default come together.
 const TOGETHER: usize = 3;
 
 /// The section of an edition.
 fn section(edition: &Edition) -> &'static str {
     let heading = format!("\n## Edition {}\n", edition.version);
-    let (_, section) = WRITTEN.split_once(&heading).unwrap_or_else(|| {
-        panic!(
-            "no section of {}: `adsdv verify --readings > model/READINGS.md` writes it anew",
-            edition.version
-        )
-    });
+    let (_, section) =
+        WRITTEN.split_once(&heading).unwrap_or_else(|| panic!("no section of {}: {ANEW}", edition.version));
     section.split("\n## Edition ").next().unwrap_or_default()
 }
 
@@ -78,7 +77,7 @@ fn the_costs_of_the_readings_are_as_written_down() {
     let found = swept.to_string();
     let (_, found) = found.split_once('\n').expect("a heading");
     let [written, found] = [section(Edition::DEFAULT), found].map(checked_here);
-    assert_eq!(found, written, "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew");
+    assert_eq!(found, written, "{ANEW}");
 }
 
 /// A line without the answers that undo a failure: they show only where two come together.
@@ -96,7 +95,7 @@ fn the_costs_of_single_readings_in_other_editions_are_as_written_down() {
         let (_, found) = found.split_once('\n').expect("a heading");
         let [written, found] = [section(edition), found].map(checked_here);
         let [written, found] = [written, found].map(|lines| lines.into_iter().map(alone).collect::<Vec<_>>());
-        assert_eq!(found, written, "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew");
+        assert_eq!(found, written, "{ANEW}");
     }
 }
 
@@ -105,9 +104,5 @@ fn each_state_machine_has_its_section_behind_the_head() {
     assert!(WRITTEN.starts_with(READINGS_HEAD));
     let sections = WRITTEN.lines().filter_map(|line| line.strip_prefix("## Edition "));
     let expected = state_machines().map(|edition| edition.version);
-    assert_eq!(
-        sections.collect::<Vec<_>>(),
-        expected.collect::<Vec<_>>(),
-        "`cargo run --release -- verify --readings > model/READINGS.md` writes it anew"
-    );
+    assert_eq!(sections.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{ANEW}");
 }
