@@ -1,5 +1,5 @@
-//! Every crate that the project stands on has its reason in `docs/dependencies.md`, and nothing else stands there; and the Rust that it takes is
-//! the one that its documents name.
+//! Every crate that the project stands on has its reason in `docs/dependencies.md`, and nothing else stands there; the Rust that it takes is
+//! the one that its documents name; and what is given away is optimised.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -65,4 +65,26 @@ fn the_documents_name_the_rust_that_the_manifests_take() {
         contributing.contains(&format!("stays on Rust {spec}")),
         "CONTRIBUTING.md does not say that spec stays on Rust {spec}"
     );
+}
+
+/// The crates that a profile of a manifest has a level of optimisation for, with it.
+fn levels<'a>(manifest: &'a str, profile: &str) -> Vec<(&'a str, &'a str)> {
+    let heading = format!("[profile.{profile}.package]");
+    let lines = manifest.lines().skip_while(move |line| **line != heading).skip(1);
+    lines
+        .take_while(|line| !line.starts_with('['))
+        .filter_map(|line| line.split_once(".opt-level = "))
+        .collect()
+}
+
+#[test]
+fn what_is_given_away_is_optimised_also_where_a_build_from_source_is_not() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project");
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).expect("the workspace");
+    let most = "3";
+    let [release, dist] = ["release", "dist"].map(|profile| levels(&manifest, profile));
+    let lowered: Vec<_> = release.iter().filter(|(_, level)| *level != most).map(|(name, _)| *name).collect();
+    assert!(!lowered.is_empty(), "{release:?}");
+    let undone: Vec<_> = dist.iter().filter(|(_, level)| *level == most).map(|(name, _)| *name).collect();
+    assert_eq!(lowered, undone, "lowered by the profile `release`, and raised again by `dist`");
 }
