@@ -244,7 +244,7 @@ impl<'a> Fit<'a> {
                 let own = stay.wrong(&model);
                 own.hash(&mut hasher);
                 wrong += own;
-                spoilt += if own > 0 && stay.wrong(&plain) == 0 { own } else { 0 };
+                spoilt += if own > 0 && stay.is_right(&plain) { own } else { 0 };
             }
             let cut = everywhere(self.edition, &set);
             let counts = |one: &&Deviation| one.state(self.edition).is_none() || cut.contains(one);
@@ -325,22 +325,21 @@ impl<'a> Fit<'a> {
                 sets.extend(with(&from.set, one));
             }
         }
-        let sets = sets.into_iter().map(|set| (Model::new(self.edition, &set), set));
-        let helps = |model: &Model| conflicts.iter().any(|(stay, was, _)| stay.wrong(model) < *was);
-        let helping: Vec<(Model, Vec<Deviation>)> = sets.filter(|(model, _)| helps(model)).collect();
         let wrong: Vec<&Stay<'a>> = some(&wrong).map(|(stay, _)| *stay).collect();
         let all: Vec<&Stay<'a>> = some(stays).collect();
         let of =
             |stays: &[&Stay<'a>], model: &Model| stays.iter().map(|stay| stay.wrong(model)).sum::<usize>();
-        let mut ranked: Vec<Ranked> = helping
-            .into_iter()
-            .map(|(model, set)| Ranked {
+        let helping = |set: Vec<Deviation>| {
+            let model = Model::new(self.edition, &set);
+            let helps = conflicts.iter().any(|(stay, was, _)| stay.is_less_wrong(&model, *was));
+            helps.then(|| Ranked {
                 wrong: of(&wrong, &model),
                 spoilt: of(&all, &model),
                 hard: of(hard, &model),
                 set,
             })
-            .collect();
+        };
+        let mut ranked: Vec<Ranked> = sets.into_iter().filter_map(helping).collect();
         ranked.sort_by_key(|one| (one.wrong + one.spoilt, one.set.len()));
         // Where many explain the most, few answers may tell one of them from the others.
         let mut telling = ranked.clone();

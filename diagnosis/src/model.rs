@@ -11,7 +11,7 @@ use crate::causes;
 use crate::deviation::{Deviation, Remembers};
 use crate::hop::{By, Hop};
 use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
-use crate::seen::as_seen;
+use crate::seen::{self, as_seen};
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
 const NO_ROW: Taken = Taken { row: u8::MAX, term: u8::MAX };
@@ -27,6 +27,8 @@ pub struct Model {
     machine: Machine,
     showing: Showing,
     rest: Vec<Rest>,
+    /// Whether inputs count as something else than they are.
+    sees_otherwise: bool,
     /// A bit for each that is remembered otherwise.
     remembers: u16,
 }
@@ -73,7 +75,8 @@ impl Model {
             _ => all,
         });
         let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
-        Self { usual: *edition, machine, showing, rest, remembers }
+        let sees_otherwise = rest.iter().any(seen::is_of_what_is_seen);
+        Self { usual: *edition, machine, showing, rest, sees_otherwise, remembers }
     }
 
     /// The edition that it deviates from.
@@ -218,7 +221,8 @@ impl Model {
         let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
-        let seen = as_seen(&self.rest, inputs).observe(&rules.thresholds);
+        let seen = if self.sees_otherwise { &as_seen(&self.rest, inputs) } else { inputs };
+        let seen = seen.observe(&rules.thresholds);
         let braking = from == AsState::EmergencyBrake;
         let opening = seen.faults().intersection(Faults::OPENING);
         if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {
@@ -318,25 +322,19 @@ impl Model {
         let open = self.machine.arrows(from).find_map(|taken| {
             let (row, term) = (taken.row(table)?, taken.term(table)?);
             let holds = term.on.is_subset(atoms) && term.off.intersection(atoms).is_empty();
-            let needs = self.needs((from, row.to)).all(|(field, raw, is)| ((field.get)(inputs) == raw) == is);
-            (holds && needs).then_some((taken, row.to))
+            let has = |(field, raw, is): (&InputField, i32, bool)| ((field.get)(inputs) == raw) == is;
+            (holds && self.needs((from, row.to)).all(has)).then_some((taken, row.to))
         });
-        let also = self.rest.iter().find_map(|rest| match *rest {
-            Rest::Also { from: own, to, field, raw } if own == from && (field.get)(inputs) == raw => Some(to),
-            _ => None,
-        });
-        match (open, also) {
-            (Some((taken, to)), _) => {
-                let steps = if waited.1 == to { waited.0 } else { 0 };
-                if steps < self.delay((from, to)) {
-                    (None, (steps + 1, to))
-                } else {
-                    (Some((taken, to)), NOT_WAITED)
-                }
-            }
-            (None, Some(to)) => (Some((NO_ROW, to)), NOT_WAITED),
-            (None, None) => (None, NOT_WAITED),
+        if let Some((taken, to)) = open {
+            let steps = if waited.1 == to { waited.0 } else { 0 };
+            return if steps < self.delay((from, to)) {
+                (None, (steps + 1, to))
+            } else {
+                (Some((taken, to)), NOT_WAITED)
+            };
         }
+        let also = self.also(from).find(|(field, raw, _)| (field.get)(inputs) == *raw);
+        (also.map(|(.., to)| (NO_ROW, to)), NOT_WAITED)
     }
 
     /// What a step shows.

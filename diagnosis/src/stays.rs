@@ -33,18 +33,35 @@ impl Stay<'_> {
 
     /// How much of it a model does not explain.
     pub(crate) fn wrong(&self, model: &Model) -> usize {
-        let mut memory = self.begins;
+        self.points(model).sum()
+    }
+
+    /// Whether a model explains all of it.
+    pub(crate) fn is_right(&self, model: &Model) -> bool {
+        self.points(model).all(|points| points == 0)
+    }
+
+    /// Whether less of it is not explained by a model than this.
+    pub(crate) fn is_less_wrong(&self, model: &Model, than: usize) -> bool {
         let mut wrong = 0;
-        for (step, reply) in self.steps.iter().zip(self.replies) {
+        self.points(model).all(|points| {
+            wrong += points;
+            wrong < than
+        })
+    }
+
+    /// How much a model does not explain of each step, one after the other.
+    fn points(&self, model: &Model) -> impl Iterator<Item = usize> {
+        let mut memory = self.begins;
+        self.steps.iter().zip(self.replies).map(move |(step, reply)| {
             let (outputs, after) = model.follow(&memory, &step.inputs, step.dt_ms, reply);
-            let differing = reply.differing_in(&model.values(&outputs, &step.inputs));
-            if differing > 0 {
-                let same_state = outputs.state == after.control.state;
-                wrong += if same_state { differing.min(WRONG_STATE - 1) } else { WRONG_STATE };
-            }
             memory = after;
-        }
-        wrong
+            match reply.differing_in(&model.values(&outputs, &step.inputs)) {
+                0 => 0,
+                differing if outputs.state == after.control.state => differing.min(WRONG_STATE - 1),
+                _ => WRONG_STATE,
+            }
+        })
     }
 
     /// The first wrong answer by a model: what it shows there, and the answer.
