@@ -1,6 +1,6 @@
 //! What an edition asks for is what `REQUIREMENTS.md` says of it.
 
-use adsdv_spec::Edition;
+use adsdv_spec::{Choice, Edition, Reading};
 
 const REQUIREMENTS: &str = include_str!("../../REQUIREMENTS.md");
 
@@ -72,4 +72,38 @@ fn what_is_replaced_was_asked_for() {
             );
         }
     }
+}
+
+/// The table "Readings" has a line for each question that an edition leaves open, with the answers that it allows.
+#[test]
+fn the_table_of_readings_is_that_of_each_edition() {
+    let (_, table) = REQUIREMENTS.split_once("\n| item | editions | reading |").expect("the table");
+    let (table, _) = table.split_once("\n\n").expect("its end");
+    let rows: Vec<Vec<&str>> =
+        table.lines().skip(2).map(|line| line.split('|').map(str::trim).collect()).collect();
+    let mut wrong = Vec::new();
+    for edition in Edition::ALL {
+        for &reading in Reading::ALL {
+            let id = format!("`{}`", reading.id());
+            let of_both = |row: &&Vec<&str>| {
+                row[3] == id && row[2].split(", ").any(|version| version == edition.version)
+            };
+            let listed = rows.iter().filter(of_both).map(|row| quoted(row[5]));
+            let listed: Vec<Vec<&str>> = listed.collect();
+            let mut answers: Vec<Choice> = edition.choices.of_reading(reading).collect();
+            answers.sort_by_key(|&choice| !edition.readings.is(choice));
+            let answers: Vec<&str> = answers.into_iter().map(Choice::id).collect();
+            let expected = if answers.len() > 1 { vec![answers] } else { Vec::new() };
+            if listed != expected {
+                let version = edition.version;
+                wrong.push(format!("{id} of {version}: the table has {listed:?}, expected {expected:?}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "the table \"Readings\" of REQUIREMENTS.md:\n{}", wrong.join("\n"));
+}
+
+/// What stands between backticks.
+fn quoted(cell: &str) -> Vec<&str> {
+    cell.split('`').skip(1).step_by(2).collect()
 }
