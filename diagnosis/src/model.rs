@@ -11,7 +11,7 @@ use crate::causes;
 use crate::deviation::{Deviation, Remembers};
 use crate::hop::{By, Hop};
 use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
-use crate::seen::{self, as_seen};
+use crate::seen::as_seen;
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
 const NO_ROW: Taken = Taken { row: u8::MAX, term: u8::MAX };
@@ -27,8 +27,6 @@ pub struct Model {
     machine: Machine,
     showing: Showing,
     rest: Vec<Rest>,
-    /// Whether inputs count as something else than they are.
-    sees_otherwise: bool,
     /// A bit for each that is remembered otherwise.
     remembers: u16,
 }
@@ -75,8 +73,7 @@ impl Model {
             _ => all,
         });
         let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
-        let sees_otherwise = rest.iter().any(seen::is_of_what_is_seen);
-        Self { usual: *edition, machine, showing, rest, sees_otherwise, remembers }
+        Self { usual: *edition, machine, showing, rest, remembers }
     }
 
     /// The edition that it deviates from.
@@ -221,8 +218,7 @@ impl Model {
         let Memory { mut control, waited, .. } = *memory;
         let machine = &self.machine;
         let (rules, from) = (&machine.edition().rules, control.state);
-        let seen = if self.sees_otherwise { &as_seen(&self.rest, inputs) } else { inputs };
-        let seen = seen.observe(&rules.thresholds);
+        let seen = as_seen(&self.rest, inputs).observe(&rules.thresholds);
         let braking = from == AsState::EmergencyBrake;
         let opening = seen.faults().intersection(Faults::OPENING);
         if self.remembers(Remembers::LatestCause) && braking && !opening.is_empty() {

@@ -5,11 +5,6 @@ use adsdv_spec::messages::WheelSpeed;
 
 use crate::rest::Rest;
 
-/// Whether a deviation changes what a program sees of its inputs.
-pub(crate) const fn is_of_what_is_seen(deviation: &Rest) -> bool {
-    matches!(deviation, Rest::Ignores { .. } | Rest::Wheels(_) | Rest::Opens { .. })
-}
-
 /// The inputs as deviations let a program see them.
 pub(crate) fn as_seen(deviations: &[Rest], inputs: &Inputs) -> Inputs {
     let mut seen = *inputs;
