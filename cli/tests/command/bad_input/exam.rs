@@ -8,7 +8,7 @@ use super::{refused, run};
 const BEGINS: &str = "read a; echo '{\"edition\":\"4.0\"}'; read a; echo '{}'; read a; ";
 
 fn examined(script: &str) -> crate::run::Outcome {
-    run(&["exam", "--stdio", "--edition", "4.0", "--timeout", "0.5", "--", "sh", "-c", script])
+    run(&["exam", "--stdio", "--edition", "4.0", "--timeout", "2", "--", "sh", "-c", script])
 }
 
 #[test]
@@ -26,7 +26,7 @@ pub(super) fn a_program_that_cannot_be_examined() {
     for (script, expected, hint) in [
         ("exit 3".to_owned(), "the program ended early (exit status 3)", "until its input ends"),
         ("exec 1>&-; sleep 60".to_owned(), "closed its standard output", "until its input ends"),
-        ("sleep 60".to_owned(), "no answer within 0.5 s", "flush standard output"),
+        ("sleep 60".to_owned(), "no answer within 2 s", "flush standard output"),
         (
             "read a; echo '{\"edition\":\"3.0\"}'; cat".to_owned(),
             "is of edition 3.0; expected 4.0",
@@ -35,7 +35,7 @@ pub(super) fn a_program_that_cannot_be_examined() {
         ("read a; echo '{}'; cat".to_owned(), "does not say that it is of edition 4.0", "--edition"),
         (format!("{BEGINS} echo '{{\"fram'; sleep 60"), "not the answer to a step: EOF", "exam/PROTOCOL.md"),
         (format!("{BEGINS} echo '{{}}'; cat"), "no key \"frames\"", "exam/PROTOCOL.md"),
-        (format!("{BEGINS} printf '{{\"frames\":'; sleep 60"), "no end of the line within 0.5 s", "flush"),
+        (format!("{BEGINS} printf '{{\"frames\":'; sleep 60"), "no end of the line within 2 s", "flush"),
         (
             format!("{BEGINS} echo '{{\"frames\":[\"510#0\"]}}'; cat"),
             "the frame \"510#0\"",
@@ -43,7 +43,7 @@ pub(super) fn a_program_that_cannot_be_examined() {
         ),
         (format!("{BEGINS} printf '\\377\\n'; cat"), "it is not UTF-8", "exam/PROTOCOL.md"),
         (format!("{BEGINS} head -c 70000 /dev/zero; cat"), "a line of more than 65536 bytes", "line break"),
-        (format!("{BEGINS} sh -c 'sleep 60' & sleep 60"), "no answer within 0.5 s", "flush"),
+        (format!("{BEGINS} sh -c 'sleep 60' & sleep 60"), "no answer within 2 s", "flush"),
     ] {
         let start = Instant::now();
         let outcome = examined(&script);
