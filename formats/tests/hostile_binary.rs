@@ -84,14 +84,31 @@ fn no_bit_that_is_another_makes_it_panic() {
     }
 }
 
-/// A gigabyte of zeros.
+/// A gigabyte of zeros. Behind the first two parts a part is as the one before, so that no more are made.
 fn bomb() -> Vec<u8> {
+    const PARTS: usize = 1024;
     let mut packed = ZlibEncoder::new(Vec::new(), Compression::best());
     let zeros = vec![0; MIB];
-    for _ in 0..1024 {
+    let mut ends = [0; 2];
+    for end in &mut ends {
         packed.write_all(&zeros).expect("memory");
+        packed.flush().expect("memory");
+        *end = packed.get_ref().len();
     }
-    packed.finish().expect("memory")
+    let [first, second] = ends;
+    let whole = packed.finish().expect("memory");
+    let (parts, rest) = whole.split_at(second);
+    // The checksum, Adler-32 of as many zeros, is behind what ends the data.
+    let (end, _) = rest.split_at(rest.len() - 4);
+    let checksum = u32::try_from(PARTS * MIB % 65521).expect("small") << 16 | 1;
+    [parts, &parts[first..].repeat(PARTS - 2), end, &checksum.to_be_bytes()].concat()
+}
+
+#[test]
+fn the_bomb_is_one() {
+    let _alone = ALONE.lock();
+    let mut unpacked = flate2::read::ZlibDecoder::new(Cursor::new(bomb()));
+    assert_eq!(std::io::copy(&mut unpacked, &mut std::io::sink()).expect("it is whole"), 1 << 30);
 }
 
 #[test]

@@ -75,12 +75,15 @@ fn programs_that_end_early() {
 
 #[test]
 fn programs_that_do_not_answer() {
-    reports(
-        &["--hang-at", "2"],
-        &["no answer within 2 s", "3.1, step 1", FIRST_STEP, "hint: answer every line"],
-    );
-    reports(&["--no-read"], &["no answer within 2 s", "the beginning, the reset"]);
-    reports(&["--stall-at", "2"], &["no end of the line within 2 s", "received  {\"as_state\":"]);
+    let hangs = ["no answer within 2 s", "3.1, step 1", FIRST_STEP, "hint: answer every line"];
+    let never_reads = ["no answer within 2 s", "the beginning, the reset"];
+    let stalls = ["no end of the line within 2 s", "received  {\"as_state\":"];
+    // All are waited for at once.
+    std::thread::scope(|scope| {
+        scope.spawn(|| reports(&["--hang-at", "2"], &hangs));
+        scope.spawn(|| reports(&["--no-read"], &never_reads));
+        scope.spawn(|| reports(&["--stall-at", "2"], &stalls));
+    });
 }
 
 /// One that answers, and takes its time for each answer, ends as well.
@@ -191,19 +194,20 @@ fn as_much_can_be_asked_as_there_is_time_for() {
 
 #[test]
 fn no_process_is_left() {
-    for (name, args) in [
-        ("hang", &["--hang-at", "3"][..]),
-        ("no-read", &["--no-read"]),
-        ("no-eof", &["--no-eof"]),
-        ("garbage", &["--garbage-at", "2", "--no-eof"]),
-        ("long", &["--long-at", "2"]),
-        ("well", &[]),
-    ] {
+    let leaves_none = |name: &str, args: &[&str]| {
         let pid = temporary(&format!("pid-{name}"));
         let args = [&["--pid", pid.to_str().expect("text")], args].concat();
         let _ = misbehave(&args, SHORT);
         gone(&pid);
-    }
+    };
+    std::thread::scope(|scope| {
+        scope.spawn(|| leaves_none("hang", &["--hang-at", "3"]));
+        scope.spawn(|| leaves_none("no-read", &["--no-read"]));
+        scope.spawn(|| leaves_none("no-eof", &["--no-eof"]));
+        scope.spawn(|| leaves_none("garbage", &["--garbage-at", "2", "--no-eof"]));
+        scope.spawn(|| leaves_none("long", &["--long-at", "2"]));
+        scope.spawn(|| leaves_none("well", &[]));
+    });
 }
 
 #[test]
