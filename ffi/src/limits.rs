@@ -203,7 +203,7 @@ mod tests {
         ($name:ident: $plain:ident of $usual:expr) => {
             #[test]
             fn $name() {
-                for number in 0..adsdv_edition::try_from(Edition::ALL.len()).unwrap() {
+                let of_edition = |number: adsdv_edition| {
                     let (mut allowed, mut refused) = (0, 0);
                     each($plain::from(&$usual), |plain: &$plain| {
                         // Field by field there is nothing wrong with it.
@@ -219,7 +219,12 @@ mod tests {
                         }
                     });
                     assert!(allowed > 1000 && refused > 1000, "{allowed} allowed, {refused} refused");
-                }
+                };
+                std::thread::scope(|scope| {
+                    for number in 0..adsdv_edition::try_from(Edition::ALL.len()).unwrap() {
+                        scope.spawn(move || of_edition(number));
+                    }
+                });
                 assert!($plain::from(&$usual).check(adsdv_edition::MAX).is_none(), "no such edition");
             }
         };

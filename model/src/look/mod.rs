@@ -90,6 +90,7 @@ mod tests {
     use adsdv_spec::{Edition, Mutation, Readings};
 
     use super::*;
+    use crate::document::state_machines;
     use crate::reachable::reachable;
     use crate::short_timers::short_timers;
     use crate::step::Step;
@@ -146,11 +147,11 @@ mod tests {
         assert!(all_steps > 10_000_000, "{all_steps}");
     }
 
-    /// And of each mutant of the table of each edition, from its own control states.
+    /// And of each mutant of the table of each edition that has one of its own, from its own control states.
     #[test]
     fn both_engines_find_the_same_of_each_mutant() {
         let mut all_broken = 0_u64;
-        for edition in Edition::ALL {
+        for edition in state_machines() {
             let timing = short_timers(edition);
             for mutation in Mutation::all(edition) {
                 let machine = Machine::new(mutation.apply(&short(edition)), edition.readings);
