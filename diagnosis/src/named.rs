@@ -73,7 +73,7 @@ mod tests {
             for (place, deviation) in Deviation::every(edition).into_iter().enumerate() {
                 let id = deviation.id(edition);
                 assert!(ids.insert(id.clone()), "two have the id {id}");
-                // It is looked for among all of them each time: what no other's id is, some of them show to be found.
+                // To find one takes the ids of all of them, so that every sixteenth has to be enough.
                 if place % 16 == 0 {
                     assert_eq!(Deviation::find(edition, &id), Some(deviation), "{id}");
                 }
