@@ -7,7 +7,7 @@ use crate::faults::{Fault, Faults};
 use crate::messages::{
     Ai2VcuBrake, Ai2VcuDriveF, Ai2VcuDriveR, Ai2VcuStatus, Ai2VcuSteer, AmiState, AnyMessage, AxleTorque,
     AxleTorqueRequest, BrakePressure, DecodeError, EbsState, Frame, SpeedKmh, SteerAngle, SteerAngleMax,
-    Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
+    Vcu2AiSteer, Vcu2AiWheelCounts, Vcu2AiWheelSpeeds,
 };
 use crate::silence::AiSilence;
 
@@ -213,12 +213,16 @@ impl Inputs {
     /// ```
     #[must_use]
     pub fn held_by(mut self, bus: &Bus) -> Self {
-        let within = |field, raw: i32| bus.signal_of(field).map_or(raw, |row| raw.clamp(row.min, row.max));
-        let Self { ai, vehicle, .. } = &mut self;
-        ai.steer.steer_request = SteerAngle::clamped(within("steer_request", ai.steer.steer_request.raw()));
-        vehicle.steer_angle = SteerAngle::clamped(within("steer_angle", vehicle.steer_angle.raw()));
+        let within = |id, field, raw: i32| {
+            let signal = bus.message(id).and_then(|message| message.signal_of(field));
+            signal.map_or(raw, |signal| raw.clamp(signal.min, signal.max))
+        };
+        let Self { ai: AiMessages { steer, .. }, vehicle, .. } = &mut self;
+        let (asked, told) = (Ai2VcuSteer::ID, Vcu2AiSteer::ID);
+        steer.steer_request = SteerAngle::clamped(within(asked, "steer_request", steer.steer_request.raw()));
+        vehicle.steer_angle = SteerAngle::clamped(within(told, "steer_angle", vehicle.steer_angle.raw()));
         vehicle.steer_angle_max =
-            SteerAngleMax::clamped(within("steer_angle_max", vehicle.steer_angle_max.raw()));
+            SteerAngleMax::clamped(within(told, "steer_angle_max", vehicle.steer_angle_max.raw()));
         self
     }
 

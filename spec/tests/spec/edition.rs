@@ -119,6 +119,17 @@ fn inputs_are_held_within_the_ranges_of_an_edition() {
     let raw = (held.ai.steer.steer_request.raw(), held.vehicle.steer_angle.raw());
     assert_eq!((raw, held.vehicle.steer_angle_max.raw()), ((-240, 240), 240));
     assert_eq!(inputs.held_by(&Bus { messages: &[], ..BUS }), inputs);
+    for edition in Edition::ALL {
+        let most = |field| edition.bus.signal_of(field).expect("each edition steers").max;
+        let held = Inputs {
+            ai: AiMessages { steer: Ai2VcuSteer { steer_request: SteerAngle::MAX }, ..inputs.ai },
+            ..inputs
+        }
+        .held_by(&edition.bus);
+        assert_eq!(held.ai.steer.steer_request.raw(), most("steer_request"), "{}", edition.version);
+        assert_eq!(held.vehicle.steer_angle.raw(), most("steer_angle"), "{}", edition.version);
+        assert_eq!(held.vehicle.steer_angle_max.raw(), most("steer_angle_max"), "{}", edition.version);
+    }
 }
 
 #[test]
