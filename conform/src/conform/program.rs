@@ -1,5 +1,6 @@
 //! A program under test: started once, asked line by line, many lines ahead.
 
+use std::collections::HashMap;
 use std::ffi::OsString;
 use std::io::Write as _;
 use std::sync::Arc;
@@ -17,6 +18,10 @@ use crate::suite::{Scenario, Step};
 
 /// So many lines are sent before the answer to the first of them has come.
 const AHEAD: usize = 4096;
+/// So many lines of answers are kept at most, each with what it says: nearly all are the same as one before.
+const KEPT: usize = 10_000;
+/// What is asked by none of the scenarios.
+const DIAGNOSIS: &str = "the diagnosis";
 
 /// A child process that speaks the protocol. It is killed, with everything that it started, when it is dropped.
 #[derive(Debug)]
@@ -26,6 +31,8 @@ pub struct Program {
     late: bool,
     /// What its answers may say.
     protocol: Arc<Protocol>,
+    /// What its answers said.
+    read: HashMap<Box<[u8]>, Answer>,
     /// Whether it has just been reset, and nothing was asked since.
     is_reset: bool,
     /// Since when its last step lasts, if its time is that of a clock on the wall.
@@ -50,7 +57,16 @@ impl Program {
     ) -> Result<Self, ProgramError> {
         let lines = LineProgram::start(program, args, timeout).map_err(ProgramError::new)?;
         let protocol = Arc::new(Protocol::of(UNSAID));
-        Ok(Self { lines, late, protocol, is_reset: false, clock: None, told: true, tries: TRIES })
+        Ok(Self {
+            lines,
+            late,
+            protocol,
+            read: HashMap::new(),
+            is_reset: false,
+            clock: None,
+            told: true,
+            tries: TRIES,
+        })
     }
 
     /// With a limit, from now on, for all that it is asked: one that is slow, and never too slow for an answer, ends as well.
@@ -68,7 +84,7 @@ impl Program {
         if std::mem::take(&mut self.is_reset) {
             return Ok(());
         }
-        self.asked(&Request::Reset, |line, _| Reply::to_reset(line))
+        self.asked(&Request::Reset, |program| Reply::to_reset(program.lines.line()?))
     }
 
     /// One step, and waits for its answer.
@@ -78,26 +94,55 @@ impl Program {
     /// Fails if no answer comes in time, or what comes shows no outputs.
     pub fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
         let inputs = *inputs;
-        self.asked(&Request::Step { dt_ms, inputs }, |line, protocol| {
-            match Reply::to_step(line, false, protocol)? {
-                Reply::Answer(answer) => Ok(answer),
-                Reply::Nothing => Err(ProgramErrorKind::Closed),
-            }
+        self.asked(&Request::Step { dt_ms, inputs }, |program| match program.reply(false)? {
+            Reply::Answer(answer) => Ok(answer),
+            Reply::Nothing => Err(ProgramErrorKind::Closed),
         })
+    }
+
+    /// Power on and steps, all of which are sent before the first answer has to come.
+    ///
+    /// # Errors
+    ///
+    /// Fails if an answer does not come in time, or what comes shows no outputs.
+    pub fn steps(&mut self, steps: &[Step]) -> Result<Vec<Answer>, ProgramError> {
+        let scenario = Scenario { steps: steps.to_vec() };
+        let mut replies = Vec::new();
+        self.ask(&[(DIAGNOSIS, &scenario)], &mut |_, all| replies = all.to_vec())?;
+        let answer = |(place, reply)| match reply {
+            Reply::Answer(answer) => Ok(answer),
+            Reply::Nothing => Err(self.trouble(ProgramErrorKind::Closed, DIAGNOSIS, &scenario, place + 1)),
+        };
+        replies.into_iter().enumerate().map(answer).collect()
     }
 
     fn asked<T>(
         &mut self,
         request: &Request,
-        read: impl FnOnce(&[u8], &Protocol) -> Result<T, ProgramErrorKind>,
+        read: impl FnOnce(&mut Self) -> Result<T, ProgramErrorKind>,
     ) -> Result<T, ProgramError> {
-        let protocol = Arc::clone(&self.protocol);
-        let sent = protocol.line(request).to_string();
+        let sent = self.protocol.line(request).to_string();
         self.lines.write(format!("{sent}\n").into_bytes());
-        self.lines.line().and_then(|line| read(line, &protocol)).map_err(|what| {
-            let place = Some(Box::new(SentLine { scenario: "the diagnosis".to_owned(), step: 1, sent }));
+        read(self).map_err(|what| {
+            let place = Some(Box::new(SentLine { scenario: DIAGNOSIS.to_owned(), step: 1, sent }));
             ProgramError { place, what, stderr: self.lines.last_words() }
         })
+    }
+
+    /// The answer to a step, with nothing to show yet as one where that may be.
+    fn reply(&mut self, late: bool) -> Result<Reply, ProgramErrorKind> {
+        let line = self.lines.line()?;
+        if let Some(answer) = self.read.get(line) {
+            return Ok(Reply::Answer(*answer));
+        }
+        let reply = Reply::to_step(line, late, &self.protocol)?;
+        if let Reply::Answer(answer) = reply {
+            if self.read.len() == KEPT {
+                self.read.clear();
+            }
+            self.read.insert(line.into(), answer);
+        }
+        Ok(reply)
     }
 
     /// Waits until this time has passed since the last step, if that is what the program goes by.
@@ -133,8 +178,7 @@ impl Program {
             let request = Request::Step { dt_ms: step.dt_ms, inputs: step.inputs };
             let written = Instant::now();
             self.lines.write(format!("{}\n", protocol.line(&request)).into_bytes());
-            let late = self.late;
-            let reply = self.lines.line().and_then(|line| Reply::to_step(line, late, &protocol));
+            let reply = self.reply(self.late);
             replies.push(reply.map_err(|what| self.trouble(what, name, &scenario, replies.len() + 1))?);
             let taken = Taken { written, answered: Instant::now() };
             self.told &= Taken::is_told(std::mem::replace(&mut before, taken), taken, step.dt_ms);
@@ -177,6 +221,7 @@ impl Vcu for Program {
     /// One that is asked about [`UNSAID`] gets no hello: so programs that know no hello are judged as they always were.
     fn hello(&mut self, edition: &Edition) -> Result<About, ProgramError> {
         self.protocol = Arc::new(Protocol::of(edition));
+        self.read.clear();
         let protocol = Arc::clone(&self.protocol);
         let mut about = None;
         if edition.version != UNSAID.version {
@@ -227,7 +272,6 @@ impl Vcu for Program {
             }
             return Ok(());
         }
-        let protocol = Arc::clone(&self.protocol);
         let mut to_send = scenarios.iter();
         let mut in_flight = 0;
         let mut replies = Vec::new();
@@ -247,8 +291,7 @@ impl Vcu for Program {
             }
             replies.clear();
             for step in 1..=scenario.steps.len() {
-                let late = self.late;
-                let reply = self.lines.line().and_then(|line| Reply::to_step(line, late, &protocol));
+                let reply = self.reply(self.late);
                 replies.push(reply.map_err(|what| self.trouble(what, name, scenario, step))?);
             }
             in_flight -= scenario.steps.len();

@@ -193,6 +193,23 @@ fn as_much_can_be_asked_as_there_is_time_for() {
 }
 
 #[test]
+fn steps_asked_at_once_are_answered_as_one_by_one_and_trouble_names_its_step() {
+    let longest = tests().iter().max_by_key(|test| test.scenario.steps.len()).expect("there are tests");
+    let steps = &longest.scenario.steps;
+    let start = |args: &[&str]| {
+        let args: Vec<OsString> = args.iter().map(OsString::from).collect();
+        Program::start(&path("mutant").into_os_string(), &args, TIMEOUT, false).expect("it starts")
+    };
+    let mut program = start(&[]);
+    program.reset().expect("it answers");
+    let one_by_one: Result<Vec<_>, _> =
+        steps.iter().map(|step| program.step(step.dt_ms, &step.inputs)).collect();
+    assert_eq!(program.steps(steps).expect("it answers"), one_by_one.expect("it answers"));
+    let trouble = start(&["--garbage-at", "3"]).steps(steps).expect_err("it answers nonsense").to_string();
+    assert!(trouble.contains("the diagnosis, step 2"), "{trouble}");
+}
+
+#[test]
 fn no_process_is_left() {
     let leaves_none = |name: &str, args: &[&str]| {
         let pid = temporary(&format!("pid-{name}"));
