@@ -8,6 +8,7 @@ use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 
 use crate::hop::Hop;
+use crate::lead::lead;
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
@@ -69,20 +70,22 @@ impl Experiments<'_> {
     pub(crate) fn try_it(
         &mut self,
         state: AsState,
-        act: impl FnOnce(&mut Pilot<'_>) -> Result<(), ProgramError>,
+        act: impl Fn(&mut Pilot<'_>) -> Result<(), ProgramError>,
     ) -> Result<(), ProgramError> {
         if self.until.is_some_and(|until| Instant::now() >= until) {
             return Ok(());
         }
-        let mut pilot = Pilot::new(self.subject, self.ways)?;
-        if pilot.to(state)? {
-            if pilot.aim(state, pilot.cycle_ms()) {
-                pilot.cycles(1)?;
+        let ((), record) = lead(self.subject, self.ways, |pilot| {
+            if pilot.to(state)? {
+                if pilot.aim(state, pilot.cycle_ms()) {
+                    pilot.cycles(1)?;
+                }
+                act(pilot)?;
+                pilot.cycles(BEHIND)?;
             }
-            act(&mut pilot)?;
-            pilot.cycles(BEHIND)?;
-        }
-        self.records.push(pilot.record());
+            Ok(())
+        })?;
+        self.records.push(record);
         Ok(())
     }
 
@@ -117,8 +120,8 @@ impl Experiments<'_> {
                 if let Some((term, to)) = term.filter(|_| first) {
                     pilot.prepare(&term, to, 0)?;
                 }
-                for (field, raw) in changes {
-                    (field.set)(&mut pilot.inputs, raw);
+                for (field, raw) in &changes {
+                    (field.set)(&mut pilot.inputs, *raw);
                 }
                 pilot.cycles(2)?;
                 if let Some((term, to)) = term.filter(|_| !first) {

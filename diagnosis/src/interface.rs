@@ -2,6 +2,7 @@
 
 use adsdv_conform::ProgramError;
 use adsdv_conform::protocol::{About, Answer, INPUTS, InputField, SHOWN, Shown};
+use adsdv_conform::suite::Step;
 use adsdv_spec::{Choice, Choices, Inputs, Reading};
 
 use crate::subject::Subject;
@@ -123,5 +124,14 @@ impl Subject for Seen<'_> {
 
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
         self.subject.step(dt_ms, inputs).map(|answer| self.interface.compared(&answer))
+    }
+
+    fn steps(&mut self, steps: &[Step]) -> Result<Vec<Answer>, ProgramError> {
+        let answers = self.subject.steps(steps)?;
+        Ok(answers.iter().map(|answer| self.interface.compared(answer)).collect())
+    }
+
+    fn is_waited_for(&self) -> bool {
+        self.subject.is_waited_for()
     }
 }

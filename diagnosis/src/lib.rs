@@ -26,7 +26,7 @@
 //! - `model.rs`: the state machine that does so, `rest.rs` with what is no change of Figure 2, `seen.rs` what of its
 //!   inputs, and `causes.rs` what of an emergency; `running.rs`: as a program;
 //! - `hop.rs`: what leads from one state to the next; `ways/mod.rs`: the ways to the states by a model, and `ways/search.rs` how they are found;
-//!   `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow; `dials.rs`: the inputs that can be changed;
+//!   `pilot.rs`: leads a program on them, `prepare.rs` up to an arrow, and `lead.rs` at once where the answers are foreseen; `dials.rs`: the inputs that can be changed;
 //! - `experiments.rs`: what is tried in each state, `moments.rs` when a time is over, `seek.rs` for arrows that seem to be missing, and `walk.rs` by chance;
 //! - `record.rs`: what was answered, `cycles.rs` where it is asked at a fixed cycle, and `stays.rs`: the same, state by state;
 //! - `candidates.rs`: the deviations that may explain an answer; `turn.rs`: the time or the value at which the program turns;
@@ -69,6 +69,7 @@ mod found;
 mod hop;
 mod in_the_way;
 mod interface;
+mod lead;
 mod model;
 mod moments;
 mod named;

@@ -39,7 +39,12 @@ impl<'a> Pilot<'a> {
         Ok(Self { subject, ways, model, memory, inputs, answers, bit: false, record, lost: false })
     }
 
-    /// What was asked and answered.
+    /// What was asked and answered, step by step.
+    pub(crate) const fn asked(&self) -> &Record {
+        &self.record
+    }
+
+    /// The same, with like steps of a fixed cycle as one.
     pub(crate) fn record(self) -> Record {
         if self.ways.interface.cycle_ms().is_some() { self.record.joined() } else { self.record }
     }

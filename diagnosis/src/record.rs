@@ -72,9 +72,7 @@ impl Record {
     ///
     /// Fails if the program does not answer to a step.
     pub fn of(subject: &mut dyn Subject, steps: &[Step]) -> Result<Self, ProgramError> {
-        subject.reset()?;
-        let replies: Result<_, _> = steps.iter().map(|step| subject.step(step.dt_ms, &step.inputs)).collect();
-        Ok(Self { steps: steps.to_vec(), replies: replies? })
+        Ok(Self { steps: steps.to_vec(), replies: subject.steps(steps)? })
     }
 
     /// For how many steps a model does the same.

@@ -7,6 +7,7 @@ use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Edition, Term};
 
 use crate::deviation::Deviation;
+use crate::lead::lead;
 use crate::pilot::Pilot;
 use crate::random::Random;
 use crate::record::Record;
@@ -105,7 +106,18 @@ impl Sought<'_> {
         wait: Wait,
         records: &mut Vec<Record>,
     ) -> Result<(Changes, bool), ProgramError> {
-        let mut pilot = Pilot::new(subject, self.ways)?;
+        let (done, record) = lead(subject, self.ways, |pilot| self.takes(pilot, term, wanted, wait))?;
+        records.push(record);
+        Ok(done)
+    }
+
+    fn takes(
+        &self,
+        pilot: &mut Pilot<'_>,
+        term: &Term,
+        wanted: &Changes,
+        wait: Wait,
+    ) -> Result<(Changes, bool), ProgramError> {
         let (mut made, mut taken) = (Vec::new(), false);
         if pilot.to(self.from)? {
             if wait == Wait::Before {
@@ -137,7 +149,6 @@ impl Sought<'_> {
                 }
             }
         }
-        records.push(pilot.record());
         Ok((made, taken))
     }
 

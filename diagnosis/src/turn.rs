@@ -8,6 +8,7 @@ use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{AiSilence, Atom, Rules, Term};
 
 use crate::deviation::Deviation;
+use crate::lead::lead;
 use crate::pilot::Pilot;
 use crate::subject::Subject;
 use crate::ways::Ways;
@@ -163,8 +164,11 @@ struct Turn<'a> {
 impl Turn<'_> {
     /// Whether it is taken with a number as it is given here.
     fn is_taken(&self, subject: &mut dyn Subject, number: Number, value: i32) -> Result<bool, ProgramError> {
+        Ok(lead(subject, self.ways, |pilot| self.takes(pilot, number, value))?.0)
+    }
+
+    fn takes(&self, pilot: &mut Pilot<'_>, number: Number, value: i32) -> Result<bool, ProgramError> {
         let Self { term, to, .. } = *self;
-        let mut pilot = Pilot::new(subject, self.ways)?;
         if !pilot.to(self.state)? {
             return Ok(false);
         }
@@ -219,18 +223,20 @@ fn is_lost_after(
     missed: bool,
     lasts: i32,
 ) -> Result<bool, ProgramError> {
-    let mut pilot = Pilot::new(subject, ways)?;
-    if !pilot.to(state)? {
-        return Ok(false);
-    }
-    pilot.inputs.tsms = true;
-    pilot.cycles(2)?;
-    if missed {
-        pilot.inputs.ai_silence = AiSilence::of(u16::try_from(lasts).unwrap_or(u16::MAX));
-        pilot.cycles(1)?;
-    } else {
-        pilot.answers = false;
-        pilot.step(ms(lasts))?;
-    }
-    Ok(pilot.shows_comms_lost())
+    let (is, _) = lead(subject, ways, |pilot| {
+        if !pilot.to(state)? {
+            return Ok(false);
+        }
+        pilot.inputs.tsms = true;
+        pilot.cycles(2)?;
+        if missed {
+            pilot.inputs.ai_silence = AiSilence::of(u16::try_from(lasts).unwrap_or(u16::MAX));
+            pilot.cycles(1)?;
+        } else {
+            pilot.answers = false;
+            pilot.step(ms(lasts))?;
+        }
+        Ok(pilot.shows_comms_lost())
+    })?;
+    Ok(is)
 }

@@ -7,6 +7,7 @@ use adsdv_spec::{Edition, Term};
 
 use crate::deviation::Deviation;
 use crate::interface::{Interface, Seen};
+use crate::lead::lead;
 use crate::model::Model;
 use crate::pilot::Pilot;
 use crate::random::Random;
@@ -25,8 +26,17 @@ pub(crate) fn walk(
     ways: &Ways<'_>,
     random: &mut Random,
 ) -> Result<Record, ProgramError> {
+    let (after, record) = lead(subject, ways, |pilot| {
+        let mut random = random.clone();
+        wander(pilot, ways, &mut random)?;
+        Ok(random)
+    })?;
+    *random = after;
+    Ok(record)
+}
+
+fn wander(pilot: &mut Pilot<'_>, ways: &Ways<'_>, random: &mut Random) -> Result<(), ProgramError> {
     let usual = Model::new(ways.model.usual(), &[]);
-    let mut pilot = Pilot::new(subject, ways)?;
     let changes: Vec<_> = ways.changes().collect();
     if let Some(&state) = AsState::ALL.get(random.below(AsState::ALL.len())) {
         pilot.to(state)?;
@@ -81,7 +91,7 @@ pub(crate) fn walk(
             }
         }
     }
-    Ok(pilot.record())
+    Ok(())
 }
 
 /// Steps at whose end two models do not show the same, as far as a program has inputs and outputs, found in so many walks; `None` if

@@ -6,6 +6,7 @@ use std::fmt::{self, Write as _};
 use std::time::Duration;
 
 use adsdv_conform::protocol::{Answer, Difference};
+use adsdv_conform::suite::Step;
 use adsdv_conform::{ConformReport, Failure, Follows, Program, ProgramError, Reply, Vcu as _};
 use adsdv_diagnosis::{
     Arrow, Deviation, Diagnosis, Example, Interface, Model, Record, Subject, diagnose_within, examples,
@@ -25,7 +26,7 @@ use crate::report::style::{self, Styled};
 /// Of so many deviations what shows them leaves room for all on a screen.
 const WITHOUT_A_LIST: usize = 3;
 /// Progress is shown after so many steps.
-const SHOWN_EVERY: u64 = 500;
+const SHOWN_EVERY: usize = 500;
 
 /// What a program does otherwise, by an edition as it reads it.
 #[derive(Clone, Debug)]
@@ -172,7 +173,7 @@ fn states_of(edition: &Edition, reading: Reading) -> Vec<AsState> {
 /// A program, with how many steps it was asked for on the terminal.
 struct Asked {
     program: Program,
-    steps: u64,
+    steps: usize,
     line: ProgressLine,
 }
 
@@ -182,11 +183,28 @@ impl Subject for Asked {
     }
 
     fn step(&mut self, dt_ms: u32, inputs: &Inputs) -> Result<Answer, ProgramError> {
-        self.steps += 1;
-        if self.steps.is_multiple_of(SHOWN_EVERY) {
+        self.asks_for(1);
+        Subject::step(&mut self.program, dt_ms, inputs)
+    }
+
+    fn steps(&mut self, steps: &[Step]) -> Result<Vec<Answer>, ProgramError> {
+        self.asks_for(steps.len());
+        Subject::steps(&mut self.program, steps)
+    }
+
+    fn is_waited_for(&self) -> bool {
+        self.program.is_waited_for()
+    }
+}
+
+impl Asked {
+    /// Says how many steps were asked for each time when there are so many more.
+    fn asks_for(&mut self, steps: usize) {
+        let before = self.steps / SHOWN_EVERY;
+        self.steps += steps;
+        if self.steps / SHOWN_EVERY > before {
             self.line.show(format_args!("diagnosis: {} steps asked", self.steps));
         }
-        Subject::step(&mut self.program, dt_ms, inputs)
     }
 }
 
