@@ -61,4 +61,7 @@ directory = "$empty/registry"
 CONFIG
 cargo install adsdv --locked --offline --config config.toml --root "$empty/installed" --target-dir "$empty/target" || exit 1
 "$empty/installed/bin/adsdv" check "$log" || exit 1
+# What the command does not stand on.
+cargo build --release --locked --offline --config config.toml --target-dir "$empty/target" \
+  --manifest-path "$empty"/registry/adsdv-ffi-*/Cargo.toml || exit 1
 echo "scripts/packages.sh: $(find "$target/package" -maxdepth 1 -name '*.crate' | wc -l) packages, and the command installed from them"
