@@ -67,7 +67,10 @@ fn it_recognises_the_edition_of_every_bus() {
             }
             let expected = in_rust.recognise();
             let found = in_c.recognise();
-            assert_eq!(found, (edition.version, expected.certain, expected.to_string()));
+            // Of editions with the same bus it is the newest.
+            let newest =
+                Edition::ALL.iter().rfind(|other| other.bus == edition.bus).expect("the edition itself");
+            assert_eq!(found, (newest.version, expected.certain, expected.to_string()));
             assert_eq!(in_c.recognise(), found, "a second call says the same");
         }
     }
