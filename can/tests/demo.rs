@@ -77,11 +77,10 @@ fn each_sample_conforms_in_each_edition_which_its_log_tells() {
             let judged =
                 judge_recognised(Reader::new(&log[..]), &LogOptions::default(), |_| {}).expect("a log");
             let recognised = judged.recognised;
-            assert_eq!(
-                (recognised.edition.version, recognised.certain),
-                (edition.version, true),
-                "{recognised}"
-            );
+            // Of editions with the same bus it is the newest.
+            let alike: Vec<_> = Edition::ALL.iter().filter(|other| other.bus == edition.bus).collect();
+            let told = (alike.last().map(|newest| newest.version), alike.len() == 1);
+            assert_eq!((Some(recognised.edition.version), recognised.certain), told, "{recognised}");
             assert_eq!(recognised.against, [""; 0], "{name}: {recognised}");
             for severity in [Severity::Violation, Severity::Warning] {
                 assert_eq!(judged.report.count(severity), 0, "{name}: {:#?}", judged.report.findings);

@@ -137,7 +137,13 @@ fn the_page_names_every_key_and_every_value_and_its_example_is_true() {
                     || protocol.shown().any(|(field, _)| field.key == key)
             };
             let having: Vec<&str> = Edition::ALL.iter().filter(has).map(|edition| edition.version).collect();
-            let alone = format!("| in {} alone", having.join(" and "));
+            let alone = match having.as_slice() {
+                [all @ .., one, last] => {
+                    let all: String = all.iter().map(|version| format!("{version}, ")).collect();
+                    format!("| in {all}{one} and {last} alone")
+                }
+                some => format!("| in {} alone", some.concat()),
+            };
             let of_some = having.len() < Edition::ALL.len();
             let expected = if of_some { format!("{alone:?}") } else { "no edition alone".to_owned() };
             assert_eq!(

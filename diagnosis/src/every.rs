@@ -2,7 +2,7 @@
 
 use adsdv_conform::protocol::{Domain, Protocol, ShownField};
 use adsdv_spec::mutation::{Change, Threshold, Time};
-use adsdv_spec::{AsState, Edition};
+use adsdv_spec::{AsState, Atom, Edition};
 
 use crate::candidates;
 use crate::deviation::Deviation;
@@ -16,7 +16,9 @@ impl Deviation {
             [Time::ReadyDwell, Time::EbsTimer, Time::Handshake].map(|time| move |by| Change::Time(time, by));
         all.extend(times.iter().flat_map(|time| [-7, 1, 450].map(|by| Self::Changed(time(by)))));
         let missed = edition.rules.thresholds.missed_ms.map(|_| Threshold::Missed);
-        let thresholds = [Threshold::WheelSpeed, Threshold::Straight].into_iter().chain(missed);
+        // Where no row asks for straight wheels nothing is against their limit.
+        let straight = edition.scope().has(Atom::SteerStraight).then_some(Threshold::Straight);
+        let thresholds = [Threshold::WheelSpeed].into_iter().chain(straight).chain(missed);
         all.extend(
             thresholds.flat_map(|one| [-3, 1, 20].map(|by| Self::Changed(Change::Threshold(one, by)))),
         );

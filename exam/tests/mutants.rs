@@ -35,6 +35,11 @@ fn each_mutant_fails_with_its_requirements_as_the_table_says() {
     let testing = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../TESTING.md"));
     let testing = testing.expect("it is there");
     let mut wrong = Vec::new();
+    let versions: Vec<&str> = Edition::ALL.iter().map(|edition| edition.version).collect();
+    let heading = format!("| mistake | {} |\n|{}", versions.join(" | "), "---|".repeat(1 + versions.len()));
+    if !testing.contains(&heading) {
+        wrong.push(format!("not in TESTING.md: {heading}"));
+    }
     for mutant in MUTANTS {
         let mut row = format!("| `{}` |", mutant.name);
         let reports: Vec<ExamReport> = std::thread::scope(|scope| {

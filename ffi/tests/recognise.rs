@@ -67,7 +67,9 @@ fn it_recognises_the_edition_of_every_bus() {
             }
             let expected = in_rust.recognise();
             let found = in_c.recognise();
-            assert_eq!(found, (edition.version, expected.certain, expected.to_string()));
+            // Of editions with the same bus it is the one that was given, or else the newest.
+            assert_eq!(expected.edition.bus, edition.bus, "{expected}");
+            assert_eq!(found, (expected.edition.version, expected.certain, expected.to_string()));
             assert_eq!(in_c.recognise(), found, "a second call says the same");
         }
     }

@@ -178,7 +178,9 @@ impl<'a> Steps<'a> {
         let fast =
             (self.see(Atom::MissionFinished) | self.see(Atom::DirectionNeutral)) & self.see(Atom::Moving);
         let mut reason = !self.see(Atom::Asms) | !self.see(Atom::GoOn) | fast;
-        if self.has(Atom::BrakeRequestZero) {
+        // Where the motors are taken never to be in torque control mode, it is no fault.
+        let is_fault = !self.document.edition.readings.is(Choice::TorqueNever);
+        if is_fault && self.has(Atom::BrakeRequestZero) {
             let torque = !self.see(Atom::FrontTorqueZero) | !self.see(Atom::RearTorqueZero);
             reason |= torque & !self.see(Atom::BrakeRequestZero);
         }

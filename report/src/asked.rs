@@ -13,10 +13,10 @@ use adsdv_spec::{Choice, Choices, Edition};
 /// use adsdv_oracle::candump::Reader;
 /// use adsdv_report::Asked;
 ///
-/// let log = "(1.0) can0 511#00000000\n(1.01) can0 520#0000010000000000\n";
+/// let log = "(1.0) can0 511#0000000000000000\n(1.01) can0 520#0000010000000000\n";
 /// let asked = Asked::new(None, &[])?;
 /// let judged = asked.judge(Reader::new(log.as_bytes()), |_| {})?;
-/// assert_eq!(judged.recognised.edition.version, "2026");
+/// assert_eq!(judged.recognised.edition.version, "3.0");
 /// assert!(asked.under(judged.recognised.edition)?.is_as_usual());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -84,7 +84,8 @@ pub enum Threshold {
 }
 
 impl Mutation {
-    /// Every mutation of an edition, times and thresholds by one unit.
+    /// Every mutation of an edition, times and thresholds by one unit. A threshold for which no row asks has none: nothing would
+    /// change.
     pub fn all(edition: &Edition) -> impl Iterator<Item = Self> {
         let rows = edition.rules.table.rows();
         let by_row = rows.iter().enumerate().flat_map(move |(row, Row { section, .. })| {
@@ -93,7 +94,9 @@ impl Mutation {
         let missed = edition.rules.thresholds.missed_ms.map(|_| Threshold::Missed);
         let constants = [-1, 1].into_iter().flat_map(move |by| {
             let times = [Time::ReadyDwell, Time::EbsTimer, Time::Handshake];
-            let thresholds = [Threshold::WheelSpeed, Threshold::Straight].into_iter().chain(missed);
+            let thresholds = [Threshold::WheelSpeed, Threshold::Straight].into_iter();
+            let thresholds =
+                thresholds.chain(missed).filter(move |threshold| threshold.is_asked_for_by(rows));
             let times = times.into_iter().map(move |time| Change::Time(time, by));
             times.chain(thresholds.map(move |threshold| Change::Threshold(threshold, by)))
         });
@@ -104,6 +107,19 @@ impl Mutation {
     #[must_use]
     pub fn apply(&self, edition: &Edition) -> Edition {
         self.change.apply(edition)
+    }
+}
+
+impl Threshold {
+    /// Whether a condition of some row depends on it.
+    fn is_asked_for_by(self, rows: &[Row]) -> bool {
+        let conditions: &[Atom] = match self {
+            Self::WheelSpeed => &[Atom::Moving, Atom::AtRest],
+            Self::Straight => &[Atom::SteerStraight],
+            Self::Missed => &[Atom::AiCommsLost],
+        };
+        let mut literals = rows.iter().flat_map(Row::terms).flat_map(Term::literals);
+        literals.any(|(atom, _)| conditions.contains(&atom))
     }
 }
 

@@ -124,13 +124,17 @@ fn an_ai_computer_says_once_which_other_edition_its_vcu_speaks() {
             ai.turn();
         }
         let said = said(ai.status(), Node::Vcu);
-        if own == other {
+        if own.bus == other.bus {
             assert_eq!(said, []);
         } else {
             let [(when, versions)] = &said[..] else {
                 panic!("{} with {}: {said:?}", own.version, other.version)
             };
-            assert_eq!(versions, &[other.version], "a VCU shows it");
+            // Of editions with the same bus the newest comes first.
+            let alike = Edition::ALL.iter().rev().filter(|edition| edition.bus == other.bus);
+            let mut alike: Vec<&str> = alike.map(|edition| edition.version).collect();
+            alike[1..].reverse();
+            assert_eq!(versions, &alike, "a VCU shows it");
             assert!((1000..1100).contains(when), "{when} ms");
         }
     }

@@ -65,9 +65,10 @@ fn a_reader_may_leave_after_the_first_line() {
 fn what_was_chosen_stands_in_the_header() {
     let report = run(&["check", "--window", "20", "--interface", "vcan0", MISSION]).stdout;
     let header: Vec<_> = report.lines().take_while(|line| !line.is_empty()).collect();
-    assert_eq!(header.len(), 4, "{header:?}");
-    assert!(header[1].starts_with("tests/logs/mission.log: 33940 frames in 25.99"), "{header:?}");
-    assert_eq!(header[2..], ["interface vcan0", "window 20 ms, deadline 50 ms"]);
+    // The edition, and by what it is recognised, may take more than a line.
+    let [_, .., frames, interface, window] = header[..] else { panic!("{header:?}") };
+    assert!(frames.starts_with("tests/logs/mission.log: 33940 frames in 25.99"), "{header:?}");
+    assert_eq!([interface, window], ["interface vcan0", "window 20 ms, deadline 50 ms"]);
 }
 
 #[test]
@@ -79,7 +80,7 @@ fn lines_fit_into_100_columns() {
     }
 }
 
-/// 500h comes as 2026 has it, and 120h is of 4.0 alone: each is long to say, and none decides.
+/// 500h comes as it does since 2026, and 120h is of 4.0 alone: each is long to say, and none decides.
 #[test]
 fn what_an_edition_is_recognised_by_fits_into_100_columns_where_one_fact_does_not() {
     let log = (0..400).fold(String::new(), |mut log, step| {
@@ -89,9 +90,10 @@ fn what_an_edition_is_recognised_by_fits_into_100_columns_where_one_fact_does_no
     });
     let report = check_input(&[], log.as_bytes()).stdout;
     let [first, second] = [0, 1].map(|line| report.lines().nth(line).expect("a line"));
-    assert!(first.starts_with("edition 2026 (recognised: 500h comes every 100 ms"), "{report}");
+    assert!(first.contains(" (recognised: 500h comes every 100 ms"), "{report}");
     assert!(first.chars().count() <= 100, "{report}");
-    assert!(format!("{first} {second}").ends_with("; though 4.0 fits as well)"), "{report}");
+    let both = format!("{first} {second}");
+    assert!(both.contains("; though 4.0 ") && both.ends_with(" as well)"), "{report}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use adsdv_oracle::judge::Transition;
 use adsdv_oracle::remote::Remote;
 use adsdv_oracle::why::Stay;
 use adsdv_spec::messages::Node;
-use adsdv_spec::{AsState, Atom};
+use adsdv_spec::{AsState, Atom, Row, Term};
 
 use super::answer::{AnswerJson, SHOWN, SOON_NS, answer, cause};
 use crate::facts::{Facts, because, blocked, first, number, on};
@@ -150,9 +150,14 @@ pub(super) fn straight(facts: &Facts<'_>) -> AnswerJson {
             "It never mattered: the car was neither in AS_READY nor in AS_DRIVING, or no steer angle came.";
         return answer(QUESTION, "steering", Mood::Unknown, at, text.to_owned());
     };
+    let when = if driven.is_empty() { "at the end of AS_READY" } else { "when AS_DRIVING began" };
+    let asks_for_it = |term: &Term| term.on.has(Atom::SteerStraight);
+    if !facts.rules().table.rows().iter().flat_map(Row::terms).any(asks_for_it) {
+        let text = format!("It may be anywhere: {} {unit} {when}, at {} s.", number(degrees), Seconds(t));
+        return answer(QUESTION, "steering", Mood::Good, Some(t), text);
+    }
     let straight = facts.rules().thresholds.straight;
     let is = found.is_some_and(|found| degrees.abs() < found.signal.physical(straight.raw()));
-    let when = if driven.is_empty() { "at the end of AS_READY" } else { "when AS_DRIVING began" };
     let yes = if is { "Yes" } else { "No" };
     let mood = if is { Mood::Good } else { Mood::Bad };
     let text =

@@ -1,9 +1,9 @@
 //! Interfaces with one thing changed, where the change has nothing to work on.
 
 use adsdv_spec::messages::AsState;
-use adsdv_spec::mutation::{Change, TermChange};
+use adsdv_spec::mutation::{Change, TermChange, Threshold};
 use adsdv_spec::table::MAX_ROWS;
-use adsdv_spec::{Atom, Control, Edition, Inputs, Machine, Readings};
+use adsdv_spec::{Atom, Control, Edition, Inputs, Machine, Mutation, Readings};
 
 #[test]
 fn a_row_or_a_term_that_is_not_there_cannot_be_changed() {
@@ -39,4 +39,23 @@ fn a_row_that_is_not_there_overtakes_none() {
             assert_eq!(overtaken.state, plain.state, "{} from {}", priority.first, priority.from);
         }
     }
+}
+
+/// One unit more or less of a threshold for which no row asks would change nothing.
+#[test]
+fn a_threshold_for_which_no_row_asks_has_no_mutation() {
+    let of_thresholds = |edition: &Edition| {
+        let mutations: Vec<Mutation> = Mutation::all(edition).collect();
+        let thresholds = mutations.into_iter().filter_map(|mutation| match mutation.change {
+            Change::Threshold(threshold, 1) => Some(threshold),
+            _ => None,
+        });
+        thresholds.collect::<Vec<Threshold>>()
+    };
+    let all = [Threshold::WheelSpeed, Threshold::Straight, Threshold::Missed];
+    assert_eq!(of_thresholds(&Edition::V4_0), all);
+    let rows = Edition::V4_0.rules.table.rows();
+    let only = rows.iter().position(|row| row.to == AsState::Driving).expect("only this row asks for it");
+    let without = Change::RowDropped(only).apply(&Edition::V4_0);
+    assert_eq!(of_thresholds(&without), [Threshold::WheelSpeed, Threshold::Missed]);
 }

@@ -14,7 +14,7 @@ use adsdv_proofs::theorems;
 use adsdv_spec::messages::{AnyMessage, AsState, Frame};
 use adsdv_spec::{
     AiMessages, Atom, Choice, Choices, Control, Edition, Fault, Inputs, Knowledge, Machine, Observation,
-    Outputs, Reading, Readings, Timing, Truth, VcuMessages,
+    Outputs, Reading, Readings, Taken, Timing, Truth, VcuMessages,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -118,13 +118,22 @@ pub fn corpus() -> Corpus {
             add("codec", &name, codec::as_data(edition, def.id, &data));
         }
     }
-    for (place, walk) in walks(20_000, 256, step::taken).into_iter().enumerate() {
+    let all_terms = |taken: &[step::Decided]| terms().all(|term| taken.contains(&term));
+    for (place, walk) in walks(20_000, 256, step::taken, all_terms).into_iter().enumerate() {
         add("step", &format!("walk-{}", place + 1), walk);
     }
-    for (place, walk) in walks(5000, 512, belief::taken).into_iter().enumerate() {
+    let all_rows = |taken: &[belief::Arrow]| {
+        terms()
+            .all(|(version, Taken { row, .. })| taken.iter().any(|&(of, by)| (of, by.row) == (version, row)))
+    };
+    for (place, walk) in walks(5000, 512, belief::taken, all_rows).into_iter().enumerate() {
         add("belief", &format!("walk-{}", place + 1), walk);
     }
-    for (place, walk) in walks(200, 600, car::reached).into_iter().enumerate() {
+    let all_states = |reached: &[car::Reached]| {
+        let states = |edition: &&'static Edition| AsState::ALL.map(|state| (edition.version, state));
+        Edition::ALL.iter().flat_map(states).all(|state| reached.contains(&state))
+    };
+    for (place, walk) in walks(200, 600, car::reached, all_states).into_iter().enumerate() {
         add("car", &format!("walk-{}", place + 1), walk);
     }
     for (place, theorem) in theorems::all().enumerate() {
@@ -263,11 +272,30 @@ fn any_bytes(seed: u64, len: u16) -> Vec<u8> {
     (0..len).map(|_| random.bits().to_le_bytes()[0]).collect()
 }
 
-/// Of so many inputs of so many bytes those that lead to something that those before them do not lead to.
-fn walks<T: PartialEq>(tries: u64, len: u16, led_to: fn(&[u8]) -> Vec<T>) -> Vec<Vec<u8>> {
+/// The terms of Figure 2 of every edition, but for those of an answer that it has settled, which are never there.
+fn terms() -> impl Iterator<Item = step::Decided> {
+    Edition::ALL.iter().flat_map(|edition| {
+        let rows = (0..).zip(edition.rules.table.rows());
+        rows.flat_map(|(row, def)| (0..).zip(def.terms()).map(move |(term, def)| (Taken { row, term }, def)))
+            .filter(|(_, def)| def.readings.is_subset(edition.choices))
+            .map(|(taken, _)| (edition.version, taken))
+    })
+}
+
+/// Of so many inputs of so many bytes those that lead to something that those before them do not lead to; and of further ones, up to
+/// twenty times as many, until they lead to all.
+fn walks<T: PartialEq>(
+    tries: u64,
+    len: u16,
+    led_to: fn(&[u8]) -> Vec<T>,
+    are_all: impl Fn(&[T]) -> bool,
+) -> Vec<Vec<u8>> {
     let mut seen: Vec<T> = Vec::new();
     let mut walks = Vec::new();
-    for seed in 1..=tries {
+    for seed in 1..=20 * tries {
+        if seed > tries && are_all(&seen) {
+            break;
+        }
         let walk = any_bytes(seed, len);
         let more: Vec<T> = led_to(&walk).into_iter().filter(|led| !seen.contains(led)).collect();
         if !more.is_empty() {

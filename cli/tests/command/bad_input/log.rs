@@ -50,7 +50,7 @@ pub(super) fn a_truncated_log() {
         let frames = outcome
             .stdout
             .lines()
-            .nth(1)
+            .find(|line| line.contains(" frames in "))
             .and_then(|line| line.split(' ').nth(2))
             .and_then(|count| count.parse().ok());
         let frames = frames.unwrap_or_else(|| panic!("{}", outcome.stdout));

@@ -1,9 +1,9 @@
 //! Every threshold and every time: just below, at, and just above.
 
 use adsdv_spec::messages::{AsState, MissionStatus, SteerAngle, WheelSpeed};
-use adsdv_spec::{Inputs, Machine};
+use adsdv_spec::{Atom, Inputs, Machine};
 
-use super::{Walk, test, walk_cycle};
+use super::{Walk, terms, test, walk_cycle};
 use crate::suite::{Kind, Test};
 
 /// The tests of what a machine's interface sets as limits.
@@ -45,7 +45,12 @@ fn wheels(machine: &Machine) -> Vec<Test> {
 }
 
 /// The edge of "Go" with the wheels at the limit of straight, to either side.
+///
+/// None where no row asks for straight wheels.
 fn steering(machine: &Machine) -> Vec<Test> {
+    if !terms(machine).any(|(_, term)| term.on.has(Atom::SteerStraight)) {
+        return Vec::new();
+    }
     let limit = machine.edition().rules.thresholds.straight.raw();
     let one = |(side, sign): (&str, i32), beside: i32| {
         let angle = SteerAngle::clamped(sign * (limit + beside));

@@ -89,7 +89,9 @@ impl Book {
             let margin = margin(what, Party::Vcu, row.section, value, limit, unit, t);
             Margin { requirements: cited::of_edition(&est.edition, own), ..margin }
         };
-        let steer = self.margins.angle.and_then(|Peak { value, t }| {
+        let asks_for = |atom| row.terms().iter().any(|term| term.on.union(term.off).has(atom));
+        let angle = self.margins.angle.filter(|_| asks_for(Atom::SteerStraight));
+        let steer = angle.and_then(|Peak { value, t }| {
             let signal = est.sampler.def(STEER)?.signal_of(ANGLE)?;
             let value = signal.physical(i32::try_from(value).ok()?);
             let limit = est.edition.rules.thresholds.straight.to_physical();
