@@ -120,7 +120,8 @@ fn either_side_alone_tells_the_edition() {
             if !alone {
                 let [note] = notes(&report)[..] else { panic!("{:#?}", report.findings) };
                 let newest = Edition::ALL.last().expect("an edition").version;
-                assert!(note.starts_with(&format!("judged by version {newest}, though ")), "{note}");
+                let judged_by = format!("judged by version {newest}, though 4.0 ");
+                assert!(note.starts_with(&judged_by), "{note}");
             }
         }
     }
@@ -133,7 +134,8 @@ fn a_run_of_2026_is_recognised_by_its_states_alone() {
     log.retain(|recorded| recorded.sender().is_some() && recorded.frame.id != Vcu2LogDynamics1::ID);
     let (recognised, report) = heard(&log);
     assert_eq!((recognised.edition, recognised.certain), told(&Edition::V2026), "{recognised}");
-    assert_eq!(notes(&report).len(), report.findings.len(), "{:#?}", report.findings);
+    let noted = notes(&report).len() == report.findings.len();
+    assert!(noted && report.findings.is_empty() == recognised.certain, "{:#?}", report.findings);
 }
 
 #[test]

@@ -35,7 +35,7 @@ pub(super) fn what_is_required_stands_in_the_json() {
 #[test]
 pub(super) fn what_no_log_can_show() {
     for (required, expected) in [
-        ("DRV-99", "the nearest are DRV-"),
+        ("DRV-99", "the nearest are DRV-15, "),
         ("AS_PARKED", "expected ai, vcu, AS_OFF, AS_READY, AS_DRIVING, EMERGENCY_BRAKE, AS_FINISHED or "),
         ("DRV-1", "no log can show that requirement"),
     ] {
