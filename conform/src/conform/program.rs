@@ -20,6 +20,8 @@ use crate::suite::{Scenario, Step};
 const AHEAD: usize = 4096;
 /// So many lines of answers are kept at most, each with what it says: nearly all are the same as one before.
 const KEPT: usize = 10_000;
+/// No longer line is kept, in bytes: all outputs take less than half as many.
+const LONGEST_KEPT: usize = 4096;
 /// What is asked by none of the scenarios.
 const DIAGNOSIS: &str = "the diagnosis";
 
@@ -129,14 +131,16 @@ impl Program {
         })
     }
 
-    /// The answer to a step, with nothing to show yet as one where that may be.
+    /// The answer to a step. Of a program that is `late` it may be that there is nothing to show yet.
     fn reply(&mut self, late: bool) -> Result<Reply, ProgramErrorKind> {
         let line = self.lines.line()?;
         if let Some(answer) = self.read.get(line) {
             return Ok(Reply::Answer(*answer));
         }
         let reply = Reply::to_step(line, late, &self.protocol)?;
-        if let Reply::Answer(answer) = reply {
+        if let Reply::Answer(answer) = reply
+            && line.len() <= LONGEST_KEPT
+        {
             if self.read.len() == KEPT {
                 self.read.clear();
             }
