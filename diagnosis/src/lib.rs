@@ -76,6 +76,7 @@ mod named;
 mod nearest;
 mod pilot;
 mod prepare;
+mod random;
 mod record;
 mod rest;
 mod running;
