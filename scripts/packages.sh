@@ -33,11 +33,11 @@ mapfile -t kept < <(grep -l '^publish = false' -- */Cargo.toml | sed 's,/.*,,')
 mapfile -t left_out < <(for folder in "${kept[@]}"; do
   grep -q "\"$folder\"" Cargo.toml && sed -n 's/^name = "\(.*\)"/--exclude=\1/p' "$folder/Cargo.toml" | head -1
 done)
-cargo package --workspace "${left_out[@]}" --no-verify --locked --quiet
+cargo package --workspace "${left_out[@]}" --no-verify --locked --quiet || exit 2
 
 empty=$(mktemp -d)
 trap 'rm -rf "$empty"' EXIT
-cargo vendor --locked --quiet "$empty/registry" >/dev/null
+cargo vendor --locked --quiet "$empty/registry" >/dev/null || exit 2
 for package in "$target"/package/*.crate; do
   tar -xzf "$package" -C "$empty/registry"
 done

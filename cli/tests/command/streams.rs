@@ -95,7 +95,7 @@ fn what_an_edition_is_recognised_by_fits_into_100_columns_where_one_fact_does_no
     assert!(first.starts_with(&recognised), "{report}");
     assert!(first.chars().count() <= 100, "{report}");
     let both = format!("{first} {second}");
-    assert!(both.contains("; though 4.0 ") && both.ends_with(" as well)"), "{report}");
+    assert!(both.ends_with("; though 4.0 fits as well)"), "{report}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use adsdv_spec::messages::{AsState, MissionStatus, SteerAngle, WheelSpeed};
 use adsdv_spec::{Atom, Inputs, Machine};
 
-use super::{Walk, terms, test, walk_cycle};
+use super::{Walk, test, walk_cycle};
 use crate::suite::{Kind, Test};
 
 /// The tests of what a machine's interface sets as limits.
@@ -48,7 +48,7 @@ fn wheels(machine: &Machine) -> Vec<Test> {
 ///
 /// None where no row asks for straight wheels.
 fn steering(machine: &Machine) -> Vec<Test> {
-    if !terms(machine).any(|(_, term)| term.on.has(Atom::SteerStraight)) {
+    if !machine.scope().has(Atom::SteerStraight) {
         return Vec::new();
     }
     let limit = machine.edition().rules.thresholds.straight.raw();
