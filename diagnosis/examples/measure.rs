@@ -20,6 +20,7 @@ use adsdv_conform::protocol::Answer;
 use adsdv_diagnosis::{
     Deviation, Interface, Model, Record, Running, Subject, diagnose_within, difference, records,
 };
+use adsdv_oracle::chance::SplitMix64;
 use adsdv_spec::mutation::{Change, Threshold, Time};
 use adsdv_spec::{Edition, Inputs};
 
@@ -28,17 +29,6 @@ const WALKS: [usize; 2] = [1500, 150];
 
 /// No diagnosis takes longer.
 const LONGEST: Duration = Duration::from_mins(10);
-
-/// The next of a row of numbers that look random: that of the library, which keeps it to itself, so that the figures of TESTING.md can be
-/// measured again.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).unwrap_or(0) % end.max(1)
-    }
-}
 
 /// A program that counts what it is asked.
 struct Counted {
@@ -81,7 +71,7 @@ impl Comparison<'_> {
     }
 
     /// So many that lead out of one state, each of which can be observed by itself: they are in each other's way.
-    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+    fn picked_near(&self, all: &[Deviation], count: usize, random: &mut SplitMix64) -> Vec<Deviation> {
         let rows = self.edition.rules.table.rows();
         let from = rows[random.below(rows.len())].from;
         let leads = |one: &&Deviation| match one {
@@ -103,7 +93,7 @@ impl Comparison<'_> {
     }
 
     /// So many different ones, each of which can be observed by itself.
-    fn picked(&self, all: &[Deviation], count: usize, random: &mut Random) -> Vec<Deviation> {
+    fn picked(&self, all: &[Deviation], count: usize, random: &mut SplitMix64) -> Vec<Deviation> {
         let mut picked = Vec::new();
         while picked.len() < count {
             let Some(one) = pick(self.edition, all, random) else { continue };
@@ -132,7 +122,7 @@ impl Comparison<'_> {
 }
 
 /// One of them, each kind as often as another: of some kinds there are many more. Numbers are any.
-fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Deviation> {
+fn pick(edition: &Edition, all: &[Deviation], random: &mut SplitMix64) -> Option<Deviation> {
     let kind = random.below(16);
     let is = |deviation: &&Deviation| match deviation {
         Deviation::Changed(Change::Time(..)) => kind == 0,
@@ -178,7 +168,7 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut Random) -> Option<Dev
 }
 
 /// By how much a number is another: at most twice as much as usual, and at least a tenth.
-fn other(usual: i32, random: &mut Random) -> i16 {
+fn other(usual: i32, random: &mut SplitMix64) -> i16 {
     let span = i16::try_from(usual * 9 / 10).unwrap_or(1).max(1);
     let by = i16::try_from(1 + random.below(span.unsigned_abs().into())).unwrap_or(1);
     if random.below(2) == 0 { by } else { -by }
@@ -275,7 +265,7 @@ fn main() {
     let wanted = |edition: &&&Edition| only.as_ref().is_none_or(|only| only == edition.version);
     for edition in Edition::ALL.iter().filter(wanted) {
         let all = Deviation::every(edition);
-        let mut random = Random(seed as u64);
+        let mut random = SplitMix64(seed as u64);
         let mut tally = Tally { shows, ..Tally::default() };
         let interface = Interface::default().at_cycle(cycle_ms);
         let comparison = Comparison { edition, interface, walks: WALKS[usize::from(cycle_ms.is_some())] };

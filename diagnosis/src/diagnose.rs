@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use adsdv_conform::ProgramError;
+use adsdv_oracle::chance::SplitMix64;
 use adsdv_spec::Edition;
 use adsdv_spec::messages::AsState;
 
@@ -17,7 +18,6 @@ use crate::found::Diagnosis;
 use crate::in_the_way;
 use crate::interface::{Interface, Seen};
 use crate::model::Model;
-use crate::random::Random;
 use crate::record::{Record, Records};
 use crate::seek::{self, Sought};
 use crate::stays::Stay;
@@ -127,7 +127,7 @@ struct Search<'a, 'b> {
     candidates: Candidates,
     records: Records,
     found: Vec<Deviation>,
-    random: Random,
+    random: SplitMix64,
     /// The arrows that were looked for with conditions the other way round, each with what the program was thought to do.
     sought: Vec<(Vec<Deviation>, AsState, AsState)>,
     until: Instant,
@@ -150,7 +150,7 @@ impl<'a, 'b> Search<'a, 'b> {
             },
             records: Records::default(),
             found: Vec::new(),
-            random: Random(1),
+            random: SplitMix64(1),
             sought: Vec::new(),
             until,
         }

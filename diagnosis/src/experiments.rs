@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use adsdv_conform::ProgramError;
 use adsdv_conform::protocol::InputField;
+use adsdv_oracle::chance::SplitMix64;
 use adsdv_spec::messages::{AsState, MissionStatus};
 use adsdv_spec::{Atom, Term};
 
@@ -11,7 +12,6 @@ use crate::hop::Hop;
 use crate::lead::lead;
 use crate::model::Model;
 use crate::pilot::Pilot;
-use crate::random::Random;
 use crate::record::Record;
 use crate::subject::Subject;
 use crate::ways::Ways;
@@ -27,7 +27,7 @@ pub(crate) struct Experiments<'a> {
     model: &'a Model,
     ways: &'a Ways<'a>,
     records: Vec<Record>,
-    random: Random,
+    random: SplitMix64,
     /// When they end, whatever has not been tried.
     until: Option<Instant>,
 }
@@ -40,7 +40,7 @@ pub(crate) fn all(
     states: &[AsState],
     until: Option<Instant>,
 ) -> Result<Vec<Record>, ProgramError> {
-    let (model, records, random) = (ways.model, Vec::new(), Random(seed));
+    let (model, records, random) = (ways.model, Vec::new(), SplitMix64(seed));
     let mut experiments = Experiments { subject, model, ways, records, random, until };
     for &state in states {
         experiments.alone(state)?;

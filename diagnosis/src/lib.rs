@@ -76,7 +76,6 @@ mod named;
 mod nearest;
 mod pilot;
 mod prepare;
-mod random;
 mod record;
 mod rest;
 mod running;

@@ -2,6 +2,7 @@
 
 use adsdv_conform::ProgramError;
 use adsdv_conform::protocol::{Domain, InputField};
+use adsdv_oracle::chance::SplitMix64;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::mutation::{Change, TermChange};
 use adsdv_spec::{Edition, Term};
@@ -9,7 +10,6 @@ use adsdv_spec::{Edition, Term};
 use crate::deviation::Deviation;
 use crate::lead::lead;
 use crate::pilot::Pilot;
-use crate::random::Random;
 use crate::record::Record;
 use crate::subject::Subject;
 use crate::walk::LONG_MS;
@@ -54,7 +54,11 @@ type Changes = Vec<(&'static InputField, i32)>;
 
 impl Sought<'_> {
     /// Looks for it.
-    pub(crate) fn look(&self, subject: &mut dyn Subject, random: &mut Random) -> Result<Sight, ProgramError> {
+    pub(crate) fn look(
+        &self,
+        subject: &mut dyn Subject,
+        random: &mut SplitMix64,
+    ) -> Result<Sight, ProgramError> {
         let mut sight = Sight::default();
         let terms: Vec<Term> =
             self.ways.model.terms(self.from).filter(|(_, to)| *to == self.to).map(|(term, _)| term).collect();
@@ -87,7 +91,7 @@ impl Sought<'_> {
     }
 
     /// Some inputs otherwise.
-    fn by_chance(&self, random: &mut Random) -> Changes {
+    fn by_chance(&self, random: &mut SplitMix64) -> Changes {
         let named = self.ways.dials.iter().filter(|dial| !matches!(dial.field.domain, Domain::Number { .. }));
         named
             .filter_map(|dial| {

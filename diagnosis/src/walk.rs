@@ -2,6 +2,7 @@
 
 use adsdv_conform::ProgramError;
 use adsdv_conform::suite::Step;
+use adsdv_oracle::chance::SplitMix64;
 use adsdv_spec::messages::AsState;
 use adsdv_spec::{Edition, Term};
 
@@ -10,7 +11,6 @@ use crate::interface::{Interface, Seen};
 use crate::lead::lead;
 use crate::model::Model;
 use crate::pilot::Pilot;
-use crate::random::Random;
 use crate::record::Record;
 use crate::subject::Subject;
 use crate::ways::Ways;
@@ -24,7 +24,7 @@ pub(crate) const LONG_MS: u32 = 32_000;
 pub(crate) fn walk(
     subject: &mut dyn Subject,
     ways: &Ways<'_>,
-    random: &mut Random,
+    random: &mut SplitMix64,
 ) -> Result<Record, ProgramError> {
     let (after, record) = lead(subject, ways, |pilot| {
         let mut random = random.clone();
@@ -35,7 +35,7 @@ pub(crate) fn walk(
     Ok(record)
 }
 
-fn wander(pilot: &mut Pilot<'_>, ways: &Ways<'_>, random: &mut Random) -> Result<(), ProgramError> {
+fn wander(pilot: &mut Pilot<'_>, ways: &Ways<'_>, random: &mut SplitMix64) -> Result<(), ProgramError> {
     let usual = Model::new(ways.model.usual(), &[]);
     let changes: Vec<_> = ways.changes().collect();
     if let Some(&state) = AsState::ALL.get(random.below(AsState::ALL.len())) {
@@ -105,7 +105,7 @@ pub fn difference(
     seed: u64,
 ) -> Option<Vec<Step>> {
     let (one, other) = (Model::new(edition, one), Model::new(edition, other));
-    let mut random = Random(seed);
+    let mut random = SplitMix64(seed);
     for (leads, follows) in [(&one, &other), (&other, &one)] {
         let ways = Ways::of(leads, interface);
         let mut running = leads.clone().running();

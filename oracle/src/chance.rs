@@ -3,7 +3,8 @@
 /// SplitMix64, the same numbers for the same seed on every machine and in every version.
 ///
 /// Tests and the exam draw from the crate fastrand, which may draw otherwise in its next version. What is drawn from this one
-/// stands written down: a seed of `adsdv conform` in somebody's ticket, and the figures of `scripts/sensitivity.sh`.
+/// stands written down: a seed of `adsdv conform` in somebody's ticket, the experiments of a diagnosis, and the figures of
+/// `scripts/sensitivity.sh` and `scripts/diagnosis.sh`.
 ///
 /// ```
 /// use adsdv_oracle::chance::SplitMix64;
@@ -22,5 +23,11 @@ impl SplitMix64 {
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
+    }
+
+    /// A number below `end`, each as likely as another; 0 if that is 0.
+    pub fn below(&mut self, end: usize) -> usize {
+        let scaled = (u128::from(self.bits()) * end as u128) >> 64;
+        usize::try_from(scaled).unwrap_or(0)
     }
 }

@@ -15,8 +15,7 @@ impl Rng {
 
     /// A number below `end`; 0 if that is 0.
     pub(super) fn below(&mut self, end: usize) -> usize {
-        let scaled = (u128::from(self.0.bits()) * end as u128) >> 64;
-        usize::try_from(scaled).unwrap_or(0)
+        self.0.below(end)
     }
 
     /// Whether something happens that does so `times` out of a hundred.
