@@ -52,6 +52,7 @@ pub(crate) fn all(
         }
         experiments.pairs(state, &terms)?;
         experiments.silence(state)?;
+        experiments.silence_from_its_beginning(state)?;
         experiments.at_random(state, &terms)?;
         match state {
             AsState::Ready => {
@@ -228,6 +229,22 @@ impl Experiments<'_> {
             }
         }
         Ok(())
+    }
+
+    /// An AI Computer that does not answer from where the handshake begins, for as long as would be too long with that step.
+    fn silence_from_its_beginning(&mut self, state: AsState) -> Result<(), ProgramError> {
+        let timing = &self.model.machine().edition().rules.timing;
+        let limit = u32::from(timing.handshake_ms);
+        let cycle = self.ways.interface.cycle_ms().unwrap_or_else(|| timing.cycle_ms.into());
+        self.try_it(state, |pilot| {
+            pilot.inputs.tsms = false;
+            pilot.step(cycle)?;
+            (pilot.inputs.tsms, pilot.answers) = (true, false);
+            pilot.step(cycle)?;
+            pilot.step(limit.saturating_sub(cycle))?;
+            pilot.answers = true;
+            pilot.step(cycle)
+        })
     }
 
     /// "Go" that is on before it counts, that goes on and off, and that comes while the handshake does not match.

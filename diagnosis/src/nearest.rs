@@ -1,14 +1,18 @@
 //! The nearest explanation of those that explain as much: an answer to a question that the document leaves open is no mistake, and
-//! a condition that is missing says less than one that needs another, or than an input that is not seen but here and there.
+//! a condition that is missing says less than one that needs another, or than an input that is not seen but here and there, or than an
+//! answer with exceptions.
 
 use adsdv_spec::mutation::{Change, TermChange};
-use adsdv_spec::{AsState, Atoms, Choice, Inputs};
+use adsdv_spec::{AsState, Atoms, Choice, Choices, Inputs};
 
 use crate::deviation::Deviation;
 use crate::dials::dials;
 use crate::fit::Fit;
 use crate::interface::Interface;
 use crate::model::Model;
+
+/// Where an alternative is: its row, and its number there.
+type Place = (usize, usize);
 
 impl Fit<'_> {
     /// The set, or a nearer one that explains as much.
@@ -69,6 +73,16 @@ impl Fit<'_> {
                         all.extend(self.answers().map(|choice| [&[choice], rest.as_slice()].concat()));
                     }
                 }
+                Deviation::Reads(choice) => {
+                    let is_there = |&place: &Place| set.contains(&in_every_reading(place));
+                    let (there, gone): (Vec<Place>, Vec<Place>) =
+                        self.taken_away_by(choice).into_iter().partition(is_there);
+                    if !there.is_empty() {
+                        let there: Vec<Deviation> = there.into_iter().map(in_every_reading).collect();
+                        let gone = gone.into_iter().map(|(row, term)| missing(row, term)).collect();
+                        all.push([but(&|other| other == one || there.contains(other)), gone].concat());
+                    }
+                }
                 _ => {}
             }
         }
@@ -83,6 +97,19 @@ impl Fit<'_> {
     /// The answers to questions that the document leaves open.
     fn answers(&self) -> impl Iterator<Item = Deviation> + '_ {
         self.candidates.single.iter().copied().filter(|one| one.choice().is_some())
+    }
+
+    /// The alternatives that the edition has, and would not have with this answer.
+    fn taken_away_by(&self, choice: Choice) -> Vec<Place> {
+        let readings = self.edition.readings;
+        let rows = self.edition.rules.table.rows().iter().enumerate();
+        let terms = rows.flat_map(|(place, row)| {
+            row.terms().iter().enumerate().map(move |(number, term)| ((place, number), term.readings))
+        });
+        let goes = |there: Choices| {
+            there.is_subset(readings.choices()) && !there.is_subset(readings.with(choice).choices())
+        };
+        terms.filter(|(_, there)| goes(*there)).map(|(place, _)| place).collect()
     }
 
     /// The alternatives that see an input, each of them missing, but for those of some states.
@@ -111,6 +138,10 @@ impl Fit<'_> {
 
 const fn missing(row: usize, term: usize) -> Deviation {
     Deviation::Changed(Change::Term(row, term, TermChange::Dropped))
+}
+
+const fn in_every_reading((row, term): Place) -> Deviation {
+    Deviation::Changed(Change::Term(row, term, TermChange::InEveryReading))
 }
 
 /// The smaller, the nearer: an answer to an open question is no deviation, and two contradictions are more than two things that are
@@ -186,6 +217,14 @@ mod tests {
             distance(&[ignores, also])
                 > distance(&[find("ready-brake:3:missing"), find("finished-brake:3:missing")])
         );
+    }
+
+    #[test]
+    fn an_alternative_that_is_missing_is_nearer_than_an_answer_with_an_exception() {
+        let missing = ["finished-brake:3:missing"];
+        let own = format!("reads:{}", Choice::EstopDriving);
+        assert_eq!(nearest(&missing, &[own.as_str(), "ready-brake:3:in-every-reading"]), missing);
+        assert_eq!(nearest(&[own.as_str()], &[own.as_str()]), [own.as_str()]);
     }
 
     #[test]
