@@ -167,8 +167,11 @@ fn pick(edition: &Edition, all: &[Deviation], random: &mut SplitMix64) -> Option
     })
 }
 
-/// By how much a number is another: at most twice as much as usual, and at least a tenth.
+/// By how much a number is another: at most twice as much as usual, and at least a tenth, or nothing.
 fn other(usual: i32, random: &mut SplitMix64) -> i16 {
+    if random.below(8) == 0 {
+        return i16::try_from(-usual).unwrap_or(i16::MIN);
+    }
     let span = i16::try_from(usual * 9 / 10).unwrap_or(1).max(1);
     let by = i16::try_from(1 + random.below(span.unsigned_abs().into())).unwrap_or(1);
     if random.below(2) == 0 { by } else { -by }

@@ -216,7 +216,7 @@ impl Experiments<'_> {
     /// An AI Computer that does not answer for just too short, and for just long enough; and one that answers late.
     fn silence(&mut self, state: AsState) -> Result<(), ProgramError> {
         let limit = u32::from(self.model.machine().edition().rules.timing.handshake_ms);
-        for silent_ms in [limit / 2, limit - 1, limit, limit + 1] {
+        for silent_ms in [limit / 2, limit.saturating_sub(1), limit, limit + 1] {
             for tsms in [true, false] {
                 self.try_it(state, |pilot| {
                     pilot.inputs.tsms = tsms || state != AsState::Off;

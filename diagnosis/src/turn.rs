@@ -5,7 +5,7 @@ use std::time::Instant;
 use adsdv_conform::ProgramError;
 use adsdv_spec::messages::{AsState, SteerAngle, WheelSpeed};
 use adsdv_spec::mutation::{Change, Threshold, Time};
-use adsdv_spec::{AiSilence, Atom, Rules, Term};
+use adsdv_spec::{AiSilence, Atom, Edition, Mutation, Rules, Term};
 
 use crate::deviation::Deviation;
 use crate::lead::lead;
@@ -28,6 +28,22 @@ enum Number {
 }
 
 impl Number {
+    /// All of them that an edition has.
+    fn all(edition: &Edition) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        for Mutation { change, .. } in Mutation::all(edition) {
+            let number = match change {
+                Change::Time(time, _) => Self::Time(time),
+                Change::Threshold(threshold, _) => Self::Threshold(threshold),
+                _ => continue,
+            };
+            if !all.contains(&number) {
+                all.push(number);
+            }
+        }
+        all
+    }
+
     /// The number behind a condition of an arrow.
     const fn of(atom: Atom) -> Option<Self> {
         Some(match atom {
@@ -82,7 +98,8 @@ impl Number {
 }
 
 /// The times and thresholds of a program that are not those of the document, as far as it can be led to where they count until this
-/// time: by each arrow that they decide about, and by the flag of communication that is lost.
+/// time: by each arrow that they decide about, and by the flag of communication that is lost. Where nothing turns, a time may always
+/// be over, and any speed too much: that is 0.
 pub(crate) fn all(
     subject: &mut dyn Subject,
     ways: &Ways<'_>,
@@ -91,7 +108,9 @@ pub(crate) fn all(
     let rules = ways.model.usual().rules;
     let mut found: Vec<Deviation> = Vec::new();
     let cycle = ways.interface.cycle_ms().and_then(|cycle| i32::try_from(cycle).ok());
+    let mut turning: Vec<Number> = Vec::new();
     let mut add = |number: Number, value: Option<i32>| {
+        turning.extend(value.map(|_| number));
         let value = value.map(|value| number.at_cycle(value, cycle, &rules));
         let deviation = value.and_then(|value| number.deviation(value, &rules));
         found.extend(deviation.filter(|deviation| !found.contains(deviation)));
@@ -128,6 +147,8 @@ pub(crate) fn all(
             add(missed, turns(1, missed.most(), |ms| lost(true)(subject, ms))?);
         }
     }
+    let steady = Number::all(ways.model.usual()).into_iter().filter(|number| !turning.contains(number));
+    found.extend(steady.filter_map(|number| number.deviation(0, &rules)));
     Ok(found)
 }
 

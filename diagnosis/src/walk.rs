@@ -86,7 +86,7 @@ fn wander(pilot: &mut Pilot<'_>, ways: &Ways<'_>, random: &mut SplitMix64) -> Re
             _ => {
                 pilot.answers = random.below(2) == 0;
                 let limit = u32::from(ways.model.machine().edition().rules.timing.handshake_ms);
-                let times = [cycle, limit / 2, limit - 1, limit];
+                let times = [cycle, limit / 2, limit.saturating_sub(1), limit];
                 pilot.step(times.get(random.below(times.len())).copied().unwrap_or(cycle))?;
             }
         }

@@ -67,6 +67,18 @@ fn a_time_that_is_shorter_by_less_than_a_cycle_is_found() {
     names(&Edition::V3_0, &[Deviation::Changed(Change::Time(Time::EbsTimer, -1))]);
 }
 
+#[test]
+fn a_time_that_is_over_at_once_and_a_vehicle_that_always_moves_are_found() {
+    for edition in Edition::ALL {
+        let (timing, thresholds) = (&edition.rules.timing, &edition.rules.thresholds);
+        let less = |usual: u16| -i16::try_from(usual).expect("a few seconds");
+        let speed = i16::try_from(thresholds.wheel_speed.raw()).expect("a few rpm");
+        names(edition, &[Deviation::Changed(Change::Time(Time::ReadyDwell, less(timing.ready_dwell_ms)))]);
+        names(edition, &[Deviation::Changed(Change::Time(Time::Handshake, less(timing.handshake_ms)))]);
+        names(edition, &[Deviation::Changed(Change::Threshold(Threshold::WheelSpeed, -speed))]);
+    }
+}
+
 /// Where "Go" need not be seen off, the cycle in which it is switched on counts as well.
 #[test]
 fn the_time_in_as_ready_is_exact_whatever_is_remembered_of_go_meanwhile() {
