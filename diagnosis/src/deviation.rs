@@ -2,7 +2,7 @@
 
 use adsdv_spec::mutation::{Change, TermChange, Time};
 use adsdv_spec::table::{Row, Table, Term};
-use adsdv_spec::{AsState, Choice, Edition, Reading, Readings};
+use adsdv_spec::{AsState, Choice, Edition, Fault, Reading, Readings};
 
 /// How late an arrow may be, in steps.
 pub(crate) const LATEST: u8 = 3;
@@ -232,6 +232,25 @@ impl Deviation {
         }
     }
 
+    /// Whether the cause that is shown in an emergency is not the one that is remembered.
+    pub(crate) fn hides_the_cause(&self) -> bool {
+        match *self {
+            Self::Shows { state, key, .. } => state == AsState::EmergencyBrake && key == "shutdown_cause",
+            Self::Writes { key, .. } => key == "shutdown_cause",
+            _ => false,
+        }
+    }
+
+    /// Whether it is about what the flag of a fault shows.
+    pub(crate) fn is_about_a_flag(&self) -> bool {
+        match *self {
+            Self::Shows { key, .. } | Self::Writes { key, .. } => {
+                Fault::ALL.iter().any(|fault| fault.flag().eq_ignore_ascii_case(key))
+            }
+            _ => false,
+        }
+    }
+
     /// Whether it changes what is shown where the states are as they should be.
     pub(crate) const fn is_about_outputs(&self) -> bool {
         matches!(
@@ -287,6 +306,9 @@ impl Deviation {
             }
             (Self::Reads(one), Self::Reads(other)) => one.reading() == other.reading(),
             (Self::Wheels(_), Self::Wheels(_)) => true,
+            // What is seen nowhere is not needed anywhere.
+            (Self::Ignores { key }, Self::Needs { key: other, .. })
+            | (Self::Needs { key, .. }, Self::Ignores { key: other }) => key == other,
             (Self::Remembers(one), Self::Remembers(other)) => one.is_instead_of(other),
             _ => false,
         }

@@ -10,7 +10,7 @@ use adsdv_spec::{
 use crate::causes;
 use crate::deviation::{Deviation, Remembers};
 use crate::hop::{By, Hop};
-use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE};
+use crate::rest::{AS_STATE, HANDSHAKE, Rest, SHUTDOWN_CAUSE, flags};
 use crate::seen::as_seen;
 
 /// What is taken where no row of the table is: a deviation leads on, or the program itself.
@@ -29,6 +29,8 @@ pub struct Model {
     rest: Vec<Rest>,
     /// A bit for each that is remembered otherwise.
     remembers: u16,
+    /// Whether the cause that it shows in an emergency is not the one that it remembers.
+    hides_the_cause: bool,
 }
 
 /// What such a machine remembers.
@@ -73,7 +75,8 @@ impl Model {
             _ => all,
         });
         let (machine, showing) = (Machine::new(changed, changed.readings), Showing::of(edition));
-        Self { usual: *edition, machine, showing, rest, remembers }
+        let hides_the_cause = deviations.iter().any(Deviation::hides_the_cause);
+        Self { usual: *edition, machine, showing, rest, remembers, hides_the_cause }
     }
 
     /// The edition that it deviates from.
@@ -179,16 +182,45 @@ impl Model {
         answer: &Answer,
     ) -> (Outputs, Memory) {
         let found = self.find(memory, inputs, dt_ms);
-        let (reaction, mut after) = self.remember(&found, found.taken);
+        let (mut reaction, mut after) = self.remember(&found, found.taken);
         let outputs = self.machine.outputs(memory.control.state, &reaction, inputs.go);
         let (own, from) = (reaction.control.state, memory.control.state);
         if let Some(state) = self.state_behind(answer, own).filter(|state| *state != own) {
             let taken = (state != from).then_some((NO_ROW, state));
             let waited = if state == from { memory.waited } else { NOT_WAITED };
-            after = self.remember(&Found { waited, ..found }, taken).1;
+            (reaction, after) = self.remember(&Found { waited, ..found }, taken);
         }
-        self.take_over_the_cause(&mut after, answer);
+        // In any other state none begins: what is shown there may be shown wrongly.
+        if after.control.state == AsState::EmergencyBrake {
+            let cause = if self.hides_the_cause {
+                self.cause_by_flags(memory, inputs, &reaction, answer)
+            } else {
+                answer.raw_at(SHUTDOWN_CAUSE).flatten().and_then(ShutdownCause::from_raw)
+            };
+            after.control.shutdown_cause = cause.unwrap_or(after.control.shutdown_cause);
+        }
         (outputs, after)
+    }
+
+    /// The cause of an emergency that begins, by the flags that an answer has and the model has not, or the other way round.
+    fn cause_by_flags(
+        &self,
+        before: &Memory,
+        inputs: &Inputs,
+        reaction: &Reaction,
+        answer: &Answer,
+    ) -> Option<ShutdownCause> {
+        let Control { state, shutdown_cause, .. } = before.control;
+        if state == AsState::EmergencyBrake || shutdown_cause != ShutdownCause::NoShutdown {
+            return None;
+        }
+        let values = self.values(&self.machine.outputs(state, reaction, inputs.go), inputs);
+        let (expected, found) =
+            (flags(|place| values.at(place)), flags(|place| answer.raw_at(place).flatten()));
+        let more = found.difference(expected);
+        let fewer = expected.difference(found);
+        let faults = reaction.faults.union(more).difference(fewer);
+        (faults != reaction.faults && !faults.is_empty()).then(|| faults.cause())
     }
 
     /// The state that a program is in by its answer, where the model would be in this one; `None` if the answer tells none.
@@ -196,21 +228,6 @@ impl Model {
         let raw = answer.raw_at(AS_STATE)??;
         let shown = |state: AsState| self.written(AS_STATE, state.raw()) == raw;
         if shown(own) { Some(own) } else { AsState::ALL.into_iter().find(|state| shown(*state)) }
-    }
-
-    /// The cause that a program shows is the one that it remembers, unless the model shows another than it remembers.
-    fn take_over_the_cause(&self, memory: &mut Memory, answer: &Answer) {
-        let shown_otherwise = self.rest.iter().any(|rest| match *rest {
-            Rest::Shows { state, place, .. } => state == memory.control.state && place == SHUTDOWN_CAUSE,
-            Rest::Writes { place, .. } => place == SHUTDOWN_CAUSE,
-            _ => false,
-        });
-        let cause = answer.raw_at(SHUTDOWN_CAUSE).flatten().and_then(ShutdownCause::from_raw);
-        // In any other state none begins: what is shown there may be shown wrongly.
-        let begins = memory.control.state == AsState::EmergencyBrake;
-        if let (true, false, Some(cause)) = (begins, shown_otherwise, cause) {
-            memory.control.shutdown_cause = cause;
-        }
     }
 
     /// The same as the first part of [`Machine::react`], with the deviations in it.

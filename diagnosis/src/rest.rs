@@ -1,8 +1,8 @@
 //! What a program does otherwise that is no change of Figure 2, of a time or of a threshold, ready to be applied.
 
 use adsdv_conform::protocol::{INPUTS, InputField, SHOWN};
-use adsdv_spec::AsState;
 use adsdv_spec::messages::ShutdownCause;
+use adsdv_spec::{AsState, Fault, Faults};
 
 use crate::deviation::{Deviation, Remembers, Wheels};
 
@@ -41,6 +41,24 @@ const fn place(key: &str) -> usize {
         place += 1;
     }
     place
+}
+
+/// The places of the faults' flags, fault by fault.
+const FLAGS: [usize; Fault::ALL.len()] = {
+    let mut places = [0; Fault::ALL.len()];
+    let mut i = 0;
+    while i < places.len() {
+        places[i] = place(Fault::ALL[i].flag());
+        i += 1;
+    }
+    places
+};
+
+/// The faults whose flags are on, of outputs by their places.
+pub(crate) fn flags(shown: impl Fn(usize) -> Option<i32>) -> Faults {
+    let on = |place: usize| shown(place) == Some(true.into());
+    let faults = Fault::ALL.iter().zip(FLAGS);
+    faults.fold(Faults::NONE, |all, (fault, place)| all.union(Faults::when(*fault, on(place))))
 }
 
 impl Rest {

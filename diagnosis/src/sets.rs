@@ -69,10 +69,13 @@ pub(crate) fn everywhere(edition: &Edition, set: &[Deviation]) -> Vec<Deviation>
     });
     let leads =
         |one: &Deviation| matches!(one, Deviation::Changed(Change::RowLeadsTo(..)) | Deviation::Also { .. });
+    // Where the cause is shown otherwise, the flags tell which is remembered.
+    let by_flags = set.iter().any(Deviation::hides_the_cause);
+    let tells = |one: &Deviation| one.tells_what_is_remembered() || by_flags && one.is_about_a_flag();
     // How long a state lasted in all is remembered up to the time that counts.
     let of_all_visits = set.contains(&Deviation::Remembers(Remembers::DwellOfAllVisits));
     let counts = |one: &Deviation| {
-        one.state(edition).is_none() && one.tells_what_is_remembered()
+        one.state(edition).is_none() && tells(one)
             || alike && leads(one)
             || of_all_visits && matches!(one, Deviation::Changed(Change::Time(Time::ReadyDwell, _)))
     };

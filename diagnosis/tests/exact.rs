@@ -203,6 +203,17 @@ fn an_input_that_opens_the_shutdown_circuit_is_named_once_and_not_by_each_arrow(
     }
 }
 
+/// The cause that such a program remembers is seen by its flags alone.
+#[test]
+fn a_cause_that_is_shown_wrongly_hides_no_arrow_that_lacks_a_condition() {
+    for edition in [&Edition::V4_0, &Edition::V2026] {
+        for wrong in ["brake:shows:shutdown_cause=2", "writes:shutdown_cause:5=3"] {
+            let ids = ["driving-brake:5:without:direction-neutral", wrong];
+            names(edition, &ids.map(|id| Deviation::find(edition, id).expect("there is such a deviation")));
+        }
+    }
+}
+
 #[test]
 fn the_wheels_that_count_are_named_whichever_they_are() {
     for wheels in Wheels::EACH {
