@@ -10,7 +10,7 @@
 //! ```
 //!
 //! `EDITION` names the one edition to take, and `CYCLE` the one time that a step takes, in milliseconds; with `SHOW` each run tells
-//! what it took.
+//! of what it was, and what it took.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -211,7 +211,10 @@ impl Tally {
         let observable = comparison.observable(injected);
         if self.shows {
             let (took, steps, asked) = (start.elapsed(), program.steps, found.experiments);
-            println!("  run {run}: {took:?}, {steps} steps, {asked} experiments");
+            println!(
+                "  run {run}: {took:?}, {steps} steps, {asked} experiments; of {}",
+                ids(edition, injected)
+            );
             let hidden = injected.iter().filter(|one| !observable.contains(one));
             hidden.for_each(|one| println!("  not observable {}", one.id(edition)));
         }

@@ -130,6 +130,8 @@ struct Search<'a, 'b> {
     random: SplitMix64,
     /// The arrows that were looked for with conditions the other way round, each with what the program was thought to do.
     sought: Vec<(Vec<Deviation>, AsState, AsState)>,
+    /// What was found and tried with something else remembered.
+    remembered: Vec<Vec<Deviation>>,
     until: Instant,
 }
 
@@ -152,6 +154,7 @@ impl<'a, 'b> Search<'a, 'b> {
             found: Vec::new(),
             random: SplitMix64(1),
             sought: Vec::new(),
+            remembered: Vec::new(),
             until,
         }
     }
@@ -280,7 +283,11 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 
     fn fit(&mut self) {
-        let found = self.a_fit().run(self.found.clone());
+        let mut found = self.a_fit().run(self.found.clone());
+        if !self.remembered.contains(&found) {
+            self.remembered.push(found.clone());
+            found = self.a_fit().else_remembered(found);
+        }
         self.found = found;
     }
 

@@ -135,6 +135,25 @@ impl<'a> Fit<'a> {
         best
     }
 
+    /// The set, or what explains more with something else remembered: where stays begin depends on that, so that it is passed over
+    /// where it is ranked by stays of other beginnings.
+    pub(crate) fn else_remembered(&self, mut set: Vec<Deviation>) -> Vec<Deviation> {
+        let mut wrong = self.wrong(&set);
+        let all = self.candidates.single.iter().copied();
+        for one in all.filter(|one| matches!(one, Deviation::Remembers(_))) {
+            if wrong == 0 || self.is_over() {
+                break;
+            }
+            for other in with(&set, one) {
+                if !set.contains(&one) && self.wrong(&other) < wrong {
+                    set = self.run_from(other);
+                    wrong = self.wrong(&set);
+                }
+            }
+        }
+        set
+    }
+
     /// An arrow that leads to another state and a state that is shown as another look alike, until that state is left: each set
     /// with the one in the place of the other.
     fn with_states_shown_otherwise(&self, set: &[Deviation]) -> Vec<Vec<Deviation>> {
