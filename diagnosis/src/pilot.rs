@@ -95,6 +95,21 @@ impl<'a> Pilot<'a> {
         Ok(())
     }
 
+    /// The same until the program is in this state, wherever the model goes meanwhile: it may take longer than the model thinks.
+    pub(crate) fn step_until(&mut self, dt_ms: u32, to: AsState) -> Result<(), ProgramError> {
+        let whole = (1, dt_ms);
+        let fixed = |cycle_ms: u32| (dt_ms.div_ceil(cycle_ms).max(1), cycle_ms);
+        let (steps, each_ms) = self.ways.interface.cycle_ms().map_or(whole, fixed);
+        for _ in 0..steps {
+            self.find_again();
+            self.step_once(each_ms)?;
+            if self.state() == to {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     fn step_once(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
         if self.lost {
             return Ok(());

@@ -227,8 +227,7 @@ impl Turn<'_> {
                 }
             }
         }
-        pilot.find_again();
-        pilot.step(last_ms)?;
+        pilot.step_until(last_ms, to)?;
         for _ in 0..self.late {
             pilot.cycles(1)?;
         }

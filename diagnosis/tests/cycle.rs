@@ -85,3 +85,10 @@ fn a_time_is_named_by_the_end_of_the_cycle_in_which_it_is_over() {
         found(edition, 50, &[late]).0.deviations.iter().map(|one| one.id(edition)).collect();
     assert_eq!(ids, ["ready-dwell:+150ms"]);
 }
+
+/// The model is elsewhere long before such a program.
+#[test]
+fn a_timer_that_takes_longer_is_found_at_a_fixed_cycle() {
+    names(&Edition::V3_0, 50, &["ebs-timer:+5000ms"]);
+    names(&Edition::V4_0, 100, &["ebs-timer:+12200ms"]);
+}
