@@ -88,19 +88,17 @@ impl<'a> Pilot<'a> {
 
     /// One step, or as many of a fixed cycle as take so long; none any more once the program has gone elsewhere than the model.
     pub(crate) fn step(&mut self, dt_ms: u32) -> Result<(), ProgramError> {
-        let Some(cycle_ms) = self.ways.interface.cycle_ms() else { return self.step_once(dt_ms) };
-        for _ in 0..dt_ms.div_ceil(cycle_ms).max(1) {
-            self.step_once(cycle_ms)?;
+        let each_ms = self.ways.interface.cycle_ms().unwrap_or(dt_ms);
+        for _ in 0..self.ways.interface.cycles(dt_ms) {
+            self.step_once(each_ms)?;
         }
         Ok(())
     }
 
     /// The same until the program is in this state, wherever the model goes meanwhile: it may take longer than the model thinks.
     pub(crate) fn step_until(&mut self, dt_ms: u32, to: AsState) -> Result<(), ProgramError> {
-        let whole = (1, dt_ms);
-        let fixed = |cycle_ms: u32| (dt_ms.div_ceil(cycle_ms).max(1), cycle_ms);
-        let (steps, each_ms) = self.ways.interface.cycle_ms().map_or(whole, fixed);
-        for _ in 0..steps {
+        let each_ms = self.ways.interface.cycle_ms().unwrap_or(dt_ms);
+        for _ in 0..self.ways.interface.cycles(dt_ms) {
             self.find_again();
             self.step_once(each_ms)?;
             if self.state() == to {
